@@ -1,0 +1,46 @@
+"""Forward kinematics for people who learn it, teach it or use it.
+
+>>> from dhcli import load_robot, forward, symbolic
+>>> scara = load_robot("scara")
+>>> forward(scara, [0.3, 0.5, 0.1]).position
+(-0.36..., 0.60..., 0.3...)
+>>> print(symbolic(scara).rows[0][3])
+-l3*s12 - l2*s1
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from dhcli.errors import DhcliError as DhcliError
+    from dhcli.files.robots import load_robot as load_robot
+    from dhcli.kinematics.forward import forward as forward
+    from dhcli.kinematics.forward import symbolic as symbolic
+    from dhcli.kinematics.pose import Pose as Pose
+    from dhcli.kinematics.robot import Robot as Robot
+
+__version__ = "0.1.0"
+
+_HOMES = {
+    "DhcliError": "dhcli.errors",
+    "Pose": "dhcli.kinematics.pose",
+    "Robot": "dhcli.kinematics.robot",
+    "forward": "dhcli.kinematics.forward",
+    "load_robot": "dhcli.files.robots",
+    "symbolic": "dhcli.kinematics.forward",
+}
+
+__all__ = ["DhcliError", "Pose", "Robot", "__version__", "forward", "load_robot", "symbolic"]
+
+
+def __getattr__(name: str) -> object:
+    """Import a public name when it is first asked for, so that `import dhcli` costs nothing."""
+    if name not in _HOMES:
+        raise AttributeError(f"module 'dhcli' has no attribute {name!r}")
+    return getattr(import_module(_HOMES[name]), name)
+
+
+def __dir__() -> list[str]:
+    return sorted((*globals(), *_HOMES))

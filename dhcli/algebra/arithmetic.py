@@ -1,0 +1,134 @@
+"""What a kind of number must offer so that the one fold, and every tree, runs over it.
+
+The integers 0, 1 and -1 are structural in every arithmetic: the cosine of 90° is the integer 0 before any float or
+array exists, and a product with it is never computed. All other numbers only need `+`, `-` and `*`.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Protocol, TypeVar
+
+from dhcli.notation.angle import Angle
+from dhcli.notation.tree import Call, Constant, Expr, Number, Power, Product, Sum, Symbol, Trig
+
+N = TypeVar("N")
+
+COSINES = (1, 0, -1, 0)
+"""Cosines of 0, 1, 2 and 3 right angles; the sine of k is the cosine of k - 1."""
+
+
+class Arithmetic(Protocol[N]):
+    """A kind of number. Methods may return the integers 0, 1 and -1, which are structural everywhere."""
+
+    def cos_sin(self, angle: Angle) -> tuple[N | int, N | int]:
+        """Cosine and sine of an exact angle."""
+        ...
+
+    def length(self, expr: Expr) -> N | int:
+        """The number that an expression of lengths stands for."""
+        ...
+
+    def constant(self, value: int) -> N:
+        """A structural integer as an ordinary number."""
+        ...
+
+
+class Evaluator(Arithmetic[N], Protocol[N]):
+    """An arithmetic that `evaluate` can run a tree over, leaf by leaf."""
+
+    def number(self, value: Fraction) -> N:
+        """An exact number."""
+        ...
+
+    def symbol(self, name: str) -> N:
+        """The value of a name."""
+        ...
+
+    def pi(self) -> N:
+        """The number π."""
+        ...
+
+    def power(self, base: N, exponent: Fraction) -> N:
+        """A rational power."""
+        ...
+
+    def call(self, function: str, arguments: list[N]) -> N:
+        """A function by its name in notation."""
+        ...
+
+
+class CannotHoldError(ArithmeticError):
+    """A number that this arithmetic has no place for, such as atan2 among residues."""
+
+
+def right_angle(angle: Angle) -> tuple[int, int] | None:
+    """Cosine and sine as structural integers if the angle is a whole number of right angles."""
+    quarters = angle.quarter_turns()
+    return None if quarters is None else (COSINES[quarters], COSINES[quarters - 1])
+
+
+def evaluate(expr: Expr, over: Evaluator[N]) -> N | int:
+    """The value of a tree, computed from the leaves up.
+
+    Args:
+        expr: The tree.
+        over: The arithmetic, which knows the values of the names.
+    """
+    match expr:
+        case Number(value):
+            return int(value) if value in (-1, 0, 1) else over.number(value)
+        case Symbol(name):
+            return over.symbol(name)
+        case Trig(function, angle):
+            return over.cos_sin(angle)[function == "sin"]
+        case Sum(terms):
+            total = evaluate(terms[0], over)
+            for term in terms[1:]:
+                total = plus(total, evaluate(term, over))
+            return total
+        case Product(factors):
+            product = evaluate(factors[0], over)
+            for factor in factors[1:]:
+                product = times(product, evaluate(factor, over))
+            return product
+        case Power(base, exponent):
+            return over.power(settled(evaluate(base, over), over), exponent)
+        case Call(function, arguments):
+            return over.call(function, [settled(evaluate(argument, over), over) for argument in arguments])
+        case Constant():
+            return over.pi()
+    raise TypeError(expr)
+
+
+def settled(value: N | int, over: Arithmetic[N]) -> N:
+    """A number that is certainly not structural any more."""
+    return over.constant(value) if isinstance(value, int) and value in (-1, 0, 1) else value  # type: ignore[return-value]
+
+
+def times(a: N | int, b: N | int) -> N | int:
+    """A product in which structural 0, 1 and -1 cost nothing."""
+    if type(a) is int:
+        if a == 0:
+            return 0
+        if a == 1:
+            return b
+        if a == -1:
+            return -b  # type: ignore[operator]
+    if type(b) is int:
+        if b == 0:
+            return 0
+        if b == 1:
+            return a
+        if b == -1:
+            return -a  # type: ignore[operator]
+    return a * b  # type: ignore[operator]
+
+
+def plus(a: N | int, b: N | int) -> N | int:
+    """A sum in which a structural 0 costs nothing."""
+    if type(a) is int and a == 0:
+        return b
+    if type(b) is int and b == 0:
+        return a
+    return a + b  # type: ignore[operator]

@@ -1,0 +1,95 @@
+"""Python floats: one pose, without importing numpy."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from fractions import Fraction
+
+from dhcli.algebra.arithmetic import evaluate, right_angle
+from dhcli.notation.angle import Angle
+from dhcli.notation.tree import Expr, Number
+
+_EXACT_SINES = {0: 0.0, 30: 0.5, 90: 1.0}
+
+_CALLS = {"tan": math.tan, "acos": math.acos, "asin": math.asin, "atan": math.atan, "cos": math.cos, "sin": math.sin}
+
+
+class Floats:
+    """Double precision.
+
+    Attributes:
+        values: Value of each name: an exact `Angle`, an angle in radians, or a length in metres.
+    """
+
+    def __init__(self, values: Mapping[str, Angle | float] | None = None) -> None:
+        """Take the values of the names."""
+        values = values or {}
+        self._angles = {name: value for name, value in values.items() if isinstance(value, Angle)}
+        self._floats = {name: float(value) for name, value in values.items() if not isinstance(value, Angle)}
+
+    def cos_sin(self, angle: Angle) -> tuple[float | int, float | int]:
+        """Cosine and sine; exact where the angle is exact."""
+        angle = angle.substitute(self._angles)
+        exact = right_angle(angle)
+        if exact is not None:
+            return exact
+        if not angle.terms and not angle.radians:
+            return cosine_of_degrees(angle.degrees), cosine_of_degrees(angle.degrees - 90)
+        radians = angle.constant()
+        for name, factor in angle.terms:
+            radians += float(factor) * self._floats[name]
+        return math.cos(radians), math.sin(radians)
+
+    def length(self, expr: Expr) -> float | int:
+        """Value of an expression of lengths [m]."""
+        if type(expr) is Number:
+            return 0 if not expr.value else float(expr.value)
+        return evaluate(expr, self)
+
+    def constant(self, value: int) -> float:
+        """0.0, 1.0 or -1.0."""
+        return float(value)
+
+    def number(self, value: Fraction) -> float:
+        """The nearest float."""
+        return float(value)
+
+    def symbol(self, name: str) -> float:
+        """Value of a name; an angle outside a cosine counts in radians."""
+        if name in self._angles:
+            return self._angles[name].constant()
+        return self._floats[name]
+
+    def pi(self) -> float:
+        """3.14159..."""
+        return math.pi
+
+    def power(self, base: float, exponent: Fraction) -> float:
+        """A power; NaN where it is not real."""
+        try:
+            return math.sqrt(base) if exponent == Fraction(1, 2) else math.pow(base, exponent)
+        except (ValueError, ZeroDivisionError, OverflowError):
+            return math.nan
+
+    def call(self, function: str, arguments: list[float]) -> float:
+        """A function of floats; NaN where it is not defined."""
+        try:
+            if function == "atan2":
+                return math.atan2(*arguments)
+            return _CALLS[function](arguments[0])
+        except (ValueError, OverflowError):
+            return math.nan
+
+
+def cosine_of_degrees(degrees: Fraction) -> float:
+    """Cosine of exact degrees, reduced exactly to the first 45° before a float exists."""
+    degrees %= 360
+    if degrees > 180:  # noqa: PLR2004
+        degrees = 360 - degrees
+    if degrees > 90:  # noqa: PLR2004
+        return -cosine_of_degrees(180 - degrees)
+    if degrees > 45:  # noqa: PLR2004
+        exact = _EXACT_SINES.get(90 - degrees)  # type: ignore[call-overload]
+        return math.sin(math.radians(90 - degrees)) if exact is None else exact
+    return math.cos(math.radians(degrees))

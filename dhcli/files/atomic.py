@@ -1,0 +1,82 @@
+"""Writing a file whole or not at all: a reader never sees half of it, and a failure leaves the old one as it was."""
+
+from __future__ import annotations
+
+import errno
+import os
+import stat
+from pathlib import Path
+
+from dhcli.errors import FileError, Place, Problem
+
+_DISK_FULL = {errno.ENOSPC, errno.EDQUOT}
+
+
+def write_whole(path: Path | str, content: str | bytes, *, overwrite: bool) -> None:
+    """Write a file in one step.
+
+    A new file gets the usual permissions, an overwritten one keeps its own, and a symbolic link stays a link.
+    Devices and pipes (`/dev/stdout`) cannot be replaced and are written directly.
+
+    Args:
+        path: Where to write.
+        content: Text, written as UTF-8 with the line ends it has, or bytes.
+        overwrite: Whether a file that stands there may be replaced.
+
+    Raises:
+        FileError: Something stands there already, or it cannot be written; nothing has changed then.
+    """
+    path = Path(path)
+    try:
+        payload = content if isinstance(content, bytes) else content.encode("utf-8")
+        mode = _mode_of(path)
+        if mode is not None and stat.S_ISDIR(mode):
+            raise FileError(Problem("is a folder", Place(str(path)), "name a file in it"))
+        if mode is not None and not stat.S_ISREG(mode):
+            path.write_bytes(payload)
+            return
+        if mode is not None and not overwrite:
+            raise FileError(Problem("exists already", Place(str(path)), "choose another name, or allow overwriting"))
+        _replace(Path(os.path.realpath(path)), payload, mode)
+    except UnicodeEncodeError as error:
+        character = f"U+{ord(error.object[error.start]):04X}"
+        raise FileError(Problem(f"cannot be written: {character} has no UTF-8", Place(str(path)))) from None
+    except OSError as error:
+        raise FileError(_explain(error, path)) from None
+
+
+def _mode_of(path: Path) -> int | None:
+    """Kind and permissions of what stands at a path, or None if nothing does."""
+    try:
+        return path.stat().st_mode
+    except FileNotFoundError:
+        return None
+
+
+def _replace(path: Path, payload: bytes, mode: int | None) -> None:
+    """Write beside the target, where a rename is one step, then rename."""
+    temporary = path.with_name(f".dhcli-{os.urandom(6).hex()}.tmp")
+    descriptor = os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o666)
+    try:
+        with open(descriptor, "wb") as stream:
+            stream.write(payload)
+            stream.flush()
+            os.fsync(stream.fileno())
+        if mode is not None:
+            temporary.chmod(stat.S_IMODE(mode))
+        temporary.replace(path)
+    except BaseException:  # Ctrl-C too must leave nothing behind
+        temporary.unlink(missing_ok=True)
+        raise
+
+
+def _explain(error: OSError, path: Path) -> Problem:
+    """What the operating system said, as a problem."""
+    place = Place(str(path))
+    if isinstance(error, FileNotFoundError | NotADirectoryError):
+        return Problem(f"cannot be written: there is no folder {path.parent}", place, "make it first")
+    if isinstance(error, PermissionError):
+        return Problem("cannot be written: no permission", place)
+    if error.errno in _DISK_FULL:
+        return Problem("cannot be written: the disk is full", place)
+    return Problem(f"cannot be written: {error.strerror or error}", place)

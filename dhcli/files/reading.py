@@ -1,0 +1,114 @@
+"""Reading the text of a file, or of standard input, with an upper limit and a clear error for all that can go wrong."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+from typing import BinaryIO
+
+from dhcli.errors import FileError, Place, Problem, nearest
+
+LIMIT = 256_000
+_STANDARD_INPUT = "standard input"
+_NEIGHBOURS = 1000
+_FIRST_PRINTABLE_LATIN_1 = 0xA1
+
+
+def source_of(path: Path | str) -> str:
+    """What to call a file in messages: its path as written, or `standard input` for `-`."""
+    return _STANDARD_INPUT if str(path) == "-" else str(path)
+
+
+def read_text(path: Path | str, *, limit: int = LIMIT) -> str:
+    r"""Read a whole file as UTF-8.
+
+    Args:
+        path: The file; `-` is standard input.
+        limit: Most bytes to accept [B]; a larger file is refused and not read.
+
+    Returns:
+        The text, every line end as "\n", without a byte order mark.
+
+    Raises:
+        FileError: It cannot be read, is larger than the limit, or is not text in UTF-8.
+    """
+    source = source_of(path)
+    try:
+        if str(path) == "-":
+            content = _read_standard_input(limit)
+        else:
+            with open(path, "rb") as stream:
+                content = _read_limited(stream, source, limit)
+    except OSError as error:
+        raise FileError(_explain(error, source, path)) from None
+    return _decode(content, source)
+
+
+def _read_standard_input(limit: int) -> bytes:
+    """All of standard input, which a caller of the library may have closed."""
+    stream: BinaryIO | None = getattr(sys.stdin, "buffer", None)
+    if stream is None or stream.closed:
+        raise FileError(Problem("cannot be read", Place(_STANDARD_INPUT), "name a file instead of -"))
+    return _read_limited(stream, _STANDARD_INPUT, limit)
+
+
+def _read_limited(stream: BinaryIO, source: str, limit: int) -> bytes:
+    """One byte more than the limit is read, never a whole large file; pipes and devices have no size to ask for."""
+    content = stream.read(limit + 1)
+    if len(content) <= limit:
+        return content
+    size = stream.seek(0, 2) if stream.seekable() else 0
+    is_size = f"is {_spell_size(size)}, more than" if size > limit else "is more than"
+    raise FileError(Problem(f"{is_size} the {_spell_size(limit)} that dhcli reads", Place(source)))
+
+
+def _explain(error: OSError, source: str, path: Path | str) -> Problem:
+    """What the operating system said, as a problem."""
+    place = Place(source)
+    if isinstance(error, FileNotFoundError | NotADirectoryError):
+        similar = nearest(Path(path).name, _neighbours(Path(path)))
+        hint = f"did you mean {' or '.join(similar)}?" if similar else ""
+        return Problem("there is no such file", place, hint)
+    if isinstance(error, IsADirectoryError) or os.path.isdir(path):
+        return Problem("is a folder, not a file", place)
+    if isinstance(error, PermissionError):
+        return Problem("may not be read: no permission", place)
+    return Problem(f"cannot be read: {error.strerror or error}", place)
+
+
+def _neighbours(path: Path) -> tuple[str, ...]:
+    """Names of files beside a path, not more than a few."""
+    from itertools import islice
+
+    try:
+        return tuple(beside.name for beside in islice(path.parent.iterdir(), _NEIGHBOURS))
+    except OSError:
+        return ()
+
+
+def _decode(content: bytes, source: str) -> str:
+    """Bytes as text, or the place of the first byte that is none."""
+    if content.startswith((b"\xff\xfe", b"\xfe\xff")):
+        raise FileError(Problem("is written in UTF-16", Place(source), "save it as UTF-8"))
+    if (at := content.find(b"\0")) >= 0:
+        raise FileError(Problem(f"is not a text file: byte {at + 1} is NUL", Place(source)))
+    try:
+        text = content.decode("utf-8")
+    except UnicodeDecodeError as error:
+        before, byte = content[: error.start].decode("utf-8"), content[error.start]
+        lines = before.replace("\r\n", "\n").replace("\r", "\n").removeprefix("\ufeff").split("\n")
+        hint = "save the file as UTF-8"
+        if byte >= _FIRST_PRINTABLE_LATIN_1:
+            hint += f"; if it is Latin-1, this byte is '{chr(byte)}'"
+        place = Place(source, len(lines), len(lines[-1]) + 1)
+        raise FileError(Problem(f"is not UTF-8: byte {error.start + 1} is 0x{byte:02X}", place, hint)) from None
+    return text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
+
+
+def _spell_size(size: int) -> str:
+    """A size for people: `256 kB`, `104.9 MB`."""
+    for unit, factor in (("GB", 1_000_000_000), ("MB", 1_000_000), ("kB", 1000)):
+        if size >= factor:
+            return f"{size / factor:.1f}".removesuffix(".0") + f" {unit}"
+    return f"{size} bytes"

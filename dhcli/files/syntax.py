@@ -1,0 +1,164 @@
+"""What PyYAML says about a syntax error, in words for someone who has never read the YAML specification."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Protocol
+
+from dhcli.errors import Place, Problem
+
+if TYPE_CHECKING:
+    import yaml
+
+_QUOTED = re.compile(r"'[^']*'|\"[^\"]*\"")
+_NAME_WITH_BRACE = re.compile(r"[\w^)}\]][{\[]")
+_BRACE_HINT = "a name with braces or brackets needs quotes, such as 'alpha_{i-1}'"
+
+# A part of PyYAML's message (both parsers'), whether its context mark is the better place, our message, our hint.
+_PHRASES: tuple[tuple[str, bool, str, str], ...] = (
+    (
+        "could not find expected ':'",
+        True,
+        "this line is neither 'key: value' nor '- entry'",
+        "a colon needs a space after it; text that goes on must be indented more than its key",
+    ),
+    ("quoted scalar found unexpected", True, "this quote is never closed", "close it, or write the text without"),
+    (
+        "found unknown escape character",
+        False,
+        "a backslash in double quotes begins an escape, and this is none",
+        "use single quotes, as in '\\sin'",
+    ),
+    ("escape", False, "this escape in double quotes is not one that YAML knows", "use single quotes"),
+    (
+        "sequence entries are not allowed",
+        False,
+        "a list cannot begin on the line of its key",
+        "put each '- entry' on a line of its own; a minus sign has no space after it",
+    ),
+    ("mapping keys are not allowed", False, "'? ' cannot stand here", "text needs quotes"),
+    ("scanning a block scalar", True, "'|' and '>' begin a block of text", "text that begins with them needs quotes"),
+    ("scanning an alias", True, "'*' begins a YAML alias", "text that begins with '*' needs quotes"),
+    ("scanning an anchor", True, "'&' begins a YAML anchor", "text that begins with '&' needs quotes"),
+    (" tag", True, "'!' begins a YAML tag", "text that begins with '!' needs quotes"),
+    ("directive", True, "a line cannot begin with '%'", "use # for a comment"),
+    ("incompatible YAML document", False, "this version of YAML is not known", "delete the line"),
+    ("node content", False, "a value is missing here", "text that begins with a bracket or comma needs quotes"),
+    (
+        "block collection",
+        False,
+        "this line does not go on the list above it",
+        "the '- ' of one list stand in one column",
+    ),
+)
+
+
+class Mark(Protocol):
+    """What the marks of both PyYAML parsers have, counted in characters."""
+
+    @property
+    def line(self) -> int:
+        """Line from 0."""
+
+    @property
+    def column(self) -> int:
+        """Column from 0."""
+
+
+def explain_syntax(error: yaml.MarkedYAMLError, lines: Sequence[str], place: Callable[[Mark | None], Place]) -> Problem:
+    """Say what is wrong in plain words.
+
+    Args:
+        error: What PyYAML raised.
+        lines: The lines of the file.
+        place: Gives the place of a mark.
+    """
+    here = place(error.problem_mark)
+    start = place(error.context_mark) if error.context_mark else here
+    context, said = error.context or "", error.problem or ""
+    indent = here.text[: len(here.text) - len(here.text.lstrip())]
+    if "\t" in indent:
+        place_of_tab = replace(here, column=indent.index("\t") + 1)
+        return Problem("a tab indents this line; YAML wants spaces", place_of_tab, "two spaces a level are usual")
+    if "mapping values are not allowed" in said:
+        return _explain_colon(here, lines)
+    if "expected ',' or" in said:
+        return _explain_bracket(here, start)
+    if context == "while parsing a block mapping" or "document start" in said or _split(here)[1].startswith(":"):
+        return _explain_leftover(here, start)
+    return _explain_phrase(here, start, f"{context} {said}".strip())
+
+
+def _explain_phrase(here: Place, start: Place, said: str) -> Problem:
+    """One of the messages that mean the same wherever they come."""
+    if "cannot start any token" in said:
+        first = _split(here)[1][:1]
+        if first == "\t":
+            return Problem("a tab stands here; YAML wants a space", here)
+        return Problem(f"a value cannot begin with '{first}'", here, "put it in quotes")
+    for phrase, at_start, message, hint in _PHRASES:
+        if phrase in said:
+            return Problem(message, start if at_start else here, hint)
+    return Problem(f"not valid YAML: {said}", here)
+
+
+def _explain_colon(here: Place, lines: Sequence[str]) -> Problem:
+    """A `: ` where no key can end."""
+    before, _ = _split(here)
+    if ": " in before:
+        return Problem("a second ': ' stands in one value", here, "a value with a colon needs quotes")
+    above = next((line.strip() for line in reversed(lines[: (here.line or 1) - 1]) if line.strip()), "")
+    hint = "keys of one mapping start in one column"
+    if re.match(r"[\w-]+:\S", above):
+        hint = "in the line above, the colon needs a space after it"
+    elif above and ":" not in above:
+        hint = "the line above has no ': ' after its key"
+    indent = len(before) - len(before.lstrip())
+    return Problem("this key cannot stand here", replace(here, column=indent + 1), hint)
+
+
+def _explain_bracket(here: Place, start: Place) -> Problem:
+    """A list or mapping in brackets that does not go on as it should; `start` is its opening bracket."""
+    opening = _split(start)[1][:1]
+    closing = "}" if opening == "{" else "]"
+    at_end = not _split(here)[1].strip()
+    braces = _BRACE_HINT if _has_name_with_brace(start.text) or _has_name_with_brace(here.text) else ""
+    if here.line == start.line and not at_end:
+        message = f"',' or '{closing}' should stand here"
+        return Problem(message, here, braces or "entries are separated by ', '; a value with a comma needs quotes")
+    message = f"this '{opening}' is never closed" if at_end else f"this '{opening}' is still open on line {here.line}"
+    return Problem(message, start, braces or f"'{closing}' is missing, or a ',' between two entries")
+
+
+def _explain_leftover(here: Place, start: Place) -> Problem:
+    """Something that is no part of what stands before it."""
+    before, rest = _split(here)
+    message, hint = "this line does not line up with the lines above it", "keys of one mapping start in one column"
+    if before.rstrip().endswith(("'", '"')):
+        message, hint = "text follows the closing quote", "in single quotes an apostrophe is written twice: ''"
+    elif rest.startswith(("}", "]")):
+        message, hint = f"this '{rest[0]}' closes nothing", "delete it, or open it"
+    elif rest.startswith(":"):
+        message, hint = "a key is missing before ':'", ""
+    elif rest.startswith("%"):
+        message, hint = "a line cannot begin with '%'", "use # for a comment"
+    elif before.strip():
+        message, hint = "this does not belong to the value before it", "the whole value may need quotes"
+    elif rest.startswith("-"):
+        message, hint = "a list entry stands among the keys", "entries of a list stand under their key"
+    elif start is not here:
+        hint = f"the keys above start in column {start.column}"
+    return Problem(message, here, hint)
+
+
+def _split(place: Place) -> tuple[str, str]:
+    """What stands in the line of a place before it, and from it on."""
+    column = (place.column or 1) - 1
+    return place.text[:column], place.text[column:]
+
+
+def _has_name_with_brace(line: str) -> bool:
+    """Whether an unquoted name such as `alpha_{i-1}` stands in a line."""
+    return bool(_NAME_WITH_BRACE.search(_QUOTED.sub(" ", line)))

@@ -1,0 +1,63 @@
+"""The two conventions of Denavit and Hartenberg, and how a row of their tables becomes four moves."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from dhcli.kinematics.moves import Chain, Rot, along
+from dhcli.notation.angle import Angle
+from dhcli.notation.tree import Expr
+
+
+class Convention(StrEnum):
+    """How the links of a robot are described."""
+
+    STANDARD = "standard"
+    MODIFIED = "modified"
+    PRODUCT = "product"
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One row of a DH table.
+
+    Attributes:
+        a: Link length a_i, in the modified convention a_{i-1} [m].
+        alpha: Link twist alpha_i, in the modified convention alpha_{i-1}.
+        d: Link offset d_i [m].
+        theta: Joint angle theta_i.
+    """
+
+    a: Expr
+    alpha: Angle
+    d: Expr
+    theta: Angle
+
+
+COLUMNS = ("a", "alpha", "d", "theta")
+
+ORDER = {
+    Convention.STANDARD: "A_i = Rot(z, theta_i) Trans(z, d_i) Trans(x, a_i) Rot(x, alpha_i)",
+    Convention.MODIFIED: "A_i = Rot(x, alpha_{i-1}) Trans(x, a_{i-1}) Trans(z, d_i) Rot(z, theta_i)",
+    Convention.PRODUCT: "A_i = the product written in row i, from left to right",
+}
+"""The order of operations that stands under every table."""
+
+NAMES = {
+    Convention.STANDARD: "standard DH",
+    Convention.MODIFIED: "modified DH",
+    Convention.PRODUCT: "product of moves",
+}
+
+
+def moves_of(row: Row, convention: Convention) -> Chain:
+    """The four elementary moves of a row, in the order of its convention.
+
+    Source: standard as Denavit and Hartenberg 1955 in Paul's form; modified as Craig, eq. 3.6.
+    """
+    turn, slide = Rot("z", row.theta), along("z", row.d)
+    reach, twist = along("x", row.a), Rot("x", row.alpha)
+    if convention is Convention.MODIFIED:
+        return (twist, reach, slide, turn)
+    return (turn, slide, reach, twist)

@@ -1,0 +1,136 @@
+"""Forward kinematics: the pose of one frame seen from another, in numbers or in symbols."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from dhcli.algebra.floats import Floats
+from dhcli.algebra.terms import TERMS
+from dhcli.errors import RobotError
+from dhcli.kinematics.conventions import Convention
+from dhcli.kinematics.fold import fold
+from dhcli.kinematics.frames import between, ends
+from dhcli.kinematics.merge import merge
+from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, substituted
+from dhcli.kinematics.pose import Pose
+from dhcli.kinematics.robot import Link, Robot, Value
+from dhcli.kinematics.values import (
+    JointInput,
+    Values,
+    given_parameters,
+    joint_values,
+    numbers,
+    parameter_values,
+    require,
+)
+from dhcli.notation.angle import Angle
+from dhcli.notation.tree import Expr
+from dhcli.notation.writer import THETAS, Joints, write, write_angle
+
+Given = Mapping[str, float | str | Value]
+
+
+def forward(
+    robot: Robot,
+    q: JointInput = None,
+    *,
+    start: str | int | None = None,
+    end: str | int | None = None,
+    parameters: Given | None = None,
+) -> Pose[float]:
+    """Pose of a frame of a robot, in numbers.
+
+    Args:
+        robot: The robot.
+        q: Joint values in radians and metres: a list in joint order, a mapping by name, the name of a pose, or text
+            with units such as `"30°, 0.5, 120mm"`.
+        start: The frame it is seen from; the first numbered one by default.
+        end: The frame described; the last numbered one by default.
+        parameters: Lengths and angles to use instead of the robot's own.
+
+    Returns:
+        The pose, shape (4, 4), translation in metres.
+
+    Raises:
+        RobotError: A value is missing, or not a number.
+        UnknownNameError: The robot has no such frame, joint or length.
+    """
+    values = {**parameter_values(robot, parameters or {}), **joint_values(robot, q)}
+    return numeric_pose(robot, values, *ends(robot, start, end))
+
+
+def symbolic(
+    robot: Robot,
+    q: JointInput = None,
+    *,
+    start: str | int | None = None,
+    end: str | int | None = None,
+    parameters: Given | None = None,
+) -> Pose[Expr]:
+    """Pose of a frame of a robot in textbook form, `c1*(a2*c2 + a3*c23 - d4*s23) - d3*s1`.
+
+    Args:
+        robot: The robot.
+        q: Joint values to put in exactly; all others stay symbols.
+        start: The frame it is seen from; the first numbered one by default.
+        end: The frame described; the last numbered one by default.
+        parameters: Lengths and angles to put in exactly; all others stay symbols.
+
+    Returns:
+        The pose, shape (4, 4), of expressions.
+
+    Raises:
+        UnknownNameError: The robot has no such frame, joint or length.
+    """
+    values = {**given_parameters(robot, parameters or {}), **joint_values(robot, q)}
+    return symbolic_pose(robot, values, *ends(robot, start, end))
+
+
+def numeric_pose(robot: Robot, values: Values, start: str, end: str) -> Pose[float]:
+    """The pose of one frame seen from another at known values; see `forward`."""
+    chain = between(robot, start, end)
+    require(robot, chain, values)
+    return Pose(fold(chain, Floats(numbers(values))), start, end, joints=robot.writing)
+
+
+def symbolic_pose(robot: Robot, values: Values, start: str, end: str) -> Pose[Expr]:
+    """The pose of one frame seen from another with some values put in; see `symbolic`."""
+    chain = put_in(between(robot, start, end), values)
+    return Pose(fold(merge(chain), TERMS), start, end, joints=robot.writing)
+
+
+def pose_of_chain(chain: Chain, reference: str, frame: str, title: str = "", joints: Joints = THETAS) -> Pose[Expr]:
+    """The pose that a chain without a robot reaches, in terms."""
+    return Pose(fold(merge(chain), TERMS), reference, frame, title, joints)
+
+
+def put_in(chain: Chain, values: Values) -> Chain:
+    """A chain with exact values in the place of names."""
+    lengths = {name: value for name, value in values.items() if isinstance(value, Expr)}
+    angles = {name: value for name, value in values.items() if isinstance(value, Angle)}
+    return substituted(chain, lengths, angles)
+
+
+def factors(robot: Robot, link: Link, values: Values) -> tuple[Pose[Expr], ...]:
+    """The elementary matrices of a link, in the order of its convention.
+
+    Raises:
+        RobotError: The robot is given as products, whose factors stand in the file.
+    """
+    if robot.convention is Convention.PRODUCT and not link.moves:
+        raise RobotError(f"link {link.number} of {robot.name} has no moves")
+    before = str(link.number - 1)
+    return tuple(
+        Pose(fold((move,), TERMS), before, str(link.number), spelled(move, robot.writing), robot.writing)
+        for move in put_in(link.moves, values)
+    )
+
+
+def spelled(move: Move, joints: Joints = THETAS) -> str:
+    """A move as it is typed: `Rot(z, theta1)`, `Trans(0, 0, d1)`."""
+    if isinstance(move, Rot):
+        return f"Rot({move.axis}, {write_angle(move.angle, 'short', joints)})"
+    if isinstance(move, Fixed):
+        rows = "; ".join(" ".join(write(entry, "short", joints).replace(" ", "") for entry in row) for row in move.rows)
+        return f"[{rows}; 0 0 0 1]"
+    return "Trans(" + ", ".join(write(length, "short", joints) for length in move.offset) + ")"

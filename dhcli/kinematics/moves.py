@@ -1,0 +1,135 @@
+"""Elementary moves: the atoms that every robot, base, tool and block assembly is made of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from dhcli.errors import Place
+from dhcli.notation.angle import Angle
+from dhcli.notation.factors import AXES, Axis, Factor, parse_factors
+from dhcli.notation.scope import OPEN, Scope
+from dhcli.notation.tree import ZERO, Expr, add, multiply, negate, substitute, symbols
+
+
+@dataclass(frozen=True, slots=True)
+class Rot:
+    """Rotation about an axis of the current frame, positive by the right-hand rule."""
+
+    axis: Axis
+    angle: Angle
+
+
+@dataclass(frozen=True, slots=True)
+class Trans:
+    """Translation along the axes of the current frame [m]."""
+
+    x: Expr
+    y: Expr
+    z: Expr
+
+    @property
+    def offset(self) -> tuple[Expr, Expr, Expr]:
+        """The three lengths."""
+        return self.x, self.y, self.z
+
+
+@dataclass(frozen=True, slots=True)
+class Fixed:
+    """A pose given as a matrix: three rows of three direction cosines and a length [m]."""
+
+    rows: tuple[tuple[Expr, Expr, Expr, Expr], ...]
+
+
+Move: TypeAlias = Rot | Trans | Fixed
+Chain: TypeAlias = tuple[Move, ...]
+"""Moves from left to right, each in the frame that those before it have reached."""
+
+PLANES: Mapping[Axis, tuple[int, int]] = {"x": (1, 2), "y": (2, 0), "z": (0, 1)}
+"""The two coordinates that a rotation mixes, in the order of its positive sense."""
+
+
+def along(axis: Axis, length: Expr) -> Trans:
+    """Translation along one axis."""
+    x, y, z = (length if name == axis else ZERO for name in AXES)
+    return Trans(x, y, z)
+
+
+def read_chain(text: str, scope: Scope = OPEN, place: Place | None = None) -> Chain:
+    """Read a product of moves such as `Trans(0, 0, l1) * Rot(z, theta1)`.
+
+    Raises:
+        NotationError: With the column and what would be read.
+    """
+    return tuple(from_factor(factor) for factor in parse_factors(text, scope, place))
+
+
+def from_factor(factor: Factor) -> Move:
+    """The move that a factor of a product spells."""
+    if factor.kind == "rot":
+        move: Move = Rot(factor.axis, factor.angle)
+    elif factor.kind == "trans":
+        move = Trans(*factor.offset)
+    else:
+        move = Fixed(tuple((row[0], row[1], row[2], row[3]) for row in factor.rows[:3]))
+    return inverse_of(move) if factor.inverse else move
+
+
+def inverse_of(move: Move) -> Move:
+    """The move that undoes another."""
+    match move:
+        case Rot(axis, angle):
+            return Rot(axis, -angle)
+        case Trans(x, y, z):
+            return Trans(negate(x), negate(y), negate(z))
+        case Fixed(rows):
+            columns = [[row[i] for row in rows] for i in range(3)]
+            offset = [row[3] for row in rows]
+            back = [
+                negate(add(*(multiply(c, p) for c, p in zip(column, offset, strict=True)))) for column in columns
+            ]
+            return Fixed(tuple((c[0], c[1], c[2], p) for c, p in zip(columns, back, strict=True)))
+
+
+def inverse(chain: Chain) -> Chain:
+    """The chain that leads back."""
+    return tuple(inverse_of(move) for move in reversed(chain))
+
+
+def substituted(chain: Chain, lengths: Mapping[str, Expr], angles: Mapping[str, Angle]) -> Chain:
+    """The same chain with exact values in the place of names."""
+
+    def put(expr: Expr) -> Expr:
+        return substitute(expr, lengths, angles)
+
+    def changed(move: Move) -> Move:
+        match move:
+            case Rot(axis, angle):
+                return Rot(axis, angle.substitute(angles))
+            case Trans(x, y, z):
+                return Trans(put(x), put(y), put(z))
+            case Fixed(rows):
+                return Fixed(tuple((put(r[0]), put(r[1]), put(r[2]), put(r[3])) for r in rows))
+
+    return tuple(changed(move) for move in chain)
+
+
+def expressions(chain: Iterable[Move]) -> Iterable[Expr]:
+    """Every expression of lengths or direction cosines in a chain."""
+    for move in chain:
+        if isinstance(move, Trans):
+            yield from move.offset
+        elif isinstance(move, Fixed):
+            for row in move.rows:
+                yield from row
+
+
+def angle_names(chain: Iterable[Move]) -> frozenset[str]:
+    """Names that stand inside rotations."""
+    return frozenset().union(*(move.angle.names for move in chain if isinstance(move, Rot)))
+
+
+def names(chain: Chain) -> frozenset[str]:
+    """Every name that a chain needs a value for."""
+    return angle_names(chain).union(*(symbols(expr) for expr in expressions(chain)))

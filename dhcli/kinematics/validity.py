@@ -1,0 +1,210 @@
+"""What makes a description a robot; every rule that a file or a caller can break, in one place."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhcli.algebra.arithmetic import evaluate
+from dhcli.algebra.equality import equal
+from dhcli.algebra.floats import Floats
+from dhcli.errors import Problem, RobotError, did_you_mean
+from dhcli.kinematics.moves import Chain, Fixed, Trans, angle_names, expressions, names
+from dhcli.notation.angle import Angle
+from dhcli.notation.names import canonical
+from dhcli.notation.parser import RESERVED
+from dhcli.notation.quantity import UNITS, is_affine
+from dhcli.notation.tree import ONE, ZERO, Expr, Number, Trig, add, multiply, symbols, walk
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.robot import Link, Robot, Value
+
+LOOSE = 1e-3
+"""How far the cosines of a matrix typed with decimals may be from a rotation."""
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """One broken rule.
+
+    Attributes:
+        where: Path to the part, such as ("links", 2, "theta"), for a loader that knows where it stands.
+        message: What is wrong.
+        hint: What would be right.
+    """
+
+    where: tuple[str | int, ...]
+    message: str
+    hint: str = ""
+
+
+class InvalidRobotError(RobotError):
+    """A description that is no robot.
+
+    Attributes:
+        findings: Every broken rule.
+    """
+
+    def __init__(self, name: str, findings: tuple[Finding, ...]) -> None:
+        """Collect the findings of one robot."""
+        self.findings = findings
+        paths = (".".join(str(part) for part in finding.where) for finding in findings)
+        super().__init__(Problem(f"{name}: {p}: {f.message}", None, f.hint) for p, f in zip(paths, findings, strict=True))
+
+
+def check(robot: Robot) -> None:
+    """Raise if anything is wrong with a robot.
+
+    Raises:
+        InvalidRobotError: With all findings.
+    """
+    found = tuple((*_names(robot), *_links(robot), *_frames(robot), *_limits(robot), *_poses(robot)))
+    if found:
+        raise InvalidRobotError(robot.name, found)
+
+
+def _names(robot: Robot) -> Iterator[Finding]:
+    seen: dict[str, str] = {}
+    for section, listed in (("variables", robot.variables), ("parameters", tuple(robot.parameters))):
+        for index, name in enumerate(listed):
+            where = (section, index if section == "variables" else name)
+            if name in RESERVED or name in UNITS:
+                yield Finding(where, f"{name} has a meaning of its own", "choose another name")
+            if canonical(name) in seen:
+                yield Finding(where, f"{name} is used twice", f"{seen[canonical(name)]} is declared already")
+            seen.setdefault(canonical(name), name)
+
+
+def _links(robot: Robot) -> Iterator[Finding]:
+    users: dict[str, int] = {}
+    declared = {*robot.variables, *robot.parameters}
+    for index, link in enumerate(robot.links):
+        inside = names(link.moves)
+        for name in sorted(inside - declared):
+            yield Finding(("links", index), f"{name} is not declared", did_you_mean(name, declared))
+        moving = sorted(inside & set(robot.variables), key=robot.variables.index)
+        if len(moving) > 1:
+            yield Finding(
+                ("links", index),
+                f"one link has two variables, {' and '.join(moving)}",
+                "give each joint a link of its own",
+            )
+        for name in moving:
+            if name in users:
+                hint = f"it moves link {robot.links[users[name]].number} already"
+                yield Finding(("links", index), f"{name} is used twice", hint)
+            users.setdefault(name, index)
+        yield from _affine(link, index, moving)
+        yield from _matrices(link.moves, ("links", index))
+    for index, name in enumerate(robot.variables):
+        if name not in users:
+            yield Finding(("variables", index), f"{name} moves no link", "use it in a row, or make it a parameter")
+
+
+def _affine(link: Link, index: int, moving: list[str]) -> Iterator[Finding]:
+    columns = {} if link.row is None else {"a": link.row.a, "d": link.row.d}
+    lengths = [(("links", index, column), expr) for column, expr in columns.items()]
+    if not columns:
+        lengths = [(("links", index), expr) for expr in expressions(link.moves)]
+    for name in moving:
+        turning = name in angle_names(link.moves)
+        for where, expr in lengths:
+            if name not in symbols(expr):
+                continue
+            if turning:
+                yield Finding(where, f"{name} stands for an angle and for a length", "a joint turns or slides")
+            elif not is_affine(expr, name) or _inside_angle(expr, name):
+                yield Finding(where, f"{expr} is not affine in {name}", f"write a multiple of {name} plus a constant")
+
+
+def _inside_angle(expr: Expr, name: str) -> bool:
+    return any(type(node) is Trig and name in node.angle.names for node in walk(expr))
+
+
+def _frames(robot: Robot) -> Iterator[Finding]:
+    for part, chain in (("base", robot.base), ("tool", robot.tool)):
+        for name in sorted(names(chain)):
+            if name in robot.variables:
+                yield Finding((part,), f"{name} is a joint variable, and {part} does not move", "make it a link")
+            elif name not in robot.parameters:
+                yield Finding((part,), f"{name} is not declared", did_you_mean(name, robot.parameters))
+        yield from _matrices(chain, (part,))
+
+
+def _matrices(chain: Chain, where: tuple[str | int, ...]) -> Iterator[Finding]:
+    for move in chain:
+        if isinstance(move, Fixed):
+            fault = not_a_rotation(move)
+            if fault:
+                yield Finding(where, fault, "its first three columns must be perpendicular unit vectors, right-handed")
+        if isinstance(move, Trans | Fixed):
+            for expr in expressions((move,)):
+                if isinstance(expr, Number) or not symbols(expr):
+                    value = float(evaluate(expr, Floats()))
+                    if value != value:  # noqa: PLR0124  NaN
+                        yield Finding(where, f"{expr} is not a real number")
+
+
+def not_a_rotation(move: Fixed) -> str:
+    """What keeps the matrix from being a pose, in words; empty if nothing does."""
+    columns = [[row[i] for row in move.rows] for i in range(3)]
+    for i in range(3):
+        for j in range(i, 3):
+            dot = add(*(multiply(p, q) for p, q in zip(columns[i], columns[j], strict=True)))
+            if not _agree(dot, ONE if i == j else ZERO):
+                if i == j:
+                    return f"column {i + 1} is not a unit vector"
+                return f"columns {i + 1} and {j + 1} are not perpendicular"
+    cross = [
+        add(
+            multiply(columns[0][(k + 1) % 3], columns[1][(k + 2) % 3]),
+            -multiply(columns[0][(k + 2) % 3], columns[1][(k + 1) % 3]),
+        )
+        for k in range(3)
+    ]
+    if not all(_agree(c, column) for c, column in zip(cross, columns[2], strict=True)):
+        return "the columns are left-handed"
+    return ""
+
+
+def _agree(first: Expr, second: Expr) -> bool:
+    if symbols(first) or symbols(second):
+        return equal(first, second)
+    return abs(float(evaluate(first, Floats())) - float(evaluate(second, Floats()))) <= LOOSE
+
+
+def _limits(robot: Robot) -> Iterator[Finding]:
+    kinds = {joint.name: joint.kind for joint in robot.joints}
+    for name, (low, high) in robot.limits.items():
+        where = ("limits", name)
+        if name not in robot.variables:
+            yield Finding(where, f"{name} is not a joint variable", did_you_mean(name, robot.variables))
+            continue
+        yield from _kind(where, name, kinds.get(name, ""), (low, high))
+        if in_floats(low) >= in_floats(high):
+            yield Finding(where, "the lower limit is not below the upper one", "write [lowest, highest]")
+
+
+def _poses(robot: Robot) -> Iterator[Finding]:
+    kinds = {joint.name: joint.kind for joint in robot.joints}
+    for pose, values in robot.poses.items():
+        if len(values) != len(robot.variables):
+            message = f"{len(values)} values for {len(robot.variables)} joints"
+            yield Finding(("poses", pose), message, "one for each of " + ", ".join(robot.variables))
+            continue
+        for name, value in zip(robot.variables, values, strict=True):
+            yield from _kind(("poses", pose), name, kinds.get(name, ""), (value,))
+
+
+def _kind(where: tuple[str | int, ...], name: str, kind: str, values: tuple[Value, ...]) -> Iterator[Finding]:
+    for value in values:
+        if kind == "revolute" and not isinstance(value, Angle):
+            yield Finding(where, f"{name} turns, and {value} is not an angle", "write 90° or 1.57 rad")
+        if kind == "prismatic" and isinstance(value, Angle) and not value.is_zero:
+            yield Finding(where, f"{name} slides, and an angle is no length", "write 300 mm or 0.3 m")
+
+
+def in_floats(value: Value) -> float:
+    """A constant value in radians or metres."""
+    return value.constant() if isinstance(value, Angle) else float(evaluate(value, Floats()))

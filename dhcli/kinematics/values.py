@@ -1,0 +1,237 @@
+"""Values of joints and lengths: what people type, what a robot knows, and what is missing or out of reach."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from typing import TypeAlias
+
+from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean
+from dhcli.kinematics.moves import Chain, names
+from dhcli.kinematics.robot import Robot, Value
+from dhcli.kinematics.validity import in_floats
+from dhcli.notation.angle import Angle
+from dhcli.notation.names import canonical
+from dhcli.notation.parser import parse
+from dhcli.notation.quantity import Bare, DimensionError, to_angle, to_length
+from dhcli.notation.scope import Scope
+from dhcli.notation.tree import Expr, Number, symbols
+
+Values: TypeAlias = Mapping[str, Value]
+"""Value of each name: exact angles, and lengths in metres."""
+
+JointInput: TypeAlias = str | Sequence[float | str | Angle] | Mapping[str, float | str | Angle] | None
+"""What a caller may give for the joints: text, a list in joint order, a mapping by name, or nothing."""
+
+SLACK = 1e-9
+
+
+def joint_values(robot: Robot, q: JointInput, *, bare: Bare = "rad", place: Place | None = None) -> dict[str, Value]:
+    """Values of the joints that are given, in whatever form.
+
+    Args:
+        robot: The robot.
+        q: `"0.3, 30°, 432mm"`, `"theta1=30°, d3=0.1"`, the name of a pose, a list in joint order, or a mapping.
+        bare: What a number without a unit means for a revolute joint; prismatic ones are metres.
+        place: Where a text comes from, for errors.
+
+    Raises:
+        RobotError: Too few or too many values, an unknown joint, NaN.
+        NotationError: A value that cannot be read, with its column.
+    """
+    if q is None:
+        return {}
+    if isinstance(q, str):
+        return _from_text(robot, q, bare, place or Place("q"))
+    if isinstance(q, Mapping):
+        return {
+            (joint := _joint(robot, name, place)): _value(robot, joint, value, bare, place)
+            for name, value in q.items()
+        }
+    given = list(q)
+    _check_count(robot, len(given), place)
+    return {n: _value(robot, n, v, bare, place) for n, v in zip(robot.variables, given, strict=True)}
+
+
+def given_parameters(
+    robot: Robot, given: Mapping[str, float | str | Value], place: Place | None = None
+) -> dict[str, Value]:
+    """Values of those lengths and constant angles that a person gives.
+
+    Raises:
+        RobotError: An unknown name.
+        NotationError: A value that cannot be read.
+    """
+    named = {_parameter(robot, name, place): value for name, value in given.items()}
+    return {name: _value(robot, name, value, "refuse", place) for name, value in named.items()}
+
+
+def parameter_values(
+    robot: Robot, given: Mapping[str, float | str | Value], place: Place | None = None
+) -> dict[str, Value]:
+    """Values of all lengths and constant angles that have one: the robot's own, and those given instead."""
+    own = {name: value for name, value in robot.parameters.items() if value is not None}
+    return {**own, **given_parameters(robot, given, place)}
+
+
+def require(robot: Robot, chain: Chain, values: Values) -> None:
+    """Make sure that every name of a chain has a value.
+
+    Raises:
+        RobotError: Naming all that are missing, and how to give them.
+    """
+    missing = names(chain) - values.keys()
+    joints = [name for name in robot.variables if name in missing]
+    lengths = sorted(missing - set(joints))
+    problems = []
+    if joints:
+        problems.append(Problem(f"no value for {', '.join(joints)}", None, _joints_hint(robot)))
+    if lengths:
+        hint = " ".join(f"--set {name}={'30°' if name in robot.angles else '0.4'}" for name in lengths)
+        problems.append(Problem(f"{', '.join(lengths)} of {robot.name} has no value", None, f"give one: {hint}"))
+    if problems:
+        raise RobotError(problems)
+
+
+def warnings(robot: Robot, values: Values) -> Iterator[str]:
+    """What a person should know of joint values that can be computed all the same."""
+    for joint in robot.joints:
+        value = values.get(joint.name)
+        if value is None:
+            continue
+        if joint.kind == "revolute" and isinstance(value, Angle) and abs(float(value.radians)) > math.tau:
+            shown = float(value.radians)
+            yield f"{joint.name} = {shown:g} rad is more than a turn; did you mean {shown:g}°, or --deg?"
+        if joint.name in robot.limits and not symbols_of(value):
+            low, high = (in_floats(limit) for limit in robot.limits[joint.name])
+            number = in_floats(value)
+            if not low - SLACK <= number <= high + SLACK:
+                shown, bounds = _shown(number, joint.kind), f"{_shown(low, joint.kind)} to {_shown(high, joint.kind)}"
+                yield f"{joint.name} = {shown} is outside its limits, {bounds}"
+
+
+def symbols_of(value: Value) -> frozenset[str]:
+    """Names that a value still holds."""
+    return value.names if isinstance(value, Angle) else symbols(value)
+
+
+def numbers(values: Values) -> dict[str, Angle | float]:
+    """The same values for the arithmetic of floats."""
+    return {name: value if isinstance(value, Angle) else in_floats(value) for name, value in values.items()}
+
+
+def read_value(robot: Robot, name: str, text: str, *, bare: Bare, place: Place) -> Value:
+    """Read the value of one name, an angle or a length by what the name stands for."""
+    expr = parse(text, Scope(), place)
+    try:
+        if name in robot.angles:
+            return to_angle(expr, bare=bare)
+        return to_length(expr)
+    except DimensionError as error:
+        joint = next((j for j in robot.joints if j.name == name), None)
+        kind = f", and {name} {'turns' if joint.kind == 'revolute' else 'slides'}" if joint else f", for {name}"
+        raise NotationError(Problem(error.message + kind, place, error.hint)) from None
+
+
+def _from_text(robot: Robot, text: str, bare: Bare, place: Place) -> dict[str, Value]:
+    if text.strip() in robot.poses:
+        return dict(zip(robot.variables, robot.poses[text.strip()], strict=True))
+    parts = list(_split(text))
+    if any("=" in part for _, part in parts):
+        return _assignments(robot, parts, text, bare, place)
+    if not text.strip():
+        parts = []
+    if len(parts) == 1 and len(robot.variables) != 1 and parts[0][1].strip().replace("_", "a").isidentifier():
+        hint = did_you_mean(parts[0][1].strip(), robot.poses) or _joints_hint(robot)
+        raise RobotError(Problem(f"{robot.name} has no pose called {text.strip()}", place, hint))
+    _check_count(robot, len(parts), place)
+    return {
+        name: read_value(robot, name, part, bare=bare, place=_at(place, text, offset))
+        for name, (offset, part) in zip(robot.variables, parts, strict=True)
+    }
+
+
+def _assignments(
+    robot: Robot, parts: list[tuple[int, str]], text: str, bare: Bare, place: Place
+) -> dict[str, Value]:
+    values: dict[str, Value] = {}
+    for offset, part in parts:
+        name, equals, value = part.partition("=")
+        where = _at(place, text, offset)
+        if not equals:
+            raise RobotError(Problem(f"{part.strip()} has no name", where, "write q1=0.3, q2=0.5, or only values"))
+        joint = _joint(robot, name.strip(), where)
+        if joint in values:
+            raise RobotError(Problem(f"{joint} is given twice", where))
+        values[joint] = read_value(robot, joint, value, bare=bare, place=_at(place, text, offset + len(name) + 1))
+    return values
+
+
+def _split(text: str) -> Iterator[tuple[int, str]]:
+    """Pieces between commas or semicolons outside brackets, with their offsets; blanks if there is neither."""
+    start, depth = 0, 0
+    text = text.strip().removeprefix("[").removesuffix("]") if text.strip().startswith("[") else text
+    for i, letter in enumerate(text):
+        depth += (letter in "([{") - (letter in ")]}")
+        if depth == 0 and letter in ",;":
+            yield start, text[start:i]
+            start = i + 1
+    yield start, text[start:]
+
+
+def _at(place: Place, text: str, offset: int) -> Place:
+    return Place(place.source, place.line, (place.column or 1) + offset, place.text or text)
+
+
+def _value(robot: Robot, name: str, value: float | str | Value, bare: Bare, place: Place | None) -> Value:
+    if isinstance(value, Angle | Expr):
+        return value
+    if isinstance(value, str):
+        return read_value(robot, name, value, bare=bare, place=place or Place(name))
+    number = float(value)
+    if not math.isfinite(number):
+        raise RobotError(Problem(f"{name} = {number} is not a number that a joint can have", place))
+    exact = Fraction(number)
+    if name not in robot.angles:
+        return Number(exact)
+    return Angle(degrees=exact) if bare == "deg" else Angle(radians=exact)
+
+
+def _joint(robot: Robot, name: str, place: Place | None) -> str:
+    for candidate in (canonical(name), robot.scope.aliases.get(canonical(name), "")):
+        for variable in robot.variables:
+            if canonical(variable) == canonical(candidate):
+                return variable
+    raise RobotError(Problem(f"{robot.name} has no joint {name}", place, did_you_mean(name, robot.variables)))
+
+
+def _parameter(robot: Robot, name: str, place: Place | None) -> str:
+    for parameter in robot.parameters:
+        if canonical(parameter) == canonical(name):
+            return parameter
+    if canonical(name) in {canonical(variable) for variable in robot.variables}:
+        raise RobotError(Problem(f"{name} is a joint of {robot.name}", place, f"write --q {name}=..."))
+    hint = did_you_mean(name, robot.parameters) or "it has no lengths to set"
+    raise RobotError(Problem(f"{robot.name} has no length called {name}", place, hint))
+
+
+def _check_count(robot: Robot, count: int, place: Place | None) -> None:
+    wanted = len(robot.variables)
+    if count != wanted:
+        joints = f"{wanted} joint{'s' * (wanted != 1)}"
+        message = f"{robot.name} has {joints}, {count} value{'s' * (count != 1)} given"
+        raise RobotError(Problem(message, place, _joints_hint(robot)))
+
+
+def _joints_hint(robot: Robot) -> str:
+    if not robot.variables:
+        return "it has no joint: leave --q out"
+    kinds = {joint.name: "rad" if joint.kind == "revolute" else "m" for joint in robot.joints}
+    listed = ", ".join(f"{name} [{kinds.get(name, '')}]" for name in robot.variables)
+    return f"--q takes {listed}"
+
+
+def _shown(number: float, kind: str) -> str:
+    return f"{math.degrees(number):.4g}°" if kind == "revolute" else f"{number:.4g} m"
+

@@ -1,0 +1,107 @@
+"""Exact angles: a sum of joint angles and constants that never meets a float before it has to.
+
+`theta2 + theta3 - 90°` keeps its names and its ninety degrees, so cos 90° is 0 before any arithmetic begins.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+
+from dhcli.notation.names import natural_key
+
+ZERO = Fraction(0)
+FULL_TURN = Fraction(360)
+
+
+@dataclass(frozen=True, slots=True)
+class Angle:
+    """An affine sum of named angles, with exact coefficients.
+
+    Attributes:
+        terms: Pairs of name and coefficient, in natural order of the names, no coefficient zero.
+        degrees: The constant part that is a rational multiple of a turn, in degrees.
+        radians: The constant part given in bare radians, such as 0.3.
+    """
+
+    terms: tuple[tuple[str, Fraction], ...] = ()
+    degrees: Fraction = ZERO
+    radians: Fraction = ZERO
+
+    def __hash__(self) -> int:
+        """Cheaper than hashing fractions, which costs a power modulo a prime each."""
+        return hash((tuple(name for name, _ in self.terms), self.degrees.numerator))
+
+    @classmethod
+    def of(cls, name: str) -> Angle:
+        """The angle that a single name stands for."""
+        return cls(((name, Fraction(1)),))
+
+    @classmethod
+    def in_degrees(cls, value: int | Fraction) -> Angle:
+        """A constant angle."""
+        return cls(degrees=Fraction(value))
+
+    @property
+    def names(self) -> frozenset[str]:
+        """The names that occur."""
+        return frozenset(name for name, _ in self.terms)
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether nothing is left; 360° is not zero as an angle, though its cosine is that of zero."""
+        return not self.terms and not self.degrees and not self.radians
+
+    def __add__(self, other: Angle) -> Angle:
+        if not other.terms:
+            terms = self.terms
+        elif not self.terms:
+            terms = other.terms
+        else:
+            terms = _collect((*self.terms, *other.terms))
+        return Angle(terms, self.degrees + other.degrees, self.radians + other.radians)
+
+    def __neg__(self) -> Angle:
+        return Angle(tuple((name, -factor) for name, factor in self.terms), -self.degrees, -self.radians)
+
+    def __sub__(self, other: Angle) -> Angle:
+        return self + (-other)
+
+    def __mul__(self, factor: Fraction | int) -> Angle:
+        if factor == 0:
+            return Angle()
+        terms = tuple((name, coefficient * factor) for name, coefficient in self.terms)
+        return Angle(terms, self.degrees * factor, self.radians * factor)
+
+    def quarter_turns(self) -> int | None:
+        """How many right angles this is, 0 to 3, or None if it is not a whole number of them."""
+        if self.terms or self.radians or self.degrees % 90:
+            return None
+        return int(self.degrees // 90) % 4
+
+    def substitute(self, values: Mapping[str, Angle]) -> Angle:
+        """The same sum with some names replaced by their angles."""
+        if not any(name in values for name, _ in self.terms):
+            return self
+        total = Angle((), self.degrees, self.radians)
+        for name, factor in self.terms:
+            value = values.get(name)
+            total += Angle(((name, factor),)) if value is None else value * factor
+        return total
+
+    def rename(self, names: Callable[[str], str]) -> Angle:
+        """The same sum under other names."""
+        return Angle(_collect((names(name), factor) for name, factor in self.terms), self.degrees, self.radians)
+
+    def constant(self) -> float:
+        """The constant part [rad]."""
+        return math.radians(self.degrees) + float(self.radians)
+
+
+def _collect(terms: Iterable[tuple[str, Fraction]]) -> tuple[tuple[str, Fraction], ...]:
+    total: dict[str, Fraction] = {}
+    for name, factor in terms:
+        total[name] = total.get(name, ZERO) + factor
+    return tuple(sorted(((n, f) for n, f in total.items() if f), key=lambda term: natural_key(term[0])))

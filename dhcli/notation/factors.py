@@ -1,0 +1,200 @@
+"""Products of moves as text: `Trans(8, -6, 14) Rot(y, 90°) [1 0 0 2; ...] inv(Rot_z(theta1))`.
+
+Reads the spelling only; what a move does to a frame is the business of kinematics.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from dhcli.errors import Place
+from dhcli.notation.angle import Angle
+from dhcli.notation.matrix import matching, read_matrix
+from dhcli.notation.parser import Parser
+from dhcli.notation.quantity import DimensionError, to_angle, to_length
+from dhcli.notation.scope import OPEN, Scope
+from dhcli.notation.tokens import Source, Token, tokenize
+from dhcli.notation.tree import ZERO, Expr
+
+MOST_FACTORS = 200
+LONGEST = 20_000
+
+Axis = Literal["x", "y", "z"]
+AXES: tuple[Axis, ...] = ("x", "y", "z")
+
+_ROTATION = re.compile(r"(?:Rot|rot|Rotate|R)_?\{?([xyz])?\}?")
+_TRANSLATION = re.compile(r"(?:Trans|trans|Transl|transl|Translate|T|D)_?\{?([xyz])?\}?")
+_INVERSE = frozenset(("inv", "inverse", "Inv"))
+EXAMPLE = "write Trans(1, 2, 3) Rot(z, 90°), or a matrix [1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1]"
+
+
+@dataclass(frozen=True, slots=True)
+class Factor:
+    """One factor of a product, in the spelling's own terms.
+
+    Attributes:
+        kind: What it is.
+        text: How it was typed.
+        axis: Axis of a rotation.
+        angle: Angle of a rotation.
+        offset: Three lengths of a translation [m].
+        rows: Entries of a literal 4x4 matrix.
+        inverse: Whether the inverse is meant.
+        start: Offset in the text.
+    """
+
+    kind: Literal["rot", "trans", "matrix"]
+    text: str
+    axis: Axis = "z"
+    angle: Angle = Angle()
+    offset: tuple[Expr, Expr, Expr] = (ZERO, ZERO, ZERO)
+    rows: tuple[tuple[Expr, ...], ...] = ()
+    inverse: bool = False
+    start: int = 0
+
+
+def parse_factors(text: str, scope: Scope = OPEN, place: Place | None = None) -> tuple[Factor, ...]:
+    """Read a product of moves and matrices, from left to right.
+
+    Args:
+        text: What a person wrote.
+        scope: The names it may use.
+        place: Where the text stands, for errors.
+
+    Raises:
+        NotationError: With the column, what is wrong there, and what would be read.
+    """
+    source = Source(text, place or Place("product"))
+    tokens = [token for token in tokenize(source, most=LONGEST) if token.kind != "end"]
+    factors = tuple(_product(source, tokens, scope, inverse=False))
+    if not factors:
+        raise source.error(0, "no move is written here", EXAMPLE)
+    if len(factors) > MOST_FACTORS:
+        raise source.error(factors[MOST_FACTORS].start, f"more than {MOST_FACTORS} moves are not read")
+    return factors
+
+
+def _product(source: Source, tokens: Sequence[Token], scope: Scope, *, inverse: bool) -> list[Factor]:
+    factors: list[Factor] = []
+    i = 0
+    while i < len(tokens):
+        token = tokens[i]
+        if token.kind == "newline" or (token.kind == "sign" and token.text in "*@"):
+            i += 1
+            continue
+        opening = i + 1 if token.kind == "word" and token.text not in ("begin",) else i
+        closing = _end_of_environment(tokens, i) if token.text == "begin" else matching(tokens, opening)
+        if closing < 0:
+            raise source.error(token.start, f"{token.text!r} is not a move or a matrix", EXAMPLE)
+        inside = tokens[opening + 1 : closing]
+        end = _inverse_mark(tokens, closing)
+        turned = inverse != (end > closing)
+        if token.kind == "word" and token.text in _INVERSE:
+            part = _product(source, inside, scope, inverse=not turned)
+            factors.extend(part)
+        elif token.text == "(":
+            factors.extend(_product(source, inside, scope, inverse=turned))
+        elif token.kind == "sign" or token.text in ("begin", "array", "matrix", "Matrix"):
+            factors.append(_matrix(source, tokens[i : closing + 1], scope, inverse=turned))
+        else:
+            factors.append(_move(source, token, inside, tokens[closing], scope, inverse=turned))
+        i = end + 1
+    return factors[::-1] if inverse else factors
+
+
+def _end_of_environment(tokens: Sequence[Token], start: int) -> int:
+    for i in range(start, len(tokens) - 3):
+        if tokens[i].text == "end" and tokens[i + 1].text == "{":
+            return i + 3
+    return -1
+
+
+def _inverse_mark(tokens: Sequence[Token], closing: int) -> int:
+    """Where `^-1` or `^{-1}` behind a factor ends, or the closing bracket itself."""
+    texts = "".join(token.text for token in tokens[closing + 1 : closing + 6])
+    for mark, length in (("^-1", 3), ("^{-1}", 5), ("^(-1)", 5)):
+        if texts.startswith(mark):
+            return closing + length
+    return closing
+
+
+def _matrix(source: Source, tokens: Sequence[Token], scope: Scope, *, inverse: bool) -> Factor:
+    cells = read_matrix(source, tokens, scope)
+    start, text = tokens[0].start, source.text[tokens[0].start : tokens[-1].end]
+    if [len(row) for row in cells] != [4] * 4:
+        shape = f"{len(cells)}x{len(cells[0])}"
+        raise source.error(start, f"a pose has 4 rows of 4, this matrix is {shape}", "add the row 0 0 0 1")
+    rows = tuple(tuple(_length(source, cell.expr, cell.start) for cell in row) for row in cells)
+    return Factor("matrix", text, rows=rows, inverse=inverse, start=start)
+
+
+def _move(source: Source, word: Token, inside: Sequence[Token], close: Token, scope: Scope, *, inverse: bool) -> Factor:
+    text = source.text[word.start : close.end]
+    arguments = _arguments(inside)
+    if match := _ROTATION.fullmatch(word.text):
+        axis, rest = _axis(source, match[1], arguments, word, close, "Rot(z, 90°)")
+        angle = _angle(source, _parse(source, rest[0], scope, close), rest[0][0].start)
+        return Factor("rot", text, axis=axis, angle=angle, inverse=inverse, start=word.start)
+    if match := _TRANSLATION.fullmatch(word.text):
+        if match[1] or len(arguments) == 2:  # noqa: PLR2004  Trans(z, d1) and Trans_z(d1)
+            axis, rest = _axis(source, match[1], arguments, word, close, "Trans(0, 0, d1)")
+            length = _length(source, _parse(source, rest[0], scope, close), rest[0][0].start)
+            lengths = [length if name == axis else ZERO for name in AXES]
+        else:
+            if len(arguments) != len(AXES):
+                raise source.error(word.start, f"{word.text} takes three lengths", "write Trans(1, 2, 3)")
+            lengths = [_length(source, _parse(source, part, scope, close), part[0].start) for part in arguments]
+        return Factor("trans", text, offset=(lengths[0], lengths[1], lengths[2]), inverse=inverse, start=word.start)
+    raise source.error(word.start, f"{word.text} is not a move", EXAMPLE)
+
+
+def _axis(
+    source: Source, named: str | None, arguments: list[list[Token]], word: Token, close: Token, example: str
+) -> tuple[Axis, list[list[Token]]]:
+    """The axis in the move's name or as its first argument, primes left out, and the arguments that remain."""
+    axis = named
+    if axis is None and arguments:
+        axis = "".join(token.text for token in arguments[0] if token.text not in ("'", '"'))
+        arguments = arguments[1:]
+    if axis not in AXES:
+        raise source.error(word.start, f"{word.text} turns or shifts along x, y or z, not {axis or 'nothing'}", example)
+    if len(arguments) != 1:
+        raise source.error(close.start, f"{word.text} about {axis} takes one value, not {len(arguments)}", example)
+    return axis, arguments
+
+
+def _arguments(tokens: Sequence[Token]) -> list[list[Token]]:
+    parts: list[list[Token]] = [[]]
+    depth = 0
+    for token in tokens:
+        depth += token.kind == "sign" and token.text in "([{"
+        depth -= token.kind == "sign" and token.text in ")]}"
+        if depth == 0 and token.kind == "sign" and token.text in ",;":
+            parts.append([])
+        elif token.kind != "newline":
+            parts[-1].append(token)
+    return [part for part in parts if part]
+
+
+def _parse(source: Source, tokens: list[Token], scope: Scope, close: Token) -> Expr:
+    parser = Parser(source, [*tokens, Token("end", "", close.start, close.start, spaced=False)], scope)
+    expr = parser.expression()
+    parser.finish()
+    return expr
+
+
+def _angle(source: Source, expr: Expr, start: int) -> Angle:
+    try:
+        return to_angle(expr, bare="refuse")
+    except DimensionError as error:
+        raise source.error(start, error.message, error.hint) from None
+
+
+def _length(source: Source, expr: Expr, start: int) -> Expr:
+    try:
+        return to_length(expr)
+    except DimensionError as error:
+        raise source.error(start, error.message, error.hint) from None

@@ -1,0 +1,226 @@
+r"""Matrices in all the ways people write them.
+
+`[[a, b], [c, d]]`, MATLAB's `[a b; c d]`, rows by lines, `np.array(...)`, `\begin{bmatrix} a & b \\ c & d`, CSV,
+and tables pasted back from a terminal or from Markdown, dhcli's own among them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from dhcli.errors import Place
+from dhcli.notation.parser import FUNCTIONS, Parser
+from dhcli.notation.quantity import UNITS
+from dhcli.notation.scope import OPEN, Scope
+from dhcli.notation.tokens import Source, Token, tokenize
+from dhcli.notation.tree import Expr
+
+MOST_CELLS = 64
+LONGEST = 64 * 2000
+
+_WRAPPERS = frozenset(("array", "matrix", "Matrix", "mat"))
+_ENVIRONMENTS = frozenset(("bmatrix", "pmatrix", "matrix", "Bmatrix", "vmatrix", "smallmatrix", "array"))
+_OPENING = {"(": ")", "[": "]", "{": "}"}
+_RULES = frozenset("-|:+=")
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """One entry of a matrix as it was typed and as it was read."""
+
+    expr: Expr
+    text: str
+    start: int
+
+
+def parse_matrix(text: str, scope: Scope = OPEN, place: Place | None = None) -> tuple[tuple[Cell, ...], ...]:
+    """Read a matrix; all rows have the same number of cells.
+
+    Args:
+        text: What a person wrote or pasted.
+        scope: The names it may use.
+        place: Where the text stands, for errors.
+
+    Raises:
+        NotationError: With the column and what is wrong there.
+    """
+    source = Source(text, place or Place("matrix"))
+    return read_matrix(source, tokenize(source, most=LONGEST), scope)
+
+
+def read_matrix(source: Source, tokens: Sequence[Token], scope: Scope) -> tuple[tuple[Cell, ...], ...]:
+    """Read a matrix from tokens; see `parse_matrix`."""
+    body = _unwrap([token for token in tokens if token.kind != "end"])
+    rows = [cells for row in _rows(body) if (cells := _cells(row))]
+    if not rows:
+        raise source.error(0, "no matrix is written here", "write [1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1]")
+    if sum(map(len, rows)) > MOST_CELLS:
+        raise source.error(0, f"a matrix of more than {MOST_CELLS} cells is not read")
+    widths = [len(row) for row in rows]
+    if len(set(widths)) > 1:
+        usual = max(set(widths), key=widths.count)
+        odd = next(i for i, width in enumerate(widths) if width != usual)
+        shown = " | ".join(_text(source, cell) for cell in rows[odd])
+        raise source.error(
+            rows[odd][0][0].start,
+            f"row {odd + 1} has {widths[odd]} cells, the others {usual}: {shown}",
+            "c1 -s1 is two cells, c1 - s1 is one; commas settle it",
+        )
+    return tuple(tuple(_cell(source, cell, scope) for cell in row) for row in rows)
+
+
+def _cell(source: Source, tokens: list[Token], scope: Scope) -> Cell:
+    end = tokens[-1].end
+    parser = Parser(source, [*tokens, Token("end", "", end, end, spaced=False)], scope)
+    expr = parser.expression()
+    parser.finish()
+    return Cell(expr, _text(source, tokens), tokens[0].start)
+
+
+def _text(source: Source, tokens: list[Token]) -> str:
+    return source.text[tokens[0].start : tokens[-1].end]
+
+
+def _unwrap(tokens: list[Token]) -> list[Token]:
+    """Without LaTeX environments, `array(...)` and the outermost brackets."""
+    tokens = _without_environments(tokens)
+    while True:
+        tokens = _trim(tokens)
+        if len(tokens) > 1 and tokens[0].kind == "word" and tokens[0].text in _WRAPPERS and tokens[1].text in _OPENING:
+            tokens = tokens[1:]
+        closing = matching(tokens, 0)
+        if closing != len(tokens) - 1 or closing < 1:
+            return tokens
+        inside = _trim(tokens[1:-1])
+        if tokens[0].text == "(" and not (inside and inside[0].text in ("[", "{")):
+            return tokens
+        tokens = inside
+
+
+def _trim(tokens: list[Token]) -> list[Token]:
+    start, end = 0, len(tokens)
+    while start < end and tokens[start].kind == "newline":
+        start += 1
+    while end > start and (tokens[end - 1].kind == "newline" or tokens[end - 1].text in (",", ";")):
+        end -= 1
+    return tokens[start:end]
+
+
+def _without_environments(tokens: list[Token]) -> list[Token]:
+    kept: list[Token] = []
+    skip = 0
+    for i, token in enumerate(tokens):
+        if skip:
+            skip -= 1
+        elif token.text in ("begin", "end") and [t.text for t in tokens[i + 1 : i + 4 : 2]] == ["{", "}"]:
+            environment = tokens[i + 2].text
+            skip = 3 if environment in _ENVIRONMENTS else 0
+            if skip and environment == "array" and token.text == "begin":
+                closing = matching(tokens, i + 4)
+                skip = max(skip, closing - i)
+            if not skip:
+                kept.append(token)
+        else:
+            kept.append(token)
+    return kept
+
+
+def matching(tokens: Sequence[Token], start: int) -> int:
+    """Index of the bracket that closes the one at `start`, or -1."""
+    if start >= len(tokens) or tokens[start].kind != "sign" or tokens[start].text not in _OPENING:
+        return -1
+    depth = 0
+    for i in range(start, len(tokens)):
+        if tokens[i].kind == "sign":
+            depth += (tokens[i].text in _OPENING) - (tokens[i].text in _OPENING.values())
+        if depth == 0:
+            return i
+    return -1
+
+
+def _rows(tokens: list[Token]) -> Iterator[list[Token]]:
+    """Rows as bracket groups, else as stretches between semicolons and line ends."""
+    groups = _groups(tokens)
+    if groups:
+        yield from groups
+        return
+    row: list[Token] = []
+    depth = 0
+    for token in tokens:
+        if token.kind == "sign":
+            depth += (token.text in _OPENING) - (token.text in _OPENING.values())
+        if depth == 0 and (token.kind == "newline" or token.text == ";"):
+            yield row
+            row = []
+        elif token.kind != "newline":
+            row.append(token)
+    yield row
+
+
+def _groups(tokens: list[Token]) -> list[list[Token]]:
+    """The rows if every one stands in brackets of its own."""
+    rows: list[list[Token]] = []
+    i = 0
+    while i < len(tokens):
+        token = tokens[i]
+        if token.kind == "newline" or token.text in (",", ";", "|"):
+            i += 1
+        elif token.text in ("[", "{") and (closing := matching(tokens, i)) > i:
+            rows.append(tokens[i + 1 : closing])
+            i = closing + 1
+        else:
+            return []
+    return rows
+
+
+def _cells(row: list[Token]) -> list[list[Token]]:
+    """The cells of a row: separated by commas, `&` or bars if there are any, else by blanks."""
+    if all(token.kind == "sign" and token.text in _RULES for token in row):
+        return []
+    for separator in (",", "&", "|"):
+        if any(token.text == separator and depth == 0 for token, depth in _depths(row)):
+            cells: list[list[Token]] = [[]]
+            for token, depth in _depths(row):
+                if token.text == separator and depth == 0:
+                    cells.append([])
+                else:
+                    cells[-1].append(token)
+            return [cell for cell in cells if cell]
+    return _blank_separated(row)
+
+
+def _blank_separated(row: list[Token]) -> list[list[Token]]:
+    cells: list[list[Token]] = []
+    depths = [depth for _, depth in _depths(row)]
+    for i, token in enumerate(row):
+        new = i == 0 or (token.spaced and depths[i] == 0 and _separates(row[i - 1], token, row[i + 1 : i + 2]))
+        if new:
+            cells.append([token])
+        else:
+            cells[-1].append(token)
+    return cells
+
+
+def _separates(before: Token, token: Token, after: list[Token]) -> bool:
+    """Whether a blank between two tokens begins a new cell: `c1 -s1` does, `c1 - s1`, `cos θ` and `30 mm` do not."""
+    if before.kind == "sign" and before.text in "+-*/^√":
+        return False
+    if before.kind == "word" and (before.text in FUNCTIONS or before.text in ("c", "s") and token.text in _OPENING):
+        return False
+    if token.kind == "sign":
+        if token.text in "*/^°)]}'":
+            return False
+        if token.text in "+-":
+            return bool(after) and not after[0].spaced
+    return not (token.kind == "word" and token.text in UNITS and before.kind == "number")
+
+
+def _depths(row: Sequence[Token]) -> Iterator[tuple[Token, int]]:
+    """Each token with the bracket depth it stands at; a bracket stands outside itself."""
+    depth = 0
+    for token in row:
+        closing = token.kind == "sign" and token.text in _OPENING.values()
+        depth -= closing
+        yield token, depth
+        depth += token.kind == "sign" and token.text in _OPENING

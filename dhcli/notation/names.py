@@ -1,0 +1,96 @@
+"""How names are spelled: subscripts, Greek letters, look-alikes, and the order in which people list them."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from functools import lru_cache
+
+GREEK = {
+    "α": "alpha",
+    "β": "beta",
+    "γ": "gamma",
+    "δ": "delta",
+    "ε": "epsilon",
+    "ϵ": "epsilon",
+    "ζ": "zeta",
+    "η": "eta",
+    "θ": "theta",
+    "ϑ": "theta",
+    "ι": "iota",
+    "κ": "kappa",
+    "λ": "lambda",
+    "μ": "mu",
+    "ν": "nu",
+    "ξ": "xi",
+    "ρ": "rho",
+    "σ": "sigma",
+    "τ": "tau",
+    "φ": "phi",
+    "ϕ": "phi",
+    "χ": "chi",
+    "ψ": "psi",
+    "ω": "omega",
+}
+"""Greek letters and their names; `π` is a number and not here."""
+
+GREEK_NAMES = frozenset(GREEK.values()) | {"vartheta", "varphi", "varepsilon"}
+_VARIANTS = {"vartheta": "theta", "varphi": "phi", "varepsilon": "epsilon"}
+_SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
+_SPLIT = re.compile(r"(\D*)(\d*)")
+_STEM = re.compile(r"(?P<stem>[A-Za-z]+)(?P<index>\d*)(?:_(?P<letters>.+))?")
+
+
+@lru_cache(maxsize=4096)
+def natural_key(name: str) -> tuple[tuple[str, int], ...]:
+    """A sort key under which theta2 comes before theta10."""
+    return tuple((text.lower(), int(digits or 0)) for text, digits in _SPLIT.findall(name) if text or digits)
+
+
+@lru_cache(maxsize=4096)
+def canonical(name: str) -> str:
+    r"""One spelling for all the ways people write a name.
+
+    `θ1`, `theta_1`, `\theta_{1}` and `θ₁` are `theta1`; `\alpha_{i-1}` is `alpha_{i-1}`, `a_{i}` is `a_i`.
+    """
+    text = "".join(GREEK.get(letter, letter) for letter in name.translate(_SUBSCRIPTS))
+    text = text.replace("\\", "")
+    stem, _, subscript = text.partition("_")
+    stem = _VARIANTS.get(stem, stem)
+    subscript = subscript.strip("{}").replace(" ", "")
+    if not subscript:
+        return stem
+    if subscript.isdigit():
+        return stem + subscript
+    return f"{stem}_{subscript}" if subscript.isalnum() else f"{stem}_{{{subscript}}}"
+
+
+def parts(name: str) -> tuple[str, str]:
+    """Stem and subscript of a name: `theta12` is theta, 12; `alpha_{i-1}` is alpha, i-1; `shoulder` has none."""
+    match = _STEM.fullmatch(canonical(name))
+    if match is None:
+        return name, ""
+    letters = (match["letters"] or "").strip("{}")
+    return match["stem"], match["index"] + letters
+
+
+def foreign_letter(letter: str) -> str | None:
+    """The Latin letter that a look-alike from another alphabet imitates, or None.
+
+    Pasted slides carry Cyrillic letters that no eye can tell from Latin ones.
+    """
+    return _LOOK_ALIKES.get(letter)
+
+
+def describe(letter: str) -> str:
+    """A letter with its Unicode name, for messages about characters that cannot be seen."""
+    name = unicodedata.name(letter, f"U+{ord(letter):04X}")
+    shown = letter if letter.isprintable() else ""
+    return f"{shown} ({name.title()})".strip()
+
+
+_LOOK_ALIKES = {
+    **dict(zip("аеорсухіјѕԁԛ", "aeopcyxijsdq", strict=True)),
+    **dict(zip("АВЕКМНОРСТХІЅ", "ABEKMHOPCTXIS", strict=True)),
+    **dict(zip("οΟΑΒΕΖΗΙΚΜΝΡΤΥΧ", "oOABEZHIKMNPTYX", strict=True)),
+}

@@ -1,0 +1,127 @@
+"""Which names a text may use, and what shorthand such as `c12` or `sθ_1` stands for among them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+
+from dhcli.notation.angle import Angle
+from dhcli.notation.names import GREEK_NAMES, canonical, parts
+from dhcli.notation.tree import Expr, Symbol, Trig, cosine, sine
+
+LONGEST_WORD = 200
+
+
+@dataclass(frozen=True, slots=True)
+class Scope:
+    """The names that mean something in a text.
+
+    Attributes:
+        joints: Joint angles; `c12` is the cosine of the sum of those that end in 1 and 2.
+        angles: Other angles, such as twists.
+        lengths: Everything else: lengths, joint displacements, plain numbers.
+        aliases: Other spellings in canonical form, such as q1 for theta1.
+        is_open: Whether any other name stands for itself.
+    """
+
+    joints: tuple[str, ...] = ()
+    angles: tuple[str, ...] = ()
+    lengths: tuple[str, ...] = ()
+    aliases: Mapping[str, str] = field(default_factory=dict)
+    is_open: bool = False
+    _known: dict[str, str] = field(default_factory=dict, init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        self._known.update(self.aliases)
+        self._known.update((canonical(name), name) for name in self.names)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """All names declared."""
+        return (*self.joints, *self.angles, *self.lengths)
+
+    def has(self, word: str) -> bool:
+        """Whether a word is one of the declared names."""
+        return canonical(word) in self._known
+
+    def is_angle(self, name: str) -> bool:
+        """Whether a name stands for an angle; in an open scope Greek letters and q do."""
+        if name in self.joints or name in self.angles:
+            return True
+        return self.is_open and name not in self.lengths and parts(name)[0] in GREEK_NAMES | {"q"}
+
+    def readings(self, word: str) -> tuple[Expr, ...]:
+        """What a word may stand for: a name, or the cosine or sine of an angle; empty if nothing."""
+        known = self._known.get(canonical(word))
+        found: list[Expr] = [Symbol(known)] if known else []
+        if word[0] in "cCsS" and len(word) > 1:
+            function = cosine if word[0] in "cC" else sine
+            for angle in self._angles(word[1:]):
+                trig = function(angle)
+                if trig not in found:
+                    found.append(trig)
+        return tuple(found)
+
+    def split(self, word: str) -> list[tuple[Expr, ...]]:
+        """All ways to read a run of letters and digits as a product of names; at most two are looked for."""
+        found: list[tuple[Expr, ...]] = []
+        dead: set[int] = set()
+
+        def search(start: int, pieces: tuple[Expr, ...]) -> bool:
+            if start == len(word):
+                found.append(pieces)
+                return True
+            if start in dead or len(found) > 1:
+                return False
+            alive = False
+            for end in _ends(word, start):
+                for reading in self.readings(word[start:end]):
+                    alive = search(end, (*pieces, reading)) or alive
+            if not alive:
+                dead.add(start)
+            return alive
+
+        if len(word) <= LONGEST_WORD:
+            search(0, ())
+        return found
+
+    def _angles(self, text: str) -> Iterator[Angle]:
+        """The angles that the text behind `c` or `s` may stand for."""
+        digits = text.strip("_{}")
+        if digits.isdecimal() and digits.isascii():
+            yield from self._indexed(digits)
+            return
+        name = self._known.get(canonical(text.lstrip("_")))
+        if name is not None and self.is_angle(name):
+            yield Angle.of(name)
+        elif self.is_open and name is None and parts(text)[0] in GREEK_NAMES:
+            yield Angle.of(canonical(text))
+
+    def _indexed(self, digits: str) -> Iterator[Angle]:
+        joints = {parts(name)[1]: name for name in self.joints}
+        if self.is_open and not joints:
+            joints = {digit: f"theta{digit}" for digit in "123456789"}
+        if digits in joints:
+            yield Angle.of(joints[digits])
+        if len(digits) > 1 and list(digits) == sorted(set(digits)) and all(digit in joints for digit in digits):
+            yield sum((Angle.of(joints[digit]) for digit in digits), Angle())
+
+
+OPEN = Scope(is_open=True)
+"""A scope in which every name stands for itself, and `c12` for cos(theta1 + theta2)."""
+
+
+def _ends(word: str, start: int) -> Iterator[int]:
+    """Where a name that starts here may end: never inside a number or a subscript's braces, nor before a digit."""
+    depth = 0
+    for end in range(start + 1, len(word) + 1):
+        depth += (word[end - 1] == "{") - (word[end - 1] == "}")
+        if depth == 0 and (end == len(word) or not (word[end].isdigit() or word[end] in "_{}₀₁₂₃₄₅₆₇₈₉")):
+            yield end
+
+
+def trig_name(expr: Expr) -> str:
+    """How a reading is described in a question: cos(theta1 + theta2), or the name itself."""
+    from dhcli.notation.writer import write
+
+    return write(expr, "full") if isinstance(expr, Trig) else str(expr)

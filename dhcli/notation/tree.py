@@ -1,0 +1,465 @@
+"""Expressions as n-ary trees: what the parser builds, what the symbolic product builds, what the writer prints.
+
+The constructors `add`, `multiply`, `power`, `cosine` and `sine` keep every tree in one shape: nested sums and products
+are flat, numbers are collected exactly, factors stand in the order a textbook gives them, like terms are gathered,
+and a bracket that is multiplied starts with a positive term. Nothing is ever distributed or contracted: a factor
+times a sum stays a factor times a sum, and the sine of a sum stays the sine of a sum.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import lru_cache
+from math import isqrt
+from typing import Literal
+
+from dhcli.notation.angle import FULL_TURN, Angle
+from dhcli.notation.names import natural_key
+
+HALF = Fraction(1, 2)
+MOST_BITS = 8192
+"""Numbers above this size are refused: no robot has them, and towers of powers must not run away."""
+
+
+class Expr:
+    """Base of every node; gives the four operations."""
+
+    __slots__ = ()
+
+    def __add__(self, other: Expr | int) -> Expr:
+        return add(self, _lift(other))
+
+    def __radd__(self, other: int) -> Expr:
+        return add(_lift(other), self)
+
+    def __sub__(self, other: Expr | int) -> Expr:
+        return add(self, negate(_lift(other)))
+
+    def __rsub__(self, other: int) -> Expr:
+        return add(_lift(other), negate(self))
+
+    def __mul__(self, other: Expr | int) -> Expr:
+        return multiply(self, _lift(other))
+
+    def __rmul__(self, other: int) -> Expr:
+        return multiply(_lift(other), self)
+
+    def __neg__(self) -> Expr:
+        return negate(self)
+
+    def __str__(self) -> str:
+        """The textbook form, `a1*c1 + a2*c12`."""
+        from dhcli.notation.writer import write
+
+        return write(self)
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class Number(Expr):
+    """An exact rational number.
+
+    Attributes:
+        value: The number.
+        places: Decimal places to show it with; None shows a fraction.
+    """
+
+    value: Fraction
+    places: int | None = field(default=None, compare=False)
+
+    def __hash__(self) -> int:
+        """Cheaper than hashing the fraction, which costs a power modulo a prime."""
+        return hash((self.value.numerator, self.value.denominator))
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class Symbol(Expr):
+    """A length, or any other number known by its name."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class Constant(Expr):
+    """The number π; its value is known to every arithmetic."""
+
+    name: Literal["pi"] = "pi"
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class Unit(Expr):
+    """A unit behind a number, `mm` or `deg`; `quantity` turns it into metres or an angle."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class Trig(Expr):
+    """Cosine or sine of an exact angle; built by `cosine` and `sine`, which normalise the angle."""
+
+    function: Literal["cos", "sin"]
+    angle: Angle
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class Sum(Expr):
+    """Two or more terms."""
+
+    terms: tuple[Expr, ...]
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class Product(Expr):
+    """Two or more factors; a number, if any, comes first."""
+
+    factors: tuple[Expr, ...]
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class Power(Expr):
+    """A base to a rational exponent that is not 1; square roots are powers of one half."""
+
+    base: Expr
+    exponent: Fraction
+
+    def __hash__(self) -> int:
+        """See `Number`."""
+        return hash((self.base, self.exponent.numerator))
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class Call(Expr):
+    """A function of expressions that is not a cosine or sine of an exact angle, such as atan2."""
+
+    function: str
+    arguments: tuple[Expr, ...]
+
+
+ZERO = Number(Fraction(0))
+ONE = Number(Fraction(1))
+MINUS_ONE = Number(Fraction(-1))
+PI = Constant()
+
+
+def number(value: int | Fraction, places: int | None = None) -> Number:
+    """An exact number, shown with the given decimal places or as a fraction."""
+    return Number(Fraction(value), places)
+
+
+def split(term: Expr) -> tuple[Number, Expr]:
+    """A term as its numeric factor and the rest: `-2*a*c1` is -2 and `a*c1`; a number is itself times one."""
+    if type(term) is Number:
+        return term, ONE
+    if type(term) is Product and type(term.factors[0]) is Number:
+        rest = term.factors[1:]
+        return term.factors[0], rest[0] if len(rest) == 1 else Product(rest)
+    return ONE, term
+
+
+def is_negative(term: Expr) -> bool:
+    """Whether a term is written with a minus in front."""
+    return split(term)[0].value < 0
+
+
+def negate(expr: Expr) -> Expr:
+    """The opposite; a sum is negated term by term, which costs no operation."""
+    if type(expr) is Number:
+        return Number(-expr.value, expr.places)
+    if type(expr) is Sum:
+        return Sum(tuple(negate(term) for term in expr.terms))
+    if type(expr) is Product:
+        head = expr.factors[0]
+        if type(head) is Number:
+            if head.value == -1:
+                rest = expr.factors[1:]
+                return rest[0] if len(rest) == 1 else Product(rest)
+            return Product((Number(-head.value, head.places), *expr.factors[1:]))
+        return Product((MINUS_ONE, *expr.factors))
+    return Product((MINUS_ONE, expr))
+
+
+def add(*terms: Expr) -> Expr:
+    """The sum, flat, with like terms gathered where the first of them stands."""
+    gathered: dict[Expr, Number] = {}
+    for term in _flat(terms, Sum):
+        factor, rest = split(term)
+        known = gathered.get(rest)
+        gathered[rest] = factor if known is None else _add_numbers(known, factor)
+    kept = tuple(_scale(factor, rest) for rest, factor in gathered.items() if factor.value)
+    if len(kept) == 1:
+        return kept[0]
+    return Sum(kept) if kept else ZERO
+
+
+def multiply(*factors: Expr) -> Expr:
+    """The product, flat, numbers collected in front, equal bases gathered, no bracket expanded."""
+    number_part = ONE
+    radicand = Fraction(1)
+    powers: dict[Expr, Fraction] = {}
+    for factor in _flat(factors, Product):
+        if type(factor) is Number:
+            if not factor.value:
+                return ZERO
+            number_part = _multiply_numbers(number_part, factor)
+            continue
+        if type(factor) is Sum and is_negative(factor.terms[0]):
+            factor = negate(factor)  # noqa: PLW2901  the sign moves outside the bracket
+            number_part = Number(-number_part.value, number_part.places)
+        base, exponent = (factor.base, factor.exponent) if type(factor) is Power else (factor, Fraction(1))
+        if type(base) is Number and exponent == HALF:
+            radicand *= base.value
+        else:
+            powers[base] = powers.get(base, Fraction(0)) + exponent
+    if radicand != 1:
+        outside, root = _root(radicand)
+        number_part = _multiply_numbers(number_part, Number(outside))
+        if root != 1:
+            powers[Power(Number(Fraction(root)), HALF)] = Fraction(1)
+    kept = [base if exponent == 1 else Power(base, exponent) for base, exponent in powers.items() if exponent]
+    return _scale(number_part, *sorted(kept, key=factor_key))
+
+
+def power(base: Expr, exponent: Fraction | int) -> Expr:
+    """A power; exact where the base is a number and the exponent whole or one half.
+
+    Raises:
+        ZeroDivisionError: Zero to a negative exponent.
+        OverflowError: The result has more than 8192 bits.
+    """
+    exponent = Fraction(exponent)
+    if exponent == 1:
+        return base
+    if exponent == 0:
+        return ONE
+    if type(base) is Number:
+        return _power_of_number(base, exponent)
+    if type(base) is Power and exponent.denominator == 1:
+        return power(base.base, base.exponent * exponent)
+    if type(base) is Product and exponent.denominator == 1:
+        return multiply(*(power(factor, exponent) for factor in base.factors))
+    if type(base) is Sum and is_negative(base.terms[0]) and exponent.denominator == 1:
+        return multiply(power(MINUS_ONE, exponent), Power(negate(base), exponent))
+    return Power(base, exponent)
+
+
+def cosine(angle: Angle) -> Expr:
+    """Cosine of an exact angle: right angles become signs and swapped functions, 30° and 45° become roots."""
+    quarters, rest = _reduce(angle)
+    return (_cos_of, _minus_sin_of, _minus_cos_of, _sin_of)[quarters](rest)
+
+
+def sine(angle: Angle) -> Expr:
+    """Sine of an exact angle; see `cosine`."""
+    quarters, rest = _reduce(angle)
+    return (_sin_of, _cos_of, _minus_sin_of, _minus_cos_of)[quarters](rest)
+
+
+def children(expr: Expr) -> tuple[Expr, ...]:
+    """The nodes directly below."""
+    if type(expr) is Sum:
+        return expr.terms
+    if type(expr) is Product:
+        return expr.factors
+    if type(expr) is Power:
+        return (expr.base,)
+    return expr.arguments if type(expr) is Call else ()
+
+
+def walk(expr: Expr) -> Iterator[Expr]:
+    """Every node, each before those below it."""
+    stack = [expr]
+    while stack:
+        node = stack.pop()
+        yield node
+        stack.extend(reversed(children(node)))
+
+
+def symbols(expr: Expr) -> frozenset[str]:
+    """All names, those inside angles too."""
+    found: set[str] = set()
+    for node in walk(expr):
+        if type(node) is Symbol:
+            found.add(node.name)
+        elif type(node) is Trig:
+            found |= node.angle.names
+    return frozenset(found)
+
+
+def operations(expr: Expr) -> int:
+    """Binary + - * / in the written form; unary minus, cosines and sines cost nothing."""
+    return sum(_own_operations(node) for node in walk(expr))
+
+
+def rebuild(expr: Expr, leaf: Callable[[Expr], Expr]) -> Expr:
+    """The tree with every leaf passed through a function, put together again by the constructors."""
+    if type(expr) is Sum:
+        return add(*(rebuild(term, leaf) for term in expr.terms))
+    if type(expr) is Product:
+        return multiply(*(rebuild(factor, leaf) for factor in expr.factors))
+    if type(expr) is Power:
+        return power(rebuild(expr.base, leaf), expr.exponent)
+    if type(expr) is Call:
+        return Call(expr.function, tuple(rebuild(argument, leaf) for argument in expr.arguments))
+    return leaf(expr)
+
+
+def substitute(expr: Expr, lengths: Mapping[str, Expr], angles: Mapping[str, Angle]) -> Expr:
+    """Put exact values in the place of names.
+
+    Args:
+        expr: The tree.
+        lengths: Values of names that stand as numbers.
+        angles: Values of names that stand inside cosines and sines.
+    """
+
+    def leaf(node: Expr) -> Expr:
+        if type(node) is Symbol:
+            return lengths.get(node.name, node)
+        if type(node) is Trig:
+            angle = node.angle.substitute(angles)
+            return cosine(angle) if node.function == "cos" else sine(angle)
+        return node
+
+    return rebuild(expr, leaf)
+
+
+def factor_key(factor: Expr) -> tuple[int, tuple[object, ...]]:
+    """Order of factors: roots, lengths, cosines and sines by their joints, brackets as they come."""
+    base = factor.base if type(factor) is Power else factor
+    if type(base) is Number:
+        return (0, (base.value,))
+    if type(base) is Symbol:
+        return (2, natural_key(base.name))
+    if type(base) is Trig:
+        names = tuple(natural_key(name) for name, _ in base.angle.terms)
+        return (3, (names, base.angle.degrees, base.angle.radians, base.function))
+    return (1 if type(base) in (Constant, Unit) else 4, ())
+
+
+def _lift(value: Expr | int) -> Expr:
+    return Number(Fraction(value)) if isinstance(value, int) else value
+
+
+def _flat(nodes: Iterable[Expr], kind: type[Sum] | type[Product]) -> Iterator[Expr]:
+    for node in nodes:
+        if type(node) is kind:
+            yield from children(node)
+        else:
+            yield node
+
+
+def _scale(factor: Number, *rest: Expr) -> Expr:
+    """A number times factors that are in order already."""
+    rest = tuple(node for node in rest if node is not ONE)
+    if not rest:
+        return factor
+    if len(rest) == 1 and type(rest[0]) is Product:
+        rest = rest[0].factors
+    if factor.value == 1:
+        return rest[0] if len(rest) == 1 else Product(rest)
+    if factor.value == -1 and len(rest) == 1 and type(rest[0]) is Sum:
+        return negate(rest[0])
+    return Product((factor, *rest))
+
+
+def _add_numbers(first: Number, second: Number) -> Number:
+    places = [n.places for n in (first, second) if n.places is not None]
+    return Number(first.value + second.value, max(places) if places else None)
+
+
+def _multiply_numbers(first: Number, second: Number) -> Number:
+    if second.value == 1 and second.places is None:
+        return first
+    places = [n.places for n in (first, second) if n.places is not None]
+    product = Number(first.value * second.value, sum(places) if places else None)
+    _check_size(product.value)
+    return product
+
+
+def _power_of_number(base: Number, exponent: Fraction) -> Expr:
+    if exponent.denominator == 1:
+        size = max(base.value.numerator.bit_length(), base.value.denominator.bit_length())
+        if size * abs(exponent.numerator) > MOST_BITS:
+            raise OverflowError
+        return Number(base.value**exponent.numerator)
+    if exponent.denominator == 2 and base.value >= 0:  # noqa: PLR2004  a square root
+        outside, root = _root(base.value)
+        whole = power(Number(base.value), (exponent - HALF).numerator)
+        return multiply(Number(outside), whole, Power(Number(Fraction(root)), HALF) if root != 1 else ONE)
+    return Power(Number(base.value), exponent)
+
+
+def _check_size(value: Fraction) -> None:
+    if value.numerator.bit_length() > MOST_BITS or value.denominator.bit_length() > MOST_BITS:
+        raise OverflowError
+
+
+@lru_cache(maxsize=1024)
+def _root(value: Fraction) -> tuple[Fraction, int]:
+    """The square root of a number that is not negative, as a rational times the root of a small integer."""
+    inside = value.numerator * value.denominator
+    whole = isqrt(inside)
+    if whole * whole == inside:
+        return Fraction(whole, value.denominator), 1
+    outside = 1
+    for prime in (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31):
+        while inside % (prime * prime) == 0:
+            inside //= prime * prime
+            outside *= prime
+    return Fraction(outside, value.denominator), inside
+
+
+def _reduce(angle: Angle) -> tuple[int, Angle]:
+    """An angle as a number of right angles, 0 to 3, and a rest that holds none."""
+    degrees = angle.degrees % FULL_TURN
+    if degrees % 90 == 0:
+        return int(degrees // 90), angle if not degrees else Angle(angle.terms, Fraction(0), angle.radians)
+    if not angle.terms and not angle.radians:
+        return int(degrees // 90), Angle(degrees=degrees % 90)
+    return 0, Angle(angle.terms, degrees if degrees <= FULL_TURN / 2 else degrees - FULL_TURN, angle.radians)
+
+
+_ROOT_HALVES = {0: (Fraction(1), 1), 30: (HALF, 3), 45: (HALF, 2), 60: (HALF, 1)}
+"""Cosines of 0°, 30°, 45° and 60° as a rational times a square root."""
+
+
+def _cos_of(rest: Angle) -> Expr:
+    return _trig("cos", rest, _ROOT_HALVES.get(int(rest.degrees)) if rest.degrees.denominator == 1 else None)
+
+
+def _sin_of(rest: Angle) -> Expr:
+    if rest.is_zero:
+        return ZERO
+    return _trig("sin", rest, _ROOT_HALVES.get(90 - int(rest.degrees)) if rest.degrees.denominator == 1 else None)
+
+
+def _minus_cos_of(rest: Angle) -> Expr:
+    return negate(_cos_of(rest))
+
+
+def _minus_sin_of(rest: Angle) -> Expr:
+    return negate(_sin_of(rest))
+
+
+def _trig(function: Literal["cos", "sin"], rest: Angle, exact: tuple[Fraction, int] | None) -> Expr:
+    if not rest.terms and not rest.radians and exact is not None:
+        value, root = exact
+        return multiply(Number(value), power(Number(Fraction(root)), HALF))
+    leading = rest.terms[0][1] if rest.terms else rest.radians or rest.degrees
+    if leading >= 0:
+        return Trig(function, rest)
+    flipped = Trig(function, -rest)
+    return flipped if function == "cos" else negate(flipped)
+
+
+def _own_operations(node: Expr) -> int:
+    if type(node) is Sum:
+        return len(node.terms) - 1
+    if type(node) is Product:
+        first, rest = split(node)
+        shown = (abs(first.value.numerator) != 1) + (0 if type(rest) is not Product else len(rest.factors) - 1)
+        return shown + (first.value.denominator != 1)
+    if type(node) is Number:
+        return 0
+    return abs(node.exponent.numerator) - 1 if type(node) is Power and node.exponent.denominator == 1 else 0

@@ -1,0 +1,314 @@
+"""The one writer: every expression dhcli prints, in any notation, passes through `write`.
+
+Order of terms and factors and the signs of brackets are settled in the tree already; here they only get their
+spelling. `short` is the textbook's `c1*(a2*c2 + a3*c23)`, `full` spells out `cos(theta1)`, `latex` is for papers,
+`matlab`, `numpy` and `sympy` are for pasting into programs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from dhcli.notation.angle import Angle
+from dhcli.notation.names import GREEK_NAMES, natural_key, parts
+from dhcli.notation.tree import HALF, Call, Constant, Expr, Number, Power, Product, Sum, Symbol, Trig, Unit, split
+
+SUM, PRODUCT, ATOM = 1, 2, 3
+
+
+@dataclass(frozen=True, slots=True)
+class Style:
+    """How the pieces of an expression are spelled in one notation.
+
+    Attributes:
+        name: What the user calls it.
+        times: The sign between factors.
+        caret: The sign before an exponent.
+        pi: The number π.
+        root: Format of a square root.
+        symbol: Spelling of a name.
+        trig: Format of cosine and sine: function name and angle.
+        degrees: Format of an angle in degrees, or None to write multiples of π.
+        latex: Whether brackets grow and fractions are stacked.
+    """
+
+    name: str
+    times: str = "*"
+    caret: str = "^"
+    pi: str = "pi"
+    root: str = "sqrt({})"
+    symbol: Callable[[str], str] = str
+    trig: str = "{}({})"
+    degrees: str | None = "{}°"
+    latex: bool = False
+    prefix: str = ""
+
+
+def identifier(name: str) -> str:
+    """A name that programming languages accept: `alpha_{i-1}` is `alpha_im1`, `lambda` is `lambda_`."""
+    plain = name.replace("{", "").replace("}", "").replace("-", "m").replace("+", "p").replace(",", "_")
+    return plain + "_" if plain == "lambda" else plain
+
+
+def latex_name(name: str) -> str:
+    r"""A name as LaTeX sets it: `theta1` is `\theta_{1}`, `shoulder` is upright."""
+    stem, subscript = parts(name)
+    if stem in GREEK_NAMES:
+        stem = "\\" + stem
+    elif len(stem) > 1:
+        stem = rf"\mathrm{{{stem}}}"
+    return f"{stem}_{{{subscript}}}" if subscript else stem
+
+
+STYLES: Mapping[str, Style] = {
+    style.name: style
+    for style in (
+        Style("short"),
+        Style("full"),
+        Style(
+            "latex",
+            times=" ",
+            pi="\\pi",
+            root="\\sqrt{{{}}}",
+            symbol=latex_name,
+            trig="\\{}\\left({}\\right)",
+            degrees="{}^{{\\circ}}",
+            latex=True,
+        ),
+        Style("matlab", symbol=identifier, degrees=None),
+        Style("numpy", caret="**", pi="np.pi", symbol=identifier, degrees=None, prefix="np."),
+        Style("sympy", caret="**", symbol=identifier, degrees=None),
+    )
+}
+"""The notations by the name the user gives them."""
+
+
+@dataclass(frozen=True, slots=True)
+class Joints:
+    """The joint angles of a robot, for shorthand: `c12` may stand for cos(theta1 + theta2).
+
+    Attributes:
+        order: Every variable in joint order; factors and angles are written in this order.
+        index: The angles that have a short index, such as theta2 with `2`.
+    """
+
+    order: tuple[str, ...] = ()
+    index: Mapping[str, str] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, variables: tuple[str, ...], angles: tuple[str, ...]) -> Joints:
+        """Joints of a robot with these variables, some of which are angles.
+
+        An angle has an index if it ends in a digit that no other angle ends in; ten joints and more have none.
+        """
+        index = {name: parts(name)[1] for name in angles}
+        digits = list(index.values())
+        return cls(variables, {n: d for n, d in index.items() if len(d) == 1 and d.isdigit() and digits.count(d) == 1})
+
+    def place(self, name: str) -> tuple[int, object]:
+        """Sort key of a name: variables in joint order, then everything else in natural order."""
+        return (self.order.index(name), ()) if name in self.order else (len(self.order), natural_key(name))
+
+
+class _AnyThetas(Mapping[str, str]):
+    """Where no robot is given, theta1 to theta9 have their digit as index."""
+
+    def __getitem__(self, name: str) -> str:
+        stem, index = parts(name)
+        if stem != "theta" or len(index) != 1 or not index.isdigit():
+            raise KeyError(name)
+        return index
+
+    def __iter__(self):  # type: ignore[no-untyped-def]  # noqa: ANN204
+        return (f"theta{digit}" for digit in range(1, 10))
+
+    def __len__(self) -> int:
+        return 9
+
+
+THETAS = Joints((), _AnyThetas())
+"""Joints to write with when no robot is at hand."""
+
+
+def write(expr: Expr, style: str = "short", joints: Joints = THETAS) -> str:
+    """Write an expression.
+
+    Args:
+        expr: The tree.
+        style: One of `STYLES`: short, full, latex, matlab, numpy, sympy.
+        joints: The robot's joint angles, for shorthand and for the order of factors.
+    """
+    return _Writer(STYLES[style], joints).expression(expr)
+
+
+def write_angle(angle: Angle, style: str = "short", joints: Joints = THETAS) -> str:
+    """Write an angle, `theta1 + 90°`; zero is `0`."""
+    return _Writer(STYLES[style], joints).angle(angle, spaced=True)
+
+
+def write_number(value: Fraction, places: int | None = None) -> str:
+    """Write an exact number: with decimals if it has that many places, else as a fraction."""
+    if value.denominator == 1:
+        return str(value.numerator)
+    if places is not None:
+        scaled = abs(value) * 10**places
+        if scaled.denominator == 1:
+            digits = str(scaled.numerator).rjust(places + 1, "0")
+            return ("-" if value < 0 else "") + f"{digits[:-places]}.{digits[-places:]}".rstrip("0").rstrip(".")
+    return f"{value.numerator}/{value.denominator}"
+
+
+class _Writer:
+    def __init__(self, style: Style, joints: Joints) -> None:
+        self.style = style
+        self.joints = joints
+
+    def expression(self, expr: Expr) -> str:
+        return self.node(expr)[0]
+
+    def bracketed(self, expr: Expr, level: int) -> str:
+        text, own = self.node(expr)
+        if own >= level and not text.startswith("-"):
+            return text
+        return f"\\left({text}\\right)" if self.style.latex else f"({text})"
+
+    def node(self, expr: Expr) -> tuple[str, int]:
+        """The text of a node and how strongly it binds."""
+        match expr:
+            case Number(value, places):
+                return self.number(value, places)
+            case Symbol(name):
+                return self.style.symbol(name), ATOM
+            case Constant():
+                return self.style.pi, ATOM
+            case Unit(name):
+                return name, ATOM
+            case Trig(function, angle):
+                return self.trig(function, angle), ATOM
+            case Sum(terms):
+                return self.sum(terms), SUM
+            case Product():
+                return self.product(expr)
+            case Power(base, exponent):
+                return self.power(base, exponent)
+            case Call(function, arguments):
+                name = rf"\operatorname{{{function}}}" if self.style.latex else self.style.prefix + function
+                return f"{name}({', '.join(self.expression(argument) for argument in arguments)})", ATOM
+        raise TypeError(expr)
+
+    def number(self, value: Fraction, places: int | None) -> tuple[str, int]:
+        text = write_number(value, places)
+        if "/" not in text:
+            return text, ATOM
+        if self.style.latex:
+            sign = "-" if value < 0 else ""
+            return rf"{sign}\frac{{{abs(value.numerator)}}}{{{value.denominator}}}", PRODUCT
+        return text, PRODUCT
+
+    def sum(self, terms: tuple[Expr, ...]) -> str:
+        pieces = [self.expression(term) for term in terms]
+        rest = [f" - {piece[1:]}" if piece.startswith("-") else f" + {piece}" for piece in pieces[1:]]
+        return pieces[0] + "".join(rest)
+
+    def product(self, expr: Product) -> tuple[str, int]:
+        number, rest = split(expr)
+        sign = "-" if number.value < 0 else ""
+        above, below = self.fraction(abs(number.value), number.places, self.in_order(rest))
+        top = self.style.times.join(above) or "1"
+        if not below:
+            return sign + top, PRODUCT
+        if self.style.latex:
+            return rf"{sign}\frac{{{top}}}{{{self.style.times.join(below)}}}", PRODUCT
+        bottom = below[0] if len(below) == 1 else f"({self.style.times.join(below)})"
+        return f"{sign}{top}/{bottom}", PRODUCT
+
+    def fraction(self, value: Fraction, places: int | None, factors: list[Expr]) -> tuple[list[str], list[str]]:
+        """What stands above and below the fraction bar."""
+        above: list[str] = []
+        below: list[str] = []
+        text = write_number(value, places)
+        if "/" in text:
+            upper, lower = text.split("/")
+            below.append(lower)
+            text = upper
+        if text != "1":
+            above.append(text)
+        for factor in factors:
+            if type(factor) is Power and factor.exponent < 0 and factor.exponent.denominator == 1:
+                inverse = factor.base if factor.exponent == -1 else Power(factor.base, -factor.exponent)
+                below.append(self.bracketed(inverse, ATOM))
+            else:
+                above.append(self.bracketed(factor, PRODUCT))
+        return above, below
+
+    def in_order(self, rest: Expr) -> list[Expr]:
+        """Factors with the cosines and sines in joint order; everything else stays where it is."""
+        factors = list(rest.factors) if type(rest) is Product else [rest]
+        if not self.joints.order:
+            return factors
+        places = [i for i, factor in enumerate(factors) if _angle_of(factor).terms]
+        ordered = sorted((factors[i] for i in places), key=self.trig_key)
+        for place, factor in zip(places, ordered, strict=True):
+            factors[place] = factor
+        return factors
+
+    def trig_key(self, factor: Expr) -> list[tuple[int, object]]:
+        return sorted(self.joints.place(name) for name in _angle_of(factor).names)
+
+    def power(self, base: Expr, exponent: Fraction) -> tuple[str, int]:
+        if exponent == HALF:
+            return self.style.prefix + self.style.root.format(self.expression(base)), ATOM
+        if exponent < 0 and exponent.denominator == 1:
+            return self.product(Product((Number(Fraction(1)), Power(base, exponent))))
+        text = write_number(exponent)
+        text = f"{{{text}}}" if self.style.latex else f"({text})" if "/" in text or exponent < 0 else text
+        return f"{self.bracketed(base, ATOM)}{self.style.caret}{text}", ATOM
+
+    def trig(self, function: str, angle: Angle) -> str:
+        if self.style.name in ("short", "latex") and angle.terms:
+            indices = self.indices(angle)
+            if indices:
+                return f"{function[0]}_{{{indices}}}" if self.style.latex else function[0] + indices
+            if self.style.name == "short" and all(name in self.joints.index for name in angle.names):
+                return f"{function[0]}({self.angle(angle)})"
+        return self.style.trig.format(self.style.prefix + function, self.angle(angle))
+
+    def indices(self, angle: Angle) -> str:
+        """`12` for theta1 + theta2, or nothing if the sum has no short form."""
+        if angle.degrees or angle.radians or any(factor != 1 for _, factor in angle.terms):
+            return ""
+        names = sorted(angle.names, key=self.joints.place)
+        digits = [self.joints.index.get(name, "") for name in names]
+        return "".join(digits) if all(digits) else ""
+
+    def angle(self, angle: Angle, *, spaced: bool = False) -> str:
+        ordered = sorted(angle.terms, key=lambda term: (term[1] < 0, self.joints.place(term[0])))
+        pieces = [self.scaled(factor, self.style.symbol(name)) for name, factor in ordered]
+        if angle.degrees:
+            pieces.append(self.degrees(angle.degrees))
+        if angle.radians:
+            pieces.append(write_number(angle.radians, 12))
+        if not pieces:
+            return "0"
+        minus, plus = (" - ", " + ") if spaced else ("-", "+")
+        rest = [minus + piece[1:] if piece.startswith("-") else plus + piece for piece in pieces[1:]]
+        return pieces[0] + "".join(rest)
+
+    def scaled(self, factor: Fraction, text: str) -> str:
+        sign = "-" if factor < 0 else ""
+        upper = "" if abs(factor.numerator) == 1 else f"{abs(factor.numerator)}{self.style.times}"
+        lower = "" if factor.denominator == 1 else f"/{factor.denominator}"
+        return f"{sign}{upper}{text}{lower}"
+
+    def degrees(self, degrees: Fraction) -> str:
+        if self.style.degrees is None:
+            return self.scaled(degrees / 180, self.style.pi)
+        text = write_number(degrees, 6)
+        return self.style.degrees.format(f"({text})" if "/" in text else text)
+
+
+def _angle_of(factor: Expr) -> Angle:
+    base = factor.base if type(factor) is Power else factor
+    return base.angle if type(base) is Trig else Angle()
