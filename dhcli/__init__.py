@@ -2,10 +2,13 @@
 
 >>> from dhcli import load_robot, forward, symbolic
 >>> scara = load_robot("scara")
->>> forward(scara, [0.3, 0.5, 0.1]).position
-(-0.36..., 0.60..., 0.3...)
->>> print(symbolic(scara).rows[0][3])
--l3*s12 - l2*s1
+>>> print(forward(scara, [0.3, 0.5, 0.1]))
+0.6967  -0.7174  0  -0.2321
+0.7174   0.6967  0   0.4259
+     0        0  1      0.3
+     0        0  0        1
+>>> symbolic(scara).position
+(-l2*s1 - l3*s12, l2*c1 + l3*c12, l1 - d3)
 """
 
 from __future__ import annotations

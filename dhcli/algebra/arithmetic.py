@@ -13,23 +13,24 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Call, Constant, Expr, Number, Power, Product, Sum, Symbol, Trig
 
 N = TypeVar("N")
+N_co = TypeVar("N_co", covariant=True)
 
 COSINES = (1, 0, -1, 0)
 """Cosines of 0, 1, 2 and 3 right angles; the sine of k is the cosine of k - 1."""
 
 
-class Arithmetic(Protocol[N]):
+class Arithmetic(Protocol[N_co]):
     """A kind of number. Methods may return the integers 0, 1 and -1, which are structural everywhere."""
 
-    def cos_sin(self, angle: Angle) -> tuple[N | int, N | int]:
+    def cos_sin(self, angle: Angle) -> tuple[N_co | int, N_co | int]:
         """Cosine and sine of an exact angle."""
         ...
 
-    def length(self, expr: Expr) -> N | int:
+    def length(self, expr: Expr) -> N_co | int:
         """The number that an expression of lengths stands for."""
         ...
 
-    def constant(self, value: int) -> N:
+    def constant(self, value: int) -> N_co:
         """A structural integer as an ordinary number."""
         ...
 
@@ -83,22 +84,30 @@ def evaluate(expr: Expr, over: Evaluator[N]) -> N | int:
         case Trig(function, angle):
             return over.cos_sin(angle)[function == "sin"]
         case Sum(terms):
-            total = evaluate(terms[0], over)
-            for term in terms[1:]:
-                total = plus(total, evaluate(term, over))
+            total: N | int = 0
+            for term in terms:
+                part: N | int = evaluate(term, over)
+                total = plus(total, part)
             return total
         case Product(factors):
-            product = evaluate(factors[0], over)
-            for factor in factors[1:]:
-                product = times(product, evaluate(factor, over))
+            product: N | int = 1
+            for factor in factors:
+                part = evaluate(factor, over)
+                product = times(product, part)
             return product
         case Power(base, exponent):
-            return over.power(settled(evaluate(base, over), over), exponent)
+            return over.power(evaluate_settled(base, over), exponent)
         case Call(function, arguments):
-            return over.call(function, [settled(evaluate(argument, over), over) for argument in arguments])
+            return over.call(function, [evaluate_settled(argument, over) for argument in arguments])
         case Constant():
             return over.pi()
     raise TypeError(expr)
+
+
+def evaluate_settled(expr: Expr, over: Evaluator[N]) -> N:
+    """The value of a tree as an ordinary number of the arithmetic, never a structural integer."""
+    value: N | int = evaluate(expr, over)
+    return settled(value, over)
 
 
 def settled(value: N | int, over: Arithmetic[N]) -> N:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from fractions import Fraction
 
-from dhcli.algebra.arithmetic import evaluate, right_angle
+from dhcli.algebra.arithmetic import evaluate, evaluate_settled, right_angle
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr, Number
 
@@ -46,6 +46,10 @@ class Floats:
         if type(expr) is Number:
             return 0 if not expr.value else float(expr.value)
         return evaluate(expr, self)
+
+    def value(self, expr: Expr) -> float:
+        """Value of any expression."""
+        return evaluate_settled(expr, self)
 
     def constant(self, value: int) -> float:
         """0.0, 1.0 or -1.0."""

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from dhcli.algebra.arithmetic import evaluate
+from dhcli.algebra.arithmetic import evaluate, evaluate_settled
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr, Number
 from dhcli.notation.writer import identifier
@@ -77,6 +78,11 @@ class Sympy:
 
 def to_sympy(expr: Expr) -> sympy.Expr:
     """One of our trees as a sympy expression."""
-    over = Sympy()
-    value = evaluate(expr, over)
-    return over.constant(value) if isinstance(value, int) else value
+    return evaluate_settled(expr, Sympy())
+
+
+def to_sympy_matrix(rows: Iterable[Iterable[object]]) -> sympy.Matrix:
+    """Rows of our trees, or of floats, as a sympy matrix."""
+    import sympy
+
+    return sympy.Matrix([[to_sympy(e) if isinstance(e, Expr) else sympy.Float(e) for e in row] for row in rows])

@@ -79,7 +79,7 @@ class _Loader:
         self.parameters = self.fields.mapping("parameters")
         self.scope = Scope(lengths=(*self.variables, *self.parameters.entries))
         self.convention = self.read_convention()
-        self.columns = COLUMNS
+        self.columns: tuple[str, ...] = COLUMNS
 
     def robot(self) -> Robot:
         first = self.read_first()
@@ -160,9 +160,8 @@ class _Loader:
         if len(fields.entries) == len(COLUMNS) and index == 0:
             self.columns = tuple(fields.entries)
         cells = {column: self.cell(fields, column, index) for column in COLUMNS}
-        row = Row(
-            a=_as_length(cells["a"]), alpha=_as_angle(cells["alpha"]), d=_as_length(cells["d"]), theta=_as_angle(cells["theta"])
-        )
+        a, d = _as_length(cells["a"]), _as_length(cells["d"])
+        row = Row(a=a, alpha=_as_angle(cells["alpha"]), d=d, theta=_as_angle(cells["theta"]))
         return Link(number, moves_of(row, self.convention), row)
 
     def cell(self, fields: Fields, column: str, index: int) -> Value:

@@ -135,4 +135,3 @@ def _structural(entry: Expr | int) -> Expr | int:
     if isinstance(entry, Number) and entry.value in (-1, 0, 1):
         return int(entry.value)
     return entry
-

@@ -86,9 +86,7 @@ def inverse_of(move: Move) -> Move:
         case Fixed(rows):
             columns = [[row[i] for row in rows] for i in range(3)]
             offset = [row[3] for row in rows]
-            back = [
-                negate(add(*(multiply(c, p) for c, p in zip(column, offset, strict=True)))) for column in columns
-            ]
+            back = [negate(add(*(multiply(c, p) for c, p in zip(column, offset, strict=True)))) for column in columns]
             return Fixed(tuple((c[0], c[1], c[2], p) for c, p in zip(columns, back, strict=True)))
 
 

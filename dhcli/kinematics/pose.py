@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
 from dhcli.algebra.arithmetic import plus, times
 from dhcli.errors import RobotError
@@ -14,7 +14,7 @@ from dhcli.notation.writer import THETAS, Joints, write
 if TYPE_CHECKING:
     import numpy as np
     import sympy
-    from numpy.typing import NDArray
+    from numpy.typing import DTypeLike, NDArray
 
 N = TypeVar("N")
 
@@ -72,13 +72,17 @@ class Pose(Generic[N]):
 
         return np.array(self.rows, dtype=np.float64)
 
-    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:  # noqa: FBT001  numpy's protocol
+    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:  # noqa: FBT001
         """Let numpy read a pose as it reads nested lists."""
         import numpy as np
 
         return np.array(self.rows, dtype=object if self.is_symbolic and dtype is None else dtype)
 
-    def __matmul__(self, other: Pose[N] | Sequence[Any]) -> Any:
+    @overload
+    def __matmul__(self, other: Pose[N]) -> Pose[N]: ...
+    @overload
+    def __matmul__(self, other: Sequence[N | int]) -> tuple[N, ...]: ...
+    def __matmul__(self, other: Pose[N] | Sequence[N | int]) -> Pose[N] | tuple[N, ...]:
         """Chain two poses, or find where a point is.
 
         Args:
@@ -106,16 +110,15 @@ class Pose(Generic[N]):
     def inverse(self) -> Pose[N]:
         """The reference seen from the frame described."""
         columns = [[row[k] for row in self.rows[:3]] for k in range(3)]
-        back = tuple((*column, times(-1, _dot(column, self.position))) for column in columns)
+        zero = self.rows[3][0]
+        back = tuple((*column, zero - _dot(column, self.position)) for column in columns)  # type: ignore[operator]
         return Pose((*back, self.rows[3]), self.frame, self.reference, "", self.joints)
 
     def to_sympy(self) -> sympy.Matrix:
         """The entries as a sympy matrix, shape (4, 4)."""
-        import sympy
+        from dhcli.algebra.symbolic import to_sympy_matrix
 
-        from dhcli.algebra.symbolic import to_sympy
-
-        return sympy.Matrix([[to_sympy(e) if isinstance(e, Expr) else sympy.Float(e) for e in row] for row in self.rows])
+        return to_sympy_matrix(self.rows)
 
     def cells(self, style: str = "short", digits: int = DIGITS) -> tuple[tuple[str, ...], ...]:
         """The entries as text, shape (4, 4): expressions in a notation, numbers rounded for people."""
@@ -153,8 +156,9 @@ def rounded(value: float, digits: int = DIGITS) -> str:
     return "0" if text in ("-0", "") else text
 
 
-def _dot(row: Sequence[Any], column: Sequence[Any]) -> Any:
-    total: Any = 0
-    for a, b in zip(row, column, strict=True):
+def _dot(row: Sequence[N | int], column: Sequence[N | int]) -> N:
+    """A sum of products; the row is of a matrix, so that the result is a number of its arithmetic."""
+    total: N | int = times(row[0], column[0])
+    for a, b in zip(row[1:], column[1:], strict=True):
         total = plus(total, times(a, b))
-    return total
+    return total  # type: ignore[return-value]

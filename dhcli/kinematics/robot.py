@@ -116,7 +116,11 @@ class Robot:
         """Every name that stands for an angle."""
         chain = self.chain
         inside = {
-            name for expr in expressions(chain) for node in walk(expr) if type(node) is Trig for name in node.angle.names
+            name
+            for expr in expressions(chain)
+            for node in walk(expr)
+            if type(node) is Trig
+            for name in node.angle.names
         }
         given = {name for name, value in self.parameters.items() if isinstance(value, Angle)}
         return angle_names(chain) | inside | given

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhcli.algebra.arithmetic import evaluate
 from dhcli.algebra.equality import equal
 from dhcli.algebra.floats import Floats
 from dhcli.errors import Problem, RobotError, did_you_mean
@@ -50,7 +49,9 @@ class InvalidRobotError(RobotError):
         """Collect the findings of one robot."""
         self.findings = findings
         paths = (".".join(str(part) for part in finding.where) for finding in findings)
-        super().__init__(Problem(f"{name}: {p}: {f.message}", None, f.hint) for p, f in zip(paths, findings, strict=True))
+        super().__init__(
+            Problem(f"{name}: {p}: {f.message}", None, f.hint) for p, f in zip(paths, findings, strict=True)
+        )
 
 
 def check(robot: Robot) -> None:
@@ -59,7 +60,7 @@ def check(robot: Robot) -> None:
     Raises:
         InvalidRobotError: With all findings.
     """
-    found = tuple((*_names(robot), *_links(robot), *_frames(robot), *_limits(robot), *_poses(robot)))
+    found = (*_names(robot), *_links(robot), *_frames(robot), *_limits(robot), *_poses(robot))
     if found:
         raise InvalidRobotError(robot.name, found)
 
@@ -103,10 +104,9 @@ def _links(robot: Robot) -> Iterator[Finding]:
 
 
 def _affine(link: Link, index: int, moving: list[str]) -> Iterator[Finding]:
-    columns = {} if link.row is None else {"a": link.row.a, "d": link.row.d}
-    lengths = [(("links", index, column), expr) for column, expr in columns.items()]
-    if not columns:
-        lengths = [(("links", index), expr) for expr in expressions(link.moves)]
+    lengths: list[tuple[tuple[str | int, ...], Expr]] = [(("links", index), e) for e in expressions(link.moves)]
+    if link.row is not None:
+        lengths = [(("links", index, "a"), link.row.a), (("links", index, "d"), link.row.d)]
     for name in moving:
         turning = name in angle_names(link.moves)
         for where, expr in lengths:
@@ -141,7 +141,7 @@ def _matrices(chain: Chain, where: tuple[str | int, ...]) -> Iterator[Finding]:
         if isinstance(move, Trans | Fixed):
             for expr in expressions((move,)):
                 if isinstance(expr, Number) or not symbols(expr):
-                    value = float(evaluate(expr, Floats()))
+                    value = Floats().value(expr)
                     if value != value:  # noqa: PLR0124  NaN
                         yield Finding(where, f"{expr} is not a real number")
 
@@ -171,7 +171,7 @@ def not_a_rotation(move: Fixed) -> str:
 def _agree(first: Expr, second: Expr) -> bool:
     if symbols(first) or symbols(second):
         return equal(first, second)
-    return abs(float(evaluate(first, Floats())) - float(evaluate(second, Floats()))) <= LOOSE
+    return abs(Floats().value(first) - Floats().value(second)) <= LOOSE
 
 
 def _limits(robot: Robot) -> Iterator[Finding]:
@@ -207,4 +207,4 @@ def _kind(where: tuple[str | int, ...], name: str, kind: str, values: tuple[Valu
 
 def in_floats(value: Value) -> float:
     """A constant value in radians or metres."""
-    return value.constant() if isinstance(value, Angle) else float(evaluate(value, Floats()))
+    return value.constant() if isinstance(value, Angle) else Floats().value(value)

@@ -46,8 +46,7 @@ def joint_values(robot: Robot, q: JointInput, *, bare: Bare = "rad", place: Plac
         return _from_text(robot, q, bare, place or Place("q"))
     if isinstance(q, Mapping):
         return {
-            (joint := _joint(robot, name, place)): _value(robot, joint, value, bare, place)
-            for name, value in q.items()
+            (joint := _joint(robot, name, place)): _value(robot, joint, value, bare, place) for name, value in q.items()
         }
     given = list(q)
     _check_count(robot, len(given), place)
@@ -101,8 +100,8 @@ def warnings(robot: Robot, values: Values) -> Iterator[str]:
         if value is None:
             continue
         if joint.kind == "revolute" and isinstance(value, Angle) and abs(float(value.radians)) > math.tau:
-            shown = float(value.radians)
-            yield f"{joint.name} = {shown:g} rad is more than a turn; did you mean {shown:g}°, or --deg?"
+            typed = float(value.radians)
+            yield f"{joint.name} = {typed:g} rad is more than a turn; did you mean {typed:g}°, or --deg?"
         if joint.name in robot.limits and not symbols_of(value):
             low, high = (in_floats(limit) for limit in robot.limits[joint.name])
             number = in_floats(value)
@@ -152,9 +151,7 @@ def _from_text(robot: Robot, text: str, bare: Bare, place: Place) -> dict[str, V
     }
 
 
-def _assignments(
-    robot: Robot, parts: list[tuple[int, str]], text: str, bare: Bare, place: Place
-) -> dict[str, Value]:
+def _assignments(robot: Robot, parts: list[tuple[int, str]], text: str, bare: Bare, place: Place) -> dict[str, Value]:
     values: dict[str, Value] = {}
     for offset, part in parts:
         name, equals, value = part.partition("=")
@@ -234,4 +231,3 @@ def _joints_hint(robot: Robot) -> str:
 
 def _shown(number: float, kind: str) -> str:
     return f"{math.degrees(number):.4g}°" if kind == "revolute" else f"{number:.4g} m"
-

@@ -85,7 +85,7 @@ def _product(source: Source, tokens: Sequence[Token], scope: Scope, *, inverse: 
         if token.kind == "newline" or (token.kind == "sign" and token.text in "*@"):
             i += 1
             continue
-        opening = i + 1 if token.kind == "word" and token.text not in ("begin",) else i
+        opening = i + 1 if token.kind == "word" and token.text != "begin" else i
         closing = _end_of_environment(tokens, i) if token.text == "begin" else matching(tokens, opening)
         if closing < 0:
             raise source.error(token.start, f"{token.text!r} is not a move or a matrix", EXAMPLE)

@@ -206,7 +206,7 @@ def _separates(before: Token, token: Token, after: list[Token]) -> bool:
     """Whether a blank between two tokens begins a new cell: `c1 -s1` does, `c1 - s1`, `cos θ` and `30 mm` do not."""
     if before.kind == "sign" and before.text in "+-*/^√":
         return False
-    if before.kind == "word" and (before.text in FUNCTIONS or before.text in ("c", "s") and token.text in _OPENING):
+    if before.kind == "word" and (before.text in FUNCTIONS or (before.text in ("c", "s") and token.text in _OPENING)):
         return False
     if token.kind == "sign":
         if token.text in "*/^°)]}'":

@@ -24,9 +24,14 @@ DEEPEST = 60
 LARGEST_EXPONENT = 64
 LONGEST_NUMBER = 60
 
-FUNCTIONS = {
-    name: name for name in ("cos", "sin", "tan", "sqrt", "acos", "asin", "atan", "atan2", "cosd", "sind")
-} | {"arccos": "acos", "arcsin": "asin", "arctan": "atan", "arctan2": "atan2", "Cos": "cos", "Sin": "sin"}
+FUNCTIONS = {name: name for name in ("cos", "sin", "tan", "sqrt", "acos", "asin", "atan", "atan2", "cosd", "sind")} | {
+    "arccos": "acos",
+    "arcsin": "asin",
+    "arctan": "atan",
+    "arctan2": "atan2",
+    "Cos": "cos",
+    "Sin": "sin",
+}
 """Functions by the names people write."""
 
 RESERVED = frozenset(FUNCTIONS) | {"pi", "frac", "inv", "Rot", "Trans"}
@@ -160,7 +165,7 @@ class Parser:
         """A factor without a sign before it; a unit if the word is one and no name."""
         token = self.token
         if self._is_unit():
-            if self.scope.has(token.text) and not token.text == "°":
+            if self.scope.has(token.text) and token.text != "°":
                 question = f"write *{token.text} for the name, or give the length in another unit"
                 raise self.error(f"{token.text} could be the unit or the name {token.text}", question)
             self.advance()

@@ -22,22 +22,39 @@ _OPERATORS = {
     "°": "°",
     "º": "°",
     "˚": "°",
+    **dict.fromkeys("│┃║╎┆┊▏▕", "|"),
     **{sign: sign for sign in "+^,;()[]{}=@&|'\"!:"},
     "′": "'",
     "’": "'",  # noqa: RUF001
     "″": '"',
 }
 _SUPERSCRIPTS = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789", strict=True))
-_BOX = re.compile("[│┃║╎┆┊▏▕]")
-_NOISE = re.compile("[─━═┄┈╌┌┬┐├┼┤└┴┘┏┳┓┡╇┩┢┣╋┫┗┻┛╔╦╗╠╬╣╚╩╝╭╮╯╰⎡⎢⎣⎤⎥⎦⎛⎜⎝⎞⎟⎠$]")
-_NUMBER = re.compile(r"(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?")
-_DECIMAL_COMMA = re.compile(r"\d+,\d+(?![\d,.])")
+_NOISE = "─━═┄┈╌┌┬┐├┼┤└┴┘┏┳┓┡╇┩┢┣╋┫┗┻┛╔╦╗╠╬╣╚╩╝╭╮╯╰⎡⎢⎣⎤⎥⎦⎛⎜⎝⎞⎟⎠$"
+"""What frames a table or a formula on a screen and means nothing."""
 _GREEK_LETTERS = "".join(GREEK)
-_WORD = re.compile(rf"π|[A-Za-z{_GREEK_LETTERS}](?:[A-Za-z0-9{_GREEK_LETTERS}₀-₉]|_\{{[^{{}}]*\}}|_(?=[A-Za-z0-9]))*")
+_BLANK = re.compile(f"[ \t\u00a0\u2009\u202f{_NOISE}]+")
 _MODULE = re.compile(r"(?:np|numpy|math|sp|sympy|sym)\.(?=[A-Za-z])")
-_SPACES = re.compile(r"[ \t\u00a0\u2009\u202f]+")
+_DECIMAL_COMMA = re.compile(r"\d+,\d+(?![\d,.])", re.ASCII)
+_WORD = rf"π|[A-Za-z{_GREEK_LETTERS}](?:[A-Za-z0-9{_GREEK_LETTERS}₀-₉]|_\{{[^{{}}]*\}}|_(?=[A-Za-z0-9]))*"
+_PATTERNS: tuple[tuple[Kind, re.Pattern[str]], ...] = (
+    ("newline", re.compile(r"[\r\n]")),
+    ("number", re.compile(r"(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)),
+    ("word", re.compile(_WORD)),
+)
+_COMMAND = re.compile(r"\\([A-Za-z]+|.)", re.DOTALL)
+_SUBSCRIPT = re.compile(r"\s*(_\{[^{}]*\}|_[A-Za-z0-9])")
+_WRAPPED = re.compile(r"\s*\{\s*([A-Za-z0-9]+)\s*\}((?:_\{[^{}]*\}|_[A-Za-z0-9])?)")
 _LATEX_SPACES = frozenset(",;:! ") | {"quad", "qquad", "displaystyle", "left", "right", "limits"}
-_LATEX_SIGNS = {"cdot": "*", "times": "*", "div": "/", "lbrack": "[", "rbrack": "]", "circ": "°", "degree": "°"}
+_LATEX_SIGNS = {
+    "\\": ";",
+    "cdot": "*",
+    "times": "*",
+    "div": "/",
+    "lbrack": "[",
+    "rbrack": "]",
+    "circ": "°",
+    "degree": "°",
+}
 _LATEX_WRAPPERS = frozenset(("mathrm", "text", "operatorname", "mathbf", "mathit", "rm", "boldsymbol"))
 
 
@@ -107,73 +124,66 @@ def tokenize(source: Source, *, decimal_comma: bool = False, most: int = MOST_CH
     tokens: list[Token] = []
     position, spaced, depth = 0, False, 0
     while position < len(text):
-        start = position
-        token = None
-        if match := _SPACES.match(text, position):
+        if match := _BLANK.match(text, position):
             position, spaced = match.end(), True
             continue
-        letter = text[position]
-        if letter in "\r\n":
-            token = Token("newline", "\n", start, start + 1, spaced)
-        elif decimal_comma and depth == 0 and (match := _DECIMAL_COMMA.match(text, position)):
-            token = Token("number", match[0].replace(",", "."), start, match.end(), spaced)
-        elif match := _NUMBER.match(text, position):
-            token = Token("number", match[0], start, match.end(), spaced)
-        elif match := _MODULE.match(text, position):
+        if match := _MODULE.match(text, position):
             position = match.end()
             continue
-        elif match := _WORD.match(text, position):
-            token = Token("word", match[0], start, match.end(), spaced)
-        elif letter == "\\":
-            token, position = _latex(source, position, spaced)
-            if token is None:
-                spaced = True
-                continue
-        elif letter == "*" and text.startswith("**", position):
-            token = Token("sign", "^", start, start + 2, spaced)
-        elif letter in _OPERATORS:
-            token = Token("sign", _OPERATORS[letter], start, start + 1, spaced)
-            depth += (token.text in "([{") - (token.text in ")]}")
-        elif letter in _SUPERSCRIPTS:
-            tokens.append(Token("sign", "^", start, start, spaced=False))
-            token = Token("number", _SUPERSCRIPTS[letter], start, start + 1, spaced=False)
-        elif _BOX.match(letter):
-            token = Token("sign", "|", start, start + 1, spaced)
-        elif _NOISE.match(letter):
-            position, spaced = position + 1, True
-            continue
+        comma = decimal_comma and depth == 0
+        if text[position] == "\\":
+            found, position = _latex(source, position, spaced=spaced)
         else:
-            raise _strange(source, position)
-        tokens.append(token)
-        position, spaced = max(token.end, position), token.kind == "newline"
+            found = _token(source, position, spaced=spaced, comma=comma)
+            position = found[-1].end
+        tokens += found
+        spaced = not found or found[-1].kind == "newline"
+        for token in found:
+            depth += (token.text in "([{") - (token.text in ")]}") if token.kind == "sign" else 0
     tokens.append(Token("end", "", len(text), len(text), spaced))
     return tokens
 
 
-def _latex(source: Source, start: int, spaced: bool) -> tuple[Token | None, int]:
-    r"""A token from a LaTeX command: `\theta_{1}`, `\cos`, `\cdot`, `\\`; None for mere spacing."""
+def _token(source: Source, start: int, *, spaced: bool, comma: bool) -> tuple[Token, ...]:
+    """The token that begins here; two for a superscript, which is a power and its exponent."""
     text = source.text
-    if text.startswith("\\\\", start):
-        return Token("sign", ";", start, start + 2, spaced), start + 2
-    match = re.compile(r"\\([A-Za-z]+|.)", re.DOTALL).match(text, start)
+    if comma and (match := _DECIMAL_COMMA.match(text, start)):
+        return (Token("number", match[0].replace(",", "."), start, match.end(), spaced),)
+    for kind, pattern in _PATTERNS:
+        if match := pattern.match(text, start):
+            return (Token(kind, match[0], start, match.end(), spaced),)
+    letter = text[start]
+    if letter in _SUPERSCRIPTS:
+        power = Token("sign", "^", start, start, spaced=False)
+        return power, Token("number", _SUPERSCRIPTS[letter], start, start + 1, spaced=False)
+    if text.startswith("**", start):
+        return (Token("sign", "^", start, start + 2, spaced),)
+    if letter in _OPERATORS:
+        return (Token("sign", _OPERATORS[letter], start, start + 1, spaced),)
+    raise _strange(source, start)
+
+
+def _latex(source: Source, start: int, *, spaced: bool) -> tuple[tuple[Token, ...], int]:
+    r"""What a LaTeX command stands for, `\theta_{1}`, `\cos`, `\cdot`, `\\`, and where it ends; nothing for a space."""
+    text = source.text
+    match = _COMMAND.match(text, start)
     if match is None:
         raise source.error(start, "a backslash at the end", "remove it, or write a LaTeX command such as \\theta")
-    command = match[1]
+    command, end = match[1], match.end()
     if command in _LATEX_SPACES:
-        return None, match.end()
+        return (), end
     if command in _LATEX_SIGNS:
-        return Token("sign", _LATEX_SIGNS[command], start, match.end(), spaced), match.end()
+        return (Token("sign", _LATEX_SIGNS[command], start, end, spaced),), end
     if command in _LATEX_WRAPPERS:
-        inner = re.compile(r"\s*\{\s*([A-Za-z0-9]*)\s*\}((?:_\{[^{}]*\}|_[A-Za-z0-9])?)").match(text, match.end())
-        if inner:
-            return Token("word", inner[1] + inner[2], start, inner.end(), spaced), inner.end()
-        return None, match.end()
+        inner = _WRAPPED.match(text, end)
+        if inner is None:
+            return (), end
+        return (Token("word", inner[1] + inner[2], start, inner.end(), spaced),), inner.end()
     if not command.isalpha():
         raise source.error(start, f"\\{command} is not understood")
-    tail = re.compile(r"\s*(_\{[^{}]*\}|_[A-Za-z0-9])?").match(text, match.end())
-    subscript = (tail[1] if tail else None) or ""
-    end = tail.end() if tail and subscript else match.end()
-    return Token("word", command + subscript, start, end, spaced), end
+    if tail := _SUBSCRIPT.match(text, end):
+        command, end = command + tail[1], tail.end()
+    return (Token("word", command, start, end, spaced),), end
 
 
 def _strange(source: Source, position: int) -> NotationError:

@@ -55,6 +55,15 @@ class Expr:
 
         return write(self)
 
+    def __repr__(self) -> str:
+        """The same, for the prompt."""
+        return str(self)
+
+    def _repr_latex_(self) -> str:
+        from dhcli.notation.writer import write
+
+        return f"$\\displaystyle {write(self, 'latex')}$"
+
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Number(Expr):
@@ -341,7 +350,7 @@ def _lift(value: Expr | int) -> Expr:
     return Number(Fraction(value)) if isinstance(value, int) else value
 
 
-def _flat(nodes: Iterable[Expr], kind: type[Sum] | type[Product]) -> Iterator[Expr]:
+def _flat(nodes: Iterable[Expr], kind: type[Sum | Product]) -> Iterator[Expr]:
     for node in nodes:
         if type(node) is kind:
             yield from children(node)

@@ -51,7 +51,7 @@ def test_a_new_file_has_the_permissions_that_are_usual(tmp_path: Path) -> None:
         write_whole(tmp_path / "a", "x", overwrite=False)
     finally:
         os.umask(before)
-    assert stat.S_IMODE((tmp_path / "a").stat().st_mode) == 0o640  # noqa: PLR2004
+    assert stat.S_IMODE((tmp_path / "a").stat().st_mode) == 0o640
 
 
 def test_a_file_is_not_overwritten_unless_told(tmp_path: Path) -> None:
@@ -68,7 +68,7 @@ def test_an_overwritten_file_keeps_its_permissions(tmp_path: Path) -> None:
     (tmp_path / "a").chmod(0o600)
     write_whole(tmp_path / "a", "new", overwrite=True)
     assert (tmp_path / "a").read_text() == "new"
-    assert stat.S_IMODE((tmp_path / "a").stat().st_mode) == 0o600  # noqa: PLR2004
+    assert stat.S_IMODE((tmp_path / "a").stat().st_mode) == 0o600
     assert os.listdir(tmp_path) == ["a"]
 
 

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from dhcli.errors import FileError
+from dhcli.errors import FileError, Place
 from dhcli.files.placed import (
     DEEPEST,
     MOST_NODES,
@@ -20,6 +20,7 @@ from dhcli.files.placed import (
     PlacedSequence,
     read_yaml,
 )
+from dhcli.files.syntax import explain_syntax
 
 # Pieces that mean something to YAML, so that random texts get past its first checks.
 PIECES = (
@@ -174,6 +175,11 @@ def test_a_character_inside_a_text_has_a_place(text: str, column: int) -> None:
     assert value_of(text).place_of(4).column == column
 
 
+def test_a_text_that_stands_in_no_file_has_no_exact_place() -> None:
+    """An option of the command line is read by the same loaders."""
+    assert PlacedScalar("x + y", Place("--set")).place_of(4) == Place("--set")
+
+
 def test_a_missing_value_is_an_empty_text() -> None:
     """`title:` alone is not an error of YAML; the loader says what is missing."""
     assert value_of("title:\n") == PlacedScalar("", value_of("title:\n").place)
@@ -219,6 +225,7 @@ def test_every_duplicate_key_is_reported_with_the_line_of_the_first() -> None:
         ("a: 1\n---\nb: 2", "robot.yaml:2:1: a second document begins here"),
         ("[a]: 1", "robot.yaml:1:1: a key cannot be a list or mapping"),
         ("{{a}: 1}", "robot.yaml:1:2: a key cannot be a list or mapping"),
+        ("'': 1", "robot.yaml:1:1: a key is missing before ':'"),
         ("{: 1}", "robot.yaml:1:2: a key is missing before ':'"),
         ("a: 1\nb: x\0y", "robot.yaml:2:5: the character U+0000 cannot stand in a YAML file"),
         ("a: \x1b[31m", "robot.yaml:1:4: the character U+001B cannot stand in a YAML file"),
@@ -273,6 +280,7 @@ def test_all_that_is_refused_is_reported_before_a_syntax_error() -> None:
         ("a: [1,,2]\n", "1:7", "a value is missing here", "needs quotes"),
         ("a: 1\n% note\n", "2:1", "a line cannot begin with '%'", "use # for a comment"),
         (": 1\n", "1:1", "a key is missing before ':'", ""),
+        ("a: {b: 1} c\n", "1:11", "this does not belong to the value before it", "the whole value may need quotes"),
     ],
 )
 def test_a_syntax_error_says_in_plain_words_where_and_what(text: str, place: str, message: str, hint: str) -> None:
@@ -289,6 +297,15 @@ def test_an_unknown_escape_points_to_single_quotes() -> None:
     """A LaTeX command in double quotes is the usual cause."""
     (problem,) = problems_of(r'a: "\sin x"')
     assert "use single quotes" in problem
+
+
+def test_a_message_not_known_yet_is_handed_on() -> None:
+    """A later PyYAML may have new ones, and may not say where."""
+    import yaml
+
+    error = yaml.MarkedYAMLError("while scanning a dream", None, "found a new word", None)
+    problem = explain_syntax(error, [], lambda mark: Place("f" if mark is None else "g"))
+    assert str(problem) == "f: not valid YAML: while scanning a dream found a new word"
 
 
 def test_a_tab_inside_quotes_or_a_comment_is_no_problem() -> None:

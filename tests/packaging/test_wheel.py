@@ -7,7 +7,7 @@ import sys
 import tarfile
 from collections.abc import Callable
 from email.parser import Parser
-from math import sin
+from math import cos, sin
 from pathlib import Path
 from zipfile import ZipFile
 
@@ -148,10 +148,10 @@ def test_the_installed_package_is_the_one_that_runs(installed: Path, tmp_path: P
 
 
 def test_the_installed_dhcli_computes_a_pose(dhcli: Callable[..., str]) -> None:
-    """The robot is found in the package; x and z of the SCARA's end as in Bajd, eq. (2.24)."""
+    """The robot is found in the package; x and y of the SCARA's end as in Bajd, eq. (2.24)."""
     printed = dhcli("fk", "scara", "--q", "0.3,0.5,0.1")
     assert f"{-0.3 * sin(0.3) - 0.2 * sin(0.3 + 0.5):.4f}" in printed
-    assert f"{0.4 - 0.1:.1f}" in printed
+    assert f"{0.3 * cos(0.3) + 0.2 * cos(0.3 + 0.5):.4f}" in printed
 
 
 def test_the_installed_dhcli_lists_every_robot(dhcli: Callable[..., str]) -> None:

@@ -1,0 +1,182 @@
+"""What can be asked of a robot, and the answer as one typed result that every output format is drawn from."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Literal, TypeAlias
+
+from dhcli.algebra.floats import Floats
+from dhcli.algebra.terms import TERMS
+from dhcli.errors import RobotError, UnknownNameError
+from dhcli.kinematics.fold import fold
+from dhcli.kinematics.forward import factors, put_in, spelled
+from dhcli.kinematics.frames import between, ends
+from dhcli.kinematics.merge import merge
+from dhcli.kinematics.moves import Chain, Trans, inverse
+from dhcli.kinematics.pose import Pose
+from dhcli.kinematics.robot import Link, Robot
+from dhcli.kinematics.values import Values, numbers, require, warnings
+from dhcli.notation.tree import Expr
+
+AnyPose: TypeAlias = Pose[float] | Pose[Expr]
+Point: TypeAlias = tuple[Expr, Expr, Expr]
+Listing: TypeAlias = Literal["frames", "links", "factors"]
+
+
+@dataclass(frozen=True, slots=True)
+class Question:
+    """What is asked of a robot.
+
+    Attributes:
+        start: The frame it is seen from; the first numbered one by default.
+        end: The frame described; the last numbered one by default.
+        inverse: Whether the two frames change places.
+        symbolic: Whether names without a value stay symbols.
+        listing: Poses to list: every frame, every link's own matrix, or the elementary matrices of links.
+        link: The one link whose factors are asked for; all between the frames by default.
+        point: A point of the frame described, to be seen from the other [m].
+    """
+
+    start: str | None = None
+    end: str | None = None
+    inverse: bool = False
+    symbolic: bool = False
+    listing: Listing | None = None
+    link: str | None = None
+    point: Point | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class SeenPoint:
+    """A point in two frames.
+
+    Attributes:
+        given: Its coordinates in the frame `frame` [m].
+        seen: Its coordinates in the frame `reference` [m].
+        frame: The frame it was given in.
+        reference: The frame it is seen from.
+    """
+
+    given: Point
+    seen: tuple[float, ...] | tuple[Expr, ...]
+    frame: str
+    reference: str
+
+
+@dataclass(frozen=True, slots=True)
+class ForwardKinematics:
+    """What a question about a robot has for an answer.
+
+    Attributes:
+        robot: The robot asked.
+        values: The values used.
+        question: The question.
+        pose: The pose between the two frames.
+        poses: The poses listed, if a listing was asked for.
+        point: The point, if one was asked for.
+        warnings: What a person should know all the same, such as a joint beyond its limit.
+    """
+
+    robot: Robot
+    values: Values
+    question: Question
+    pose: AnyPose
+    poses: tuple[AnyPose, ...] = ()
+    point: SeenPoint | None = None
+    warnings: tuple[str, ...] = ()
+
+
+def answer(robot: Robot, values: Values, question: Question) -> ForwardKinematics:
+    """Answer a question about a robot.
+
+    Args:
+        robot: The robot.
+        values: Values of joints and parameters; in numbers, all that the chain needs.
+        question: The question.
+
+    Raises:
+        RobotError: A value is missing, or beyond what a float can hold.
+        UnknownNameError: The robot has no such frame or link.
+    """
+    start, end = ends(robot, question.start, question.end)
+    links = _links(robot, start, end, question.link)
+    if question.listing == "factors" and question.link is not None:
+        start, end = str(links[0].number - 1), str(links[0].number)
+    if question.inverse:
+        start, end = end, start
+    chain = between(robot, start, end)
+    fold_chain = _Folding(robot, values, question.symbolic)
+    return ForwardKinematics(
+        robot,
+        values,
+        question,
+        pose=fold_chain(chain, start, end),
+        poses=tuple(_listed(fold_chain, question, links, start, end)),
+        point=None if question.point is None else _seen(fold_chain, chain, question.point, start, end),
+        warnings=tuple(warnings(robot, values)),
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class _Folding:
+    """How chains become poses in one question: over floats, or over terms."""
+
+    robot: Robot
+    values: Values
+    symbolic: bool
+
+    def __call__(self, chain: Chain, start: str, end: str, title: str = "") -> AnyPose:
+        joints = self.robot.writing
+        if self.symbolic:
+            return Pose(fold(merge(put_in(chain, self.values)), TERMS), start, end, title, joints)
+        require(self.robot, chain, self.values)
+        try:
+            rows = fold(chain, Floats(numbers(self.values)))
+        except OverflowError:
+            raise RobotError("a value is too large to compute with") from None
+        if not all(math.isfinite(entry) for row in rows for entry in row):
+            raise RobotError("the pose has an entry that is not a real number")
+        return Pose(rows, start, end, title, joints)
+
+
+def _links(robot: Robot, start: str, end: str, only: str | None) -> tuple[Link, ...]:
+    """The links between two frames, or the one that is asked for."""
+    numbered = {str(link.number): link for link in robot.links}
+    if only is not None:
+        if only not in numbered:
+            raise UnknownNameError(f"{robot.name} has no link {only}", f"links: {', '.join(numbered)}")
+        return (numbered[only],)
+    first, last = sorted((robot.frames.index(start), robot.frames.index(end)))
+    return tuple(numbered[name] for name in robot.frames[first + 1 : last + 1] if name in numbered)
+
+
+def _listed(
+    fold_chain: _Folding, question: Question, links: tuple[Link, ...], start: str, end: str
+) -> Iterator[AnyPose]:
+    robot = fold_chain.robot
+    if question.listing == "frames":
+        first, last = robot.frames.index(start), robot.frames.index(end)
+        names = robot.frames[first + 1 : last + 1] if first <= last else robot.frames[last:first][::-1]
+        for name in names:
+            yield fold_chain(between(robot, start, name), start, name)
+    for link in links if question.listing == "links" else ():
+        before, own = str(link.number - 1), str(link.number)
+        moves, title = (inverse(link.moves), f"A_{own}^-1") if question.inverse else (link.moves, f"A_{own}")
+        if question.inverse:
+            before, own = own, before
+        yield fold_chain(moves, before, own, title)
+    for link in links if question.listing == "factors" else ():
+        if question.symbolic:
+            yield from factors(robot, link, fold_chain.values)
+            continue
+        for move in link.moves:
+            title = spelled(move, robot.writing)
+            yield fold_chain((move,), str(link.number - 1), str(link.number), title)
+
+
+def _seen(fold_chain: _Folding, chain: Chain, point: Point, start: str, end: str) -> SeenPoint:
+    """A point as the last translation of the chain, so that its brackets nest as in a textbook."""
+    pose = fold_chain((*chain, Trans(*point)), start, end)
+    return SeenPoint(point, pose.position, end, start)

@@ -1,0 +1,80 @@
+"""What text is written on: how wide it is, whether it has colours, and which letters it knows."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import unicodedata
+from dataclasses import dataclass
+from typing import TextIO
+
+from dhcli.notation.names import GREEK
+
+WIDE = 100
+"""Columns of a pipe or a file: fixed, so that what a program reads never depends on a window."""
+
+_NEEDED = "⎡θ°─"
+_INKS = {"bold": "1", "dim": "2", "underline": "4", "red": "31", "green": "32", "yellow": "33", "cyan": "36"}
+_CONTROLS = re.compile(r"\x1b\[[0-9;?]*[ -/]*[@-~]|[\x00-\x1f\x7f-\x9f\u200e\u200f\u2028-\u202e\u2066-\u2069\ufeff]")
+_IN_ASCII = str.maketrans(
+    GREEK
+    | dict(zip("₀₁₂₃₄₅₆₇₈₉", "0123456789", strict=True))
+    | {"°": "deg", "π": "pi", "√": "sqrt", "−": "-", "–": "-", "—": "-", "·": ",", "…": "...", "×": "x", "′": "'"}
+    | {"⎡": "[", "⎢": "[", "⎣": "[", "⎤": "]", "⎥": "]", "⎦": "]", "±": "+-", "²": "^2", "→": "->"}
+    | {"─": "-", "━": "-", "│": "|", "┼": "+", "╷": " ", "╵": " ", "“": '"', "”": '"', "‘": "'", "’": "'"}
+    | {"ß": "ss", "ø": "o", "Ø": "O", "ł": "l", "Ł": "L", "đ": "d", "Đ": "D", "æ": "ae", "œ": "oe", "≤": "<=", "≥": ">="}
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Paper:
+    """What text is written on.
+
+    Attributes:
+        width: Columns.
+        colour: Whether it has colours.
+        unicode: Whether it knows more letters than ASCII.
+    """
+
+    width: int = WIDE
+    colour: bool = False
+    unicode: bool = True
+
+    @classmethod
+    def of(cls, stream: TextIO) -> Paper:
+        """The paper that a stream writes on; a terminal's own width, a fixed one for everything else."""
+        terminal = stream.isatty()
+        width = shutil.get_terminal_size((80, 24)).columns if terminal else WIDE
+        colour = not os.environ.get("NO_COLOR") and (
+            bool(os.environ.get("FORCE_COLOR")) or (terminal and os.environ.get("TERM") != "dumb")
+        )
+        return cls(width, colour, _knows(stream.encoding, _NEEDED))
+
+    def spell(self, text: str) -> str:
+        """A text in the letters that the paper knows, on one line, without what would steer a terminal."""
+        text = _CONTROLS.sub(" ", text) if not text.isascii() or not text.isprintable() else text
+        return text if self.unicode or text.isascii() else in_ascii(text)
+
+    def ink(self, text: str, *inks: str) -> str:
+        """A text in colour; any of bold, dim, underline, red, green, yellow, cyan."""
+        if not self.colour or not inks or not text:
+            return text
+        return f"\x1b[{';'.join(_INKS[ink] for ink in inks)}m{text}\x1b[0m"
+
+
+def in_ascii(text: str) -> str:
+    """A text in ASCII: Greek letters by name, brackets and lines by what looks like them, accents left out."""
+    text = text.translate(_IN_ASCII)
+    if not text.isascii():
+        text = unicodedata.normalize("NFKD", text)
+        text = "".join(letter for letter in text if not unicodedata.combining(letter))
+    return text.encode("ascii", "replace").decode("ascii")
+
+
+def _knows(encoding: str | None, letters: str) -> bool:
+    try:
+        letters.encode(encoding or "ascii")
+    except (UnicodeEncodeError, LookupError):
+        return False
+    return True
