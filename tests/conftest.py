@@ -9,6 +9,8 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, settings
 
+collect_ignore = ["bench"]  # programs of their own, not modules with examples to run
+
 _FIXED = {
     "COLUMNS": "80",
     "LINES": "24",

@@ -19,10 +19,8 @@ from dhcli.notation.tree import (
     HALF,
     ONE,
     ZERO,
-    Call,
     Expr,
     Symbol,
-    Trig,
     add,
     cosine,
     multiply,
@@ -85,9 +83,7 @@ def quarter_turns() -> tuple[tuple[tuple[int, ...], ...], ...]:
 
 def fixed(turn: tuple[tuple[int, ...], ...], offset: tuple[Expr, Expr, Expr]) -> Fixed:
     """A literal matrix from integers and an offset."""
-    return Fixed(
-        tuple((number(r[0]), number(r[1]), number(r[2]), p) for r, p in zip(turn, offset, strict=True))
-    )
+    return Fixed(tuple((number(r[0]), number(r[1]), number(r[2]), p) for r, p in zip(turn, offset, strict=True)))
 
 
 def tilted(axis: int, angle: Angle, offset: tuple[Expr, Expr, Expr]) -> Fixed:
@@ -151,7 +147,7 @@ def _trees(below: st.SearchStrategy[Expr]) -> st.SearchStrategy[Expr]:
         some.map(lambda terms: add(*terms)),
         some.map(lambda terms: multiply(*terms)),
         below.map(negate),
-        st.builds(lambda base, exponent: power(base, exponent), below, st.sampled_from([2, 3])),
+        st.builds(power, below, st.sampled_from([2, 3])),
         st.builds(lambda base: base if base == ZERO else power(base, -1), below),
     )
 
@@ -164,9 +160,3 @@ leaves = st.one_of(
 )
 polynomials: st.SearchStrategy[Expr] = st.recursive(leaves, _trees, max_leaves=12)
 """Trees that the constructors have built, of what residues hold: sums, products, powers, cosines."""
-
-__all__ = [
-    "LENGTHS", "THETAS", "Call", "Trig", "any_chains", "axes", "chains", "exact_angles", "exact_constants", "fixed",
-    "leaves", "lengths", "literals", "moves", "named_angles", "numeric_angles", "numeric_moves", "parallel_moves",
-    "polynomials", "quarter_turns", "quarters", "round_degrees", "rows", "small_fractions", "tilted",
-]

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import random
-
 from dhcli.algebra.arithmetic import CannotHoldError
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.residues import Residues
@@ -29,6 +27,8 @@ def equal(first: Expr, second: Expr) -> bool:
 
 def equal_in_floats(first: Expr, second: Expr) -> bool:
     """Whether two expressions agree at seeded random points to nine digits; points where both are NaN say nothing."""
+    import random  # slow to import, and most verdicts need no floats
+
     names = sorted(symbols(first) | symbols(second))
     draw = random.Random(20)  # noqa: S311  a fixed seed, for the same verdict every time
     agreed = 0

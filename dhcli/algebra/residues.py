@@ -10,7 +10,7 @@ Source: the idea of `testeq`, G. Gonnet, Determining equivalence of expressions 
 from __future__ import annotations
 
 import math
-import secrets
+import os
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import lru_cache
@@ -93,9 +93,15 @@ class Field:
 def field_of_the_day() -> Field:
     """A field with a random 127-bit prime, drawn once in a process."""
     while True:
-        prime = (secrets.randbits(127 - 9) | 1 << 117) * STEPS + 1
+        prime = (random_below(1 << 118) | 1 << 117) * STEPS + 1
         if is_prime(prime):
             return Field(prime)
+
+
+def random_below(limit: int) -> int:
+    """A random integer from 0 to limit - 1; the standard module for it takes longer to import than a proof takes."""
+    size = limit.bit_length() + 64
+    return int.from_bytes(os.urandom((size + 7) // 8), "big") % limit
 
 
 def is_prime(value: int, rounds: int = 24) -> bool:
@@ -107,7 +113,7 @@ def is_prime(value: int, rounds: int = 24) -> bool:
     while odd % 2 == 0:
         odd, twos = odd // 2, twos + 1
     for _ in range(rounds):
-        witness = pow(secrets.randbelow(value - 3) + 2, odd, value)
+        witness = pow(random_below(value - 3) + 2, odd, value)
         if witness in (1, value - 1):
             continue
         for _ in range(twos - 1):
@@ -182,7 +188,7 @@ class Residues:
     def symbol(self, name: str) -> int:
         """The random residue of a name."""
         if name not in self._numbers:
-            self._numbers[name] = secrets.randbelow(self.field.prime - 1) + 1
+            self._numbers[name] = random_below(self.field.prime - 1) + 1
         return self._numbers[name]
 
     def pi(self) -> int:
@@ -206,7 +212,7 @@ class Residues:
 
     def _unit(self, name: str) -> tuple[int, int]:
         if name not in self._units:
-            unit = secrets.randbelow(self.field.prime - 2) + 2
+            unit = random_below(self.field.prime - 2) + 2
             self._units[name] = (unit, self.field.inverse(unit))
         return self._units[name]
 

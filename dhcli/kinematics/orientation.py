@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 
 from dhcli.kinematics.pose import Pose
+from dhcli.kinematics.words import in_words as in_words
 
 TINY = 1e-9
 """Below this a sine counts as zero, and an angle that depends on its direction is free."""
@@ -86,14 +87,3 @@ def axis_angle(pose: Pose[float]) -> AxisAngle:
     if sine < TINY:
         return AxisAngle((0.0, 0.0, 1.0), 0.0)
     return AxisAngle((turn.x / sine, turn.y / sine, turn.z / sine), 2 * math.atan2(sine, turn.w))
-
-
-def in_words(pose: Pose[float]) -> tuple[str, ...]:
-    """Axes that point along an axis of the reference: `x' points along +y`; empty where none does."""
-    said = []
-    for k, name in enumerate("xyz"):
-        column = [row[k] for row in pose.rotation]
-        for value, along in zip(column, "xyz", strict=True):
-            if abs(abs(value) - 1) < TINY:
-                said.append(f"{name}' points along {'+' if value > 0 else '-'}{along}")
-    return tuple(said)

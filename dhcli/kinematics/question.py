@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import Literal, TypeAlias
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Literal, TypeAlias, cast
 
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.terms import TERMS
@@ -18,7 +18,12 @@ from dhcli.kinematics.moves import Chain, Trans, inverse
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.robot import Link, Robot
 from dhcli.kinematics.values import Values, numbers, require, warnings
-from dhcli.notation.tree import Expr
+from dhcli.kinematics.words import in_words
+from dhcli.notation.tree import Expr, symbols
+
+if TYPE_CHECKING:  # what only some questions need is imported when they are asked
+    from dhcli.kinematics.placement import Placement
+    from dhcli.notation.let import Definition
 
 AnyPose: TypeAlias = Pose[float] | Pose[Expr]
 Point: TypeAlias = tuple[Expr, Expr, Expr]
@@ -37,6 +42,8 @@ class Question:
         listing: Poses to list: every frame, every link's own matrix, or the elementary matrices of links.
         link: The one link whose factors are asked for; all between the frames by default.
         point: A point of the frame described, to be seen from the other [m].
+        forms: Other ways to say the pose, names of `placement.FORMS`.
+        let: Whether long or repeated brackets of the pose get names.
     """
 
     start: str | None = None
@@ -46,6 +53,8 @@ class Question:
     listing: Listing | None = None
     link: str | None = None
     point: Point | None = None
+    forms: tuple[str, ...] = ()
+    let: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,6 +85,9 @@ class ForwardKinematics:
         pose: The pose between the two frames.
         poses: The poses listed, if a listing was asked for.
         point: The point, if one was asked for.
+        placements: The pose in the other ways that were asked for.
+        words: Axes that point along an axis of the reference, in words; empty in symbols.
+        definitions: Names that stand in the pose for brackets, each in terms of those before it.
         warnings: What a person should know all the same, such as a joint beyond its limit.
     """
 
@@ -85,6 +97,9 @@ class ForwardKinematics:
     pose: AnyPose
     poses: tuple[AnyPose, ...] = ()
     point: SeenPoint | None = None
+    placements: Mapping[str, Placement] = field(default_factory=dict)
+    words: tuple[str, ...] = ()
+    definitions: tuple[Definition, ...] = ()
     warnings: tuple[str, ...] = ()
 
 
@@ -108,14 +123,20 @@ def answer(robot: Robot, values: Values, question: Question) -> ForwardKinematic
         start, end = end, start
     chain = between(robot, start, end)
     fold_chain = _Folding(robot, values, question.symbolic)
+    pose = fold_chain(chain, start, end)
+    said, locked = _said(pose, question.forms) if question.forms else ({}, ())
+    definitions, pose = _with_names(pose) if question.let else ((), pose)
     return ForwardKinematics(
         robot,
         values,
         question,
-        pose=fold_chain(chain, start, end),
+        pose,
         poses=tuple(_listed(fold_chain, question, links, start, end)),
         point=None if question.point is None else _seen(fold_chain, chain, question.point, start, end),
-        warnings=tuple(warnings(robot, values)),
+        placements=said,
+        definitions=definitions,
+        words=() if question.symbolic else in_words(cast("Pose[float]", pose)),
+        warnings=(*warnings(robot, values), *locked),
     )
 
 
@@ -128,17 +149,54 @@ class _Folding:
     symbolic: bool
 
     def __call__(self, chain: Chain, start: str, end: str, title: str = "") -> AnyPose:
-        joints = self.robot.writing
         if self.symbolic:
-            return Pose(fold(merge(put_in(chain, self.values)), TERMS), start, end, title, joints)
-        require(self.robot, chain, self.values)
-        try:
-            rows = fold(chain, Floats(numbers(self.values)))
-        except OverflowError:
-            raise RobotError("a value is too large to compute with") from None
-        if not all(math.isfinite(entry) for row in rows for entry in row):
-            raise RobotError("the pose has an entry that is not a real number")
-        return Pose(rows, start, end, title, joints)
+            chain = put_in(chain, self.values)
+        else:
+            require(self.robot, chain, self.values)
+        pose = folded(chain, start, end, symbolic=self.symbolic, values=self.values)
+        return replace(pose, title=title, joints=self.robot.writing)
+
+
+def folded(chain: Chain, start: str, end: str, *, symbolic: bool, values: Values | None = None) -> AnyPose:
+    """The pose at the end of a chain.
+
+    Args:
+        chain: The moves.
+        start: The frame they start from.
+        end: The frame they reach.
+        symbolic: Whether to compute in terms; else in floats.
+        values: Values of names, for floats.
+
+    Raises:
+        RobotError: An entry is not a real number, or beyond what a float can hold.
+    """
+    if symbolic:
+        return Pose(fold(merge(chain), TERMS), start, end)
+    try:
+        rows = fold(chain, Floats(numbers(values or {})))
+    except OverflowError:
+        raise RobotError("a value is too large to compute with") from None
+    if not all(math.isfinite(entry) for row in rows for entry in row):
+        raise RobotError("the pose has an entry that is not a real number")
+    return Pose(rows, start, end)
+
+
+def _said(pose: AnyPose, forms: tuple[str, ...]) -> tuple[Mapping[str, Placement], tuple[str, ...]]:
+    """A pose in other ways, and what a person should know of them."""
+    from dhcli.kinematics.placement import locked_warnings, placements
+
+    said = placements(pose, forms)
+    return said, locked_warnings(said)
+
+
+def _with_names(pose: AnyPose) -> tuple[tuple[Definition, ...], AnyPose]:
+    """A symbolic pose with names for its brackets."""
+    if not pose.is_symbolic:
+        raise RobotError("names for brackets are for a symbolic result", "add --symbolic")
+    from dhcli.notation.let import name_parts
+
+    definitions, rows = name_parts(cast("Pose[Expr]", pose).rows)
+    return definitions, replace(cast("Pose[Expr]", pose), rows=rows)
 
 
 def _links(robot: Robot, start: str, end: str, only: str | None) -> tuple[Link, ...]:
@@ -178,5 +236,8 @@ def _listed(
 
 def _seen(fold_chain: _Folding, chain: Chain, point: Point, start: str, end: str) -> SeenPoint:
     """A point as the last translation of the chain, so that its brackets nest as in a textbook."""
+    free = frozenset().union(*map(symbols, point)) - fold_chain.values.keys()
+    if not fold_chain.symbolic and (unknown := sorted(free - fold_chain.robot.angles - {*fold_chain.robot.variables})):
+        raise RobotError(f"{', '.join(unknown)} of the point has no value", "write numbers, or ask with --symbolic")
     pose = fold_chain((*chain, Trans(*point)), start, end)
     return SeenPoint(point, pose.position, end, start)

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhcli.algebra.equality import equal
 from dhcli.algebra.floats import Floats
 from dhcli.errors import Problem, RobotError, did_you_mean
 from dhcli.kinematics.moves import Chain, Fixed, Trans, angle_names, expressions, names
@@ -14,14 +13,10 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import RESERVED
 from dhcli.notation.quantity import UNITS, is_affine
-from dhcli.notation.tree import ONE, ZERO, Expr, Number, Trig, add, multiply, symbols, walk
+from dhcli.notation.tree import Expr, Number, Trig, symbols, walk
 
 if TYPE_CHECKING:
     from dhcli.kinematics.robot import Link, Robot, Value
-
-LOOSE = 1e-3
-"""How far the cosines of a matrix typed with decimals may be from a rotation."""
-
 
 @dataclass(frozen=True, slots=True)
 class Finding:
@@ -135,6 +130,8 @@ def _frames(robot: Robot) -> Iterator[Finding]:
 def _matrices(chain: Chain, where: tuple[str | int, ...]) -> Iterator[Finding]:
     for move in chain:
         if isinstance(move, Fixed):
+            from dhcli.kinematics.rigid import not_a_rotation  # most robots have no literal matrix
+
             fault = not_a_rotation(move)
             if fault:
                 yield Finding(where, fault, "its first three columns must be perpendicular unit vectors, right-handed")
@@ -144,34 +141,6 @@ def _matrices(chain: Chain, where: tuple[str | int, ...]) -> Iterator[Finding]:
                     value = Floats().value(expr)
                     if value != value:  # noqa: PLR0124  NaN
                         yield Finding(where, f"{expr} is not a real number")
-
-
-def not_a_rotation(move: Fixed) -> str:
-    """What keeps the matrix from being a pose, in words; empty if nothing does."""
-    columns = [[row[i] for row in move.rows] for i in range(3)]
-    for i in range(3):
-        for j in range(i, 3):
-            dot = add(*(multiply(p, q) for p, q in zip(columns[i], columns[j], strict=True)))
-            if not _agree(dot, ONE if i == j else ZERO):
-                if i == j:
-                    return f"column {i + 1} is not a unit vector"
-                return f"columns {i + 1} and {j + 1} are not perpendicular"
-    cross = [
-        add(
-            multiply(columns[0][(k + 1) % 3], columns[1][(k + 2) % 3]),
-            -multiply(columns[0][(k + 2) % 3], columns[1][(k + 1) % 3]),
-        )
-        for k in range(3)
-    ]
-    if not all(_agree(c, column) for c, column in zip(cross, columns[2], strict=True)):
-        return "the columns are left-handed"
-    return ""
-
-
-def _agree(first: Expr, second: Expr) -> bool:
-    if symbols(first) or symbols(second):
-        return equal(first, second)
-    return abs(Floats().value(first) - Floats().value(second)) <= LOOSE
 
 
 def _limits(robot: Robot) -> Iterator[Finding]:

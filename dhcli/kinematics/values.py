@@ -85,7 +85,7 @@ def require(robot: Robot, chain: Chain, values: Values) -> None:
     lengths = sorted(missing - set(joints))
     problems = []
     if joints:
-        problems.append(Problem(f"no value for {', '.join(joints)}", None, _joints_hint(robot)))
+        problems.append(Problem(f"no value for {', '.join(joints)}", None, f"{_joints_hint(robot)}; or --symbolic"))
     if lengths:
         hint = " ".join(f"--set {name}={'30°' if name in robot.angles else '0.4'}" for name in lengths)
         problems.append(Problem(f"{', '.join(lengths)} of {robot.name} has no value", None, f"give one: {hint}"))
@@ -139,7 +139,7 @@ def _from_text(robot: Robot, text: str, bare: Bare, place: Place) -> dict[str, V
     parts = list(_split(text))
     if any("=" in part for _, part in parts):
         return _assignments(robot, parts, text, bare, place)
-    if not text.strip():
+    if len(parts) == 1 and not parts[0][1]:
         parts = []
     if len(parts) == 1 and len(robot.variables) != 1 and parts[0][1].strip().replace("_", "a").isidentifier():
         hint = did_you_mean(parts[0][1].strip(), robot.poses) or _joints_hint(robot)
@@ -161,20 +161,28 @@ def _assignments(robot: Robot, parts: list[tuple[int, str]], text: str, bare: Ba
         joint = _joint(robot, name.strip(), where)
         if joint in values:
             raise RobotError(Problem(f"{joint} is given twice", where))
-        values[joint] = read_value(robot, joint, value, bare=bare, place=_at(place, text, offset + len(name) + 1))
+        start, value = _stripped(value, offset + len(name) + 1)
+        values[joint] = read_value(robot, joint, value, bare=bare, place=_at(place, text, start))
     return values
 
 
 def _split(text: str) -> Iterator[tuple[int, str]]:
-    """Pieces between commas or semicolons outside brackets, with their offsets; blanks if there is neither."""
-    start, depth = 0, 0
-    text = text.strip().removeprefix("[").removesuffix("]") if text.strip().startswith("[") else text
-    for i, letter in enumerate(text):
-        depth += (letter in "([{") - (letter in ")]}")
-        if depth == 0 and letter in ",;":
-            yield start, text[start:i]
+    """Pieces between commas or semicolons outside brackets, with their offsets; brackets around all are left out."""
+    start, end, depth = 0, len(text), 0
+    if text.strip().startswith("["):
+        start, end = text.index("[") + 1, len(text.rstrip().removesuffix("]"))
+    for i in range(start, end):
+        depth += (text[i] in "([{") - (text[i] in ")]}")
+        if depth == 0 and text[i] in ",;":
+            yield _stripped(text[start:i], start)
             start = i + 1
-    yield start, text[start:]
+    yield _stripped(text[start:end], start)
+
+
+def _stripped(piece: str, offset: int) -> tuple[int, str]:
+    """A piece without the blanks before it, and where it begins."""
+    bare = piece.lstrip()
+    return offset + len(piece) - len(bare), bare
 
 
 def _at(place: Place, text: str, offset: int) -> Place:
@@ -189,10 +197,15 @@ def _value(robot: Robot, name: str, value: float | str | Value, bare: Bare, plac
     number = float(value)
     if not math.isfinite(number):
         raise RobotError(Problem(f"{name} = {number} is not a number that a joint can have", place))
-    exact = Fraction(number)
+    exact = Fraction(repr(number))  # 0.1 is a tenth, as it was typed, and not the binary fraction nearest to it
     if name not in robot.angles:
-        return Number(exact)
+        return Number(exact, _places(exact))
     return Angle(degrees=exact) if bare == "deg" else Angle(radians=exact)
+
+
+def _places(value: Fraction) -> int | None:
+    """Decimal places that a decimal fraction needs; None for a whole number."""
+    return None if value.denominator == 1 else value.denominator.bit_length() - 1
 
 
 def _joint(robot: Robot, name: str, place: Place | None) -> str:

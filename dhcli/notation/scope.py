@@ -30,6 +30,7 @@ class Scope:
     aliases: Mapping[str, str] = field(default_factory=dict)
     is_open: bool = False
     _known: dict[str, str] = field(default_factory=dict, init=False, repr=False, compare=False)
+    _read: dict[str, tuple[Expr, ...]] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         self._known.update(self.aliases)
@@ -52,6 +53,11 @@ class Scope:
 
     def readings(self, word: str) -> tuple[Expr, ...]:
         """What a word may stand for: a name, or the cosine or sine of an angle; empty if nothing."""
+        if word not in self._read:
+            self._read[word] = self._readings(word)
+        return self._read[word]
+
+    def _readings(self, word: str) -> tuple[Expr, ...]:
         known = self._known.get(canonical(word))
         found: list[Expr] = [Symbol(known)] if known else []
         if word[0] in "cCsS" and len(word) > 1:

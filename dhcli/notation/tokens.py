@@ -93,15 +93,15 @@ class Source:
         """An error that points at one character of the text."""
         before = self.text[:offset]
         line, column = before.count("\n"), offset - (before.rfind("\n") + 1)
+        first = (self.place.column or 1) if line == 0 else 1
         if self.place.line is None:
-            shown = self.text.split("\n")[line]
-            place = Place(self.place.source, line + 1 if "\n" in self.text else None, column + 1, shown)
+            shown = (line == 0 and self.place.text) or self.text.split("\n")[line]
+            place = Place(self.place.source, line + 1 if "\n" in self.text else None, column + first, shown)
         else:
-            first = self.place.column or 1
             place = Place(
                 self.place.source,
                 self.place.line + line,
-                column + (first if line == 0 else 1),
+                column + first,
                 self.place.text if line == 0 else self.text.split("\n")[line],
             )
         return NotationError(Problem(message, place, hint))

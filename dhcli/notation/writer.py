@@ -144,7 +144,7 @@ def write(expr: Expr, style: str = "short", joints: Joints = THETAS) -> str:
 
 
 def write_angle(angle: Angle, style: str = "short", joints: Joints = THETAS) -> str:
-    """Write an angle, `theta1 + 90°`; zero is `0`."""
+    """Write an angle with its units, `theta1 + 90°` or `theta1 + 0.3 rad`; zero is `0`."""
     return _Writer(STYLES[style], joints).angle(angle, spaced=True)
 
 
@@ -289,7 +289,8 @@ class _Writer:
         if angle.degrees:
             pieces.append(self.degrees(angle.degrees))
         if angle.radians:
-            pieces.append(write_number(angle.radians, 12))
+            unit = " rad" if spaced and self.style.degrees is not None and not self.style.latex else ""
+            pieces.append(write_number(angle.radians, 20) + unit)
         if not pieces:
             return "0"
         minus, plus = (" - ", " + ") if spaced else ("-", "+")

@@ -5,29 +5,81 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from importlib import import_module
-from typing import Any, TypeAlias
+from typing import Any
 
 from dhcli.errors import UnknownNameError
 from dhcli.kinematics.pose import DIGITS, rounded
 from dhcli.render.paper import Paper
 
-Renderer: TypeAlias = Callable[[Any, "Look"], str]
+_NOUNS = {
+    "pose": "a pose",
+    "let": "--let",
+    "poses": "a list of poses",
+    "point": "a point",
+    "placement": "--as",
+    "transform": "a transform",
+    "steps": "--steps",
+    "robot": "a robot",
+    "library": "a list",
+}
+"""What each kind of result is called in messages."""
 
 _RENDERERS = {
     ("pose", "table"): "dhcli.render.forward:pose_table",
-    ("pose", "latex"): "dhcli.render.forward:pose_code",
-    ("pose", "matlab"): "dhcli.render.forward:pose_code",
-    ("pose", "numpy"): "dhcli.render.forward:pose_code",
-    ("pose", "sympy"): "dhcli.render.forward:pose_code",
-    ("pose", "csv"): "dhcli.render.forward:pose_csv",
+    ("pose", "latex"): "dhcli.render.forward_code:pose_code",
+    ("pose", "matlab"): "dhcli.render.forward_code:pose_code",
+    ("pose", "numpy"): "dhcli.render.forward_code:pose_code",
+    ("pose", "sympy"): "dhcli.render.forward_code:pose_code",
+    ("pose", "csv"): "dhcli.render.forward_code:pose_csv",
+    ("let", "table"): "dhcli.render.forward:pose_table",
+    ("let", "latex"): "dhcli.render.forward_code:let_code",
+    ("let", "matlab"): "dhcli.render.forward_code:let_code",
+    ("let", "numpy"): "dhcli.render.forward_code:let_code",
     ("poses", "table"): "dhcli.render.forward:poses_table",
-    ("poses", "latex"): "dhcli.render.forward:poses_code",
-    ("poses", "matlab"): "dhcli.render.forward:poses_code",
-    ("poses", "numpy"): "dhcli.render.forward:poses_code",
-    ("poses", "sympy"): "dhcli.render.forward:poses_code",
-    ("poses", "csv"): "dhcli.render.forward:poses_csv",
+    ("poses", "latex"): "dhcli.render.forward_code:poses_code",
+    ("poses", "matlab"): "dhcli.render.forward_code:poses_code",
+    ("poses", "numpy"): "dhcli.render.forward_code:poses_code",
+    ("poses", "sympy"): "dhcli.render.forward_code:poses_code",
+    ("poses", "csv"): "dhcli.render.forward_code:poses_csv",
+    ("point", "table"): "dhcli.render.forward:point_table",
+    ("point", "latex"): "dhcli.render.forward_code:point_code",
+    ("point", "matlab"): "dhcli.render.forward_code:point_code",
+    ("point", "numpy"): "dhcli.render.forward_code:point_code",
+    ("point", "sympy"): "dhcli.render.forward_code:point_code",
+    ("point", "csv"): "dhcli.render.forward_code:point_csv",
+    ("placement", "table"): "dhcli.render.placement:placement_table",
+    ("placement", "csv"): "dhcli.render.placement:placement_csv",
+    ("transform", "table"): "dhcli.render.transform:transform_table",
+    ("transform", "latex"): "dhcli.render.transform:transform_code",
+    ("transform", "matlab"): "dhcli.render.transform:transform_code",
+    ("transform", "numpy"): "dhcli.render.transform:transform_code",
+    ("transform", "sympy"): "dhcli.render.transform:transform_code",
+    ("transform", "csv"): "dhcli.render.transform:transform_csv",
+    ("steps", "table"): "dhcli.render.transform:steps_table",
+    ("steps", "latex"): "dhcli.render.transform:steps_code",
+    ("steps", "matlab"): "dhcli.render.transform:steps_code",
+    ("steps", "numpy"): "dhcli.render.transform:steps_code",
+    ("steps", "sympy"): "dhcli.render.transform:steps_code",
+    ("robot", "table"): "dhcli.render.robot:robot_table",
+    ("robot", "latex"): "dhcli.render.robot:robot_latex",
+    ("robot", "csv"): "dhcli.render.robot:robot_csv",
+    ("library", "table"): "dhcli.render.library:library_table",
+    ("library", "csv"): "dhcli.render.library:library_csv",
 }
-"""Where the renderer of each kind of result and format stands; it is imported when it is needed. JSON needs none."""
+"""Where the renderer of each kind of result and format stands; it is imported when it is needed."""
+
+_CONTENTS = {
+    "pose": "dhcli.render.contents:forward_content",
+    "let": "dhcli.render.contents:forward_content",
+    "poses": "dhcli.render.contents:forward_content",
+    "point": "dhcli.render.contents:forward_content",
+    "placement": "dhcli.render.contents:forward_content",
+    "transform": "dhcli.render.transform:transform_content",
+    "steps": "dhcli.render.transform:transform_content",
+    "robot": "dhcli.render.robot:robot_content",
+    "library": "dhcli.render.library:library_content",
+}
+"""Where each kind of result becomes what stands under `data` in JSON."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,15 +108,36 @@ def formats(kind: str) -> tuple[str, ...]:
     return ("json", *(name for known, name in _RENDERERS if known == kind))
 
 
-def renderer(kind: str, name: str) -> Renderer:
-    """The function that writes a kind of result in a format.
+def render(kind: str, result: object, look: Look) -> str:
+    """A result in a format that is not JSON.
 
     Raises:
-        UnknownNameError: There is none; the hint lists those there are.
+        UnknownNameError: This kind of result has no such format.
     """
-    try:
-        module, _, function = _RENDERERS[kind, name].partition(":")
-    except KeyError:
-        raise UnknownNameError(f"there is no format {name} for this", "formats: " + ", ".join(formats(kind))) from None
-    found: Renderer = getattr(import_module(module), function)
-    return found
+    check_format(kind, look.format)
+    write: Callable[[Any, Look], str] = _imported(_RENDERERS[kind, look.format])
+    return write(result, look)
+
+
+def content(kind: str, result: object, look: Look) -> dict[str, Any]:
+    """A result as what stands under `data` in JSON."""
+    convert: Callable[[Any, Look], dict[str, Any]] = _imported(_CONTENTS[kind])
+    return convert(result, look)
+
+
+def check_format(kind: str, name: str) -> None:
+    """Make sure that a kind of result can be written in a format.
+
+    Raises:
+        UnknownNameError: It cannot; the hint lists the formats there are.
+    """
+    if name not in formats(kind):
+        hint = f"formats: {', '.join(formats(kind))}"
+        known = {format_ for _, format_ in _RENDERERS} | {"json"}
+        of = f" for {_NOUNS[kind]}" if name in known else ""
+        raise UnknownNameError(f"there is no format {name}{of}", hint)
+
+
+def _imported(where: str) -> Any:  # noqa: ANN401  one of the functions named above
+    module, _, function = where.partition(":")
+    return getattr(import_module(module), function)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 import shutil
 import unicodedata
 from dataclasses import dataclass
@@ -16,14 +15,25 @@ WIDE = 100
 
 _NEEDED = "⎡θ°─"
 _INKS = {"bold": "1", "dim": "2", "underline": "4", "red": "31", "green": "32", "yellow": "33", "cyan": "36"}
-_CONTROLS = re.compile(r"\x1b\[[0-9;?]*[ -/]*[@-~]|[\x00-\x1f\x7f-\x9f\u200e\u200f\u2028-\u202e\u2066-\u2069\ufeff]")
 _IN_ASCII = str.maketrans(
     GREEK
     | dict(zip("₀₁₂₃₄₅₆₇₈₉", "0123456789", strict=True))
     | {"°": "deg", "π": "pi", "√": "sqrt", "−": "-", "–": "-", "—": "-", "·": ",", "…": "...", "×": "x", "′": "'"}
     | {"⎡": "[", "⎢": "[", "⎣": "[", "⎤": "]", "⎥": "]", "⎦": "]", "±": "+-", "²": "^2", "→": "->"}
     | {"─": "-", "━": "-", "│": "|", "┼": "+", "╷": " ", "╵": " ", "“": '"', "”": '"', "‘": "'", "’": "'"}
-    | {"ß": "ss", "ø": "o", "Ø": "O", "ł": "l", "Ł": "L", "đ": "d", "Đ": "D", "æ": "ae", "œ": "oe", "≤": "<=", "≥": ">="}
+    | {
+        "ß": "ss",
+        "ø": "o",
+        "Ø": "O",
+        "ł": "l",
+        "Ł": "L",
+        "đ": "d",
+        "Đ": "D",
+        "æ": "ae",
+        "œ": "oe",
+        "≤": "<=",
+        "≥": ">=",
+    }
 )
 
 
@@ -35,11 +45,13 @@ class Paper:
         width: Columns.
         colour: Whether it has colours.
         unicode: Whether it knows more letters than ASCII.
+        terminal: Whether it is a window that a person looks at.
     """
 
     width: int = WIDE
     colour: bool = False
     unicode: bool = True
+    terminal: bool = False
 
     @classmethod
     def of(cls, stream: TextIO) -> Paper:
@@ -49,11 +61,12 @@ class Paper:
         colour = not os.environ.get("NO_COLOR") and (
             bool(os.environ.get("FORCE_COLOR")) or (terminal and os.environ.get("TERM") != "dumb")
         )
-        return cls(width, colour, _knows(stream.encoding, _NEEDED))
+        return cls(width, colour, _knows(stream.encoding, _NEEDED), terminal)
 
     def spell(self, text: str) -> str:
         """A text in the letters that the paper knows, on one line, without what would steer a terminal."""
-        text = _CONTROLS.sub(" ", text) if not text.isascii() or not text.isprintable() else text
+        if not text.isprintable():  # controls, marks that turn the direction of writing, line ends of all sorts
+            text = "".join(letter if letter.isprintable() else " " for letter in text)
         return text if self.unicode or text.isascii() else in_ascii(text)
 
     def ink(self, text: str, *inks: str) -> str:

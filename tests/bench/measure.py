@@ -33,9 +33,11 @@ class Row:
     note: str = ""
 
 
-def side_by_side(
-    work: str, ours: tuple[str, Callable[[], object]], peer: tuple[str, Callable[[], object]], *, rounds: int, note: str = ""
-) -> Row:
+Task = tuple[str, Callable[[], object]]
+"""What does the work, and the call that does it."""
+
+
+def side_by_side(work: str, ours: Task, peer: Task, *, rounds: int, note: str = "") -> Row:
     """Time two callables A B A B ..., after one round that is not counted.
 
     Args:

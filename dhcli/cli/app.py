@@ -1,0 +1,84 @@
+"""All commands, registered in one place. A command's own file is imported when it is asked for."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+from typer.core import TyperGroup
+
+if TYPE_CHECKING:
+    from typer._click import Command, Context
+
+COMMANDS = {
+    "fk": "dhcli.cli.fk:fk",
+    "transform": "dhcli.cli.transform:transform",
+    "show": "dhcli.cli.show:show",
+    "list": "dhcli.cli.listing:list_",
+    "new": "dhcli.cli.new:new",
+}
+"""Every command and the function behind it; the order is that of the help."""
+
+EXAMPLES = """
+**Start here**
+
+dhcli list
+
+dhcli show scara
+
+dhcli fk scara --q 0.3,0.5,0.1
+
+dhcli fk puma560 --symbolic
+"""
+
+
+class Commands(TyperGroup):
+    """A group that imports a command when it is asked for."""
+
+    def list_commands(self, ctx: Context) -> list[str]:
+        """The names in the order of the help."""
+        return list(COMMANDS)
+
+    def get_command(self, ctx: Context, cmd_name: str) -> Command | None:
+        """A command by its name, None if there is none."""
+        return load(cmd_name) if cmd_name in COMMANDS else None
+
+
+def load(name: str) -> Command:
+    """Import a command and make it one of typer's."""
+    where, _, function = COMMANDS[name].partition(":")
+    module = import_module(where)
+    found = getattr(module, function)
+    if isinstance(found, typer.Typer):
+        command = typer.main.get_command(found)
+    else:
+        single = typer.Typer(add_completion=False, rich_markup_mode="rich")
+        single.command(name, epilog=module.EXAMPLES)(found)
+        command = typer.main.get_command(single)
+    command.name = name
+    return command
+
+
+def build() -> Command:
+    """The whole command line."""
+    app = typer.Typer(cls=Commands, rich_markup_mode="rich")
+    app.callback(epilog=EXAMPLES)(root)
+    return typer.main.get_command(app)
+
+
+def _version(*, wanted: bool) -> None:
+    if wanted:
+        from dhcli import __version__
+        from dhcli.cli.console import write_out
+
+        write_out(f"dhcli {__version__}\n")
+        raise typer.Exit
+
+
+def root(
+    version: Annotated[
+        bool, typer.Option("--version", help="Show the version and stop.", callback=_version, is_eager=True)
+    ] = False,
+) -> None:
+    """Forward kinematics of robot arms: from a DH table to the pose, in numbers or as the textbook prints it."""

@@ -1,0 +1,104 @@
+"""The two streams: results on stdout, talk on stderr; a reader that goes away is no error."""
+
+from __future__ import annotations
+
+import errno
+import os
+import sys
+from collections.abc import Iterable, Sequence
+from itertools import pairwise
+from typing import Any, TextIO, cast
+
+from dhcli.errors import FileError, Place, Problem
+
+_CLOSED = {errno.EPIPE, errno.EINVAL, errno.ESHUTDOWN}
+"""What writing to a pipe without a reader fails with; Windows says EINVAL."""
+
+
+class GuardedStream:
+    """A text stream that takes everything in silence once its reader has gone away.
+
+    The work of a command is done when it writes; `dhcli fk scara | head -1` has the exit code of that work.
+    """
+
+    def __init__(self, stream: TextIO) -> None:
+        """Stand before a stream."""
+        self._stream = stream
+
+    @classmethod
+    def around(cls, stream: TextIO) -> TextIO:
+        """The guarded stream, once."""
+        return stream if isinstance(stream, cls) else cast("TextIO", cls(stream))
+
+    def write(self, text: str) -> int:
+        """Write, or forget it if nobody reads any more."""
+        try:
+            return self._stream.write(text)
+        except OSError as error:
+            self._let_go(error)
+        return len(text)
+
+    def flush(self) -> None:
+        """Flush, or forget it if nobody reads any more."""
+        try:
+            self._stream.flush()
+        except OSError as error:
+            self._let_go(error)
+
+    def _let_go(self, error: OSError) -> None:
+        if error.errno not in _CLOSED:
+            reason = error.strerror or str(error)
+            self._to_nowhere()
+            raise FileError(Problem(f"cannot be written: {reason}", Place("standard output"))) from None
+        self._to_nowhere()
+
+    def _to_nowhere(self) -> None:
+        """What is left in buffers would fail again when Python ends; the null device takes it."""
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, self._stream.fileno())
+        os.close(nowhere)
+
+    def __getattr__(self, name: str) -> Any:  # noqa: ANN401  whatever the stream has
+        return getattr(self._stream, name)
+
+
+def write_out(text: str) -> None:
+    """Write a result, in letters that the stream knows."""
+    encoding = sys.stdout.encoding or "ascii"
+    sys.stdout.write(text.encode(encoding, "replace").decode(encoding))
+
+
+def say(text: str) -> None:
+    """Write talk: errors, warnings, what was done."""
+    sys.stdout.flush()
+    encoding = sys.stderr.encoding or "ascii"
+    sys.stderr.write(text.encode(encoding, "replace").decode(encoding))
+
+
+def finish() -> None:
+    """Make sure that everything is written while errors can still be told."""
+    sys.stdout.flush()
+
+
+def complain(problems: Iterable[Problem], words: Sequence[str]) -> None:
+    """Tell what went wrong, on stderr; with `--format json` also in the envelope on stdout."""
+    from dhcli.render.paper import Paper
+    from dhcli.render.problems import problems_text
+
+    listed = list(problems)
+    say(problems_text(listed, Paper.of(sys.stderr)))
+    if wants_json(words):
+        from dhcli.render.envelope import envelope
+
+        write_out(envelope(command_of(words), None, listed))
+        sys.stdout.flush()
+
+
+def wants_json(words: Sequence[str]) -> bool:
+    """Whether the words ask for JSON on stdout; read without typer, which may have failed on them."""
+    return "--format=json" in words or ("--format", "json") in pairwise(words)
+
+
+def command_of(words: Sequence[str]) -> str:
+    """The command that was typed."""
+    return next((word for word in words if not word.startswith("-")), "")

@@ -1,0 +1,104 @@
+"""Handing a result over: in which format, on which paper, on stdout or into a file."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+from dhcli.cli.console import say, write_out
+from dhcli.errors import DhcliError, FileError, Place, Problem, UnknownNameError, did_you_mean
+from dhcli.render.look import Look, check_format, content, render
+from dhcli.render.paper import Paper
+
+SUFFIXES = {".json": "json", ".tex": "latex", ".m": "matlab", ".py": "numpy", ".csv": "csv", ".txt": "table"}
+STYLES = ("short", "full")
+
+
+@dataclass(frozen=True, slots=True)
+class Delivery:
+    """How a person wants a result.
+
+    Attributes:
+        command: The command typed.
+        format: The format asked for; None leaves it to the file's suffix, and else to the terminal's table.
+        digits: Decimals asked for.
+        style: Spelling of formulas asked for.
+        output: The file to write.
+        force: Whether that file may be overwritten.
+    """
+
+    command: str
+    format: str | None = None
+    digits: int | None = None
+    style: str | None = None
+    output: str | None = None
+    force: bool = False
+
+    def hand_over(self, kind: str, result: object, warnings: Iterable[str] = ()) -> None:
+        """Render a result and write it.
+
+        Raises:
+            UnknownNameError: There is no such format for this kind of result.
+            FileError: The file cannot be written, or exists already.
+        """
+        name = self.chosen(kind)
+        paper = Paper() if self.output else Paper.of(sys.stdout)
+        look = Look(name, paper, self.digits, self.style)
+        warned = list(warnings)
+        if name == "json":
+            from dhcli.render.envelope import envelope
+
+            text = envelope(self.command, content(kind, result, look), (), warned)
+        else:
+            text = render(kind, result, look)
+        self._write(text)
+        self._warn(warned)
+
+    def chosen(self, kind: str) -> str:
+        """The format: the one asked for, else that of the file's suffix, else a table.
+
+        Raises:
+            UnknownNameError: There is no such format, style or suffix.
+        """
+        if self.style is not None and self.style not in STYLES:
+            raise UnknownNameError(f"there is no style {self.style}", did_you_mean(self.style, STYLES) or "short, full")
+        if self.force and not self.output:
+            raise DhcliError("--force needs a file to overwrite", "name it with -o FILE")
+        name = self.format
+        if name is None and self.output is not None:
+            suffix = Path(self.output).suffix.lower()
+            if suffix not in SUFFIXES:
+                hint = f"known suffixes: {' '.join(SUFFIXES)}; or say --format"
+                raise UnknownNameError(f"{self.output} does not say which format it should have", hint)
+            name = SUFFIXES[suffix]
+        check_format(kind, name or "table")
+        return name or "table"
+
+    def _write(self, text: str) -> None:
+        if self.output is None:
+            write_out(text)
+            return
+        write_file(self.output, text, force=self.force)
+        say(f"wrote {self.output}\n")
+
+    def _warn(self, warnings: Iterable[str]) -> None:
+        if warned := list(warnings):
+            from dhcli.render.problems import warning_line
+
+            paper = Paper.of(sys.stderr)
+            say("".join(warning_line(message, paper) for message in warned))
+
+
+def write_file(path: Path | str, text: str, *, force: bool) -> None:
+    """Write a file whole or not at all.
+
+    Raises:
+        FileError: It exists already and may not be overwritten, or it cannot be written.
+    """
+    from dhcli.files.atomic import write_whole
+
+    if Path(path).is_file() and not force:
+        raise FileError(Problem("exists already", Place(str(path)), "--force overwrites it"))
+    write_whole(path, text, overwrite=force)

@@ -1,0 +1,82 @@
+"""`dhcli fk`: the pose of a robot, in numbers or in symbols."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from dhcli.cli.options import Digits, Force, Format, Forms, Output, RobotName, Settings, Spelling
+
+_WHERE = "Where and what"
+
+EXAMPLES = """
+[dim]# numbers: radians and metres, or any unit; named poses; degrees[/]
+
+dhcli fk scara --q 0.3,0.5,0.1
+
+dhcli fk puma560 --pose ready --frames
+"""
+
+
+def fk(
+    robot: RobotName,
+    q: Annotated[
+        str | None,
+        typer.Option(
+            "--q", metavar="VALUES", help="Joint values: 0.3,30°,120mm or q1=0.3,d3=0.1, a named pose, or @FILE."
+        ),
+    ] = None,
+    deg: Annotated[bool, typer.Option("--deg", help="Bare numbers of revolute joints are degrees.")] = False,
+    pose: Annotated[str | None, typer.Option("--pose", metavar="NAME", help="A named pose of the robot.")] = None,
+    set_: Settings = None,
+    symbolic: Annotated[bool, typer.Option("--symbolic", "-s", help="Keep what has no value as symbols.")] = False,
+    let: Annotated[bool, typer.Option("--let", help="Give names to long or repeated brackets.")] = False,
+    frames: Annotated[bool, typer.Option("--frames", help="Every frame, T_0i.", rich_help_panel=_WHERE)] = False,
+    links: Annotated[
+        bool, typer.Option("--links", help="Every link's own matrix, A_i.", rich_help_panel=_WHERE)
+    ] = False,
+    factors: Annotated[
+        str | None,
+        typer.Option(metavar="LINK", help="Elementary matrices of a link, or of all.", rich_help_panel=_WHERE),
+    ] = None,
+    from_: Annotated[
+        str | None, typer.Option("--from", metavar="FRAME", help="Seen from this frame.", rich_help_panel=_WHERE)
+    ] = None,
+    to: Annotated[str | None, typer.Option(metavar="FRAME", help="Of this frame.", rich_help_panel=_WHERE)] = None,
+    inverse: Annotated[bool, typer.Option("--inverse", help="The other way round.", rich_help_panel=_WHERE)] = False,
+    point: Annotated[
+        str | None, typer.Option(metavar="X,Y,Z", help="Where a point of the end frame is.", rich_help_panel=_WHERE)
+    ] = None,
+    as_: Forms = None,
+    format_: Format = None,
+    style: Spelling = None,
+    digits: Digits = None,
+    output: Output = None,
+    force: Force = False,
+) -> None:
+    """Pose of a robot's end frame: in numbers from joint values, or in symbols as the textbook prints it."""
+    from dhcli.cli.asking import ask, kind_of
+    from dhcli.cli.delivery import Delivery
+    from dhcli.cli.given import values_of
+    from dhcli.files.robots import load_robot
+    from dhcli.kinematics.question import answer
+
+    delivery = Delivery("fk", format_, digits, style, output, force)
+    arm = load_robot(robot)
+    question = ask(
+        arm,
+        from_,
+        to,
+        inverse=inverse,
+        symbolic=symbolic,
+        frames=frames,
+        links=links,
+        factors=factors,
+        point=point,
+        forms=as_,
+        let=let,
+    )
+    delivery.chosen(kind_of(question))
+    result = answer(arm, values_of(arm, q, pose, set_ or [], degrees=deg, symbolic=symbolic), question)
+    delivery.hand_over(kind_of(question), result, result.warnings)

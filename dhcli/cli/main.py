@@ -1,0 +1,78 @@
+"""From the words on the command line to an exit code; the one place where errors become codes and text."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Sequence
+
+from dhcli.cli.console import GuardedStream, complain, finish
+from dhcli.errors import DhcliError, ExitStatus, Place, Problem
+
+BUGS = "please report it with the command you typed; DHCLI_DEBUG=1 shows where it happened"
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line.
+
+    Args:
+        arguments: The words after `dhcli`; those of this process by default.
+
+    Returns:
+        The exit code: 0 done, 1 an answer not right, 2 bad input, 3 a bug in dhcli, 130 Ctrl-C.
+    """
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    sys.stdout = GuardedStream.around(sys.stdout)
+    sys.stderr = GuardedStream.around(sys.stderr)
+    try:
+        code = _run(words)
+        finish()
+    except DhcliError as error:
+        complain(error.problems, words)
+        return error.status
+    except KeyboardInterrupt:
+        sys.stderr.write("\n")
+        return ExitStatus.INTERRUPTED
+    except Exception as error:
+        if os.environ.get("DHCLI_DEBUG"):
+            raise
+        complain([Problem(f"this is a bug in dhcli: {type(error).__name__}: {error}", hint=BUGS)], words)
+        return ExitStatus.BUG
+    return code
+
+
+def _run(words: list[str]) -> int:
+    """Let typer find the command and run it; its own errors in the words of ours."""
+    from typer._click.exceptions import ClickException
+
+    from dhcli.cli.app import build
+
+    try:
+        return build()(words or ["--help"], prog_name="dhcli", standalone_mode=False) or ExitStatus.DONE
+    except ClickException as error:
+        raise DhcliError(usage_problem(error)) from None
+    except SystemExit as stopped:  # typer's own printing met a closed pipe; the work itself was done
+        return stopped.code if isinstance(stopped.code, int) and stopped.code != 1 else ExitStatus.DONE
+
+
+def usage_problem(error: Exception) -> Problem:
+    """What typer found wrong with the words, said as dhcli says it."""
+    from dhcli.errors import did_you_mean
+
+    context = getattr(error, "ctx", None)
+    path = context.command_path if context else "dhcli"
+    message: str = error.format_message().rstrip(".")  # type: ignore[attr-defined]
+    hint = f"{path} --help shows what can be typed"
+    known = [name for param in context.command.get_params(context) for name in param.opts] if context else []
+    if option := getattr(error, "option_name", ""):
+        if "No such" in message:
+            message = f"there is no option {option}"
+            near = did_you_mean(option, known) if context else ""
+            hint = f"{near}; {hint}" if near.startswith("did") else hint
+    elif message.startswith("No such command"):
+        wanted = message.split("'")[1]
+        message = f"there is no command {wanted}"
+        hint = f"{did_you_mean(wanted, context.command.list_commands(context))}; {hint}" if context else hint
+    elif message.startswith("Missing argument"):
+        message = f"{path} needs {message.removeprefix('Missing argument ')}"
+    return Problem(message[:1].lower() + message[1:], Place(""), hint)

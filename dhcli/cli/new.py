@@ -1,0 +1,42 @@
+"""`dhcli new`: files to start from."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from dhcli.cli.options import Force
+
+new = typer.Typer(add_completion=False, rich_markup_mode="rich", help="Write a file to start from.")
+
+
+@new.callback()
+def _group() -> None:
+    """Write a file to start from."""
+
+
+@new.command(epilog="dhcli new robot my-arm --convention standard --joints RRP")
+def robot(
+    name: Annotated[str, typer.Argument(metavar="NAME", help="Name of the robot.")],
+    convention: Annotated[str, typer.Option(metavar="NAME", help="standard, modified or product.")] = "standard",
+    joints: Annotated[str, typer.Option(metavar="LETTERS", help="R revolute, P prismatic, such as RRP.")] = "RRP",
+    output: Annotated[
+        str | None,
+        typer.Option("-o", "--output", metavar="FILE", help="Where to write; ./robots/NAME.yaml by default."),
+    ] = None,
+    force: Force = False,
+) -> None:
+    """Write a commented robot file that loads, for you to change."""
+    from dhcli.cli.console import say
+    from dhcli.cli.delivery import write_file
+    from dhcli.files.templates import robot_template
+
+    text = robot_template(name, convention, joints)
+    path = Path(output or f"robots/{name}.yaml")
+    if output is None:
+        path.parent.mkdir(exist_ok=True)
+    write_file(path, text, force=force)
+    asked = name if output is None else path
+    say(f"wrote {path}\nnext: dhcli show {asked}, then dhcli fk {asked} --symbolic\n")

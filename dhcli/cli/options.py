@@ -1,0 +1,54 @@
+"""Options that several commands have, and shell completion for names."""
+
+from __future__ import annotations
+
+from typing import Annotated, TypeAlias
+
+import typer
+
+
+def complete_robot(incomplete: str) -> list[str]:
+    """Names of robots that begin like this; reads no file."""
+    from dhcli.files.library import Kind, entries
+
+    return [entry.name for entry in entries(Kind.ROBOTS) if entry.name.startswith(incomplete)]
+
+
+RobotName: TypeAlias = Annotated[
+    str,
+    typer.Argument(
+        metavar="ROBOT", help="A name of the library, a YAML file, or - for stdin.", autocompletion=complete_robot
+    ),
+]
+Format: TypeAlias = Annotated[
+    str | None,
+    typer.Option(
+        "--format", metavar="NAME", help="table, json, latex, matlab, numpy, csv or sympy.", rich_help_panel="Output"
+    ),
+]
+Digits: TypeAlias = Annotated[
+    int | None, typer.Option(min=0, max=15, metavar="N", help="Decimals to show.", rich_help_panel="Output")
+]
+Spelling: TypeAlias = Annotated[
+    str | None,
+    typer.Option("--style", metavar="NAME", help="short writes c1, full writes cos(theta1).", rich_help_panel="Output"),
+]
+Output: TypeAlias = Annotated[
+    str | None,
+    typer.Option(
+        "-o",
+        "--output",
+        metavar="FILE",
+        help="Write to a file; .json .tex .m .py .csv .txt choose the format.",
+        rich_help_panel="Output",
+    ),
+]
+Force: TypeAlias = Annotated[bool, typer.Option("--force", help="Overwrite the file.", rich_help_panel="Output")]
+Settings: TypeAlias = Annotated[
+    list[str] | None,
+    typer.Option("--set", metavar="NAME=VALUE", help="Value of a length or constant angle; repeatable."),
+]
+Forms: TypeAlias = Annotated[
+    list[str] | None,
+    typer.Option("--as", metavar="FORM", help="rpy, axis-angle, quaternion or position; repeatable, or with commas."),
+]

@@ -1,0 +1,72 @@
+"""A pose said in other ways: its position, and its orientation without a matrix."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+from dhcli.errors import RobotError, UnknownNameError, did_you_mean
+from dhcli.kinematics.orientation import (
+    AxisAngle,
+    Quaternion,
+    RollPitchYaw,
+    axis_angle,
+    quaternion,
+    roll_pitch_yaw,
+)
+from dhcli.kinematics.pose import Pose
+from dhcli.notation.tree import Expr
+
+
+@dataclass(frozen=True, slots=True)
+class Position:
+    """Where the origin of a frame is.
+
+    Attributes:
+        coordinates: x, y and z in the reference [m].
+    """
+
+    coordinates: tuple[float, ...] | tuple[Expr, ...]
+
+
+Placement: TypeAlias = Position | RollPitchYaw | AxisAngle | Quaternion
+
+FORMS: dict[str, Callable[[Any], Placement]] = {
+    "rpy": roll_pitch_yaw,
+    "axis-angle": axis_angle,
+    "quaternion": quaternion,
+    "position": lambda pose: Position(pose.position),
+}
+"""The ways to say where a frame is, by the names a user gives them."""
+
+
+def placements(pose: Pose[float] | Pose[Expr], forms: Iterable[str]) -> dict[str, Placement]:
+    """A pose said in each of several ways.
+
+    Args:
+        pose: The pose.
+        forms: Names among `FORMS`.
+
+    Raises:
+        UnknownNameError: There is no such form.
+        RobotError: An orientation in symbols is wanted.
+    """
+    said: dict[str, Placement] = {}
+    for form in forms:
+        if form not in FORMS:
+            hint = did_you_mean(form, FORMS)
+            raise UnknownNameError(f"there is no way to say a pose as {form}", hint or "known: " + ", ".join(FORMS))
+        if pose.is_symbolic and form != "position":
+            raise RobotError(f"{form} needs numbers, and this pose is symbolic", "give every value, or --as position")
+        said[form] = FORMS[form](pose)
+    return said
+
+
+def locked_warnings(said: Mapping[str, Placement]) -> tuple[str, ...]:
+    """What a person should know of an orientation at the pole of roll, pitch and yaw."""
+    if any(isinstance(placement, RollPitchYaw) and placement.locked for placement in said.values()):
+        return (
+            "pitch is ±90°, where roll and yaw turn about one axis: only their sum or difference counts, roll is 0",
+        )
+    return ()

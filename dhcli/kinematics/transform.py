@@ -1,0 +1,190 @@
+"""Products of moves and matrices without a robot: each frame on the way, and what becomes of points and vectors."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Literal
+
+from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean
+from dhcli.kinematics.forward import put_in, spelled
+from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans, angle_names, expressions, from_factor, names
+from dhcli.kinematics.placement import Placement, locked_warnings, placements
+from dhcli.kinematics.question import AnyPose, Point, SeenPoint, folded
+from dhcli.kinematics.rigid import not_a_rotation
+from dhcli.kinematics.robot import Value
+from dhcli.notation.factors import parse_factors
+from dhcli.notation.names import canonical
+from dhcli.notation.parser import parse
+from dhcli.notation.quantity import DimensionError, to_angle, to_length
+from dhcli.notation.scope import OPEN, Scope
+from dhcli.notation.tree import ONE, ZERO, Trig, walk
+
+Order = Literal["current", "fixed"]
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One move of a product.
+
+    Attributes:
+        text: The move as it was typed.
+        pose: The frame that it and the moves before it reach.
+    """
+
+    text: str
+    pose: AnyPose
+
+
+@dataclass(frozen=True, slots=True)
+class Transform:
+    """A product of moves.
+
+    Attributes:
+        steps: The moves in the order typed.
+        order: Whether each move is about the current frame or about the fixed one.
+        points: Points of the last frame, seen from the first.
+        vectors: Vectors of the last frame, seen from the first: turned, not shifted.
+        placements: The pose in other ways.
+        words: Axes that point along an axis of the first frame, in words.
+        warnings: What a person should know all the same.
+    """
+
+    steps: tuple[Step, ...]
+    order: Order
+    points: tuple[SeenPoint, ...] = ()
+    vectors: tuple[SeenPoint, ...] = ()
+    placements: Mapping[str, Placement] = field(default_factory=dict)
+    words: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
+
+    @property
+    def pose(self) -> AnyPose:
+        """The frame that all moves together reach."""
+        return self.steps[-1].pose
+
+
+@dataclass(frozen=True, slots=True)
+class Product:
+    """Moves as they were typed.
+
+    Attributes:
+        moves: The moves.
+        texts: How each was typed.
+    """
+
+    moves: Chain
+    texts: tuple[str, ...]
+
+
+def read_product(text: str, place: Place) -> Product:
+    """Read a product of moves and matrices.
+
+    Raises:
+        NotationError: It cannot be read, or a matrix in it is no pose.
+    """
+    moves: list[Move] = []
+    texts: list[str] = []
+    for factor in parse_factors(text, OPEN, place):
+        move = from_factor(factor)
+        if isinstance(move, Fixed):
+            where = _place_in(text, factor.start, place)
+            if factor.rows[3] != (ZERO, ZERO, ZERO, ONE):
+                raise NotationError(Problem("the last row of a pose is 0 0 0 1", where))
+            if fault := not_a_rotation(move):
+                hint = "its first three columns must be perpendicular unit vectors, right-handed"
+                raise NotationError(Problem(f"this matrix is no pose: {fault}", where, hint))
+        moves.append(move)
+        texts.append(spelled(move) if isinstance(move, Rot | Trans) else factor.text)
+    return Product(tuple(moves), tuple(texts))
+
+
+def values_for(product: Product, settings: Mapping[str, str], place: Place) -> dict[str, Value]:
+    """Values of names in a product, an angle or a length by what each stands for.
+
+    Raises:
+        RobotError: The product has no such name.
+        NotationError: A value that cannot be read, or is of the wrong kind.
+    """
+    chain = product.moves
+    inside = {n for e in expressions(chain) for node in walk(e) if type(node) is Trig for n in node.angle.names}
+    angles = angle_names(chain) | inside
+    known = {canonical(name): name for name in names(chain) | inside}
+    values: dict[str, Value] = {}
+    for written, text in settings.items():
+        name = known.get(canonical(written))
+        if name is None:
+            hint = did_you_mean(written, known.values()) or "no name stands in it"
+            raise RobotError(Problem(f"{written} does not stand in the product", place, hint))
+        expr = parse(text, Scope(), place)
+        try:
+            values[name] = to_angle(expr, bare="refuse") if name in angles else to_length(expr)
+        except DimensionError as error:
+            raise NotationError(Problem(f"{error.message}, for {name}", place, error.hint)) from None
+    return values
+
+
+def compose(
+    product: Product,
+    values: Mapping[str, Value],
+    *,
+    order: Order = "current",
+    symbolic: bool = False,
+    points: Sequence[Point] = (),
+    vectors: Sequence[Point] = (),
+    forms: Sequence[str] = (),
+) -> Transform:
+    """Compose moves, in numbers where every name has a value.
+
+    Args:
+        product: The moves in the order typed.
+        values: Values of names.
+        order: `current` multiplies each move from the right, `fixed` from the left.
+        symbolic: Whether to stay exact, roots and all, where numbers would do.
+        points: Points of the last frame [m].
+        vectors: Vectors of the last frame.
+        forms: Other ways to say the pose, names of `placement.FORMS`.
+
+    Raises:
+        RobotError: An entry is not a real number.
+    """
+    moves = put_in(product.moves, values)
+    ends = put_in(tuple(Trans(*triple) for triple in (*points, *vectors)), values)
+    exact = symbolic or bool(names((*moves, *ends)))
+    so_far = [moves[: i + 1] if order == "current" else moves[i::-1] for i in range(len(moves))]
+    steps = tuple(
+        Step(text, folded(chain, "0", str(i), symbolic=exact))
+        for i, (text, chain) in enumerate(zip(product.texts, so_far, strict=True), 1)
+    )
+    chain, frame = so_far[-1], str(len(moves))
+    turning = tuple(turned for move in chain if (turned := _turning(move)) is not None)
+
+    def seen(triple: Point, end: Move, before: Chain) -> SeenPoint:
+        return SeenPoint(triple, folded((*before, end), "0", frame, symbolic=exact).position, frame, "0")
+
+    said = placements(steps[-1].pose, forms)
+    return Transform(
+        steps,
+        order,
+        tuple(seen(point, end, chain) for point, end in zip(points, ends, strict=False)),
+        tuple(seen(vector, end, turning) for vector, end in zip(vectors, ends[len(points) :], strict=True)),
+        said,
+        () if exact else in_words(steps[-1].pose),  # type: ignore[arg-type]
+        locked_warnings(said),
+    )
+
+
+def _turning(move: Move) -> Move | None:
+    """What a move does to a vector: translations do nothing."""
+    if isinstance(move, Trans):
+        return None
+    return Fixed(tuple((*row[:3], ZERO) for row in move.rows)) if isinstance(move, Fixed) else move
+
+
+def _place_in(text: str, start: int, place: Place) -> Place:
+    """Where a factor begins, by line and column if the text has several lines."""
+    before = text[:start]
+    line = before.count("\n")
+    column = start - (before.rfind("\n") + 1) + 1
+    shown = text.split("\n")[line]
+    return replace(place, line=line + 1 if "\n" in text else place.line, column=column, text=shown)

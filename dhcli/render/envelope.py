@@ -1,0 +1,58 @@
+"""JSON: one envelope for every command, for results and errors alike. Its keys are a contract."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from typing import Any
+
+from dhcli.errors import Problem
+
+VERSION = 1
+
+
+def envelope(
+    command: str, content: dict[str, Any] | None, problems: Iterable[Problem] = (), warnings: Iterable[str] = ()
+) -> str:
+    """The result of a command, or what kept it from one.
+
+    Args:
+        command: Name of the command.
+        content: The result; None if there is none.
+        problems: Errors.
+        warnings: What a person should know all the same.
+    """
+    listed = [
+        *(_problem(problem, "error") for problem in problems),
+        *(_problem(Problem(w), "warning") for w in warnings),
+    ]
+    whole = {"dhcli": VERSION, "command": command, "ok": content is not None, "data": content, "problems": listed}
+    return _pretty(whole) + "\n"
+
+
+def _pretty(value: object, margin: str = "") -> str:
+    """JSON for people too: indented, but a row of a matrix on one line. NaN has no place in it."""
+    inner = margin + "  "
+    if isinstance(value, dict) and value:
+        members = [f"{inner}{_plain(key)}: {_pretty(content, inner)}" for key, content in value.items()]
+        return "{\n" + ",\n".join(members) + f"\n{margin}}}"
+    if isinstance(value, list) and any(isinstance(item, dict | list) for item in value):
+        return "[\n" + ",\n".join(inner + _pretty(item, inner) for item in value) + f"\n{margin}]"
+    return _plain(value)
+
+
+def _plain(value: object) -> str:
+    # ASCII only: every stream can carry it, whatever its encoding.
+    return json.dumps(value, allow_nan=False)
+
+
+def _problem(problem: Problem, severity: str) -> dict[str, Any]:
+    place = problem.place
+    return {
+        "severity": severity,
+        "message": problem.message,
+        "hint": problem.hint,
+        "source": place.source if place else None,
+        "line": place.line if place else None,
+        "column": place.column if place else None,
+    }

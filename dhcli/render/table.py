@@ -1,0 +1,53 @@
+"""Tables drawn by rich: as wide as they need to be, folded nowhere, with nothing read as markup."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
+
+from dhcli.render.paper import Paper
+
+if TYPE_CHECKING:
+    from rich.text import Text
+
+_UNFOLDED = 10_000
+_ASCII_BOX = "    \n    \n -- \n    \n    \n    \n    \n    \n"
+
+
+def table_text(heads: Sequence[str], rows: Iterable[Sequence[str | Text]], paper: Paper, *, cut: str = "") -> str:
+    """A table with a line under its heads.
+
+    Args:
+        heads: The heads of the columns.
+        rows: The cells.
+        paper: What it is written on.
+        cut: Head of the column that may be cut, with an ellipsis, to fit a terminal; none by default.
+    """
+    from rich.box import SIMPLE_HEAD, Box
+    from rich.console import Console
+    from rich.table import Table
+    from rich.text import Text
+
+    table = Table(
+        box=SIMPLE_HEAD if paper.unicode else Box(_ASCII_BOX, ascii=True), pad_edge=False, header_style="bold"
+    )
+    table.border_style = "dim"
+    for head in heads:
+        table.add_column(Text(paper.spell(head)), no_wrap=True, overflow="ellipsis" if head == cut else "ignore")
+    for row in rows:
+        table.add_row(*(Text(paper.spell(cell)) if isinstance(cell, str) else cell for cell in row))
+    drawn = io.StringIO()
+    console = Console(
+        file=drawn,
+        width=paper.width if cut and paper.terminal else _UNFOLDED,
+        force_terminal=paper.colour,
+        color_system="standard" if paper.colour else None,
+        no_color=not paper.colour,
+        markup=False,
+        highlight=False,
+        emoji=False,
+        legacy_windows=False,
+    )
+    console.print(table)
+    return "\n".join(line.rstrip() for line in drawn.getvalue().split("\n") if line.strip()) + "\n"
