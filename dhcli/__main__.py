@@ -8,9 +8,12 @@ def main() -> int:
     """Run the command line; see `dhcli.cli.main`."""
     # A command lives for a moment and what it imports stays: looking for garbage on the way finds none.
     gc.set_threshold(100_000)
-    from dhcli.cli.main import main as run
+    try:
+        from dhcli.cli.main import main as run
 
-    return run()
+        return run()
+    except KeyboardInterrupt:  # so early that nothing is there yet to say it
+        return 130
 
 
 if __name__ == "__main__":

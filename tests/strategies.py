@@ -15,20 +15,8 @@ from dhcli.kinematics.conventions import Row
 from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans
 from dhcli.notation.angle import Angle
 from dhcli.notation.factors import AXES
-from dhcli.notation.tree import (
-    HALF,
-    ONE,
-    ZERO,
-    Expr,
-    Symbol,
-    add,
-    cosine,
-    multiply,
-    negate,
-    number,
-    power,
-    sine,
-)
+from dhcli.notation.tree import HALF, ONE, ZERO, Expr, Symbol, add, multiply, negate, number, power
+from dhcli.notation.trig import cosine, sine
 
 THETAS = ("theta1", "theta2", "theta3", "theta4")
 LENGTHS = ("a1", "a2", "d3", "d4")

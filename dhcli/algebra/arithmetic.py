@@ -111,8 +111,8 @@ def evaluate_settled(expr: Expr, over: Evaluator[N]) -> N:
 
 
 def settled(value: N | int, over: Arithmetic[N]) -> N:
-    """A number that is certainly not structural any more."""
-    return over.constant(value) if isinstance(value, int) and value in (-1, 0, 1) else value  # type: ignore[return-value]
+    """A number that is certainly not structural any more; sums of structural integers are integers too."""
+    return over.constant(value) if isinstance(value, int) else value
 
 
 def times(a: N | int, b: N | int) -> N | int:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dhcli.algebra.arithmetic import CannotHoldError
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.residues import Residues
-from dhcli.notation.tree import Expr, symbols
+from dhcli.notation.tree import Expr
+from dhcli.notation.walk import symbols
 
 POINTS = 8
 CLOSE = 1e-9

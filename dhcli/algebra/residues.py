@@ -17,7 +17,8 @@ from functools import lru_cache
 
 from dhcli.algebra.arithmetic import CannotHoldError, evaluate, right_angle
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import Expr, Trig, walk
+from dhcli.notation.tree import Expr, Trig
+from dhcli.notation.walk import walk
 
 STEPS = 720
 """Steps of a full turn that the field holds: multiples of half a degree."""

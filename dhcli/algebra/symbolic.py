@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 from dhcli.algebra.arithmetic import evaluate, evaluate_settled
 from dhcli.notation.angle import Angle
+from dhcli.notation.styles import identifier
 from dhcli.notation.tree import Expr, Number
-from dhcli.notation.writer import identifier
 
 if TYPE_CHECKING:
     import sympy

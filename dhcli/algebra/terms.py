@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dhcli.algebra.arithmetic import right_angle
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import Expr, Number, cosine, number, sine
+from dhcli.notation.tree import Expr, Number, number
+from dhcli.notation.trig import cosine, sine
 
 
 class Terms:

@@ -14,6 +14,11 @@ if TYPE_CHECKING:
 COMMANDS = {
     "fk": "dhcli.cli.fk:fk",
     "transform": "dhcli.cli.transform:transform",
+    "check": "dhcli.cli.check:check",
+    "start": "dhcli.cli.start:start",
+    "watch": "dhcli.cli.watch:watch",
+    "hint": "dhcli.cli.hint:hint",
+    "solution": "dhcli.cli.solution:solution",
     "show": "dhcli.cli.show:show",
     "list": "dhcli.cli.listing:list_",
     "new": "dhcli.cli.new:new",
@@ -21,7 +26,7 @@ COMMANDS = {
 """Every command and the function behind it; the order is that of the help."""
 
 EXAMPLES = """
-**Start here**
+[bold]Start here[/]
 
 dhcli list
 

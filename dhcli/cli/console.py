@@ -26,14 +26,18 @@ class GuardedStream:
         self._stream = stream
 
     @classmethod
-    def around(cls, stream: TextIO) -> TextIO:
-        """The guarded stream, once."""
-        return stream if isinstance(stream, cls) else cast("TextIO", cls(stream))
+    def around(cls, stream: TextIO | None) -> TextIO:
+        """The guarded stream; nowhere, if the caller has closed it."""
+        return cast("TextIO", cls(stream or open(os.devnull, "w", encoding="utf-8")))  # noqa: PTH123, SIM115
 
     def write(self, text: str) -> int:
         """Write, or forget it if nobody reads any more."""
         try:
             return self._stream.write(text)
+        except UnicodeEncodeError:  # a help page, or a name: what dhcli draws itself is spelled for its paper
+            from dhcli.render.paper import in_ascii
+
+            return self.write("\n".join(map(in_ascii, text.split("\n"))))
         except OSError as error:
             self._let_go(error)
         return len(text)
@@ -63,16 +67,14 @@ class GuardedStream:
 
 
 def write_out(text: str) -> None:
-    """Write a result, in letters that the stream knows."""
-    encoding = sys.stdout.encoding or "ascii"
-    sys.stdout.write(text.encode(encoding, "replace").decode(encoding))
+    """Write a result."""
+    sys.stdout.write(text)
 
 
 def say(text: str) -> None:
     """Write talk: errors, warnings, what was done."""
     sys.stdout.flush()
-    encoding = sys.stderr.encoding or "ascii"
-    sys.stderr.write(text.encode(encoding, "replace").decode(encoding))
+    sys.stderr.write(text)
 
 
 def finish() -> None:

@@ -11,11 +11,17 @@ from dhcli.cli.options import Digits, Force, Format, Forms, Output, RobotName, S
 _WHERE = "Where and what"
 
 EXAMPLES = """
-[dim]# numbers: radians and metres, or any unit; named poses; degrees[/]
+[bold]Examples[/]
 
 dhcli fk scara --q 0.3,0.5,0.1
 
 dhcli fk puma560 --pose ready --frames
+
+dhcli fk stanford --q 90,0,0.3,0,45,0 --deg --as rpy,position
+
+dhcli fk puma560 --symbolic --from 3 --to 6
+
+dhcli fk panda --symbolic --let -o panda.tex
 """
 
 
@@ -24,7 +30,7 @@ def fk(
     q: Annotated[
         str | None,
         typer.Option(
-            "--q", metavar="VALUES", help="Joint values: 0.3,30°,120mm or q1=0.3,d3=0.1, a named pose, or @FILE."
+            "--q", metavar="VALUES", help="Joint values: 0.3,30deg,120mm or q1=0.3,d3=0.1, a named pose, or @FILE."
         ),
     ] = None,
     deg: Annotated[bool, typer.Option("--deg", help="Bare numbers of revolute joints are degrees.")] = False,

@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from dhcli.files.library import Kind
 
 EXAMPLES = """
+[bold]Examples[/]
+
 dhcli list
 
 dhcli list robots --format json

@@ -22,8 +22,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
         The exit code: 0 done, 1 an answer not right, 2 bad input, 3 a bug in dhcli, 130 Ctrl-C.
     """
     words = list(sys.argv[1:] if arguments is None else arguments)
-    sys.stdout = GuardedStream.around(sys.stdout)
-    sys.stderr = GuardedStream.around(sys.stderr)
+    streams = sys.stdout, sys.stderr
+    sys.stdout, sys.stderr = map(GuardedStream.around, streams)
+    try:
+        return _guarded(words)
+    finally:
+        sys.stdout, sys.stderr = streams
+
+
+def _guarded(words: list[str]) -> int:
+    """Run the words, and turn every way to fail into its code and its text."""
     try:
         code = _run(words)
         finish()
@@ -73,6 +81,9 @@ def usage_problem(error: Exception) -> Problem:
         wanted = message.split("'")[1]
         message = f"there is no command {wanted}"
         hint = f"{did_you_mean(wanted, context.command.list_commands(context))}; {hint}" if context else hint
+    elif message.startswith("Got unexpected extra argument"):
+        hint = f"values that belong together have no blanks between them, or quotes around them; {hint}"
     elif message.startswith("Missing argument"):
         message = f"{path} needs {message.removeprefix('Missing argument ')}"
+    message = message.replace("a valid int range", "a whole number").replace("a valid integer range", "a whole number")
     return Problem(message[:1].lower() + message[1:], Place(""), hint)

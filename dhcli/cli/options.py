@@ -20,6 +20,28 @@ RobotName: TypeAlias = Annotated[
         metavar="ROBOT", help="A name of the library, a YAML file, or - for stdin.", autocompletion=complete_robot
     ),
 ]
+
+
+def complete_exercise(incomplete: str) -> list[str]:
+    """Names of exercises that begin like this, with their folder or without; reads no file."""
+    from dhcli.files.library import Kind, entries
+
+    names = [entry.name for entry in entries(Kind.EXERCISES)]
+    return [name for name in names if name.startswith(incomplete) or name.split("/")[-1].startswith(incomplete)]
+
+
+ExerciseName: TypeAlias = Annotated[
+    str,
+    typer.Argument(
+        metavar="EXERCISE", help="An exercise of the library, or a YAML file.", autocompletion=complete_exercise
+    ),
+]
+ExerciseOrRobot: TypeAlias = Annotated[
+    str,
+    typer.Argument(
+        metavar="NAME", help="An exercise, or a robot with a question about it.", autocompletion=complete_exercise
+    ),
+]
 Format: TypeAlias = Annotated[
     str | None,
     typer.Option(

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dhcli.cli.options import Force, Format, Output, RobotName
 
 EXAMPLES = """
+[bold]Examples[/]
+
 dhcli show puma560
 
 dhcli show puma560 --format latex
@@ -14,8 +16,11 @@ dhcli show puma560 --format latex
 def show(name: RobotName, format_: Format = None, output: Output = None, force: Force = False) -> None:
     """Show a robot: its table, joints, limits, parameters, poses, and where the numbers come from."""
     from dhcli.cli.delivery import Delivery
+    from dhcli.cli.quiz import names_exercise
+    from dhcli.files.exercises import load_exercise
     from dhcli.files.robots import load_robot
 
     delivery = Delivery("show", format_, output=output, force=force)
-    delivery.chosen("robot")
-    delivery.hand_over("robot", load_robot(name))
+    kind, load = ("exercise", load_exercise) if names_exercise(name) else ("robot", load_robot)
+    delivery.chosen(kind)
+    delivery.hand_over(kind, load(name))

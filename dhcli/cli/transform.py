@@ -9,6 +9,8 @@ import typer
 from dhcli.cli.options import Digits, Force, Format, Forms, Output, Settings, Spelling
 
 EXAMPLES = """
+[bold]Examples[/]
+
 dhcli transform "Trans(8,-6,14) Rot(y,90°) Rot(z,90°)" --steps
 
 dhcli transform "Rot(z,theta1) Trans(l1,0,0)" --point 0,0,0.1
@@ -18,7 +20,7 @@ dhcli transform "Rot(z,theta1) Trans(l1,0,0)" --point 0,0,0.1
 def transform(
     product: Annotated[
         list[str],
-        typer.Argument(metavar="PRODUCT", help="Moves and matrices, such as 'Trans(8,-6,14) Rot(y,90°)'; - is stdin."),
+        typer.Argument(metavar="PRODUCT", help="Moves and matrices, such as 'Trans(8,-6,14) Rot(y,90deg)'; - is stdin."),
     ],
     steps: Annotated[bool, typer.Option("--steps", help="Every frame on the way.")] = False,
     fixed: Annotated[
@@ -43,19 +45,19 @@ def transform(
     from dhcli.cli.delivery import Delivery
     from dhcli.cli.given import forms_of, point_of, product_of, settings_of
     from dhcli.errors import Place
-    from dhcli.kinematics.transform import compose, read_product, values_for
+    from dhcli.kinematics.transform import Wanted, compose, read_product, values_for
 
     kind = "steps" if steps else "transform"
     delivery = Delivery("transform", format_, digits, style, output, force)
     delivery.chosen(kind)
     moves = read_product(*product_of(product))
-    result = compose(
-        moves,
-        values_for(moves, settings_of(set_ or []), Place("--set", text=" ".join(set_ or []))),
-        order="fixed" if fixed else "current",
-        symbolic=symbolic,
-        points=[point_of(text, "--point") for text in point or []],
-        vectors=[point_of(text, "--vector") for text in vector or []],
-        forms=forms_of(as_ or []),
+    wanted = Wanted(
+        "fixed" if fixed else "current",
+        symbolic,
+        [point_of(text, "--point") for text in point or []],
+        [point_of(text, "--vector") for text in vector or []],
+        forms_of(as_ or []),
     )
+    values = values_for(moves, settings_of(set_ or []), Place("--set", text=" ".join(set_ or [])))
+    result = compose(moves, values, wanted)
     delivery.hand_over(kind, result, result.warnings)

@@ -51,5 +51,12 @@ def _robot(entry: Entry) -> tuple[str, str]:
     return robot.title, robot.pattern
 
 
-_READERS: dict[Kind, Callable[[Entry], tuple[str, str]]] = {Kind.ROBOTS: _robot}
+def _exercise(entry: Entry) -> tuple[str, str]:
+    from dhcli.files.exercises import load_exercise
+
+    exercise = load_exercise(entry.path)
+    return exercise.title, exercise.robot.pattern if exercise.robot else ""
+
+
+_READERS: dict[Kind, Callable[[Entry], tuple[str, str]]] = {Kind.ROBOTS: _robot, Kind.EXERCISES: _exercise}
 """How to find out what a file holds, for each kind that dhcli can load."""

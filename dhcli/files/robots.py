@@ -19,7 +19,8 @@ from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_length
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import ZERO, Expr, Trig, walk
+from dhcli.notation.tree import ZERO, Expr, Trig
+from dhcli.notation.walk import walk
 
 KEYS = (
     "title",

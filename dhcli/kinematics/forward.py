@@ -24,8 +24,9 @@ from dhcli.kinematics.values import (
     require,
 )
 from dhcli.notation.angle import Angle
+from dhcli.notation.styles import THETAS, Joints
 from dhcli.notation.tree import Expr
-from dhcli.notation.writer import THETAS, Joints, write, write_angle
+from dhcli.notation.writer import write, write_angle
 
 Given = Mapping[str, float | str | Value]
 

@@ -10,7 +10,8 @@ from dhcli.errors import Place
 from dhcli.notation.angle import Angle
 from dhcli.notation.factors import AXES, Axis, Factor, parse_factors
 from dhcli.notation.scope import OPEN, Scope
-from dhcli.notation.tree import ZERO, Expr, add, multiply, negate, substitute, symbols
+from dhcli.notation.tree import ZERO, Expr, add, multiply, negate
+from dhcli.notation.walk import substitute, symbols
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,9 @@ import math
 from dataclasses import dataclass
 
 from dhcli.kinematics.pose import Pose
-from dhcli.kinematics.words import in_words as in_words
+from dhcli.kinematics.words import in_words
+
+__all__ = ["AxisAngle", "Quaternion", "RollPitchYaw", "axis_angle", "in_words", "quaternion", "roll_pitch_yaw"]
 
 TINY = 1e-9
 """Below this a sine counts as zero, and an angle that depends on its direction is free."""

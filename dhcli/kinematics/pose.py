@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
 from dhcli.algebra.arithmetic import plus, times
 from dhcli.errors import RobotError
+from dhcli.notation.styles import THETAS, Joints
 from dhcli.notation.tree import Expr
-from dhcli.notation.writer import THETAS, Joints, write
+from dhcli.notation.writer import write
 
 if TYPE_CHECKING:
     import numpy as np

@@ -19,7 +19,8 @@ from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.robot import Link, Robot
 from dhcli.kinematics.values import Values, numbers, require, warnings
 from dhcli.kinematics.words import in_words
-from dhcli.notation.tree import Expr, symbols
+from dhcli.notation.tree import Expr
+from dhcli.notation.walk import symbols
 
 if TYPE_CHECKING:  # what only some questions need is imported when they are asked
     from dhcli.kinematics.placement import Placement

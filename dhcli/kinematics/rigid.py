@@ -5,7 +5,8 @@ from __future__ import annotations
 from dhcli.algebra.equality import equal
 from dhcli.algebra.floats import Floats
 from dhcli.kinematics.moves import Fixed
-from dhcli.notation.tree import ONE, ZERO, Expr, add, multiply, symbols
+from dhcli.notation.tree import ONE, ZERO, Expr, add, multiply
+from dhcli.notation.walk import symbols
 
 LOOSE = 1e-3
 """How far the cosines of a matrix typed with decimals may be from a rotation."""

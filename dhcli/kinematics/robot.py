@@ -12,8 +12,9 @@ from dhcli.kinematics.conventions import COLUMNS, Convention, Row
 from dhcli.kinematics.moves import Chain, angle_names, expressions
 from dhcli.notation.angle import Angle
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import Expr, Trig, symbols, walk
-from dhcli.notation.writer import Joints
+from dhcli.notation.styles import Joints
+from dhcli.notation.tree import Expr, Trig
+from dhcli.notation.walk import symbols, walk
 
 Value: TypeAlias = Angle | Expr
 """The value of a name: an exact angle, or an expression of lengths in metres."""

@@ -4,23 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Literal
+from typing import Literal, TypeAlias, cast
 
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean
 from dhcli.kinematics.forward import put_in, spelled
 from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans, angle_names, expressions, from_factor, names
 from dhcli.kinematics.placement import Placement, locked_warnings, placements
+from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.question import AnyPose, Point, SeenPoint, folded
 from dhcli.kinematics.rigid import not_a_rotation
 from dhcli.kinematics.robot import Value
+from dhcli.kinematics.words import in_words
 from dhcli.notation.factors import parse_factors
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_angle, to_length
 from dhcli.notation.scope import OPEN, Scope
-from dhcli.notation.tree import ONE, ZERO, Trig, walk
+from dhcli.notation.tree import ONE, ZERO, Trig
+from dhcli.notation.walk import walk
 
-Order = Literal["current", "fixed"]
+Order: TypeAlias = Literal["current", "fixed"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,6 +65,25 @@ class Transform:
     def pose(self) -> AnyPose:
         """The frame that all moves together reach."""
         return self.steps[-1].pose
+
+
+@dataclass(frozen=True, slots=True)
+class Wanted:
+    """What to find out about a product.
+
+    Attributes:
+        order: `current` multiplies each move from the right, `fixed` from the left.
+        symbolic: Whether to stay exact, roots and all, where numbers would do.
+        points: Points of the last frame [m].
+        vectors: Vectors of the last frame.
+        forms: Other ways to say the pose, names of `placement.FORMS`.
+    """
+
+    order: Order = "current"
+    symbolic: bool = False
+    points: Sequence[Point] = ()
+    vectors: Sequence[Point] = ()
+    forms: Sequence[str] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,53 +146,41 @@ def values_for(product: Product, settings: Mapping[str, str], place: Place) -> d
     return values
 
 
-def compose(
-    product: Product,
-    values: Mapping[str, Value],
-    *,
-    order: Order = "current",
-    symbolic: bool = False,
-    points: Sequence[Point] = (),
-    vectors: Sequence[Point] = (),
-    forms: Sequence[str] = (),
-) -> Transform:
+def compose(product: Product, values: Mapping[str, Value], wanted: Wanted) -> Transform:
     """Compose moves, in numbers where every name has a value.
 
     Args:
         product: The moves in the order typed.
         values: Values of names.
-        order: `current` multiplies each move from the right, `fixed` from the left.
-        symbolic: Whether to stay exact, roots and all, where numbers would do.
-        points: Points of the last frame [m].
-        vectors: Vectors of the last frame.
-        forms: Other ways to say the pose, names of `placement.FORMS`.
+        wanted: What to find out.
 
     Raises:
         RobotError: An entry is not a real number.
     """
     moves = put_in(product.moves, values)
-    ends = put_in(tuple(Trans(*triple) for triple in (*points, *vectors)), values)
-    exact = symbolic or bool(names((*moves, *ends)))
-    so_far = [moves[: i + 1] if order == "current" else moves[i::-1] for i in range(len(moves))]
+    points, vectors = (put_in(tuple(Trans(*triple) for triple in t), values) for t in (wanted.points, wanted.vectors))
+    exact = wanted.symbolic or bool(names((*moves, *points, *vectors)))
+    so_far = [moves[: i + 1] if wanted.order == "current" else moves[i::-1] for i in range(len(moves))]
     steps = tuple(
         Step(text, folded(chain, "0", str(i), symbolic=exact))
         for i, (text, chain) in enumerate(zip(product.texts, so_far, strict=True), 1)
     )
-    chain, frame = so_far[-1], str(len(moves))
+    chain = so_far[-1]
     turning = tuple(turned for move in chain if (turned := _turning(move)) is not None)
 
     def seen(triple: Point, end: Move, before: Chain) -> SeenPoint:
+        frame = str(len(moves))
         return SeenPoint(triple, folded((*before, end), "0", frame, symbolic=exact).position, frame, "0")
 
-    said = placements(steps[-1].pose, forms)
+    said = placements(steps[-1].pose, wanted.forms)
     return Transform(
         steps,
-        order,
-        tuple(seen(point, end, chain) for point, end in zip(points, ends, strict=False)),
-        tuple(seen(vector, end, turning) for vector, end in zip(vectors, ends[len(points) :], strict=True)),
-        said,
-        () if exact else in_words(steps[-1].pose),  # type: ignore[arg-type]
-        locked_warnings(said),
+        wanted.order,
+        points=tuple(seen(point, end, chain) for point, end in zip(wanted.points, points, strict=True)),
+        vectors=tuple(seen(vector, end, turning) for vector, end in zip(wanted.vectors, vectors, strict=True)),
+        placements=said,
+        words=() if exact else in_words(cast("Pose[float]", steps[-1].pose)),
+        warnings=locked_warnings(said),
     )
 
 

@@ -13,10 +13,12 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import RESERVED
 from dhcli.notation.quantity import UNITS, is_affine
-from dhcli.notation.tree import Expr, Number, Trig, symbols, walk
+from dhcli.notation.tree import Expr, Number, Trig
+from dhcli.notation.walk import symbols, walk
 
 if TYPE_CHECKING:
     from dhcli.kinematics.robot import Link, Robot, Value
+
 
 @dataclass(frozen=True, slots=True)
 class Finding:

@@ -16,7 +16,8 @@ from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import Bare, DimensionError, to_angle, to_length
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import Expr, Number, symbols
+from dhcli.notation.tree import Expr, Number
+from dhcli.notation.walk import symbols
 
 Values: TypeAlias = Mapping[str, Value]
 """Value of each name: exact angles, and lengths in metres."""

@@ -13,6 +13,7 @@ from typing import Literal
 from dhcli.errors import Place
 from dhcli.notation.angle import Angle
 from dhcli.notation.matrix import matching, read_matrix
+from dhcli.notation.operators import DEEPEST
 from dhcli.notation.parser import Parser
 from dhcli.notation.quantity import DimensionError, to_angle, to_length
 from dhcli.notation.scope import OPEN, Scope
@@ -77,7 +78,9 @@ def parse_factors(text: str, scope: Scope = OPEN, place: Place | None = None) ->
     return factors
 
 
-def _product(source: Source, tokens: Sequence[Token], scope: Scope, *, inverse: bool) -> list[Factor]:
+def _product(source: Source, tokens: Sequence[Token], scope: Scope, *, inverse: bool, depth: int = 0) -> list[Factor]:
+    if depth > DEEPEST:
+        raise source.error(tokens[0].start if tokens else 0, f"brackets nested deeper than {DEEPEST} are not read")
     factors: list[Factor] = []
     i = 0
     while i < len(tokens):
@@ -93,10 +96,10 @@ def _product(source: Source, tokens: Sequence[Token], scope: Scope, *, inverse: 
         end = _inverse_mark(tokens, closing)
         turned = inverse != (end > closing)
         if token.kind == "word" and token.text in _INVERSE:
-            part = _product(source, inside, scope, inverse=not turned)
+            part = _product(source, inside, scope, inverse=not turned, depth=depth + 1)
             factors.extend(part)
         elif token.text == "(":
-            factors.extend(_product(source, inside, scope, inverse=turned))
+            factors.extend(_product(source, inside, scope, inverse=turned, depth=depth + 1))
         elif token.kind == "sign" or token.text in ("begin", "array", "matrix", "Matrix"):
             factors.append(_matrix(source, tokens[i : closing + 1], scope, inverse=turned))
         else:

@@ -6,7 +6,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from dhcli.notation.tree import Expr, Power, Product, Sum, Symbol, children, negate, operations, symbols
+from dhcli.notation.tree import Expr, Power, Product, Sum, Symbol, negate
+from dhcli.notation.walk import children, operations, symbols
 
 LONG = 12
 """Operations above which a bracket gets a name even if it occurs once."""

@@ -9,7 +9,8 @@ from fractions import Fraction
 from typing import Literal
 
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import Constant, Expr, Number, Product, Sum, Symbol, Unit, rebuild, symbols, walk
+from dhcli.notation.tree import Constant, Expr, Number, Product, Sum, Symbol, Unit
+from dhcli.notation.walk import rebuild, symbols, walk
 
 LENGTH_UNITS = {
     "mm": Fraction(1, 1000),

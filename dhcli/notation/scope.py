@@ -7,7 +7,8 @@ from dataclasses import dataclass, field
 
 from dhcli.notation.angle import Angle
 from dhcli.notation.names import GREEK_NAMES, canonical, parts
-from dhcli.notation.tree import Expr, Symbol, Trig, cosine, sine
+from dhcli.notation.tree import Expr, Symbol, Trig
+from dhcli.notation.trig import cosine, sine
 
 LONGEST_WORD = 200
 

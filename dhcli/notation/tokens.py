@@ -28,7 +28,9 @@ _OPERATORS = {
     "’": "'",  # noqa: RUF001
     "″": '"',
 }
-_SUPERSCRIPTS = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789", strict=True))
+_SUPERSCRIPT = re.compile("(⁻?)([⁰¹²³⁴⁵⁶⁷⁸⁹]+)")
+_RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
+_LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _NOISE = "─━═┄┈╌┌┬┐├┼┤└┴┘┏┳┓┡╇┩┢┣╋┫┗┻┛╔╦╗╠╬╣╚╩╝╭╮╯╰⎡⎢⎣⎤⎥⎦⎛⎜⎝⎞⎟⎠$"
 """What frames a table or a formula on a screen and means nothing."""
 _GREEK_LETTERS = "".join(GREEK)
@@ -145,17 +147,18 @@ def tokenize(source: Source, *, decimal_comma: bool = False, most: int = MOST_CH
 
 
 def _token(source: Source, start: int, *, spaced: bool, comma: bool) -> tuple[Token, ...]:
-    """The token that begins here; two for a superscript, which is a power and its exponent."""
+    """The token that begins here; several for a superscript, which is a power and its exponent."""
     text = source.text
     if comma and (match := _DECIMAL_COMMA.match(text, start)):
         return (Token("number", match[0].replace(",", "."), start, match.end(), spaced),)
     for kind, pattern in _PATTERNS:
         if match := pattern.match(text, start):
-            return (Token(kind, match[0], start, match.end(), spaced),)
-    letter = text[start]
-    if letter in _SUPERSCRIPTS:
+            return (Token(kind, match[0].translate(_LOWERED), start, match.end(), spaced),)
+    if match := _SUPERSCRIPT.match(text, start):
         power = Token("sign", "^", start, start, spaced=False)
-        return power, Token("number", _SUPERSCRIPTS[letter], start, start + 1, spaced=False)
+        minus = (Token("sign", "-", start, start + 1, spaced=False),) if match[1] else ()
+        return power, *minus, Token("number", match[2].translate(_RAISED), match.start(2), match.end(), spaced=False)
+    letter = text[start]
     if text.startswith("**", start):
         return (Token("sign", "^", start, start + 2, spaced),)
     if letter in _OPERATORS:

@@ -1,22 +1,21 @@
 """Expressions as n-ary trees: what the parser builds, what the symbolic product builds, what the writer prints.
 
-The constructors `add`, `multiply`, `power`, `cosine` and `sine` keep every tree in one shape: nested sums and products
-are flat, numbers are collected exactly, factors stand in the order a textbook gives them, like terms are gathered,
-and a bracket that is multiplied starts with a positive term. Nothing is ever distributed or contracted: a factor
-times a sum stays a factor times a sum, and the sine of a sum stays the sine of a sum.
+The constructors `add`, `multiply` and `power` here, `cosine` and `sine` in `trig`, keep every tree in one shape:
+nested sums and products are flat, numbers are collected exactly, factors stand in the order a textbook gives them,
+like terms are gathered, and a bracket that is multiplied starts with a positive term. Nothing is ever distributed or
+contracted: a factor times a sum stays a factor times a sum, and the sine of a sum stays the sine of a sum.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import lru_cache
-from math import isqrt
 from typing import Literal
 
-from dhcli.notation.angle import FULL_TURN, Angle
+from dhcli.notation.angle import Angle
 from dhcli.notation.names import natural_key
+from dhcli.notation.roots import square_root
 
 HALF = Fraction(1, 2)
 MOST_BITS = 8192
@@ -221,7 +220,7 @@ def multiply(*factors: Expr) -> Expr:
         else:
             powers[base] = powers.get(base, Fraction(0)) + exponent
     if radicand != 1:
-        outside, root = _root(radicand)
+        outside, root = square_root(radicand)
         number_part = _multiply_numbers(number_part, Number(outside))
         if root != 1:
             powers[Power(Number(Fraction(root)), HALF)] = Fraction(1)
@@ -252,89 +251,8 @@ def power(base: Expr, exponent: Fraction | int) -> Expr:
     return Power(base, exponent)
 
 
-def cosine(angle: Angle) -> Expr:
-    """Cosine of an exact angle: right angles become signs and swapped functions, 30° and 45° become roots."""
-    quarters, rest = _reduce(angle)
-    return (_cos_of, _minus_sin_of, _minus_cos_of, _sin_of)[quarters](rest)
-
-
-def sine(angle: Angle) -> Expr:
-    """Sine of an exact angle; see `cosine`."""
-    quarters, rest = _reduce(angle)
-    return (_sin_of, _cos_of, _minus_sin_of, _minus_cos_of)[quarters](rest)
-
-
-def children(expr: Expr) -> tuple[Expr, ...]:
-    """The nodes directly below."""
-    if type(expr) is Sum:
-        return expr.terms
-    if type(expr) is Product:
-        return expr.factors
-    if type(expr) is Power:
-        return (expr.base,)
-    return expr.arguments if type(expr) is Call else ()
-
-
-def walk(expr: Expr) -> Iterator[Expr]:
-    """Every node, each before those below it."""
-    stack = [expr]
-    while stack:
-        node = stack.pop()
-        yield node
-        stack.extend(reversed(children(node)))
-
-
-def symbols(expr: Expr) -> frozenset[str]:
-    """All names, those inside angles too."""
-    found: set[str] = set()
-    for node in walk(expr):
-        if type(node) is Symbol:
-            found.add(node.name)
-        elif type(node) is Trig:
-            found |= node.angle.names
-    return frozenset(found)
-
-
-def operations(expr: Expr) -> int:
-    """Binary + - * / in the written form; unary minus, cosines and sines cost nothing."""
-    return sum(_own_operations(node) for node in walk(expr))
-
-
-def rebuild(expr: Expr, leaf: Callable[[Expr], Expr]) -> Expr:
-    """The tree with every leaf passed through a function, put together again by the constructors."""
-    if type(expr) is Sum:
-        return add(*(rebuild(term, leaf) for term in expr.terms))
-    if type(expr) is Product:
-        return multiply(*(rebuild(factor, leaf) for factor in expr.factors))
-    if type(expr) is Power:
-        return power(rebuild(expr.base, leaf), expr.exponent)
-    if type(expr) is Call:
-        return Call(expr.function, tuple(rebuild(argument, leaf) for argument in expr.arguments))
-    return leaf(expr)
-
-
-def substitute(expr: Expr, lengths: Mapping[str, Expr], angles: Mapping[str, Angle]) -> Expr:
-    """Put exact values in the place of names.
-
-    Args:
-        expr: The tree.
-        lengths: Values of names that stand as numbers.
-        angles: Values of names that stand inside cosines and sines.
-    """
-
-    def leaf(node: Expr) -> Expr:
-        if type(node) is Symbol:
-            return lengths.get(node.name, node)
-        if type(node) is Trig:
-            angle = node.angle.substitute(angles)
-            return cosine(angle) if node.function == "cos" else sine(angle)
-        return node
-
-    return rebuild(expr, leaf)
-
-
 def factor_key(factor: Expr) -> tuple[int, tuple[object, ...]]:
-    """Order of factors: roots, lengths, cosines and sines by their joints, brackets as they come."""
+    """Order of factors: roots, lengths, cosines and sines by their joints, brackets as they come, divisors last."""
     base = factor.base if type(factor) is Power else factor
     if type(base) is Number:
         return (0, (base.value,))
@@ -343,7 +261,9 @@ def factor_key(factor: Expr) -> tuple[int, tuple[object, ...]]:
     if type(base) is Trig:
         names = tuple(natural_key(name) for name, _ in base.angle.terms)
         return (3, (names, base.angle.degrees, base.angle.radians, base.function))
-    return (1 if type(base) in (Constant, Unit) else 4, ())
+    if type(base) in (Constant, Unit):
+        return (1, ())
+    return (5 if type(factor) is Power and factor.exponent < 0 else 4, ())
 
 
 def _lift(value: Expr | int) -> Expr:
@@ -353,7 +273,7 @@ def _lift(value: Expr | int) -> Expr:
 def _flat(nodes: Iterable[Expr], kind: type[Sum | Product]) -> Iterator[Expr]:
     for node in nodes:
         if type(node) is kind:
-            yield from children(node)
+            yield from node.terms if type(node) is Sum else node.factors  # type: ignore[union-attr]
         else:
             yield node
 
@@ -393,7 +313,7 @@ def _power_of_number(base: Number, exponent: Fraction) -> Expr:
             raise OverflowError
         return Number(base.value**exponent.numerator)
     if exponent.denominator == 2 and base.value >= 0:  # noqa: PLR2004  a square root
-        outside, root = _root(base.value)
+        outside, root = square_root(base.value)
         whole = power(Number(base.value), (exponent - HALF).numerator)
         return multiply(Number(outside), whole, Power(Number(Fraction(root)), HALF) if root != 1 else ONE)
     return Power(Number(base.value), exponent)
@@ -402,73 +322,3 @@ def _power_of_number(base: Number, exponent: Fraction) -> Expr:
 def _check_size(value: Fraction) -> None:
     if value.numerator.bit_length() > MOST_BITS or value.denominator.bit_length() > MOST_BITS:
         raise OverflowError
-
-
-@lru_cache(maxsize=1024)
-def _root(value: Fraction) -> tuple[Fraction, int]:
-    """The square root of a number that is not negative, as a rational times the root of a small integer."""
-    inside = value.numerator * value.denominator
-    whole = isqrt(inside)
-    if whole * whole == inside:
-        return Fraction(whole, value.denominator), 1
-    outside = 1
-    for prime in (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31):
-        while inside % (prime * prime) == 0:
-            inside //= prime * prime
-            outside *= prime
-    return Fraction(outside, value.denominator), inside
-
-
-def _reduce(angle: Angle) -> tuple[int, Angle]:
-    """An angle as a number of right angles, 0 to 3, and a rest that holds none."""
-    degrees = angle.degrees % FULL_TURN
-    if degrees % 90 == 0:
-        return int(degrees // 90), angle if not degrees else Angle(angle.terms, Fraction(0), angle.radians)
-    if not angle.terms and not angle.radians:
-        return int(degrees // 90), Angle(degrees=degrees % 90)
-    return 0, Angle(angle.terms, degrees if degrees <= FULL_TURN / 2 else degrees - FULL_TURN, angle.radians)
-
-
-_ROOT_HALVES = {0: (Fraction(1), 1), 30: (HALF, 3), 45: (HALF, 2), 60: (HALF, 1)}
-"""Cosines of 0°, 30°, 45° and 60° as a rational times a square root."""
-
-
-def _cos_of(rest: Angle) -> Expr:
-    return _trig("cos", rest, _ROOT_HALVES.get(int(rest.degrees)) if rest.degrees.denominator == 1 else None)
-
-
-def _sin_of(rest: Angle) -> Expr:
-    if rest.is_zero:
-        return ZERO
-    return _trig("sin", rest, _ROOT_HALVES.get(90 - int(rest.degrees)) if rest.degrees.denominator == 1 else None)
-
-
-def _minus_cos_of(rest: Angle) -> Expr:
-    return negate(_cos_of(rest))
-
-
-def _minus_sin_of(rest: Angle) -> Expr:
-    return negate(_sin_of(rest))
-
-
-def _trig(function: Literal["cos", "sin"], rest: Angle, exact: tuple[Fraction, int] | None) -> Expr:
-    if not rest.terms and not rest.radians and exact is not None:
-        value, root = exact
-        return multiply(Number(value), power(Number(Fraction(root)), HALF))
-    leading = rest.terms[0][1] if rest.terms else rest.radians or rest.degrees
-    if leading >= 0:
-        return Trig(function, rest)
-    flipped = Trig(function, -rest)
-    return flipped if function == "cos" else negate(flipped)
-
-
-def _own_operations(node: Expr) -> int:
-    if type(node) is Sum:
-        return len(node.terms) - 1
-    if type(node) is Product:
-        first, rest = split(node)
-        shown = (abs(first.value.numerator) != 1) + (0 if type(rest) is not Product else len(rest.factors) - 1)
-        return shown + (first.value.denominator != 1)
-    if type(node) is Number:
-        return 0
-    return abs(node.exponent.numerator) - 1 if type(node) is Power and node.exponent.denominator == 1 else 0

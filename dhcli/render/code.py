@@ -10,8 +10,10 @@ from collections.abc import Collection, Iterable, Sequence
 from dhcli.kinematics.question import AnyPose
 from dhcli.notation.let import Definition
 from dhcli.notation.names import natural_key
-from dhcli.notation.tree import Expr, symbols
-from dhcli.notation.writer import Joints, identifier, latex_name, write
+from dhcli.notation.styles import Joints, identifier, latex_name
+from dhcli.notation.tree import Expr
+from dhcli.notation.walk import symbols
+from dhcli.notation.writer import write
 from dhcli.render.look import Look
 
 _SPELLING = {"csv": "sympy", "json": "sympy"}

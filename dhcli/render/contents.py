@@ -8,8 +8,9 @@ from typing import Any
 from dhcli.kinematics.orientation import AxisAngle, Quaternion, RollPitchYaw
 from dhcli.kinematics.placement import Placement, Position
 from dhcli.kinematics.question import AnyPose, ForwardKinematics
+from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Expr, Number
-from dhcli.notation.writer import Joints, write
+from dhcli.notation.writer import write
 from dhcli.render.code import exact
 from dhcli.render.look import Look
 from dhcli.render.quantities import in_units

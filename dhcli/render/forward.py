@@ -6,7 +6,8 @@ from collections.abc import Iterable, Iterator
 
 from dhcli.kinematics.conventions import NAMES
 from dhcli.kinematics.question import AnyPose, ForwardKinematics
-from dhcli.notation.tree import Expr, Trig, walk
+from dhcli.notation.tree import Expr, Trig
+from dhcli.notation.walk import walk
 from dhcli.notation.writer import write
 from dhcli.render.look import Look
 from dhcli.render.matrix import matrix_lines, vector_lines

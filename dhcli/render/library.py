@@ -24,7 +24,7 @@ def library_table(listed: Sequence[Listed], look: Look) -> str:
     return "\n".join(tables)
 
 
-def library_csv(listed: Sequence[Listed], look: Look) -> str:
+def library_csv(listed: Sequence[Listed], _look: Look) -> str:
     """One line for each file."""
     lines = [csv_line(["kind", "name", "joints", "title", "origin", "path"])]
     for one in listed:
@@ -33,7 +33,7 @@ def library_csv(listed: Sequence[Listed], look: Look) -> str:
     return "".join(lines)
 
 
-def library_content(listed: Sequence[Listed], look: Look) -> dict[str, Any]:
+def library_content(listed: Sequence[Listed], _look: Look) -> dict[str, Any]:
     """The list as JSON holds it."""
     return {
         "entries": [

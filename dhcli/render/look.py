@@ -20,6 +20,8 @@ _NOUNS = {
     "transform": "a transform",
     "steps": "--steps",
     "robot": "a robot",
+    "marks": "a judgement",
+    "exercise": "an exercise",
     "library": "a list",
 }
 """What each kind of result is called in messages."""
@@ -63,6 +65,9 @@ _RENDERERS = {
     ("robot", "table"): "dhcli.render.robot:robot_table",
     ("robot", "latex"): "dhcli.render.robot:robot_latex",
     ("robot", "csv"): "dhcli.render.robot:robot_csv",
+    ("marks", "table"): "dhcli.render.marks:marks_table",
+    ("marks", "csv"): "dhcli.render.marks:marks_csv",
+    ("exercise", "table"): "dhcli.render.exercise:exercise_table",
     ("library", "table"): "dhcli.render.library:library_table",
     ("library", "csv"): "dhcli.render.library:library_csv",
 }
@@ -77,6 +82,8 @@ _CONTENTS = {
     "transform": "dhcli.render.transform:transform_content",
     "steps": "dhcli.render.transform:transform_content",
     "robot": "dhcli.render.robot:robot_content",
+    "marks": "dhcli.render.marks:marks_content",
+    "exercise": "dhcli.render.exercise:exercise_content",
     "library": "dhcli.render.library:library_content",
 }
 """Where each kind of result becomes what stands under `data` in JSON."""

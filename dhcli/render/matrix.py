@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 
+from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Expr
-from dhcli.notation.writer import Joints, write
+from dhcli.notation.writer import write
 from dhcli.render.look import Look
 
 ENTRIES = (

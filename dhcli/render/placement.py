@@ -8,8 +8,8 @@ from collections.abc import Iterator, Mapping
 from dhcli.kinematics.orientation import AxisAngle, Quaternion, RollPitchYaw
 from dhcli.kinematics.placement import Placement, Position
 from dhcli.kinematics.question import ForwardKinematics
+from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Expr
-from dhcli.notation.writer import Joints
 from dhcli.render.code import csv_line, entry
 from dhcli.render.forward import context_lines, heading
 from dhcli.render.look import Look

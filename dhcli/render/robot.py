@@ -56,7 +56,7 @@ def robot_table(robot: Robot, look: Look) -> str:
     return "\n".join(blocks)
 
 
-def robot_csv(robot: Robot, look: Look) -> str:
+def robot_csv(robot: Robot, _look: Look) -> str:
     """The rows of the table, or the products."""
     if robot.convention is Convention.PRODUCT:
         return csv_line(["i", "product"]) + "".join(csv_line([str(link.number), link.text]) for link in robot.links)
@@ -65,7 +65,7 @@ def robot_csv(robot: Robot, look: Look) -> str:
     return "".join(lines)
 
 
-def robot_latex(robot: Robot, look: Look) -> str:
+def robot_latex(robot: Robot, _look: Look) -> str:
     """The table for a paper."""
     if robot.convention is Convention.PRODUCT:
         rows = [[str(link.number), rf"\texttt{{{link.text}}}"] for link in robot.links]
@@ -81,7 +81,7 @@ def robot_latex(robot: Robot, look: Look) -> str:
     return f"\\begin{{tabular}}{{{columns}}}\n  {' & '.join(titles)} \\\\ \\hline\n{body}\\end{{tabular}}\n"
 
 
-def robot_content(robot: Robot, look: Look) -> dict[str, Any]:
+def robot_content(robot: Robot, _look: Look) -> dict[str, Any]:
     """A robot as JSON holds it: constants in radians and metres, cells of the table as text."""
     return {
         "name": robot.name,

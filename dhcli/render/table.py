@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import re
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
@@ -12,6 +13,7 @@ if TYPE_CHECKING:
     from rich.text import Text
 
 _UNFOLDED = 10_000
+_COLOURS = re.compile(r"\x1b\[[0-9;]*m")
 _ASCII_BOX = "    \n    \n -- \n    \n    \n    \n    \n    \n"
 
 
@@ -50,4 +52,5 @@ def table_text(heads: Sequence[str], rows: Iterable[Sequence[str | Text]], paper
         legacy_windows=False,
     )
     console.print(table)
-    return "\n".join(line.rstrip() for line in drawn.getvalue().split("\n") if line.strip()) + "\n"
+    lines = (line.rstrip() for line in drawn.getvalue().split("\n") if _COLOURS.sub("", line).strip())
+    return "\n".join(lines) + "\n"

@@ -7,7 +7,7 @@ from typing import Any
 
 from dhcli.kinematics.question import SeenPoint
 from dhcli.kinematics.transform import Transform
-from dhcli.notation.writer import THETAS
+from dhcli.notation.styles import THETAS
 from dhcli.render.code import csv_rows, pose_source, vector_source
 from dhcli.render.contents import number, placements_content, plain_number, pose_content
 from dhcli.render.look import Look

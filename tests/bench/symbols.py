@@ -13,7 +13,7 @@ from dhcli import Pose, Robot, load_robot, symbolic
 from dhcli.algebra.symbolic import to_sympy
 from dhcli.kinematics.conventions import Convention
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import operations
+from dhcli.notation.walk import operations
 
 ROBOTS = ("planar-2r", "scara-yim", "stanford", "puma560")
 CLOSE = 1e-9

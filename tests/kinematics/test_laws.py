@@ -22,7 +22,8 @@ from dhcli.kinematics.merge import merge
 from dhcli.kinematics.moves import Chain, Fixed, Rot, Trans, expressions, inverse, names, read_chain, substituted
 from dhcli.kinematics.pose import Pose
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import ZERO, Expr, Symbol, number, substitute
+from dhcli.notation.tree import ZERO, Expr, Symbol, number
+from dhcli.notation.walk import substitute
 from tests.strategies import (
     LENGTHS,
     THETAS,

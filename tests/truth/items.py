@@ -18,7 +18,8 @@ from dhcli.kinematics.moves import Chain, Fixed, Rot, Trans, inverse
 from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import to_angle
-from dhcli.notation.tree import Expr, Power, Product, Sum, negate, number, operations, split
+from dhcli.notation.tree import Expr, Power, Product, Sum, negate, number, split
+from dhcli.notation.walk import operations
 from dhcli.notation.writer import write
 
 _DATA = Path(__file__).parent.parent / "data"

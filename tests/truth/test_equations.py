@@ -20,7 +20,8 @@ from dhcli.kinematics.robot import Robot
 from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import to_angle
-from dhcli.notation.tree import Expr, number, substitute
+from dhcli.notation.tree import Expr, number
+from dhcli.notation.walk import substitute
 from tests.truth.items import EQUATIONS, TRUTH, Matrix, angle, chain, computed, computed_over, matrix, read, typed
 
 IN_FILES = {

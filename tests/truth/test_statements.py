@@ -20,20 +20,9 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import to_angle
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import (
-    ONE,
-    ZERO,
-    Expr,
-    Symbol,
-    add,
-    cosine,
-    multiply,
-    negate,
-    number,
-    sine,
-    substitute,
-    symbols,
-)
+from dhcli.notation.tree import ONE, ZERO, Expr, Symbol, add, multiply, negate, number
+from dhcli.notation.trig import cosine, sine
+from dhcli.notation.walk import substitute, symbols
 from tests.truth.items import EQUATIONS, TRUTH, Matrix, chain, computed, matrix
 
 A, ALPHA, D, THETA = Symbol("a"), Angle.of("alpha"), Symbol("d"), Angle.of("theta")

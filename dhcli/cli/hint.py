@@ -1,0 +1,44 @@
+"""`dhcli hint`: help with the next part, one step at a time."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from dhcli.cli.options import ExerciseName
+
+EXAMPLES = """
+[bold]Examples[/]
+
+dhcli hint planar-two-links
+
+dhcli hint planar-two-links --part t02
+"""
+
+
+def hint(
+    name: ExerciseName,
+    part: Annotated[str | None, typer.Option(metavar="PART", help="Help with this part.")] = None,
+) -> None:
+    """Show the next hint, for the first part that is not solved yet or the one named."""
+    from dhcli.cli.console import say, write_out
+    from dhcli.cli.quiz import first_open
+    from dhcli.files.exercises import load_exercise
+    from dhcli.files.progress import Try, read_progress, record_hint
+
+    exercise = load_exercise(name)
+    progress, message = read_progress()
+    done = progress.get(exercise.id, {})
+    meant = exercise.part(part) if part else first_open(exercise, {p: t.best for p, t in done.items()})
+    shown = done.get(meant.id, Try("SKIPPED", 0)).hints
+    if not meant.hints:
+        write_out(f"{meant.id}: there is no hint for this part\n")
+        return
+    number = min(shown, len(meant.hints) - 1)
+    write_out(f"{meant.id}, hint {number + 1} of {len(meant.hints)}: {meant.hints[number]}\n")
+    message = message or record_hint(exercise.id, meant.id)
+    if message:
+        say(f"dhcli: {message}\n")
+    if number + 1 == len(meant.hints):
+        say(f"that was the last one; dhcli solution {exercise.id} --part {meant.id} works it out\n")

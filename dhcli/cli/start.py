@@ -1,0 +1,41 @@
+"""`dhcli start`: an answer sheet to fill in."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from dhcli.cli.options import ExerciseName
+
+EXAMPLES = """
+[bold]Examples[/]
+
+dhcli start planar-two-links
+
+dhcli start planar-two-links -o -
+"""
+
+
+def start(
+    name: ExerciseName,
+    output: Annotated[
+        str | None, typer.Option("-o", "--output", metavar="FILE", help="Where to write it; - is stdout.")
+    ] = None,
+    force: Annotated[bool, typer.Option("--force", help="Overwrite the file.")] = False,
+) -> None:
+    """Write an answer sheet for an exercise."""
+    from dhcli.cli.console import say, write_out
+    from dhcli.cli.delivery import write_file
+    from dhcli.files.exercises import load_exercise
+    from dhcli.files.sheets import write_sheet
+
+    exercise = load_exercise(name)
+    text = write_sheet(exercise)
+    if output == "-":
+        write_out(text)
+        return
+    path = output or f"{exercise.id.split('/')[-1]}.sheet.yaml"
+    write_file(path, text, force=force)
+    say(f"wrote {path}\n")
+    say(f"next: fill it in, then dhcli check {exercise.id} {path}, or dhcli watch {exercise.id} {path}\n")

@@ -1,0 +1,313 @@
+"""Exercise files: a robot, questions and what the document prints, read with every problem at once."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from dhcli.checking.exercise import Exercise, Part, Printed, Trial, answer_scope
+from dhcli.checking.questions import ChoiceQuestion, read_question
+from dhcli.checking.tolerance import DEFAULT, Tolerance
+from dhcli.checking.verdicts import Verdict
+from dhcli.errors import DhcliError, FileError, NotationError, Problem, did_you_mean
+from dhcli.files.fields import Fields, Problems
+from dhcli.files.library import Kind, entries, find
+from dhcli.files.placed import PlacedMapping, PlacedNode, PlacedScalar, read_yaml
+from dhcli.files.reading import read_text, source_of
+from dhcli.files.robots import load_robot
+from dhcli.kinematics.robot import Robot, Value
+from dhcli.notation.names import GREEK_NAMES, parts
+from dhcli.notation.parser import parse
+from dhcli.notation.quantity import LENGTH_UNITS, DimensionError, has_angle_unit, to_angle, to_length
+from dhcli.notation.scope import Scope
+
+KEYS = (
+    "title",
+    "source",
+    "robot",
+    "task",
+    "given",
+    "names",
+    "numeric",
+    "unit",
+    "tolerance",
+    "also",
+    "parts",
+    "printed",
+    "tests",
+    "variants",
+    "feedback",
+)
+PART_KEYS = ("id", "ask", "prompt", "credit", "depends", "hints", "compare", "options", "right", "exact", "decimals")
+TOLERANCE_KEYS = ("rotation", "position", "angle", "decimals", "exact")
+
+
+def load_exercise(name: str | Path) -> Exercise:
+    """Load an exercise by its id, such as `wpi/puma560-links`, or from a file.
+
+    Raises:
+        UnknownNameError: No exercise has this id; the nearest are listed.
+        FileError: The file is no exercise; every problem, each with file, line and column.
+    """
+    path = name if isinstance(name, Path) else find(Kind.EXERCISES, _full_id(name))
+    ids = {entry.path: entry.name for entry in entries(Kind.EXERCISES)}
+    text = read_text("-" if str(path) == "-" else path)
+    return read_exercise(text, source_of(path), ids.get(path, path.stem))
+
+
+def is_exercise(name: str) -> bool:
+    """Whether a name is that of an exercise, or a path leads to one; a file with `parts:` at the left is."""
+    if name.endswith((".yaml", ".yml")) and name != "-":
+        try:
+            return any(line.startswith("parts:") for line in read_text(name).splitlines())
+        except FileError:
+            return False
+    wanted = _full_id(name)
+    return any(entry.name == wanted for entry in entries(Kind.EXERCISES))
+
+
+def read_exercise(text: str, source: str, name: str) -> Exercise:
+    """Read an exercise from the text of a file.
+
+    Raises:
+        FileError: With all problems.
+    """
+    return _Loader(read_yaml(text, source), name).exercise()
+
+
+def _full_id(name: str) -> str:
+    """An id from its last part, where only one exercise ends so."""
+    if "/" in name or name.endswith((".yaml", ".yml")) or name == "-":
+        return name
+    ends = [entry.name for entry in entries(Kind.EXERCISES) if entry.name.split("/")[-1] == name and not entry.shadowed]
+    return ends[0] if len(ends) == 1 else name
+
+
+class _Loader:
+    """One pass over a file; what is wrong is collected, and something harmless taken in its place."""
+
+    def __init__(self, root: PlacedNode, name: str) -> None:
+        self.problems = Problems()
+        self.name = name
+        self.fields = self.problems.document(root, known=KEYS, required=("title", "source", "task", "parts"))
+        self.robot = self.read_robot("robot")
+        self.names = tuple(scalar.text for scalar in self.scalars(self.fields, "names"))
+        self.given = self.read_given()
+        self.scope = answer_scope(self.robot, (*self.given, *self.names))
+        self.printed = self.read_printed()
+        self.tolerance = self.read_tolerance()
+
+    def exercise(self) -> Exercise:
+        parts_ = tuple(part for node in self.fields.sequence("parts") if (part := self.part(node)))
+        trials = tuple(trial for node in self.fields.sequence("tests") if (trial := self.trial(node, parts_)))
+        also = self.also()
+        unit = self.fields.text("unit", "m")
+        if unit not in LENGTH_UNITS:
+            self.problems.add(self.fields.place_of("unit"), f"unit: '{unit}' is no unit of length", "write m, mm or cm")
+        self.check_ids(parts_)
+        self.problems.raise_if_any(FileError)
+        return Exercise(
+            id=self.name,
+            title=self.fields.text("title"),
+            source=self.source(),
+            task=self.fields.text("task"),
+            parts=parts_,
+            robot=self.robot,
+            given=self.given,
+            names=self.names,
+            numeric=self.flag(self.fields, "numeric"),
+            unit=unit,
+            tolerance=self.tolerance,
+            also=also,
+            trials=trials,
+            shows_expected=self.fields.text("feedback") == "expected",
+        )
+
+    def read_robot(self, key: str) -> Robot | None:
+        scalar = self.fields.scalar(key)
+        if scalar is None:
+            return None
+        try:
+            return load_robot(scalar.text)
+        except DhcliError as error:
+            for problem in error.problems:
+                self.problems.add(scalar.place, f"{key}: {problem.message}", problem.hint)
+            return None
+
+    def also(self) -> tuple[Robot, str] | None:
+        fields = self.fields.mapping("also", known=("robot", "note"), required=("robot",))
+        scalar = fields.scalar("robot")
+        if scalar is None:
+            return None
+        try:
+            return load_robot(scalar.text), fields.text("note")
+        except DhcliError as error:
+            self.problems.take(error)
+            return None
+
+    def source(self) -> str:
+        node = self.fields.get("source")
+        if isinstance(node, PlacedMapping):
+            fields = self.fields.mapping("source", known=("document", "item"), required=("document", "item"))
+            return f"{fields.text('document')}, {fields.text('item')}"
+        return self.fields.text("source")
+
+    def read_given(self) -> dict[str, Value]:
+        given: dict[str, Value] = {}
+        fields = self.fields.mapping("given")
+        for key in fields.entries:
+            scalar = fields.scalar(key)
+            value = self.value(scalar, key) if scalar else None
+            if value is not None:
+                given[key] = value
+        return given
+
+    def value(self, scalar: PlacedScalar, key: str) -> Value | None:
+        try:
+            expr = parse(scalar.text, Scope(), scalar.place_of(0))
+            is_angle = key in self.robot.angles if self.robot and key in self.robot.scope.names else _is_angle(key)
+            if is_angle or has_angle_unit(expr):
+                return to_angle(expr, bare="refuse")
+            return to_length(expr)
+        except NotationError as error:
+            self.problems.take(error)
+        except DimensionError as error:
+            self.problems.add(scalar.place, f"{key}: {error.message}", error.hint)
+        return None
+
+    def read_printed(self) -> dict[str, Printed]:
+        fields = self.fields.mapping("printed")
+        printed: dict[str, Printed] = {}
+        for key in fields.entries:
+            node = fields.get(key)
+            if isinstance(node, PlacedMapping):
+                inner = self.problems.mapping(node, key, known=("answer", "note"), required=("answer",))
+                printed[key] = Printed(inner.text("answer"), inner.text("note"))
+            else:
+                printed[key] = Printed(fields.text(key))
+        return printed
+
+    def read_tolerance(self) -> Tolerance:
+        fields = self.fields.mapping("tolerance", known=TOLERANCE_KEYS)
+        position = self.number(fields, "position")
+        return Tolerance(
+            rotation=self.number(fields, "rotation") or DEFAULT.rotation,
+            position=position,
+            angle=self.number(fields, "angle") or DEFAULT.angle,
+            decimals=self.whole(fields, "decimals"),
+            exact=self.flag(fields, "exact"),
+        )
+
+    def number(self, fields: Fields, key: str) -> float | None:
+        """A plain number, a length in metres, or an angle in degrees."""
+        scalar = fields.scalar(key)
+        if scalar is None:
+            return None
+        try:
+            expr = parse(scalar.text, Scope(), scalar.place_of(0))
+            if key == "angle":
+                angle = to_angle(expr, bare="deg")
+                return float(angle.degrees) + float(angle.radians) * 57.29577951308232
+            from dhcli.algebra.floats import Floats
+
+            return Floats().value(to_length(expr))
+        except NotationError as error:
+            self.problems.take(error)
+        except DimensionError as error:
+            self.problems.add(scalar.place, f"{key}: {error.message}", error.hint)
+        return None
+
+    def whole(self, fields: Fields, key: str) -> int | None:
+        scalar = fields.scalar(key)
+        if scalar is None:
+            return None
+        if scalar.text.isdecimal() and len(scalar.text) < 3:  # noqa: PLR2004
+            return int(scalar.text)
+        self.problems.add(scalar.place, f"{key}: '{scalar.text}' is not a whole number")
+        return None
+
+    def flag(self, fields: Fields, key: str) -> bool:
+        scalar = fields.scalar(key)
+        if scalar is not None and scalar.text not in ("true", "false"):
+            self.problems.add(scalar.place, f"{key}: should be true or false, is '{scalar.text}'")
+        return scalar is not None and scalar.text == "true"
+
+    def part(self, node: PlacedNode) -> Part | None:
+        fields = self.problems.mapping(node, "parts", known=PART_KEYS, required=("id", "ask"))
+        ask = fields.scalar("ask")
+        if ask is None or "id" not in fields:
+            return None
+        try:
+            question = read_question(ask.text, self.scope, ask.place_of(0))
+        except NotationError as error:
+            self.problems.take(error)
+            return None
+        if isinstance(question, ChoiceQuestion):
+            options = tuple(scalar.text for scalar in self.scalars(fields, "options"))
+            right = self.whole(fields, "right") or 0
+            if not 1 <= right <= len(options):
+                self.problems.add(fields.place, "right: should be the number of an option, counted from 1")
+            question = ChoiceQuestion(options, right)
+        tolerance = None
+        if "exact" in fields or "decimals" in fields:
+            base = self.tolerance
+            exact, decimals = self.flag(fields, "exact"), self.whole(fields, "decimals")
+            tolerance = Tolerance(base.rotation, base.position, base.angle, decimals, exact)
+        name = fields.text("id")
+        return Part(
+            id=name,
+            question=question,
+            prompt=fields.text("prompt"),
+            credit=self.number(fields, "credit") or 1.0,
+            depends=tuple(scalar.text for scalar in self.scalars(fields, "depends")),
+            hints=tuple(scalar.text for scalar in self.scalars(fields, "hints")),
+            tolerance=tolerance,
+            compare=self.compare(fields),
+            printed=self.printed.get(name),
+        )
+
+    def compare(self, fields: Fields) -> str:
+        known = ("literal", "same-motion", "same-robot")
+        text = fields.text("compare", "same-robot")
+        if text not in known:
+            self.problems.add(fields.place_of("compare"), f"compare: '{text}' is not known", did_you_mean(text, known))
+        return text
+
+    def trial(self, node: PlacedNode, parts_: tuple[Part, ...]) -> Trial | None:
+        fields = self.problems.mapping(
+            node, "tests", known=("part", "answer", "mistake", "verdict"), required=("part", "verdict")
+        )
+        known = [part.id for part in parts_]
+        name = fields.text("part")
+        if name and name not in known:
+            self.problems.add(fields.place_of("part"), f"part: there is no part {name}", did_you_mean(name, known))
+        words = [verdict.word for verdict in Verdict]
+        verdict = fields.text("verdict")
+        if verdict and verdict not in words:
+            self.problems.add(
+                fields.place_of("verdict"), f"verdict: '{verdict}' is not known", did_you_mean(verdict, words)
+            )
+        return Trial(name, fields.text("answer"), verdict, fields.text("mistake"))
+
+    def scalars(self, fields: Fields, key: str) -> list[PlacedScalar]:
+        return [scalar for node in fields.sequence(key) if (scalar := self.problems.scalar(node, key))]
+
+    def check_ids(self, parts_: tuple[Part, ...]) -> None:
+        place = self.fields.place_of("parts")
+        seen: set[str] = set()
+        for part in parts_:
+            if part.id in seen:
+                self.problems.add(place, f"parts: the id {part.id} is used twice")
+            for name in part.depends:
+                if name not in seen:
+                    self.problems.add(place, f"parts: {part.id} depends on {name}, which does not stand before it")
+            seen.add(part.id)
+        for key in self.printed:
+            if key not in seen:
+                hint = did_you_mean(key, seen)
+                self.problems.found.append(
+                    Problem(f"printed: there is no part {key}", self.fields.place_of("printed"), hint)
+                )
+
+
+def _is_angle(name: str) -> bool:
+    return parts(name)[0] in GREEK_NAMES

@@ -1,0 +1,125 @@
+"""How far a student has come: the best verdict and the number of tries of each part.
+
+One small file in the user's data folder, written whole or not at all. Nothing is ever locked by it.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from dhcli.checking.verdicts import Verdict
+from dhcli.errors import FileError
+from dhcli.files.atomic import write_whole
+from dhcli.files.reading import read_text
+
+FORMAT = 1
+ORDER = ("SKIPPED", "CAN'T READ", "WRONG", "CLOSE", "ROUNDED", "EQUIVALENT", "RIGHT")
+"""Verdicts from worst to best."""
+
+
+@dataclass(frozen=True, slots=True)
+class Try:
+    """What was reached at a part.
+
+    Attributes:
+        best: The word of the best verdict so far.
+        tries: How often it was answered.
+        hints: How many hints were shown.
+    """
+
+    best: str
+    tries: int
+    hints: int = 0
+
+
+Progress = Mapping[str, Mapping[str, Try]]
+"""Parts by exercise."""
+
+
+def path_of_progress() -> Path:
+    """The file that holds the progress of this user."""
+    home = os.environ.get("XDG_DATA_HOME", "")
+    base = Path(home) if os.path.isabs(home) else Path.home() / ".local" / "share"
+    return base / "dhcli" / "progress.json"
+
+
+def read_progress() -> tuple[Progress, str]:
+    """The progress so far, and a message if a broken file had to be set aside; empty if all is well."""
+    path = path_of_progress()
+    if not path.exists():
+        return {}, ""
+    try:
+        content = json.loads(read_text(path, limit=4_000_000))
+        if content["format"] != FORMAT:
+            return {}, f"{path} was written by a newer dhcli; progress is not shown"
+        return {
+            str(exercise): {
+                str(part): Try(_verdict(t["best"]), int(t["tries"]), int(t.get("hints", 0)))
+                for part, t in parts.items()
+            }
+            for exercise, parts in content["exercises"].items()
+        }, ""
+    except (FileError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
+        aside = _set_aside(path)
+        return {}, f"{path} could not be read and was set aside as {aside.name}; progress starts anew"
+
+
+def record(exercise: str, verdicts: Mapping[str, Verdict]) -> str:
+    """Note the verdicts of a check; returns a message for the user, empty if all is well.
+
+    A part that was skipped is not a try. A file of a newer format is left alone.
+    """
+    tried = {part: verdict.word for part, verdict in verdicts.items() if verdict is not Verdict.SKIPPED}
+
+    def better(part: str, before: Try) -> Try:
+        return replace(before, best=max(before.best, tried[part], key=ORDER.index), tries=before.tries + 1)
+
+    return _change(exercise, tried, better) if tried else ""
+
+
+def record_hint(exercise: str, part: str) -> str:
+    """Note that one more hint was shown; returns a message for the user, empty if all is well."""
+    return _change(exercise, (part,), lambda _, before: replace(before, hints=before.hints + 1))
+
+
+def _change(exercise: str, parts: Iterable[str], change: Callable[[str, Try], Try]) -> str:
+    progress, message = read_progress()
+    if "newer" in message:
+        return message
+    known = {name: dict(done) for name, done in progress.items()}
+    own = known.setdefault(exercise, {})
+    for part in parts:
+        own[part] = change(part, own.get(part, Try("SKIPPED", 0)))
+    content = {
+        "format": FORMAT,
+        "exercises": {
+            name: {part: {"best": t.best, "tries": t.tries, "hints": t.hints} for part, t in done.items()}
+            for name, done in known.items()
+        },
+    }
+    path = path_of_progress()
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        write_whole(path, json.dumps(content, indent=1) + "\n", overwrite=True)
+    except (FileError, OSError) as error:
+        return f"progress could not be saved: {error}"
+    return message
+
+
+def _verdict(word: str) -> str:
+    if word not in ORDER:
+        raise ValueError(word)
+    return word
+
+
+def _set_aside(path: Path) -> Path:
+    """Move a broken file out of the way under a name that is free."""
+    number = 1
+    while (aside := path.with_name(f"{path.name}.broken-{number}")).exists():
+        number += 1
+    path.rename(aside)
+    return aside

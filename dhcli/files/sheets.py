@@ -1,0 +1,142 @@
+"""Answer sheets: what `start` writes, and the answers read back, each with the place where it stands."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from dhcli.checking.describe import describe
+from dhcli.checking.exercise import Exercise, Part
+from dhcli.checking.questions import ChoiceQuestion, MatrixQuestion, TableQuestion
+from dhcli.errors import FileError, Place, Problem
+from dhcli.files.fields import Problems
+from dhcli.files.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
+from dhcli.files.reading import read_text, source_of
+
+KEYS = ("exercise", "answers", "variant", "name")
+BLANK = "_"
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """One answer: its text, and where it stands."""
+
+    text: str
+    place: Place
+
+
+@dataclass(frozen=True, slots=True)
+class Sheet:
+    """A filled-in sheet.
+
+    Attributes:
+        exercise: Id of the exercise; empty if the sheet does not say.
+        answers: The answers by part.
+    """
+
+    exercise: str
+    answers: Mapping[str, Answer]
+
+
+def read_sheet(path: Path | str) -> Sheet:
+    """Read a sheet; `-` is standard input.
+
+    Raises:
+        FileError: It is no sheet; every problem, with line and column.
+    """
+    problems = Problems()
+    root = read_yaml(read_text(path), source_of(path))
+    fields = problems.document(root, known=KEYS, required=("answers",))
+    given = fields.mapping("answers")
+    answers = {key: _answer(node) for key, (_, node) in given.entries.items()}
+    problems.raise_if_any(FileError)
+    return Sheet(fields.text("exercise"), answers)
+
+
+def read_table_text(path: Path | str) -> str:
+    """The DH table of a robot file as the text of an answer, under a line that names its columns.
+
+    Raises:
+        FileError: It is no robot file, or has products instead of a table.
+    """
+    from dhcli.files.robots import load_robot
+    from dhcli.notation.writer import write, write_angle
+
+    robot = load_robot(Path(path) if str(path) != "-" else "-")
+    rows = [link.row for link in robot.links]
+    lines = ["a, alpha, d, theta"]
+    for row in rows:
+        if row is None:
+            raise FileError(
+                Problem("has products, not a DH table", Place(str(path)), "convention: standard or modified")
+            )
+        cells = (write(row.a), write_angle(row.alpha), write(row.d), write_angle(row.theta))
+        lines.append(", ".join(cells))
+    return "\n".join(lines)
+
+
+def write_sheet(exercise: Exercise) -> str:
+    """A blank sheet, with comments that show how each kind of answer is written."""
+    lines = [
+        f"# {exercise.title}",
+        f"# {exercise.source}",
+        "#",
+        *(f"# {line}".rstrip() for line in exercise.task.strip().splitlines()),
+        "#",
+        f"# Fill in each {BLANK} and save; leave a part as it is to skip it. Then: dhcli check {exercise.id} THIS_FILE",
+        f"# {_units(exercise)}",
+        "format: 1",
+        f"exercise: {exercise.id}",
+        "answers:",
+    ]
+    for part in exercise.parts:
+        lines += _part_lines(exercise, part)
+    return "\n".join(lines) + "\n"
+
+
+def _units(exercise: Exercise) -> str:
+    if exercise.numeric:
+        return f"Numbers: lengths in {exercise.unit} unless a unit stands with them; 0.7071 or sqrt(2)/2 are both fine."
+    return "Symbols: c1 for cos(theta1), s23 for sin(theta2 + theta3), or written out; a1*c1 or a1 c1."
+
+
+def _part_lines(exercise: Exercise, part: Part) -> Iterator[str]:
+    question = part.question
+    yield ""
+    for line in part.prompt.strip().splitlines():
+        yield f"  # {line}"
+    yield f"  # {describe(question, exercise.writing)}"
+    if isinstance(question, TableQuestion) and exercise.robot is not None:
+        yield "  # columns: " + "  ".join(exercise.robot.columns) + "; angles in degrees"
+    if isinstance(question, ChoiceQuestion):
+        yield from (f"  #   {number}: {option}" for number, option in enumerate(question.options, 1))
+    yield f"  {part.id}: |"
+    yield from (f"    {line}" for line in _blank(exercise, part))
+
+
+def _blank(exercise: Exercise, part: Part) -> Iterator[str]:
+    """Blank entries in the shape of the answer."""
+    question = part.question
+    rows, columns = question.shape if isinstance(question, MatrixQuestion) else (1, 1)
+    if isinstance(question, TableQuestion) and exercise.robot is not None:
+        rows, columns = len(exercise.robot.links), 4
+    if columns == 1:
+        rows, columns = 1, rows
+    for _ in range(rows):
+        yield "  ".join([BLANK] * columns)
+
+
+def _answer(node: PlacedNode) -> Answer:
+    """An answer as text; YAML lists become the matrix they look like."""
+    return Answer(_text(node).strip(), node.place)
+
+
+def _text(node: PlacedNode) -> str:
+    if isinstance(node, PlacedScalar):
+        return node.text
+    if isinstance(node, PlacedSequence):
+        return "[" + ", ".join(_text(item) for item in node.items) + "]"
+    if isinstance(node, PlacedMapping):
+        return "{" + ", ".join(f"{key.text}: {_text(value)}" for key, value in node.entries) + "}"
+    raise TypeError(node)

@@ -1,0 +1,122 @@
+"""How the pieces of an expression are spelled in each notation, and which joint angles have a short index."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+
+from dhcli.notation.names import GREEK_NAMES, natural_key, parts
+
+
+@dataclass(frozen=True, slots=True)
+class Style:
+    """How the pieces of an expression are spelled in one notation.
+
+    Attributes:
+        name: What the user calls it.
+        times: The sign between factors.
+        caret: The sign before an exponent.
+        pi: The number π.
+        root: Format of a square root.
+        symbol: Spelling of a name.
+        trig: Format of cosine and sine: function name and angle.
+        degrees: Format of an angle in degrees, or None to write multiples of π.
+        latex: Whether brackets grow and fractions are stacked.
+    """
+
+    name: str
+    times: str = "*"
+    caret: str = "^"
+    pi: str = "pi"
+    root: str = "sqrt({})"
+    symbol: Callable[[str], str] = str
+    trig: str = "{}({})"
+    degrees: str | None = "{}°"
+    latex: bool = False
+    prefix: str = ""
+
+
+def identifier(name: str) -> str:
+    """A name that programming languages accept: `alpha_{i-1}` is `alpha_im1`, `lambda` is `lambda_`."""
+    plain = name.replace("{", "").replace("}", "").replace("-", "m").replace("+", "p").replace(",", "_")
+    return plain + "_" if plain == "lambda" else plain
+
+
+def latex_name(name: str) -> str:
+    r"""A name as LaTeX sets it: `theta1` is `\theta_{1}`, `shoulder` is upright."""
+    stem, subscript = parts(name)
+    if stem in GREEK_NAMES:
+        stem = "\\" + stem
+    elif len(stem) > 1:
+        stem = rf"\mathrm{{{stem}}}"
+    return f"{stem}_{{{subscript}}}" if subscript else stem
+
+
+STYLES: Mapping[str, Style] = {
+    style.name: style
+    for style in (
+        Style("short"),
+        Style("full"),
+        Style(
+            "latex",
+            times=" ",
+            pi="\\pi",
+            root="\\sqrt{{{}}}",
+            symbol=latex_name,
+            trig="\\{}\\left({}\\right)",
+            degrees="{}^{{\\circ}}",
+            latex=True,
+        ),
+        Style("matlab", symbol=identifier, degrees=None),
+        Style("numpy", caret="**", pi="np.pi", symbol=identifier, degrees=None, prefix="np."),
+        Style("sympy", caret="**", symbol=identifier, degrees=None),
+    )
+}
+"""The notations by the name the user gives them."""
+
+
+@dataclass(frozen=True, slots=True)
+class Joints:
+    """The joint angles of a robot, for shorthand: `c12` may stand for cos(theta1 + theta2).
+
+    Attributes:
+        order: Every variable in joint order; factors and angles are written in this order.
+        index: The angles that have a short index, such as theta2 with `2`.
+    """
+
+    order: tuple[str, ...] = ()
+    index: Mapping[str, str] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, variables: tuple[str, ...], angles: tuple[str, ...]) -> Joints:
+        """Joints of a robot with these variables, some of which are angles.
+
+        An angle has an index if it ends in a digit that no other angle ends in; ten joints and more have none.
+        """
+        index = {name: parts(name)[1] for name in angles}
+        digits = list(index.values())
+        return cls(variables, {n: d for n, d in index.items() if len(d) == 1 and d.isdigit() and digits.count(d) == 1})
+
+    def place(self, name: str) -> tuple[int, object]:
+        """Sort key of a name: variables in joint order, then everything else in natural order."""
+        return (self.order.index(name), ()) if name in self.order else (len(self.order), natural_key(name))
+
+
+class _AnyThetas(Mapping[str, str]):
+    """Where no robot is given, theta1 to theta9 have their digit as index."""
+
+    def __getitem__(self, name: str) -> str:
+        stem, index = parts(name)
+        if stem != "theta" or len(index) != 1 or not index.isdigit():
+            raise KeyError(name)
+        return index
+
+    def __iter__(self):  # type: ignore[no-untyped-def]  # noqa: ANN204
+        return (f"theta{digit}" for digit in range(1, 10))
+
+    def __len__(self) -> int:
+        return 9
+
+
+THETAS = Joints((), _AnyThetas())
+"""Joints to write with when no robot is at hand."""

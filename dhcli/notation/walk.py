@@ -1,0 +1,90 @@
+"""Going through trees: their nodes, their names, what they cost, and the same tree with other leaves."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+
+from dhcli.notation.angle import Angle
+from dhcli.notation.tree import Call, Expr, Number, Power, Product, Sum, Symbol, Trig, add, multiply, power, split
+from dhcli.notation.trig import cosine, sine
+
+
+def children(expr: Expr) -> tuple[Expr, ...]:
+    """The nodes directly below."""
+    if type(expr) is Sum:
+        return expr.terms
+    if type(expr) is Product:
+        return expr.factors
+    if type(expr) is Power:
+        return (expr.base,)
+    return expr.arguments if type(expr) is Call else ()
+
+
+def walk(expr: Expr) -> Iterator[Expr]:
+    """Every node, each before those below it."""
+    stack = [expr]
+    while stack:
+        node = stack.pop()
+        yield node
+        stack.extend(reversed(children(node)))
+
+
+def symbols(expr: Expr) -> frozenset[str]:
+    """All names, those inside angles too."""
+    found: set[str] = set()
+    for node in walk(expr):
+        if type(node) is Symbol:
+            found.add(node.name)
+        elif type(node) is Trig:
+            found |= node.angle.names
+    return frozenset(found)
+
+
+def operations(expr: Expr) -> int:
+    """Binary + - * / in the written form; unary minus, cosines and sines cost nothing."""
+    return sum(_own_operations(node) for node in walk(expr))
+
+
+def rebuild(expr: Expr, leaf: Callable[[Expr], Expr]) -> Expr:
+    """The tree with every leaf passed through a function, put together again by the constructors."""
+    if type(expr) is Sum:
+        return add(*(rebuild(term, leaf) for term in expr.terms))
+    if type(expr) is Product:
+        return multiply(*(rebuild(factor, leaf) for factor in expr.factors))
+    if type(expr) is Power:
+        return power(rebuild(expr.base, leaf), expr.exponent)
+    if type(expr) is Call:
+        return Call(expr.function, tuple(rebuild(argument, leaf) for argument in expr.arguments))
+    return leaf(expr)
+
+
+def substitute(expr: Expr, lengths: Mapping[str, Expr], angles: Mapping[str, Angle]) -> Expr:
+    """Put exact values in the place of names.
+
+    Args:
+        expr: The tree.
+        lengths: Values of names that stand as numbers.
+        angles: Values of names that stand inside cosines and sines.
+    """
+
+    def leaf(node: Expr) -> Expr:
+        if type(node) is Symbol:
+            return lengths.get(node.name, node)
+        if type(node) is Trig:
+            angle = node.angle.substitute(angles)
+            return cosine(angle) if node.function == "cos" else sine(angle)
+        return node
+
+    return rebuild(expr, leaf)
+
+
+def _own_operations(node: Expr) -> int:
+    if type(node) is Sum:
+        return len(node.terms) - 1
+    if type(node) is Product:
+        first, rest = split(node)
+        shown = (abs(first.value.numerator) != 1) + (0 if type(rest) is not Product else len(rest.factors) - 1)
+        return shown + (first.value.denominator != 1)
+    if type(node) is Number:
+        return 0
+    return abs(node.exponent.numerator) - 1 if type(node) is Power and node.exponent.denominator == 1 else 0

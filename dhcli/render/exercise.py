@@ -1,0 +1,52 @@
+"""An exercise on one page: its task, what is given, and its parts with the progress so far."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from dhcli.checking.exercise import Exercise
+from dhcli.render.look import Look
+from dhcli.render.marks import question_text
+from dhcli.render.quantities import value_text
+
+
+def exercise_table(exercise: Exercise, look: Look) -> str:
+    """A page about an exercise."""
+    paper = look.paper
+    robot = f" · robot {exercise.robot.name}" if exercise.robot else ""
+    lines = [
+        paper.ink(paper.spell(exercise.title), "bold"),
+        paper.ink(paper.spell(f"{exercise.id} · {exercise.source}{robot}"), "dim"),
+        "",
+        *(paper.spell(line) for line in exercise.task.strip().splitlines()),
+    ]
+    if exercise.given:
+        given = ", ".join(f"{name} = {value_text(value)}" for name, value in exercise.given.items())
+        lines += ["", paper.spell(f"given: {given}")]
+    for part in exercise.parts:
+        lines += ["", question_text(exercise, part, paper).rstrip("\n")]
+    lines += ["", paper.ink(f"dhcli start {exercise.id} writes a sheet to fill in", "dim")]
+    return "\n".join(lines) + "\n"
+
+
+def exercise_content(exercise: Exercise, _look: Look) -> dict[str, Any]:
+    """An exercise as JSON holds it, without its answers."""
+    from dhcli.checking.describe import describe
+
+    return {
+        "exercise": exercise.id,
+        "title": exercise.title,
+        "source": exercise.source,
+        "robot": exercise.robot.name if exercise.robot else None,
+        "task": exercise.task,
+        "parts": [
+            {
+                "part": part.id,
+                "asks": describe(part.question, exercise.writing),
+                "prompt": part.prompt,
+                "credit": part.credit,
+                "depends": list(part.depends),
+            }
+            for part in exercise.parts
+        ],
+    }

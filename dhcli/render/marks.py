@@ -1,0 +1,160 @@
+"""Judgements for people and for programs: a line for each part, and under it what there is to know."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from dhcli.checking.describe import describe
+from dhcli.checking.exercise import Exercise, Part
+from dhcli.checking.questions import ChoiceQuestion
+from dhcli.checking.sheetmark import PartMark, SheetMark
+from dhcli.checking.solution import solution
+from dhcli.checking.verdicts import CellMark, Mark, Verdict
+from dhcli.render.code import csv_line
+from dhcli.render.look import Look
+from dhcli.render.paper import Paper
+
+_INKS = {
+    Verdict.RIGHT: ("green",),
+    Verdict.EQUIVALENT: ("green",),
+    Verdict.ROUNDED: ("yellow",),
+    Verdict.CLOSE: ("yellow",),
+    Verdict.WRONG: ("red",),
+    Verdict.CANNOT_READ: ("red",),
+    Verdict.SKIPPED: ("dim",),
+}
+_ASCII_SIGNS = {"✓": "+", "≡": "=", "≈": "~", "✗": "x", "–": "-"}  # noqa: RUF001
+_LONGEST = 60
+"""Longest entry that a table of entries shows; longer ones get a line each."""
+
+
+def marks_table(marked: SheetMark, look: Look) -> str:
+    """Every part with its verdict, and the sum."""
+    lines = [line for part in marked.parts for line in _part_lines(marked.exercise, part, look)]
+    if len(marked.parts) > 1:
+        solved = sum(part.mark.verdict.passed is True for part in marked.parts)
+        credit = f"{_plain(marked.earned)} of {_plain(marked.credit)} credits"
+        lines += ["", f"{solved} of {len(marked.parts)} parts solved, {credit}"]
+    return "\n".join(lines) + "\n"
+
+
+def marks_csv(marked: SheetMark, _look: Look) -> str:
+    """One line for each part."""
+    lines = [csv_line(["part", "verdict", "earned", "credit"])]
+    for one in marked.parts:
+        earned, credit = one.mark.earned * one.part.credit, one.part.credit
+        lines.append(csv_line([one.part.id, one.mark.verdict.word, _plain(earned), _plain(credit)]))
+    return "".join(lines)
+
+
+def marks_content(marked: SheetMark, _look: Look) -> dict[str, Any]:
+    """The judgement as JSON holds it; the right answer only where the exercise allows."""
+    allowed = marked.exercise.shows_expected
+    return {
+        "exercise": marked.exercise.id,
+        "verdict": marked.verdict.word,
+        "passed": marked.verdict.passed,
+        "earned": marked.earned,
+        "credit": marked.credit,
+        "parts": [
+            {
+                "part": one.part.id,
+                "verdict": one.mark.verdict.word,
+                "passed": one.mark.verdict.passed,
+                "earned": one.mark.earned * one.part.credit,
+                "credit": one.part.credit,
+                "cause": {
+                    "rationale": list(one.mark.remarks),
+                    "help": one.part.hints[0] if one.part.hints else None,
+                    "expected": one.mark.expected if allowed else None,
+                    "actual": one.mark.reading or None,
+                    "diagnosis": None,
+                },
+            }
+            for one in marked.parts
+        ],
+    }
+
+
+def question_text(exercise: Exercise, part: Part, paper: Paper) -> str:
+    """What a part asks, for a person who is about to answer."""
+    lines = [paper.ink(f"{part.id}: {paper.spell(describe(part.question, exercise.writing))}", "bold")]
+    lines += [paper.spell(line) for line in part.prompt.strip().splitlines()]
+    if isinstance(part.question, ChoiceQuestion):
+        lines += [f"  {n}: {paper.spell(option)}" for n, option in enumerate(part.question.options, 1)]
+    return "\n".join(lines) + "\n"
+
+
+def solution_text(exercise: Exercise, part: Part, paper: Paper) -> str:
+    """The steps of a solution, each matrix under what it is."""
+    from dhcli.render.matrix import matrix_lines
+
+    lines = [question_text(exercise, part, paper).rstrip("\n")]
+    for step in solution(exercise, part):
+        lines += ["", paper.spell(step.text)]
+        if step.pose is not None:
+            lines += matrix_lines(step.pose.rows, step.pose.joints, Look(paper=paper))
+    return "\n".join(lines) + "\n"
+
+
+def _part_lines(exercise: Exercise, one: PartMark, look: Look) -> Iterator[str]:
+    paper, mark = look.paper, one.mark
+    verdict = mark.verdict
+    sign = verdict.sign if paper.unicode else _ASCII_SIGNS.get(verdict.sign, verdict.sign)
+    word = paper.ink(f"{sign} {verdict.word:<10}", "bold", *_INKS[verdict])
+    yield f"{word}  {one.part.id}: {paper.spell(describe(one.part.question, exercise.writing))}"
+    if verdict is Verdict.SKIPPED:
+        return
+    if mark.reading and verdict not in (Verdict.RIGHT, Verdict.CANNOT_READ):
+        yield from _reading(mark, paper)
+    for remark in mark.remarks:
+        yield f"    {paper.spell(remark)}"
+    yield from (f"    {line}" for line in _cells(mark, paper))
+    if exercise.shows_expected and verdict.passed is not True and mark.expected:
+        yield f"    right: {paper.spell(mark.expected)}"
+    if verdict in (Verdict.WRONG, Verdict.CLOSE) and one.part.hints and "/" in exercise.id:
+        yield paper.ink(f"    a hint: dhcli hint {exercise.id} --part {one.part.id}", "dim")
+
+
+def _reading(mark: Mark, paper: Paper) -> Iterator[str]:
+    """The echo of what was read, where the entries are not shown anyway."""
+    if not (len(mark.cells) > 1 and _fits(mark.cells)):
+        yield f"    I read this as: {paper.spell(mark.reading)}"
+
+
+def _fits(cells: Sequence[CellMark]) -> bool:
+    return all(len(cell.typed) <= _LONGEST // 3 for cell in cells)
+
+
+def _cells(mark: Mark, paper: Paper) -> Iterator[str]:
+    """Entries that are not right: in the matrix with a sign behind each, and a note for the first of them."""
+    bad = [cell for cell in mark.cells if cell.verdict is not Verdict.RIGHT]
+    if not bad:
+        return
+    if len(mark.cells) > 1 and _fits(mark.cells):
+        yield from _signed(mark.cells, paper)
+    elif len(mark.cells) > 1:
+        places = ", ".join(f"({cell.row + 1},{cell.column + 1})" for cell in bad)
+        yield f"not right: {places}"
+    for cell in [cell for cell in bad if cell.note][:1]:
+        where = f"entry ({cell.row + 1},{cell.column + 1}): " if len(mark.cells) > 1 else ""
+        yield paper.spell(where + cell.note)
+
+
+def _signed(cells: Sequence[CellMark], paper: Paper) -> Iterator[str]:
+    """The entries as typed, each with its sign behind it."""
+    columns = max(cell.column for cell in cells) + 1
+    signs = {"✓": "+", "≈": "~", "✗": "x", "~": "~"}
+    texts = [
+        f"{paper.spell(cell.typed)} {cell.verdict.sign if paper.unicode else signs.get(cell.verdict.sign, '?')}"
+        for cell in cells
+    ]
+    rows = [texts[i : i + columns] for i in range(0, len(texts), columns)]
+    widths = [max(len(row[k]) for row in rows) for k in range(columns)]
+    for row in rows:
+        yield "   ".join(text.rjust(width) for text, width in zip(row, widths, strict=True))
+
+
+def _plain(value: float) -> str:
+    return f"{value:.2f}".rstrip("0").rstrip(".")

@@ -1,0 +1,129 @@
+"""What people get wrong, and what dhcli says: where, what, what would be right; exit code 2 and nothing on stdout."""
+
+from pathlib import Path
+
+import pytest
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("fk", "dhcli fk needs 'ROBOT'"),
+        ("fkk scara", "did you mean fk?"),
+        ("fk scra --q 0,0,0", "did you mean scara"),
+        ("fk scara", "no value for theta1, theta2, d3"),
+        ("fk scara --q 0.3,0.5", "scara has 3 joints, 2 values given"),
+        ("fk scara --q 1,2,3,4", "scara has 3 joints, 4 values given"),
+        ("fk scara --q nan,0,0", "nan"),
+        ("fk scara --q 0,0,1e999", "--q:5: "),
+        ("fk scara --q 30mm,0,0", "mm is a unit of length"),
+        ("fk scara --q 0,0,30deg", "deg is a unit of angle"),
+        ("fk scara --q q9=1", "scara has no joint q9"),
+        ("fk scara --q q1=1,q1=2", "theta1 is given twice"),
+        ("fk scara --q @nowhere.txt", "nowhere.txt: there is no such file"),
+        ("fk scara --pose pik", "did you mean pick?"),
+        ("fk cartesian --pose x", "cartesian has no pose called x"),
+        ("fk scara --pose pick --q 0,0,0", "--q and --pose"),
+        ("fk scara --pose pick --frames --links", "--frames and --links"),
+        ("fk scara --pose pick --point 0,0,0 --as rpy", "--point and --as"),
+        ("fk scara --pose pick --factors 1 --inverse", "--factors and --inverse"),
+        ("fk scara --pose pick --let", "add --symbolic"),
+        ("fk scara -s --as rpy", "rpy needs numbers"),
+        ("fk scara --pose pick --as rpyy", "did you mean rpy?"),
+        ("fk scara --pose pick --from 7", "scara has no frame 7"),
+        ("fk scara --pose pick --to wrist", "frames: base, 0, 1, 2, 3, tool"),
+        ("fk scara --pose pick --factors 4", "scara has no link 4"),
+        ("fk scara --pose pick --point 1,2", "a point has three coordinates"),
+        ("fk scara --pose pick --point 1,2,q8", "q8 of the point has no value"),
+        ("fk scara --pose pick --point 1,2,30°", "--point:5: "),
+        ("fk scara --pose pick --set l9=1", "scara has no length called l9"),
+        ("fk scara --pose pick --set l1", "l1 is not NAME=VALUE"),
+        ("fk scara --pose pick --set l1=1 --set l1=2", "l1 is set twice"),
+        ("fk scara --pose pick --set theta1=1", "write --q theta1="),
+        ("fk dh-link --q 1", "--set a_i=0.4 --set alpha_i=30° --set d_i=0.4"),
+        ("fk scara --pose pick --format foo", "formats: json, table, latex, matlab, numpy, sympy, csv"),
+        ("fk scara -s --let --format csv", "there is no format csv for --let"),
+        ("fk scara --pose pick --as rpy --format latex", "there is no format latex for --as"),
+        ("fk scara --pose pick --style ful", "did you mean full?"),
+        ("fk scara --pose pick --digits 99", "99"),
+        ("fk scara --pose pick --digits two", "'two' is not a whole number"),
+        ("fk scara --pose pick -o pose.foo", "known suffixes: .json .tex .m .py .csv .txt"),
+        ("fk scara --pose pick -o nowhere/pose.json", "there is no folder nowhere"),
+        ("fk scara --pose pick --force", "--force needs a file"),
+        ("fk scara --q 0 0 0", "quotes around them"),
+        ("fk scara --formt json", "did you mean --format"),
+        ("fk scara --pose", "requires an argument"),
+        ("show scra", "did you mean scara"),
+        ("show scara --format matlab", "there is no format matlab for a robot"),
+        ("list robotz", "did you mean robots"),
+        ("list --format latex", "there is no format latex for a list"),
+        ("new robot ../x --joints R", "cannot be the name of a robot"),
+        ("new robot x --joints RXP", "R is revolute, P is prismatic"),
+        ("new robot x --joints RRRRRRRRRRRRRRRRRRRRRRRRR", "more than 20"),
+        ("new robot x --convention modifed", "did you mean modified?"),
+        ("new robt x", "did you mean robot?"),
+        ("transform Rot(w,90°)", "x, y or z"),
+        ("transform Rot(z,90)", "write 90° or 90 rad"),
+        ("transform Trans(1,2)", "Trans"),
+        ("transform Rot(z,a)Trans(1,2,3) --set b=1", "b does not stand in the product"),
+        ("transform Rot(z,a) --set a=3m", "m is a unit of length"),
+        ("transform Rot(z,0) --point 1,2", "a point has three coordinates"),
+    ],
+)
+def test_bad_input_is_told_in_words_with_exit_code_2(dhcli, words: str, said: str) -> None:
+    """Every line begins the same way, nothing is on stdout, and no traceback shows."""
+    done = dhcli(*words.split())
+    assert done.code == 2
+    assert done.out == ""
+    assert done.err.startswith("dhcli: ")
+    assert said in done.err
+    assert "Traceback" not in done.err
+
+
+@pytest.mark.parametrize(
+    ("matrix", "said"),
+    [
+        ("[1 0 0 0; 0 2 0 0; 0 0 1 0; 0 0 0 1]", "column 2 is not a unit vector"),
+        ("[1 0 0 0; 0 1 0 0; 0 0 -1 0; 0 0 0 1]", "left-handed"),
+        ("[1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 2]", "the last row of a pose is 0 0 0 1"),
+        ("[1 0 0; 0 1 0; 0 0 1]", "3x3"),
+    ],
+)
+def test_a_matrix_that_is_no_pose_is_refused(dhcli, matrix: str, said: str) -> None:
+    """With a marker under it."""
+    done = dhcli("transform", f"Trans(1,2,3) {matrix}")
+    assert done.code == 2
+    assert said in done.err
+    assert f"\n  {' ' * 13}^\n" in done.err
+
+
+def test_the_marker_stands_under_the_column(dhcli) -> None:
+    """Place, line, marker, hint."""
+    assert dhcli("fk", "scara", "--q", "0.3,30mm,0.1").err == (
+        "dhcli: --q:5: mm is a unit of length, an angle is wanted, and theta2 turns\n"
+        "  0.3,30mm,0.1\n"
+        "      ^\n"
+        "  hint: write 30° or 0.5 rad\n"
+    )
+
+
+def test_all_problems_of_a_file_are_told_at_once(dhcli, tmp_path: Path) -> None:
+    """Each with file, line and column."""
+    text = "format: 1\ntitel: x\nsource: y\nconvention: standrd\nvariables: [theta1]\nlinks: []\n"
+    (tmp_path / "bad.yaml").write_text(text, "utf-8")
+    done = dhcli("fk", "./bad.yaml", "-s")
+    assert done.code == 2
+    heads = [line for line in done.err.split("\n") if line.startswith("dhcli: ")]
+    assert len(heads) >= 3
+    assert all(line.startswith("dhcli: bad.yaml:") for line in heads)
+    assert "did you mean title?" in done.err
+    assert "did you mean standard?" in done.err
+
+
+@pytest.mark.parametrize("steering", ["\x1b[31mred", "\x9b31mred", "a\rb", "\u202eevil", "[bold]x[/bold]", ":smile:"])
+def test_nothing_that_a_user_types_steers_the_terminal(dhcli, steering: str) -> None:
+    """Controls become blanks, and markup stays text."""
+    err = dhcli("fk", steering).err
+    assert not {"\x1b", "\x9b", "\r", "\u202e"} & set(err)
+    assert "[bold]x[/bold]" in err or "[bold]" not in steering
+    assert ":smile:" in err or ":smile:" not in steering
