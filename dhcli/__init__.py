@@ -17,7 +17,9 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from dhcli.checking.marking import check as check
     from dhcli.errors import DhcliError as DhcliError
+    from dhcli.files.exercises import load_exercise as load_exercise
     from dhcli.files.robots import load_robot as load_robot
     from dhcli.kinematics.forward import forward as forward
     from dhcli.kinematics.forward import symbolic as symbolic
@@ -30,12 +32,14 @@ _HOMES = {
     "DhcliError": "dhcli.errors",
     "Pose": "dhcli.kinematics.pose",
     "Robot": "dhcli.kinematics.robot",
+    "check": "dhcli.checking.marking",
     "forward": "dhcli.kinematics.forward",
+    "load_exercise": "dhcli.files.exercises",
     "load_robot": "dhcli.files.robots",
     "symbolic": "dhcli.kinematics.forward",
 }
 
-__all__ = ["DhcliError", "Pose", "Robot", "__version__", "forward", "load_robot", "symbolic"]
+__all__ = ["DhcliError", "Pose", "Robot", "__version__", "check", "forward", "load_exercise", "load_robot", "symbolic"]
 
 
 def __getattr__(name: str) -> object:

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 COMMANDS = {
     "fk": "dhcli.cli.fk:fk",
     "transform": "dhcli.cli.transform:transform",
+    "dof": "dhcli.cli.dof:dof",
     "check": "dhcli.cli.check:check",
     "start": "dhcli.cli.start:start",
     "watch": "dhcli.cli.watch:watch",

@@ -28,7 +28,7 @@ class GuardedStream:
     @classmethod
     def around(cls, stream: TextIO | None) -> TextIO:
         """The guarded stream; nowhere, if the caller has closed it."""
-        return cast("TextIO", cls(stream or open(os.devnull, "w", encoding="utf-8")))  # noqa: PTH123, SIM115
+        return cast("TextIO", cls(stream or open(os.devnull, "w", encoding="utf-8")))  # noqa: PTH123
 
     def write(self, text: str) -> int:
         """Write, or forget it if nobody reads any more."""

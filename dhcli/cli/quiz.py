@@ -28,7 +28,7 @@ class Asked:
         symbolic: Whether symbols are asked for.
         start: The frame it is seen from.
         end: The frame described.
-        table: Whether the DH table is asked for.
+        table: The file with a DH table to compare; its convention is the one asked for.
     """
 
     q: str | None = None
@@ -38,7 +38,7 @@ class Asked:
     symbolic: bool = False
     start: str | None = None
     end: str | None = None
-    table: bool = False
+    table: str | None = None
 
     @property
     def given(self) -> bool:
@@ -83,8 +83,10 @@ def _about(robot: Robot, asked: Asked) -> Exercise:
     from dhcli.cli.given import values_of
     from dhcli.kinematics.frames import ends
 
-    if asked.table:
-        return question_about_table(robot)
+    if asked.table is not None:
+        from dhcli.files.sheets import read_table
+
+        return question_about_table(robot, read_table(asked.table).convention)
     if not asked.symbolic and asked.q is None and asked.pose is None and robot.variables:
         hint = f"dhcli check {robot.name} --q 0.3,... or --symbolic, and --answer '[...]'"
         raise DhcliError(f"{robot.name} is a robot: say at which joint values, or ask for symbols", hint)

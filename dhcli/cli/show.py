@@ -1,4 +1,4 @@
-"""`dhcli show`: a robot's table, with units and joint types."""
+"""`dhcli show`: a robot's table, a linkage's joints, an exercise's task."""
 
 from __future__ import annotations
 
@@ -14,13 +14,25 @@ dhcli show puma560 --format latex
 
 
 def show(name: RobotName, format_: Format = None, output: Output = None, force: Force = False) -> None:
-    """Show a robot: its table, joints, limits, parameters, poses, and where the numbers come from."""
+    """Show a robot's table, a linkage's joints or an exercise's task, and where it comes from."""
     from dhcli.cli.delivery import Delivery
     from dhcli.cli.quiz import names_exercise
     from dhcli.files.exercises import load_exercise
     from dhcli.files.robots import load_robot
 
     delivery = Delivery("show", format_, output=output, force=force)
-    kind, load = ("exercise", load_exercise) if names_exercise(name) else ("robot", load_robot)
+    kind = "exercise" if names_exercise(name) else "linkage" if names_linkage(name) else "robot"
     delivery.chosen(kind)
-    delivery.hand_over(kind, load(name))
+    if kind == "linkage":
+        from dhcli.files.linkages import load_linkage
+
+        delivery.hand_over(kind, load_linkage(name))
+    else:
+        delivery.hand_over(kind, load_exercise(name) if kind == "exercise" else load_robot(name))
+
+
+def names_linkage(name: str) -> bool:
+    """Whether a name is that of a linkage; reads no file."""
+    from dhcli.files.library import Kind, entries
+
+    return any(entry.name == name for entry in entries(Kind.LINKAGES))

@@ -20,7 +20,9 @@ dhcli transform "Rot(z,theta1) Trans(l1,0,0)" --point 0,0,0.1
 def transform(
     product: Annotated[
         list[str],
-        typer.Argument(metavar="PRODUCT", help="Moves and matrices, such as 'Trans(8,-6,14) Rot(y,90deg)'; - is stdin."),
+        typer.Argument(
+            metavar="PRODUCT", help="Moves and matrices, such as 'Trans(8,-6,14) Rot(y,90deg)'; - is stdin."
+        ),
     ],
     steps: Annotated[bool, typer.Option("--steps", help="Every frame on the way.")] = False,
     fixed: Annotated[

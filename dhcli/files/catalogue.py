@@ -58,5 +58,16 @@ def _exercise(entry: Entry) -> tuple[str, str]:
     return exercise.title, exercise.robot.pattern if exercise.robot else ""
 
 
-_READERS: dict[Kind, Callable[[Entry], tuple[str, str]]] = {Kind.ROBOTS: _robot, Kind.EXERCISES: _exercise}
+def _linkage(entry: Entry) -> tuple[str, str]:
+    from dhcli.files.linkages import load_linkage
+
+    linkage = load_linkage(entry.path)
+    return linkage.title, linkage.pattern
+
+
+_READERS: dict[Kind, Callable[[Entry], tuple[str, str]]] = {
+    Kind.ROBOTS: _robot,
+    Kind.LINKAGES: _linkage,
+    Kind.EXERCISES: _exercise,
+}
 """How to find out what a file holds, for each kind that dhcli can load."""

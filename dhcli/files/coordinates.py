@@ -97,13 +97,10 @@ class Coordinates:
 
     def _coordinates(self, node: PlacedNode, key: str) -> Vector:
         items = self.problems.sequence(node, key)
-        if items and not self.dimensions <= len(items) <= 3:  # noqa: PLR2004
-            wanted = "two coordinates" if self.dimensions < 3 else "three coordinates"  # noqa: PLR2004
-            self.problems.add(
-                node.place,
-                f"{key}: {wanted} are wanted, not {len(items)}",
-                "write [x, y]" if self.dimensions < 3 else "write [x, y, z]",
-            )  # noqa: PLR2004
+        if items and not self.dimensions <= len(items) <= len(_AXES):
+            wanted = "two coordinates" if self.dimensions < len(_AXES) else "three coordinates"
+            hint = "write [x, y]" if self.dimensions < len(_AXES) else "write [x, y, z]"
+            self.problems.add(node.place, f"{key}: {wanted} are wanted, not {len(items)}", hint)
             return (0.0, 0.0, 0.0)
         found = [self.number(scalar, key) for item in items if (scalar := self.problems.scalar(item, key)) is not None]
         padded = (*found, 0.0, 0.0, 0.0)

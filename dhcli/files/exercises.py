@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from dhcli.checking.exercise import Exercise, Part, Printed, Trial, answer_scope
-from dhcli.checking.questions import ChoiceQuestion, read_question
+from dhcli.checking.questions import ChoiceQuestion, CountQuestion, read_question
 from dhcli.checking.tolerance import DEFAULT, Tolerance
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import DhcliError, FileError, NotationError, Problem, did_you_mean
@@ -14,11 +15,18 @@ from dhcli.files.library import Kind, entries, find
 from dhcli.files.placed import PlacedMapping, PlacedNode, PlacedScalar, read_yaml
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.robots import load_robot
+from dhcli.files.typed import (
+    has_unit_of_angle,
+    read_degrees,
+    read_flag,
+    read_number,
+    read_texts,
+    read_value,
+    read_whole,
+)
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.notation.names import GREEK_NAMES, parts
-from dhcli.notation.parser import parse
-from dhcli.notation.quantity import LENGTH_UNITS, DimensionError, has_angle_unit, to_angle, to_length
-from dhcli.notation.scope import Scope
+from dhcli.notation.quantity import LENGTH_UNITS
 
 KEYS = (
     "title",
@@ -90,7 +98,7 @@ class _Loader:
         self.name = name
         self.fields = self.problems.document(root, known=KEYS, required=("title", "source", "task", "parts"))
         self.robot = self.read_robot("robot")
-        self.names = tuple(scalar.text for scalar in self.scalars(self.fields, "names"))
+        self.names = read_texts(self.fields, "names")
         self.given = self.read_given()
         self.scope = answer_scope(self.robot, (*self.given, *self.names))
         self.printed = self.read_printed()
@@ -101,8 +109,10 @@ class _Loader:
         trials = tuple(trial for node in self.fields.sequence("tests") if (trial := self.trial(node, parts_)))
         also = self.also()
         unit = self.fields.text("unit", "m")
-        if unit not in LENGTH_UNITS:
-            self.problems.add(self.fields.place_of("unit"), f"unit: '{unit}' is no unit of length", "write m, mm or cm")
+        if unit not in (*LENGTH_UNITS, "none"):
+            self.problems.add(
+                self.fields.place_of("unit"), f"unit: '{unit}' is no unit of length", "write m, mm, cm or none"
+            )
         self.check_ids(parts_)
         self.problems.raise_if_any(FileError)
         return Exercise(
@@ -114,7 +124,7 @@ class _Loader:
             robot=self.robot,
             given=self.given,
             names=self.names,
-            numeric=self.flag(self.fields, "numeric"),
+            numeric=read_flag(self.fields, "numeric"),
             unit=unit,
             tolerance=self.tolerance,
             also=also,
@@ -162,17 +172,9 @@ class _Loader:
         return given
 
     def value(self, scalar: PlacedScalar, key: str) -> Value | None:
-        try:
-            expr = parse(scalar.text, Scope(), scalar.place_of(0))
-            is_angle = key in self.robot.angles if self.robot and key in self.robot.scope.names else _is_angle(key)
-            if is_angle or has_angle_unit(expr):
-                return to_angle(expr, bare="refuse")
-            return to_length(expr)
-        except NotationError as error:
-            self.problems.take(error)
-        except DimensionError as error:
-            self.problems.add(scalar.place, f"{key}: {error.message}", error.hint)
-        return None
+        known = self.robot is not None and key in self.robot.scope.names
+        is_angle = key in self.robot.angles if self.robot and known else _is_angle(key)
+        return read_value(self.problems, scalar, key, is_angle=is_angle or has_unit_of_angle(scalar))
 
     def read_printed(self) -> dict[str, Printed]:
         fields = self.fields.mapping("printed")
@@ -188,48 +190,14 @@ class _Loader:
 
     def read_tolerance(self) -> Tolerance:
         fields = self.fields.mapping("tolerance", known=TOLERANCE_KEYS)
-        position = self.number(fields, "position")
+        position = read_number(fields, "position")
         return Tolerance(
-            rotation=self.number(fields, "rotation") or DEFAULT.rotation,
+            rotation=read_number(fields, "rotation") or DEFAULT.rotation,
             position=position,
-            angle=self.number(fields, "angle") or DEFAULT.angle,
-            decimals=self.whole(fields, "decimals"),
-            exact=self.flag(fields, "exact"),
+            angle=read_degrees(fields, "angle") or DEFAULT.angle,
+            decimals=read_whole(fields, "decimals"),
+            exact=read_flag(fields, "exact"),
         )
-
-    def number(self, fields: Fields, key: str) -> float | None:
-        """A plain number, a length in metres, or an angle in degrees."""
-        scalar = fields.scalar(key)
-        if scalar is None:
-            return None
-        try:
-            expr = parse(scalar.text, Scope(), scalar.place_of(0))
-            if key == "angle":
-                angle = to_angle(expr, bare="deg")
-                return float(angle.degrees) + float(angle.radians) * 57.29577951308232
-            from dhcli.algebra.floats import Floats
-
-            return Floats().value(to_length(expr))
-        except NotationError as error:
-            self.problems.take(error)
-        except DimensionError as error:
-            self.problems.add(scalar.place, f"{key}: {error.message}", error.hint)
-        return None
-
-    def whole(self, fields: Fields, key: str) -> int | None:
-        scalar = fields.scalar(key)
-        if scalar is None:
-            return None
-        if scalar.text.isdecimal() and len(scalar.text) < 3:  # noqa: PLR2004
-            return int(scalar.text)
-        self.problems.add(scalar.place, f"{key}: '{scalar.text}' is not a whole number")
-        return None
-
-    def flag(self, fields: Fields, key: str) -> bool:
-        scalar = fields.scalar(key)
-        if scalar is not None and scalar.text not in ("true", "false"):
-            self.problems.add(scalar.place, f"{key}: should be true or false, is '{scalar.text}'")
-        return scalar is not None and scalar.text == "true"
 
     def part(self, node: PlacedNode) -> Part | None:
         fields = self.problems.mapping(node, "parts", known=PART_KEYS, required=("id", "ask"))
@@ -242,28 +210,40 @@ class _Loader:
             self.problems.take(error)
             return None
         if isinstance(question, ChoiceQuestion):
-            options = tuple(scalar.text for scalar in self.scalars(fields, "options"))
-            right = self.whole(fields, "right") or 0
+            options = read_texts(fields, "options")
+            right = read_whole(fields, "right") or 0
             if not 1 <= right <= len(options):
                 self.problems.add(fields.place, "right: should be the number of an option, counted from 1")
             question = ChoiceQuestion(options, right)
+        if isinstance(question, CountQuestion):
+            question = self.looked_up(question, ask)
         tolerance = None
         if "exact" in fields or "decimals" in fields:
             base = self.tolerance
-            exact, decimals = self.flag(fields, "exact"), self.whole(fields, "decimals")
+            exact, decimals = read_flag(fields, "exact"), read_whole(fields, "decimals")
             tolerance = Tolerance(base.rotation, base.position, base.angle, decimals, exact)
         name = fields.text("id")
         return Part(
             id=name,
             question=question,
             prompt=fields.text("prompt"),
-            credit=self.number(fields, "credit") or 1.0,
-            depends=tuple(scalar.text for scalar in self.scalars(fields, "depends")),
-            hints=tuple(scalar.text for scalar in self.scalars(fields, "hints")),
+            credit=read_number(fields, "credit") or 1.0,
+            depends=read_texts(fields, "depends"),
+            hints=read_texts(fields, "hints"),
             tolerance=tolerance,
             compare=self.compare(fields),
             printed=self.printed.get(name),
         )
+
+    def looked_up(self, question: CountQuestion, ask: PlacedScalar) -> CountQuestion:
+        from dhcli.files.linkages import find_linkage  # few exercises count
+
+        try:
+            return replace(question, found=find_linkage(question.linkage))
+        except DhcliError as error:
+            for problem in error.problems:
+                self.problems.add(ask.place, f"ask: {problem.message}", problem.hint)
+            return question
 
     def compare(self, fields: Fields) -> str:
         known = ("literal", "same-motion", "same-robot")
@@ -286,10 +266,9 @@ class _Loader:
             self.problems.add(
                 fields.place_of("verdict"), f"verdict: '{verdict}' is not known", did_you_mean(verdict, words)
             )
-        return Trial(name, fields.text("answer"), verdict, fields.text("mistake"))
-
-    def scalars(self, fields: Fields, key: str) -> list[PlacedScalar]:
-        return [scalar for node in fields.sequence(key) if (scalar := self.problems.scalar(node, key))]
+        blank = fields.get("answer")
+        answer = "" if isinstance(blank, PlacedScalar) and blank.quoted and not blank.text else fields.text("answer")
+        return Trial(name, answer, verdict, fields.text("mistake"))
 
     def check_ids(self, parts_: tuple[Part, ...]) -> None:
         place = self.fields.place_of("parts")

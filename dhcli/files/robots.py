@@ -10,14 +10,13 @@ from dhcli.files.fields import Fields, Problems
 from dhcli.files.library import Kind, find
 from dhcli.files.placed import PlacedMapping, PlacedNode, PlacedScalar, read_yaml
 from dhcli.files.reading import read_text, source_of
+from dhcli.files.typed import has_unit_of_angle, read_value
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
 from dhcli.kinematics.moves import Chain, angle_names, expressions, read_chain
 from dhcli.kinematics.robot import Link, Robot, Value
 from dhcli.kinematics.validity import Finding, InvalidRobotError
 from dhcli.notation.angle import Angle
 from dhcli.notation.names import canonical
-from dhcli.notation.parser import parse
-from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_length
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import ZERO, Expr, Trig
 from dhcli.notation.walk import walk
@@ -171,18 +170,9 @@ class _Loader:
         if scalar is None:
             return empty
         self.places["links", index, column] = scalar.place
-        return self.value(scalar, column, is_angle=column in ("alpha", "theta"), scope=self.scope) or empty
-
-    def value(self, scalar: PlacedScalar, key: str, *, is_angle: bool, scope: Scope) -> Value | None:
-        """A scalar as an angle or a length; None if it is neither."""
-        try:
-            expr = parse(scalar.text, scope, scalar.place_of(0))
-            return to_angle(expr, bare="refuse") if is_angle else to_length(expr)
-        except NotationError as error:
-            self.problems.take(error)
-        except DimensionError as error:
-            self.problems.add(scalar.place, f"{key}: {error.message}", error.hint)
-        return None
+        return (
+            read_value(self.problems, scalar, column, is_angle=column in ("alpha", "theta"), scope=self.scope) or empty
+        )
 
     def moves(self, scalar: PlacedScalar, key: str) -> Chain:
         try:
@@ -209,8 +199,8 @@ class _Loader:
             return None
         is_angle = any(canonical(key) == canonical(name) for name in angles)
         if not is_angle and not self.is_used(key):
-            is_angle = _looks_like_angle(scalar)
-        return self.value(scalar, key, is_angle=is_angle, scope=Scope())
+            is_angle = has_unit_of_angle(scalar)
+        return read_value(self.problems, scalar, key, is_angle=is_angle)
 
     def is_used(self, key: str) -> bool:
         links = self.fields.get("links")
@@ -237,7 +227,7 @@ class _Loader:
         for i, node in enumerate(nodes):
             scalar = self.problems.scalar(node, key)
             is_angle = are_angles[i] if i < len(are_angles) else True
-            value = self.value(scalar, key, is_angle=is_angle, scope=Scope()) if scalar else None
+            value = read_value(self.problems, scalar, key, is_angle=is_angle) if scalar else None
             values.append(value if value is not None else Angle())
         return tuple(values)
 
@@ -260,13 +250,6 @@ def _as_length(value: Value) -> Expr:
 
 def _as_angle(value: Value) -> Angle:
     return value if isinstance(value, Angle) else Angle()
-
-
-def _looks_like_angle(scalar: PlacedScalar) -> bool:
-    try:
-        return has_angle_unit(parse(scalar.text, Scope()))
-    except NotationError:
-        return False
 
 
 def _texts(node: PlacedNode) -> str:

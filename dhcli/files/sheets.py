@@ -13,6 +13,9 @@ from dhcli.errors import FileError, Place, Problem
 from dhcli.files.fields import Problems
 from dhcli.files.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
 from dhcli.files.reading import read_text, source_of
+from dhcli.files.robots import load_robot
+from dhcli.kinematics.conventions import COLUMNS, Convention
+from dhcli.notation.writer import write, write_angle
 
 KEYS = ("exercise", "answers", "variant", "name")
 BLANK = "_"
@@ -54,26 +57,29 @@ def read_sheet(path: Path | str) -> Sheet:
     return Sheet(fields.text("exercise"), answers)
 
 
-def read_table_text(path: Path | str) -> str:
-    """The DH table of a robot file as the text of an answer, under a line that names its columns.
+@dataclass(frozen=True, slots=True)
+class Table:
+    """A DH table from a file: its convention, and its rows as the text of an answer."""
+
+    convention: Convention
+    text: str
+
+
+def read_table(path: Path | str) -> Table:
+    """The DH table of a robot file.
 
     Raises:
         FileError: It is no robot file, or has products instead of a table.
     """
-    from dhcli.files.robots import load_robot
-    from dhcli.notation.writer import write, write_angle
-
-    robot = load_robot(Path(path) if str(path) != "-" else "-")
-    rows = [link.row for link in robot.links]
-    lines = ["a, alpha, d, theta"]
-    for row in rows:
-        if row is None:
-            raise FileError(
-                Problem("has products, not a DH table", Place(str(path)), "convention: standard or modified")
-            )
-        cells = (write(row.a), write_angle(row.alpha), write(row.d), write_angle(row.theta))
-        lines.append(", ".join(cells))
-    return "\n".join(lines)
+    robot = load_robot(path if str(path) == "-" else Path(path))
+    lines = [", ".join(COLUMNS)]
+    for link in robot.links:
+        if link.row is None:
+            hint = "convention: standard or modified"
+            raise FileError(Problem("has products, not a DH table", Place(str(path)), hint))
+        row = link.row
+        lines.append(", ".join((write(row.a), write_angle(row.alpha), write(row.d), write_angle(row.theta))))
+    return Table(robot.convention, "\n".join(lines))
 
 
 def write_sheet(exercise: Exercise) -> str:
@@ -96,6 +102,8 @@ def write_sheet(exercise: Exercise) -> str:
 
 
 def _units(exercise: Exercise) -> str:
+    if exercise.numeric and exercise.unit == "none":
+        return "Numbers without a unit; 0.7071 or sqrt(2)/2 are both fine."
     if exercise.numeric:
         return f"Numbers: lengths in {exercise.unit} unless a unit stands with them; 0.7071 or sqrt(2)/2 are both fine."
     return "Symbols: c1 for cos(theta1), s23 for sin(theta2 + theta3), or written out; a1*c1 or a1 c1."

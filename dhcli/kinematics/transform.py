@@ -20,7 +20,7 @@ from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_angle, to_length
 from dhcli.notation.scope import OPEN, Scope
-from dhcli.notation.tree import ONE, ZERO, Trig
+from dhcli.notation.tree import ZERO, Trig
 from dhcli.notation.walk import walk
 
 Order: TypeAlias = Literal["current", "fixed"]
@@ -111,8 +111,6 @@ def read_product(text: str, place: Place) -> Product:
         move = from_factor(factor)
         if isinstance(move, Fixed):
             where = _place_in(text, factor.start, place)
-            if factor.rows[3] != (ZERO, ZERO, ZERO, ONE):
-                raise NotationError(Problem("the last row of a pose is 0 0 0 1", where))
             if fault := not_a_rotation(move):
                 hint = "its first three columns must be perpendicular unit vectors, right-handed"
                 raise NotationError(Problem(f"this matrix is no pose: {fault}", where, hint))

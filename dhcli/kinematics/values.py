@@ -89,7 +89,8 @@ def require(robot: Robot, chain: Chain, values: Values) -> None:
         problems.append(Problem(f"no value for {', '.join(joints)}", None, f"{_joints_hint(robot)}; or --symbolic"))
     if lengths:
         hint = " ".join(f"--set {name}={'30°' if name in robot.angles else '0.4'}" for name in lengths)
-        problems.append(Problem(f"{', '.join(lengths)} of {robot.name} has no value", None, f"give one: {hint}"))
+        have = "has" if len(lengths) == 1 else "have"
+        problems.append(Problem(f"{', '.join(lengths)} of {robot.name} {have} no value", None, f"give one: {hint}"))
     if problems:
         raise RobotError(problems)
 

@@ -18,7 +18,7 @@ from dhcli.notation.parser import Parser
 from dhcli.notation.quantity import DimensionError, to_angle, to_length
 from dhcli.notation.scope import OPEN, Scope
 from dhcli.notation.tokens import Source, Token, tokenize
-from dhcli.notation.tree import ZERO, Expr
+from dhcli.notation.tree import ONE, ZERO, Expr
 
 MOST_FACTORS = 200
 LONGEST = 20_000
@@ -131,6 +131,9 @@ def _matrix(source: Source, tokens: Sequence[Token], scope: Scope, *, inverse: b
         shape = f"{len(cells)}x{len(cells[0])}"
         raise source.error(start, f"a pose has 4 rows of 4, this matrix is {shape}", "add the row 0 0 0 1")
     rows = tuple(tuple(_length(source, cell.expr, cell.start) for cell in row) for row in cells)
+    for cell, right in zip(cells[3], (ZERO, ZERO, ZERO, ONE), strict=True):
+        if cell.expr != right:
+            raise source.error(start, "the last row of a pose is 0 0 0 1", "lengths stand in the fourth column")
     return Factor("matrix", text, rows=rows, inverse=inverse, start=start)
 
 

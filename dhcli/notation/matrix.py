@@ -6,23 +6,32 @@ and tables pasted back from a terminal or from Markdown, dhcli's own among them.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 from dhcli.errors import Place
 from dhcli.notation.parser import FUNCTIONS, Parser
 from dhcli.notation.quantity import UNITS
 from dhcli.notation.scope import OPEN, Scope
-from dhcli.notation.tokens import Source, Token, tokenize
+from dhcli.notation.tokens import MOST_CHARACTERS, Source, Token, tokenize
 from dhcli.notation.tree import Expr
 
 MOST_CELLS = 64
+MOST_WRAPPINGS = 8
+"""Brackets around a matrix that are taken off, such as those of `np.array([[...]])`."""
+
+LONGEST_COLUMNS = 100
+"""Tokens in the list of columns of a LaTeX array."""
 LONGEST = 64 * 2000
 
 _WRAPPERS = frozenset(("array", "matrix", "Matrix", "mat"))
 _ENVIRONMENTS = frozenset(("bmatrix", "pmatrix", "matrix", "Bmatrix", "vmatrix", "smallmatrix", "array"))
 _OPENING = {"(": ")", "[": "]", "{": "}"}
 _RULES = frozenset("-|:+=")
+_COMMENT = re.compile(r"^[ \t]*[%#].*$", re.MULTILINE)
+"""A line that MATLAB or numpy would skip, such as the heading of dhcli's own output."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,14 +54,15 @@ def parse_matrix(text: str, scope: Scope = OPEN, place: Place | None = None) -> 
     Raises:
         NotationError: With the column and what is wrong there.
     """
-    source = Source(text, place or Place("matrix"))
+    bare = _COMMENT.sub(lambda comment: " " * len(comment[0]), text)
+    source = Source(bare, place or Place("matrix"))
     return read_matrix(source, tokenize(source, most=LONGEST), scope)
 
 
 def read_matrix(source: Source, tokens: Sequence[Token], scope: Scope) -> tuple[tuple[Cell, ...], ...]:
     """Read a matrix from tokens; see `parse_matrix`."""
     body = _unwrap([token for token in tokens if token.kind != "end"])
-    rows = [cells for row in _rows(body) if (cells := _cells(row))]
+    rows = [cells for row in _rows(body) if (cells := _cells(source, row))]
     if not rows:
         raise source.error(0, "no matrix is written here", "write [1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1]")
     if sum(map(len, rows)) > MOST_CELLS:
@@ -64,7 +74,7 @@ def read_matrix(source: Source, tokens: Sequence[Token], scope: Scope) -> tuple[
         shown = " | ".join(_text(source, cell) for cell in rows[odd])
         raise source.error(
             rows[odd][0][0].start,
-            f"row {odd + 1} has {widths[odd]} cells, the others {usual}: {shown}",
+            f"row {odd + 1} has {widths[odd]} cells where others have {usual}: {shown}",
             "c1 -s1 is two cells, c1 - s1 is one; commas settle it",
         )
     return tuple(tuple(_cell(source, cell, scope) for cell in row) for row in rows)
@@ -72,6 +82,8 @@ def read_matrix(source: Source, tokens: Sequence[Token], scope: Scope) -> tuple[
 
 def _cell(source: Source, tokens: list[Token], scope: Scope) -> Cell:
     end = tokens[-1].end
+    if end - tokens[0].start > MOST_CHARACTERS:
+        raise source.error(tokens[0].start, f"a cell of more than {MOST_CHARACTERS} characters is not read")
     parser = Parser(source, [*tokens, Token("end", "", end, end, spaced=False)], scope)
     expr = parser.expression()
     parser.finish()
@@ -83,19 +95,22 @@ def _text(source: Source, tokens: list[Token]) -> str:
 
 
 def _unwrap(tokens: list[Token]) -> list[Token]:
-    """Without LaTeX environments, `array(...)` and the outermost brackets."""
-    tokens = _without_environments(tokens)
-    while True:
+    """Without LaTeX environments, `T =`, `array(...)` and the outermost brackets."""
+    tokens = _trim(_without_environments(tokens))
+    if [token.kind for token in tokens[:2]] == ["word", "sign"] and tokens[1].text == "=":
+        tokens = tokens[2:]
+    for _ in range(MOST_WRAPPINGS):
         tokens = _trim(tokens)
         if len(tokens) > 1 and tokens[0].kind == "word" and tokens[0].text in _WRAPPERS and tokens[1].text in _OPENING:
             tokens = tokens[1:]
         closing = matching(tokens, 0)
         if closing != len(tokens) - 1 or closing < 1:
-            return tokens
+            break
         inside = _trim(tokens[1:-1])
         if tokens[0].text == "(" and not (inside and inside[0].text in ("[", "{")):
-            return tokens
+            break
         tokens = inside
+    return tokens
 
 
 def _trim(tokens: list[Token]) -> list[Token]:
@@ -117,7 +132,7 @@ def _without_environments(tokens: list[Token]) -> list[Token]:
             environment = tokens[i + 2].text
             skip = 3 if environment in _ENVIRONMENTS else 0
             if skip and environment == "array" and token.text == "begin":
-                closing = matching(tokens, i + 4)
+                closing = i + 4 + matching(tokens[i + 4 : i + 4 + LONGEST_COLUMNS], 0)
                 skip = max(skip, closing - i)
             if not skip:
                 kept.append(token)
@@ -164,7 +179,12 @@ def _groups(tokens: list[Token]) -> list[list[Token]]:
     i = 0
     while i < len(tokens):
         token = tokens[i]
-        if token.kind == "newline" or token.text in (",", ";", "|"):
+        item = token.text == "-" and tokens[i + 1 : i + 2] and tokens[i + 1].text == "["  # of a YAML list
+        if (
+            token.kind == "newline"
+            or token.text in (",", ";", "|")
+            or (item and (i == 0 or tokens[i - 1].kind == "newline"))
+        ):
             i += 1
         elif token.text in ("[", "{") and (closing := matching(tokens, i)) > i:
             rows.append(tokens[i + 1 : closing])
@@ -174,19 +194,21 @@ def _groups(tokens: list[Token]) -> list[list[Token]]:
     return rows
 
 
-def _cells(row: list[Token]) -> list[list[Token]]:
+def _cells(source: Source, row: list[Token]) -> list[list[Token]]:
     """The cells of a row: separated by commas, `&` or bars if there are any, else by blanks."""
     if all(token.kind == "sign" and token.text in _RULES for token in row):
         return []
     for separator in (",", "&", "|"):
-        if any(token.text == separator and depth == 0 for token, depth in _depths(row)):
-            cells: list[list[Token]] = [[]]
-            for token, depth in _depths(row):
-                if token.text == separator and depth == 0:
-                    cells.append([])
-                else:
-                    cells[-1].append(token)
-            return [cell for cell in cells if cell]
+        marks = [i for i, (token, depth) in enumerate(_depths(row)) if token.text == separator and depth == 0]
+        if marks:
+            cells = [row[start + 1 : end] for start, end in pairwise((-1, *marks, len(row)))]
+            first, last = separator == "|" and not cells[0], len(cells) - (not cells[-1])
+            if separator == "|" and last - first == 1:  # bars around the row, not between cells
+                return _blank_separated(cells[first])
+            for i in range(first, last):
+                if not cells[i]:
+                    raise source.error(row[marks[i]].start, "a cell is empty here", "write 0 for a zero")
+            return cells[first:last]
     return _blank_separated(row)
 
 

@@ -128,6 +128,8 @@ class Parser(Operators):
             if len(pieces) > 1 and "".join(pieces) == word:
                 return self._build(token, multiply, *(self._resolve(piece, token) for piece in pieces))
             return Symbol(canonical(word))
+        if word.lower() in ("nan", "inf", "infinity"):
+            raise self.error(f"{word} is no number that a robot can have", "", token)
         hint = did_you_mean(word, self.scope.names)
         raise self.error(f"{word} is not a name that is known here", hint, token)
 

@@ -251,19 +251,19 @@ def power(base: Expr, exponent: Fraction | int) -> Expr:
     return Power(base, exponent)
 
 
-def factor_key(factor: Expr) -> tuple[int, tuple[object, ...]]:
+def factor_key(factor: Expr) -> tuple[int, tuple[object, ...], bool]:
     """Order of factors: roots, lengths, cosines and sines by their joints, brackets as they come, divisors last."""
-    base = factor.base if type(factor) is Power else factor
+    base, divides = (factor.base, factor.exponent < 0) if type(factor) is Power else (factor, False)
     if type(base) is Number:
-        return (0, (base.value,))
+        return (0, (base.value,), divides)
     if type(base) is Symbol:
-        return (2, natural_key(base.name))
+        return (2, natural_key(base.name), divides)
     if type(base) is Trig:
-        names = tuple(natural_key(name) for name, _ in base.angle.terms)
-        return (3, (names, base.angle.degrees, base.angle.radians, base.function))
-    if type(base) in (Constant, Unit):
-        return (1, ())
-    return (5 if type(factor) is Power and factor.exponent < 0 else 4, ())
+        angle = base.angle
+        names = tuple(natural_key(name) for name, _ in angle.terms)
+        multiples = tuple(multiple for _, multiple in angle.terms)
+        return (3, (names, angle.degrees, angle.radians, base.function, multiples), divides)
+    return (1 if type(base) in (Constant, Unit) else 4, (), divides)
 
 
 def _lift(value: Expr | int) -> Expr:

@@ -87,7 +87,7 @@ def _frame(name: str) -> str:
 
 def packed(parts: Iterable[str], paper: Paper) -> Iterator[str]:
     """Parts between middle dots, as many on a line as fit."""
-    dot = paper.spell(" · ") if paper.unicode else ", "
+    dot = paper.spell(" · ")
     line = ""
     for part in parts:
         longer = f"{line}{dot}{part}" if line else part

@@ -22,6 +22,8 @@ _NOUNS = {
     "robot": "a robot",
     "marks": "a judgement",
     "exercise": "an exercise",
+    "mobility": "a count of freedoms",
+    "linkage": "a linkage",
     "library": "a list",
 }
 """What each kind of result is called in messages."""
@@ -68,6 +70,8 @@ _RENDERERS = {
     ("marks", "table"): "dhcli.render.marks:marks_table",
     ("marks", "csv"): "dhcli.render.marks:marks_csv",
     ("exercise", "table"): "dhcli.render.exercise:exercise_table",
+    ("mobility", "table"): "dhcli.render.mobility:mobility_table",
+    ("linkage", "table"): "dhcli.render.mobility:linkage_table",
     ("library", "table"): "dhcli.render.library:library_table",
     ("library", "csv"): "dhcli.render.library:library_csv",
 }
@@ -84,6 +88,8 @@ _CONTENTS = {
     "robot": "dhcli.render.robot:robot_content",
     "marks": "dhcli.render.marks:marks_content",
     "exercise": "dhcli.render.exercise:exercise_content",
+    "mobility": "dhcli.render.mobility:mobility_content",
+    "linkage": "dhcli.render.mobility:linkage_content",
     "library": "dhcli.render.library:library_content",
 }
 """Where each kind of result becomes what stands under `data` in JSON."""

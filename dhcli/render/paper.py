@@ -78,7 +78,7 @@ class Paper:
 
 def in_ascii(text: str) -> str:
     """A text in ASCII: Greek letters by name, brackets and lines by what looks like them, accents left out."""
-    text = text.translate(_IN_ASCII)
+    text = text.replace(" · ", ", ").translate(_IN_ASCII)
     if not text.isascii():
         text = unicodedata.normalize("NFKD", text)
         text = "".join(letter for letter in text if not unicodedata.combining(letter))

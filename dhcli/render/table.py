@@ -13,6 +13,9 @@ if TYPE_CHECKING:
     from rich.text import Text
 
 _UNFOLDED = 10_000
+_GAP = 4
+_LEAST = 12
+"""Columns between two cells with their padding, and the fewest that a cell is cut to."""
 _COLOURS = re.compile(r"\x1b\[[0-9;]*m")
 _ASCII_BOX = "    \n    \n -- \n    \n    \n    \n    \n    \n"
 
@@ -35,14 +38,21 @@ def table_text(heads: Sequence[str], rows: Iterable[Sequence[str | Text]], paper
         box=SIMPLE_HEAD if paper.unicode else Box(_ASCII_BOX, ascii=True), pad_edge=False, header_style="bold"
     )
     table.border_style = "dim"
-    for head in heads:
-        table.add_column(Text(paper.spell(head)), no_wrap=True, overflow="ellipsis" if head == cut else "ignore")
-    for row in rows:
-        table.add_row(*(Text(paper.spell(cell)) if isinstance(cell, str) else cell for cell in row))
+    cells = [[Text(paper.spell(cell)) if isinstance(cell, str) else cell for cell in row] for row in rows]
+    needed = 0
+    for i, head in enumerate(heads):
+        # Only a column that might wrap gives way when the table is too wide; its cells are cut, they do not wrap.
+        table.add_column(Text(paper.spell(head)), no_wrap=head != cut, overflow="ellipsis")
+        column = [row[i] for row in cells]
+        needed += _GAP + (_LEAST if head == cut else max(len(head), *(text.cell_len for text in column), 0))
+        for text in column:
+            text.no_wrap = True
+    for row in cells:
+        table.add_row(*row)
     drawn = io.StringIO()
     console = Console(
         file=drawn,
-        width=paper.width if cut and paper.terminal else _UNFOLDED,
+        width=max(paper.width, needed) if cut and paper.terminal else _UNFOLDED,
         force_terminal=paper.colour,
         color_system="standard" if paper.colour else None,
         no_color=not paper.colour,

@@ -4,6 +4,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.cli.running import Run
+
 
 @pytest.mark.parametrize(
     ("words", "said"),
@@ -70,7 +72,7 @@ import pytest
         ("transform Rot(z,0) --point 1,2", "a point has three coordinates"),
     ],
 )
-def test_bad_input_is_told_in_words_with_exit_code_2(dhcli, words: str, said: str) -> None:
+def test_bad_input_is_told_in_words_with_exit_code_2(dhcli: Run, words: str, said: str) -> None:
     """Every line begins the same way, nothing is on stdout, and no traceback shows."""
     done = dhcli(*words.split())
     assert done.code == 2
@@ -89,7 +91,7 @@ def test_bad_input_is_told_in_words_with_exit_code_2(dhcli, words: str, said: st
         ("[1 0 0; 0 1 0; 0 0 1]", "3x3"),
     ],
 )
-def test_a_matrix_that_is_no_pose_is_refused(dhcli, matrix: str, said: str) -> None:
+def test_a_matrix_that_is_no_pose_is_refused(dhcli: Run, matrix: str, said: str) -> None:
     """With a marker under it."""
     done = dhcli("transform", f"Trans(1,2,3) {matrix}")
     assert done.code == 2
@@ -97,7 +99,7 @@ def test_a_matrix_that_is_no_pose_is_refused(dhcli, matrix: str, said: str) -> N
     assert f"\n  {' ' * 13}^\n" in done.err
 
 
-def test_the_marker_stands_under_the_column(dhcli) -> None:
+def test_the_marker_stands_under_the_column(dhcli: Run) -> None:
     """Place, line, marker, hint."""
     assert dhcli("fk", "scara", "--q", "0.3,30mm,0.1").err == (
         "dhcli: --q:5: mm is a unit of length, an angle is wanted, and theta2 turns\n"
@@ -107,7 +109,7 @@ def test_the_marker_stands_under_the_column(dhcli) -> None:
     )
 
 
-def test_all_problems_of_a_file_are_told_at_once(dhcli, tmp_path: Path) -> None:
+def test_all_problems_of_a_file_are_told_at_once(dhcli: Run, tmp_path: Path) -> None:
     """Each with file, line and column."""
     text = "format: 1\ntitel: x\nsource: y\nconvention: standrd\nvariables: [theta1]\nlinks: []\n"
     (tmp_path / "bad.yaml").write_text(text, "utf-8")
@@ -121,7 +123,7 @@ def test_all_problems_of_a_file_are_told_at_once(dhcli, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("steering", ["\x1b[31mred", "\x9b31mred", "a\rb", "\u202eevil", "[bold]x[/bold]", ":smile:"])
-def test_nothing_that_a_user_types_steers_the_terminal(dhcli, steering: str) -> None:
+def test_nothing_that_a_user_types_steers_the_terminal(dhcli: Run, steering: str) -> None:
     """Controls become blanks, and markup stays text."""
     err = dhcli("fk", steering).err
     assert not {"\x1b", "\x9b", "\r", "\u202e"} & set(err)

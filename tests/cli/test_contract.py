@@ -9,29 +9,29 @@ from pathlib import Path
 import pytest
 
 from dhcli.cli import app
+from dhcli.cli.main import main
+from tests.cli.running import Run
 
 ROOT = Path(__file__).parents[2]
-from dhcli.cli.main import main
-
 ENVELOPE = {"dhcli", "command", "ok", "data", "problems"}
 PROBLEM = {"severity", "message", "hint", "source", "line", "column"}
 FK = {"robot", "convention", "values", "symbolic", "reference", "frame", "matrix"}
 POSE = {"name", "reference", "frame", "matrix"}
 
 
-def test_a_command_that_worked_ends_with_0(dhcli) -> None:
+def test_a_command_that_worked_ends_with_0(dhcli: Run) -> None:
     """And says nothing on stderr."""
     done = dhcli("fk", "scara", "--pose", "pick")
     assert (done.code, done.err) == (0, "")
 
 
-def test_bad_input_ends_with_2(dhcli) -> None:
+def test_bad_input_ends_with_2(dhcli: Run) -> None:
     """And leaves stdout empty."""
     done = dhcli("fk", "nobody")
     assert (done.code, done.out) == (2, "")
 
 
-def test_a_bug_ends_with_3_and_a_short_message(dhcli, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_bug_ends_with_3_and_a_short_message(dhcli: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     """How to report it, and no traceback."""
 
     def broken(name: str) -> None:
@@ -76,35 +76,35 @@ def test_ctrl_c_ends_with_130_and_no_traceback(tmp_path: Path) -> None:
 
 @pytest.mark.skipif(os.name == "nt", reason="needs bash")
 @pytest.mark.parametrize("words", ["fk puma560 --symbolic --frames", "list", "show puma560", "--help", "fk --help"])
-def test_a_reader_that_goes_away_changes_nothing(process, words: str) -> None:
+def test_a_reader_that_goes_away_changes_nothing(process: Run, words: str) -> None:
     """The exit code is that of the work, and nothing is said."""
-    done = process(shell=f'"$0" -m dhcli {words} | true; echo "${{PIPESTATUS[0]}}"', PYTHONUNBUFFERED="1")
+    done = process(script=f'"$0" -m dhcli {words} | true; echo "${{PIPESTATUS[0]}}"', PYTHONUNBUFFERED="1")
     assert (done.out, done.err) == ("0\n", "")
 
 
 @pytest.mark.skipif(os.name == "nt", reason="needs bash")
-def test_a_broken_pipe_keeps_the_code_of_bad_input(process) -> None:
+def test_a_broken_pipe_keeps_the_code_of_bad_input(process: Run) -> None:
     """The envelope of the error had no reader."""
-    done = process(shell='"$0" -m dhcli fk nobody --format json | true; echo "${PIPESTATUS[0]}"')
+    done = process(script='"$0" -m dhcli fk nobody --format json | true; echo "${PIPESTATUS[0]}"')
     assert done.out == "2\n"
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
-def test_a_full_disk_is_told(process) -> None:
+def test_a_full_disk_is_told(process: Run) -> None:
     """What could not be written was not done."""
-    done = process(shell='"$0" -m dhcli fk scara --pose pick > /dev/full')
+    done = process(script='"$0" -m dhcli fk scara --pose pick > /dev/full')
     assert done.code == 2
     assert "standard output: cannot be written" in done.err
     assert "Traceback" not in done.err
 
 
 @pytest.mark.skipif(os.name == "nt", reason="needs bash")
-def test_closed_streams_are_no_bug(process) -> None:
+def test_closed_streams_are_no_bug(process: Run) -> None:
     """`>&-`, as some daemons start their children."""
-    assert process(shell='"$0" -m dhcli fk scara --pose pick >&- 2>&-').code == 0
+    assert process(script='"$0" -m dhcli fk scara --pose pick >&- 2>&-').code == 0
 
 
-def test_the_envelope_of_a_pose_has_exactly_these_keys(dhcli) -> None:
+def test_the_envelope_of_a_pose_has_exactly_these_keys(dhcli: Run) -> None:
     """A new key is a decision, and stands here."""
     envelope = dhcli("fk", "scara", "--pose", "pick", "--format", "json").envelope
     assert set(envelope) == ENVELOPE
@@ -117,14 +117,14 @@ def test_the_envelope_of_a_pose_has_exactly_these_keys(dhcli) -> None:
     ("words", "key"),
     [("--frames", "frames"), ("--links", "links"), ("--factors all", "factors")],
 )
-def test_a_listing_adds_one_key(dhcli, words: str, key: str) -> None:
+def test_a_listing_adds_one_key(dhcli: Run, words: str, key: str) -> None:
     """A list of poses with names."""
     data = dhcli("fk", "scara", "--pose", "pick", *words.split(), "--format", "json").data
     assert set(data) == {*FK, key}
     assert all(set(pose) == POSE for pose in data[key])
 
 
-def test_a_point_adds_one_key(dhcli) -> None:
+def test_a_point_adds_one_key(dhcli: Run) -> None:
     """As it was given, and as it is seen."""
     data = dhcli("fk", "scara", "--pose", "pick", "--point", "1,2,l1", "--format", "json").data
     assert set(data) == {*FK, "point"}
@@ -132,7 +132,7 @@ def test_a_point_adds_one_key(dhcli) -> None:
     assert [type(value) for value in data["point"]["seen"]] == [float] * 3
 
 
-def test_other_ways_add_one_key(dhcli) -> None:
+def test_other_ways_add_one_key(dhcli: Run) -> None:
     """By the names that were asked for."""
     words = ("--as", "rpy,axis-angle,quaternion,position")
     data = dhcli("fk", "scara", "--pose", "pick", *words, "--format", "json").data
@@ -145,7 +145,7 @@ def test_other_ways_add_one_key(dhcli) -> None:
     assert len(data["as"]["position"]) == 3
 
 
-def test_let_adds_definitions(dhcli) -> None:
+def test_let_adds_definitions(dhcli: Run) -> None:
     """Formulas are text."""
     data = dhcli("fk", "puma560", "-s", "--let", "--format", "json").data
     assert set(data) == {*FK, "definitions"}
@@ -156,7 +156,7 @@ def test_let_adds_definitions(dhcli) -> None:
     assert all(isinstance(entry, str) for row in data["matrix"] for entry in row)
 
 
-def test_an_error_has_the_same_envelope(dhcli) -> None:
+def test_an_error_has_the_same_envelope(dhcli: Run) -> None:
     """On stdout, for the program that reads it; the talk is on stderr as ever."""
     done = dhcli("fk", "scara", "--q", "30mm,0,0", "--format", "json")
     assert done.code == 2
@@ -167,13 +167,13 @@ def test_an_error_has_the_same_envelope(dhcli) -> None:
     assert (problem["severity"], problem["source"], problem["line"], problem["column"]) == ("error", "--q", None, 1)
 
 
-def test_a_misspelled_option_speaks_json_too(dhcli) -> None:
+def test_a_misspelled_option_speaks_json_too(dhcli: Run) -> None:
     """What typer finds is no exception."""
     done = dhcli("fk", "scara", "--formt", "x", "--format=json")
     assert done.envelope["problems"][0]["message"] == "there is no option --formt"
 
 
-def test_the_transform_has_exactly_these_keys(dhcli) -> None:
+def test_the_transform_has_exactly_these_keys(dhcli: Run) -> None:
     """Points and vectors are lists, empty or not."""
     data = dhcli("transform", "Rot(z,90°)", "--point", "1,0,0", "--format", "json").data
     assert set(data) == {"order", "symbolic", "reference", "frame", "matrix", "steps", "points", "vectors"}
@@ -181,7 +181,7 @@ def test_the_transform_has_exactly_these_keys(dhcli) -> None:
     assert data["points"] == [{"given": [1.0, 0.0, 0.0], "seen": [0.0, 1.0, 0.0]}]
 
 
-def test_the_list_has_exactly_these_keys(dhcli) -> None:
+def test_the_list_has_exactly_these_keys(dhcli: Run) -> None:
     """One entry for each file."""
     data = dhcli("list", "robots", "--format", "json").data
     assert set(data) == {"entries"}
@@ -190,7 +190,7 @@ def test_the_list_has_exactly_these_keys(dhcli) -> None:
     assert "scara" in {entry["name"] for entry in data["entries"]}
 
 
-def test_a_robot_has_exactly_these_keys(dhcli) -> None:
+def test_a_robot_has_exactly_these_keys(dhcli: Run) -> None:
     """Everything that the page shows."""
     data = dhcli("show", "puma560", "--format", "json").data
     assert set(data) == {
@@ -202,7 +202,7 @@ def test_a_robot_has_exactly_these_keys(dhcli) -> None:
 
 
 @pytest.mark.parametrize("name", app.COMMANDS)
-def test_every_command_has_a_help_page_with_examples(dhcli, name: str) -> None:
+def test_every_command_has_a_help_page_with_examples(dhcli: Run, name: str) -> None:
     """That work as they stand, as far as they need no file."""
     done = dhcli(name, "--help")
     assert (done.code, done.err) == (0, "")
@@ -210,14 +210,13 @@ def test_every_command_has_a_help_page_with_examples(dhcli, name: str) -> None:
     assert "Examples" in done.out or name == "new"
 
 
-def test_the_examples_of_the_help_pages_work(dhcli) -> None:
+def test_the_examples_of_the_help_pages_work(dhcli: Run) -> None:
     """Every line that begins with dhcli."""
     from importlib import import_module
     from shlex import split
 
-    texts = [app.EXAMPLES]
-    for where in app.COMMANDS.values():
-        texts.append(getattr(import_module(where.partition(":")[0]), "EXAMPLES", ""))
+    modules = [import_module(where.partition(":")[0]) for where in app.COMMANDS.values()]
+    texts = [app.EXAMPLES, *(getattr(module, "EXAMPLES", "") for module in modules)]
     lines = [line for text in texts for line in text.split("\n") if line.startswith("dhcli ")]
     assert len(lines) > 10
     assert dhcli("start", "planar-two-links").code == 0
@@ -233,14 +232,14 @@ def test_the_examples_of_the_help_pages_work(dhcli) -> None:
             assert done.code == 0, (line, done.out, done.err)
 
 
-def test_the_version_is_that_of_the_package(dhcli) -> None:
+def test_the_version_is_that_of_the_package(dhcli: Run) -> None:
     """On stdout."""
     from dhcli import __version__
 
     assert dhcli("--version").out == f"dhcli {__version__}\n"
 
 
-def test_no_words_show_the_help(dhcli) -> None:
+def test_no_words_show_the_help(dhcli: Run) -> None:
     """As a newcomer starts."""
     done = dhcli()
     assert done.code == 0
@@ -256,7 +255,7 @@ def test_no_words_show_the_help(dhcli) -> None:
         ("dhcli list li", "linkages"),
     ],
 )
-def test_the_shell_completes_names(process, words: str, expected: str) -> None:
+def test_the_shell_completes_names(process: Run, words: str, expected: str) -> None:
     """Robots, commands and kinds."""
     count = str(len(words.split()) - 1)
     done = process(_DHCLI_COMPLETE="complete_bash", COMP_WORDS=words, COMP_CWORD=count)

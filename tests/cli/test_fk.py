@@ -11,15 +11,16 @@ import pytest
 import sympy
 
 from dhcli import forward, load_robot, symbolic
+from tests.cli.running import Done, Run
 
 Q = "0.3,0.5,0.1"
 
 
-def _matrix(done) -> np.ndarray:
+def _matrix(done: Done) -> np.ndarray:
     return np.array(done.data["matrix"])
 
 
-def test_the_first_command_of_the_readme_prints_the_pose(dhcli) -> None:
+def test_the_first_command_of_the_readme_prints_the_pose(dhcli: Run) -> None:
     """Heading, values used, matrix, words: all of it, in this order."""
     done = dhcli("fk", "scara", "--q", Q)
     assert (done.code, done.err) == (0, "")
@@ -35,7 +36,7 @@ def test_the_first_command_of_the_readme_prints_the_pose(dhcli) -> None:
     )
 
 
-def test_json_holds_the_full_precision_of_the_library(dhcli) -> None:
+def test_json_holds_the_full_precision_of_the_library(dhcli: Run) -> None:
     """The same floats as `forward` gives, none rounded."""
     done = dhcli("fk", "scara", "--q", Q, "--format", "json")
     assert _matrix(done).tolist() == [list(row) for row in forward(load_robot("scara"), [0.3, 0.5, 0.1]).rows]
@@ -52,42 +53,42 @@ def test_json_holds_the_full_precision_of_the_library(dhcli) -> None:
         ("--pose", "pick"),
     ],
 )
-def test_joint_values_are_read_in_every_form(dhcli, words: tuple[str, ...]) -> None:
+def test_joint_values_are_read_in_every_form(dhcli: Run, words: tuple[str, ...]) -> None:
     """Units, names, degrees, π and named poses all say the same pose."""
     found = _matrix(dhcli("fk", "scara", *words, "--format", "json"))
     assert np.allclose(found, forward(load_robot("scara"), "pick").matrix, atol=1e-15)
 
 
-def test_a_leading_minus_is_a_value_and_not_an_option(dhcli) -> None:
+def test_a_leading_minus_is_a_value_and_not_an_option(dhcli: Run) -> None:
     """`--q -0.3,0.5,0.1` works as it is typed."""
     assert dhcli("fk", "scara", "--q", "-0.3,0.5,0.1", "--format", "json").data["values"]["theta1"] == -0.3
 
 
-def test_joint_values_come_from_a_file(dhcli, tmp_path: Path) -> None:
+def test_joint_values_come_from_a_file(dhcli: Run, tmp_path: Path) -> None:
     """Lines, commas and comments."""
     (tmp_path / "q.txt").write_text("# the elbow up\n0.3, 0.5,\n100mm\n", "utf-8")
     assert dhcli("fk", "scara", "--q", "@q.txt", "--format", "json").data["values"]["d3"] == 0.1
 
 
-def test_set_replaces_a_length(dhcli) -> None:
+def test_set_replaces_a_length(dhcli: Run) -> None:
     """In any unit."""
     done = dhcli("fk", "scara", "--q", "0,0,0", "--set", "l2=1000mm", "--set", "l3=1", "--format", "json")
     assert _matrix(done)[1][3] == 2.0
 
 
-def test_symbolic_prints_the_textbook_form(dhcli) -> None:
+def test_symbolic_prints_the_textbook_form(dhcli: Run) -> None:
     """The line that the blueprint promises."""
     assert "p_x = c1*(a2*c2 + a3*c23 - d4*s23) - d3*s1\n" in dhcli("fk", "puma560", "--symbolic").out
 
 
-def test_the_full_style_spells_functions_out(dhcli) -> None:
+def test_the_full_style_spells_functions_out(dhcli: Run) -> None:
     """No shorthand is left, so no legend is needed either."""
     out = dhcli("fk", "planar-2r", "-s", "--style", "full").out
     assert "cos(theta1+theta2)" in out
     assert "c12" not in out
 
 
-def test_symbolic_substitutes_exactly_what_is_given(dhcli) -> None:
+def test_symbolic_substitutes_exactly_what_is_given(dhcli: Run) -> None:
     """theta4 and a3 become zero; nothing else gets a value."""
     done = dhcli("fk", "puma560", "-s", "--q", "theta4=0", "--set", "a3=0", "--style", "short", "--format", "json")
     assert set(done.data["values"]) == {"theta4", "a3"}
@@ -95,7 +96,7 @@ def test_symbolic_substitutes_exactly_what_is_given(dhcli) -> None:
     assert done.data["matrix"] == [list(row) for row in pose.cells()]
 
 
-def test_frames_lists_every_frame_from_the_first(dhcli) -> None:
+def test_frames_lists_every_frame_from_the_first(dhcli: Run) -> None:
     """T_01 to T_03, and the last is the pose itself."""
     data = dhcli("fk", "scara", "--q", Q, "--frames", "--format", "json").data
     assert [(f["name"], f["reference"], f["frame"]) for f in data["frames"]] == [
@@ -106,7 +107,7 @@ def test_frames_lists_every_frame_from_the_first(dhcli) -> None:
     assert data["frames"][-1]["matrix"] == data["matrix"]
 
 
-def test_the_product_of_the_links_is_the_pose(dhcli) -> None:
+def test_the_product_of_the_links_is_the_pose(dhcli: Run) -> None:
     """A_1 A_2 A_3 = T_03."""
     data = dhcli("fk", "scara", "--q", Q, "--links", "--format", "json").data
     assert [link["name"] for link in data["links"]] == ["A_1", "A_2", "A_3"]
@@ -124,13 +125,13 @@ def test_the_product_of_the_links_is_the_pose(dhcli) -> None:
         ),
     ],
 )
-def test_the_factors_stand_in_the_order_of_the_convention(dhcli, robot: str, names: list[str]) -> None:
+def test_the_factors_stand_in_the_order_of_the_convention(dhcli: Run, robot: str, names: list[str]) -> None:
     """Four elementary matrices for a DH row."""
     data = dhcli("fk", robot, "-s", "--factors", "all", "--format", "json").data
     assert [factor["name"] for factor in data["factors"]] == names
 
 
-def test_factors_of_one_link_need_the_values_of_that_link_only(dhcli) -> None:
+def test_factors_of_one_link_need_the_values_of_that_link_only(dhcli: Run) -> None:
     """The pose beside them is that link's own."""
     data = dhcli("fk", "puma560", "--q", "q2=30°", "--factors", "2", "--format", "json").data
     assert (data["reference"], data["frame"], len(data["factors"])) == ("1", "2", 4)
@@ -138,14 +139,14 @@ def test_factors_of_one_link_need_the_values_of_that_link_only(dhcli) -> None:
     assert np.allclose(product, data["matrix"], atol=1e-15)
 
 
-def test_from_and_to_choose_the_frames(dhcli) -> None:
+def test_from_and_to_choose_the_frames(dhcli: Run) -> None:
     """Zhou's tool stands behind frame 6."""
     data = dhcli("fk", "zhou-6r", "--pose", "zero", "--from", "3", "--to", "tool", "--format", "json").data
     assert (data["reference"], data["frame"]) == ("3", "tool")
     assert data["matrix"] == [list(row) for row in forward(load_robot("zhou-6r"), "zero", start=3, end="tool").rows]
 
 
-def test_the_inverse_undoes_the_pose(dhcli) -> None:
+def test_the_inverse_undoes_the_pose(dhcli: Run) -> None:
     """Frames change places, and the product is the identity."""
     there = dhcli("fk", "scara", "--q", Q, "--format", "json").data
     back = dhcli("fk", "scara", "--q", Q, "--inverse", "--format", "json").data
@@ -153,20 +154,20 @@ def test_the_inverse_undoes_the_pose(dhcli) -> None:
     assert np.allclose(np.array(there["matrix"]) @ np.array(back["matrix"]), np.eye(4), atol=1e-15)
 
 
-def test_a_point_of_the_end_frame_is_seen_from_the_first(dhcli) -> None:
+def test_a_point_of_the_end_frame_is_seen_from_the_first(dhcli: Run) -> None:
     """A unit along x3."""
     seen = dhcli("fk", "planar-2r", "--q", "90°,-90°", "--set", "a1=1,a2=1", "--point", "1,0,0.5").out
     assert seen.endswith("p_x = 2\np_y = 1\np_z = 0.5\n")
 
 
-def test_names_of_a_symbolic_point_may_be_unknown_to_the_robot(dhcli) -> None:
+def test_names_of_a_symbolic_point_may_be_unknown_to_the_robot(dhcli: Run) -> None:
     """Bajd's grasped block, in letters of its own."""
     out = dhcli("fk", "scara", "-s", "--point", "-e*cos(alpha), -e*sin(alpha), c").out
     assert "p_z = l1 - d3 + c\n" in out
     assert "e*c12*cos(alpha)" in out
 
 
-def test_as_replaces_the_matrix_and_states_its_convention(dhcli) -> None:
+def test_as_replaces_the_matrix_and_states_its_convention(dhcli: Run) -> None:
     """Roll, pitch, yaw and position, in the order asked."""
     out = dhcli("fk", "scara", "--pose", "pick", "--as", "rpy", "--as", "position").out
     assert "R = Rz(yaw) Ry(pitch) Rx(roll)" in out
@@ -174,21 +175,21 @@ def test_as_replaces_the_matrix_and_states_its_convention(dhcli) -> None:
     assert out.index("rpy") < out.index("position")
 
 
-def test_roll_at_the_pole_is_zero_with_a_warning(dhcli) -> None:
+def test_roll_at_the_pole_is_zero_with_a_warning(dhcli: Run) -> None:
     """Pitch 90° leaves only one of roll and yaw."""
     done = dhcli("transform", "Rot(z,20°) Rot(y,90°) Rot(x,30°)", "--as", "rpy")
     assert "roll  =   0°" in done.out
     assert "dhcli: warning: pitch is ±90°" in done.err
 
 
-def test_let_names_the_brackets_that_come_twice(dhcli) -> None:
+def test_let_names_the_brackets_that_come_twice(dhcli: Run) -> None:
     """As a lecturer writes it."""
     out = dhcli("fk", "puma560", "-s", "--let").out
     assert "let k1 = c4*c5*c6 - s4*s6\n" in out
     assert "c1*k8 - d3*s1" in out
 
 
-def test_a_limit_that_is_passed_warns_on_stderr_and_names_the_joint(dhcli) -> None:
+def test_a_limit_that_is_passed_warns_on_stderr_and_names_the_joint(dhcli: Run) -> None:
     """The pose is computed all the same."""
     done = dhcli("fk", "puma560", "--q", "200,0,0,0,0,0", "--deg")
     assert done.code == 0
@@ -196,20 +197,20 @@ def test_a_limit_that_is_passed_warns_on_stderr_and_names_the_joint(dhcli) -> No
     assert "warning" not in done.out
 
 
-def test_warnings_stand_in_the_envelope_too(dhcli) -> None:
+def test_warnings_stand_in_the_envelope_too(dhcli: Run) -> None:
     """With their severity; the command is a success."""
     envelope = dhcli("fk", "puma560", "--q", "200,0,0,0,0,0", "--deg", "--format", "json").envelope
     assert envelope["ok"] is True
     assert [problem["severity"] for problem in envelope["problems"]] == ["warning"]
 
 
-def test_numpy_reads_the_numpy_format(dhcli) -> None:
+def test_numpy_reads_the_numpy_format(dhcli: Run) -> None:
     """Full precision, comment and all."""
     out = dhcli("fk", "scara", "--q", Q, "--format", "numpy").out
     assert np.array_equal(eval(out, {"np": np}), forward(load_robot("scara"), [0.3, 0.5, 0.1]).matrix)  # noqa: S307
 
 
-def test_sympy_reads_the_sympy_format(dhcli) -> None:
+def test_sympy_reads_the_sympy_format(dhcli: Run) -> None:
     """And finds the same pose."""
     out = dhcli("fk", "puma560", "-s", "--format", "sympy").out
     values = {f"theta{i}": i / 10 for i in range(1, 7)} | {"a2": 0.4318, "a3": 0.0203, "d3": 0.15005, "d4": 0.4318}
@@ -218,14 +219,14 @@ def test_sympy_reads_the_sympy_format(dhcli) -> None:
     assert np.allclose(np.array(found.tolist(), dtype=float), expected, atol=1e-12)
 
 
-def test_csv_has_four_lines_of_four(dhcli) -> None:
+def test_csv_has_four_lines_of_four(dhcli: Run) -> None:
     """Numbers in full precision."""
     rows = list(csv.reader(io.StringIO(dhcli("fk", "scara", "--q", Q, "--format", "csv").out)))
     assert [len(row) for row in rows] == [4] * 4
     assert float(rows[0][0]) == pytest.approx(cos(0.8), abs=1e-15)
 
 
-def test_matlab_declares_the_symbols_it_uses(dhcli) -> None:
+def test_matlab_declares_the_symbols_it_uses(dhcli: Run) -> None:
     """But not the names of brackets, which have a line of their own."""
     lines = dhcli("fk", "stanford", "-s", "--let", "--format", "matlab").out.split("\n")
     assert lines[0] == "% T_06 of stanford: frame 6 seen from frame 0"
@@ -233,13 +234,13 @@ def test_matlab_declares_the_symbols_it_uses(dhcli) -> None:
     assert lines[2].startswith("k1 = ")
 
 
-def test_latex_is_a_bracketed_matrix(dhcli) -> None:
+def test_latex_is_a_bracketed_matrix(dhcli: Run) -> None:
     """With subscripts in braces."""
     out = dhcli("fk", "planar-2r", "-s", "--format", "latex").out
     assert out.startswith("\\begin{bmatrix}\n  c_{12} & -s_{12} & 0 & ")
 
 
-def test_digits_round_what_people_read(dhcli) -> None:
+def test_digits_round_what_people_read(dhcli: Run) -> None:
     """Ten decimals."""
     assert f"{sin(0.8):.10f}" in dhcli("fk", "scara", "--q", Q, "--digits", "10").out
 
@@ -248,14 +249,14 @@ def test_digits_round_what_people_read(dhcli) -> None:
     ("suffix", "start"),
     [("json", "{"), ("tex", r"\begin{bmatrix}"), ("m", "%"), ("py", "#"), ("csv", "0.69"), ("txt", "T_03 of scara")],
 )
-def test_the_suffix_of_the_file_chooses_the_format(dhcli, tmp_path: Path, suffix: str, start: str) -> None:
+def test_the_suffix_of_the_file_chooses_the_format(dhcli: Run, tmp_path: Path, suffix: str, start: str) -> None:
     """Nothing on stdout, one line of talk on stderr."""
     done = dhcli("fk", "scara", "--q", Q, "-o", f"pose.{suffix}")
     assert (done.code, done.out, done.err) == (0, "", f"wrote pose.{suffix}\n")
     assert (tmp_path / f"pose.{suffix}").read_text("utf-8").startswith(start)
 
 
-def test_a_file_is_overwritten_only_with_force(dhcli, tmp_path: Path) -> None:
+def test_a_file_is_overwritten_only_with_force(dhcli: Run, tmp_path: Path) -> None:
     """The old content stays until then."""
     (tmp_path / "pose.json").write_text("precious", "utf-8")
     done = dhcli("fk", "scara", "--q", Q, "-o", "pose.json")
@@ -266,7 +267,7 @@ def test_a_file_is_overwritten_only_with_force(dhcli, tmp_path: Path) -> None:
     assert json.loads((tmp_path / "pose.json").read_text("utf-8"))["ok"] is True
 
 
-def test_a_robot_file_is_read_from_standard_input(process) -> None:
+def test_a_robot_file_is_read_from_standard_input(process: Run) -> None:
     """`-` is accepted wherever a robot is asked for."""
     text = (Path(__file__).parents[2] / "robots" / "scara.yaml").read_text("utf-8")
     done = process("fk", "-", "--q", f"0,{pi / 2},0", stdin=text)

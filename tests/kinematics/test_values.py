@@ -100,8 +100,8 @@ def test_bare_numbers_may_be_degrees(scara: Robot) -> None:
             "q:8: deg is a unit of angle, a length is wanted, and d3 slides (write 0.4 m or 400 mm)",
         ),
         ("0.3,0.5,x", "q:9: x is not a name that is known here"),
-        ("nan,0,0", "q:1: nan is not a name that is known here"),
-        ("inf,0,0", "q:1: inf is not a name that is known here"),
+        ("nan,0,0", "q:1: nan is no number that a robot can have"),
+        ("inf,0,0", "q:1: inf is no number that a robot can have"),
         ("0,0,1/0", "q:6: a division by zero"),
         ("0.1,,0.2", "q:5: the end where a number, a name or a bracket was expected"),
         ("theta1=1, q1=2", "q:11: theta1 is given twice"),
@@ -181,7 +181,7 @@ def test_what_is_missing_is_named_all_at_once(scara: Robot) -> None:
         forward(load_robot("dh-link"))
     assert [problem.message for problem in caught.value.problems] == [
         "no value for theta_i",
-        "a_i, alpha_i, d_i of dh-link has no value",
+        "a_i, alpha_i, d_i of dh-link have no value",
     ]
     assert caught.value.problems[1].hint == "give one: --set a_i=0.4 --set alpha_i=30° --set d_i=0.4"
 

@@ -45,7 +45,7 @@ def test_ink_leaves_the_text_alone_without_colour() -> None:
         ("θ_1 + 90°", "theta_1 + 90deg"),
         ("⎡ ⎢ ⎣ ⎤ ⎥ ⎦", "[ [ [ ] ] ]"),
         ("Armstrong-Hélouvry", "Armstrong-Helouvry"),
-        ("−π/2 · √3", "-pi/2 , sqrt3"),
+        ("−π/2 · √3", "-pi/2, sqrt3"),
         ("日本", "??"),
     ],
 )

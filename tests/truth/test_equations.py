@@ -62,7 +62,7 @@ IN_FILES = {
     "B35": ("scara", "1", "2"),
     "B36": ("scara", "2", "3"),
     "B37": ("scara", "0", "3"),
-    "B39": ("scara", "0", "3"),  # its table is another way to the same pose
+    "B39": ("scara-standard", "0", "3"),
     # 003 Zhou
     "Z05": ("dh-link", "0", "1"),
     "Z10": ("dh-link", "1", "0"),
@@ -102,6 +102,7 @@ IN_FILES = {
     "Z49g": ("puma200", "0", "3"),
     "Z49h": ("puma200", "3", "6"),
     "Z49i": ("puma200", "0", "6"),
+    "Z49j": ("puma200-spherical-wrist", "0", "6"),
     # 004 WPI
     "W07": ("dh-link-modified", "0", "1"),
     "W08": ("puma560", "0", "1"),
@@ -124,7 +125,7 @@ OTHERS = {
     "a general move or a point": "B02 B03 B04 B06 B08 B09 B11 B12 B13",
     "moves in numbers, to be typed": "B15a B15b B15c B16 B19 B20 B21 B22a B22b B22c B23 B24",
     "a point of zhou-3r": "Z20 Z21",
-    "another table for puma200: the conjecture, and the brackets read as offsets": "Z49j Z49k",
+    "another table for puma200: the brackets read as offsets": "Z49k",
 }
 """The items that no file holds, and why."""
 

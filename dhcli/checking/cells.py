@@ -1,0 +1,140 @@
+"""A DH table cell by cell: angles modulo a full turn, lengths by equality or within a tolerance."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+
+from dhcli.algebra.floats import Floats
+from dhcli.checking.exercise import Exercise
+from dhcli.checking.symbolic import put, same
+from dhcli.checking.table_reading import TypedRow
+from dhcli.checking.table_spelling import ANGLES
+from dhcli.checking.tolerance import Tolerance, judge
+from dhcli.checking.verdicts import CellMark, Verdict
+from dhcli.kinematics.conventions import Row
+from dhcli.kinematics.robot import Robot, Value
+from dhcli.kinematics.values import numbers
+from dhcli.notation.angle import Angle
+from dhcli.notation.styles import Joints
+from dhcli.notation.tree import Expr, Number, Sum, add, multiply
+from dhcli.notation.walk import symbols
+from dhcli.notation.writer import write, write_angle
+
+STEP = 15
+"""Twists and offsets are drawn in multiples of so many degrees, or given by name."""
+
+
+def mark_cells(
+    typed: Sequence[TypedRow], truth: Sequence[Row], columns: Sequence[str], exercise: Exercise, tolerance: Tolerance
+) -> tuple[CellMark, ...]:
+    """Judge each cell against that of another table with as many rows; zeros earn nothing."""
+    size = size_of(truth, exercise)
+    return tuple(
+        _mark(row, right, (r, c), columns[c], exercise, tolerance, size)
+        for r, (row, right) in enumerate(zip(typed, truth, strict=True))
+        for c in range(len(columns))
+    )
+
+
+def spelled(value: Value, joints: Joints) -> str:
+    """A cell as a person would type it."""
+    return write_angle(value, "short", joints) if isinstance(value, Angle) else write(value, "short", joints)
+
+
+def table_text(rows: Sequence[Row], columns: Sequence[str], joints: Joints) -> str:
+    """A table as a matrix that can be read again."""
+    lines = (", ".join(spelled(getattr(row, column), joints) for column in columns) for row in rows)
+    return "[" + ", ".join(f"[{line}]" for line in lines) + "]"
+
+
+def in_other_unit(row: Row, factor: Fraction) -> Row:
+    """The row with its bare lengths in another unit; letters stay."""
+    return Row(_times(row.a, factor), row.alpha, _times(row.d, factor), row.theta)
+
+
+def settled(row: Row, tolerance: Tolerance) -> Row:
+    """The row with angles that were rounded, 1.57 rad or 89.99°, as the multiple of 15° they mean."""
+    return Row(row.a, _settled(row.alpha, tolerance), row.d, _settled(row.theta, tolerance))
+
+
+def size_of(rows: Sequence[Row], exercise: Exercise) -> float:
+    """Sum of the lengths in a table at the values known [m]; 0 where there are none."""
+    over = Floats(numbers(own_values(exercise)))
+    total = 0.0
+    for row in rows:
+        for expr in (row.a, row.d):
+            if symbols(expr) <= own_values(exercise).keys():
+                total += abs(over.value(expr))
+    return total
+
+
+def own_values(exercise: Exercise) -> Mapping[str, Value]:
+    """Values that the robot and the task have, whether or not the answer may be in numbers."""
+    return {**known_values(exercise.robot), **exercise.given}
+
+
+def known_values(robot: Robot | None) -> dict[str, Value]:
+    """The lengths and angles of a robot that have a value."""
+    return {name: value for name, value in robot.parameters.items() if value is not None} if robot else {}
+
+
+def _mark(  # noqa: PLR0913, PLR0917  everything a cell is judged by
+    typed: TypedRow,
+    truth: Row,
+    place: tuple[int, int],
+    column: str,
+    exercise: Exercise,
+    tolerance: Tolerance,
+    size: float,
+) -> CellMark:
+    right: Value = getattr(truth, column)
+    value: Value = getattr(typed.row, column)
+    verdict = _judged(value, right, exercise, tolerance, size)
+    note = ""
+    if verdict is not Verdict.RIGHT and column in ANGLES:
+        other: Angle = getattr(typed.swapped, column)
+        if other != value and _judged(other, right, exercise, tolerance, size) is Verdict.RIGHT:
+            unit = "radians" if other.radians else "degrees"
+            note = f"{typed.cells[column].text} would be right in {unit}: write the unit"
+    counted = right != Angle() and right != Number(Fraction(0))
+    joints = exercise.writing
+    return CellMark(*place, verdict, typed.cells[column].text, spelled(right, joints), note, counted)
+
+
+def _judged(value: Value, right: Value, exercise: Exercise, tolerance: Tolerance, size: float) -> Verdict:
+    if isinstance(value, Angle) and isinstance(right, Angle):
+        known = {name: v for name, v in exercise.given.items() if isinstance(v, Angle)}
+        apart = value.substitute(known) - right.substitute(known)
+        if apart.terms:
+            own = {name: v for name, v in own_values(exercise).items() if isinstance(v, Angle)}
+            apart = Angle() if value.names else apart.substitute(own)
+            if value.names or apart.terms:
+                return Verdict.WRONG
+        off = (float(apart.degrees) + math.degrees(apart.radians) + 180) % 360 - 180
+        return judge(off, 0.0, tolerance.angle)
+    if isinstance(value, Angle) or isinstance(right, Angle):
+        return Verdict.WRONG
+    if same(value, right, exercise.given):
+        return Verdict.RIGHT
+    value, right = put(value, exercise.given), put(right, own_values(exercise))
+    if symbols(value) or symbols(right):
+        return Verdict.WRONG
+    over = Floats()
+    limit = tolerance.position if tolerance.position is not None else 1e-3 * size
+    return judge(over.value(value), over.value(right), limit)
+
+
+def _settled(angle: Angle, tolerance: Tolerance) -> Angle:
+    degrees = float(angle.degrees) + math.degrees(angle.radians)
+    meant = STEP * round(degrees / STEP)
+    if abs(degrees - meant) > tolerance.angle:
+        return angle
+    return Angle(angle.terms, Fraction(meant))
+
+
+def _times(expr: Expr, factor: Fraction) -> Expr:
+    if isinstance(expr, Sum):
+        return add(*(_times(term, factor) for term in expr.terms))
+    return expr if symbols(expr) else multiply(expr, Number(factor))

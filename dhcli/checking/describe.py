@@ -1,0 +1,60 @@
+"""What a question asks, in a few words: for sheets, for judgements, and for people about to answer."""
+
+from __future__ import annotations
+
+from dhcli.checking.questions import (
+    CellQuestion,
+    ChoiceQuestion,
+    CountQuestion,
+    FactorsQuestion,
+    MatrixQuestion,
+    Question,
+    ScalarQuestion,
+    Span,
+    TableQuestion,
+)
+from dhcli.notation.styles import THETAS, Joints
+from dhcli.notation.writer import write
+
+
+def describe(question: Question, joints: Joints = THETAS) -> str:
+    """What a part asks for, in a few words."""
+    match question:
+        case MatrixQuestion():
+            return _matrix(question, joints)
+        case TableQuestion(convention):
+            return f"the {convention.value} DH table"
+        case CellQuestion(column, link):
+            return f"{column} of link {link}"
+        case FactorsQuestion(link):
+            return f"the elementary moves of link {link}, in order"
+        case ScalarQuestion():
+            return "one value"
+        case CountQuestion(what, linkage):
+            return f"{what} of {linkage}, a whole number"
+        case ChoiceQuestion():
+            return "the number of one statement"
+    raise TypeError(question)
+
+
+def _matrix(question: MatrixQuestion, joints: Joints) -> str:
+    if isinstance(question.source, Span):
+        start, end = question.source.start, question.source.end
+        whole = f"A_{end}" if question.source.link else f"T_{start}{end}"
+        whole += f", frame {end} seen from frame {start}"
+    else:
+        whole = question.source.text
+    if question.inverse:
+        whole = f"the inverse of {whole}"
+    row, column = question.index
+    point = ", ".join(write(coordinate, "short", joints) for coordinate in question.point)
+    pieces = {
+        "pose": f"{whole}: a 4x4 matrix, row by row",
+        "rotation": f"the rotation of {whole}: a 3x3 matrix",
+        "position": f"the position of {whole}: three lengths",
+        "entry": f"entry ({row + 1},{column + 1}) of {whole}",
+        "axis": f"the {'xyz'[row]} axis of {whole}: three direction cosines",
+        "point": f"the point ({point}) through {whole}: three lengths",
+        "vector": f"the vector ({point}) turned by {whole}: three lengths",
+    }
+    return pieces[question.piece]

@@ -1,0 +1,289 @@
+"""Judging an answer to a part: the gates in their order, then the values."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+from dhcli.algebra.floats import Floats
+from dhcli.algebra.terms import TERMS
+from dhcli.checking.counts import mark_count, right_count
+from dhcli.checking.exercise import Exercise, Part
+from dhcli.checking.misprints import misprint_remarks
+from dhcli.checking.numeric import mark_numbers
+from dhcli.checking.questions import (
+    CellQuestion,
+    ChoiceQuestion,
+    CountQuestion,
+    FactorsQuestion,
+    MatrixQuestion,
+    ScalarQuestion,
+    TableQuestion,
+)
+from dhcli.checking.reading import UnreadableError, read_entries, without_label
+from dhcli.checking.symbolic import mark_symbols, put, same
+from dhcli.checking.tolerance import Tolerance, is_rounding_of, judge
+from dhcli.checking.truth import Truth, is_length, truth_of
+from dhcli.checking.verdicts import CellMark, Mark, Verdict
+from dhcli.errors import NotationError, Place, RobotError
+from dhcli.kinematics.fold import fold
+from dhcli.kinematics.forward import spelled
+from dhcli.kinematics.moves import Chain, Fixed, Rot, Trans, along, read_chain
+from dhcli.kinematics.robot import Link, Robot, Value
+from dhcli.kinematics.values import numbers
+from dhcli.notation.angle import Angle
+from dhcli.notation.factors import AXES
+from dhcli.notation.parser import parse
+from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_length
+from dhcli.notation.tree import ZERO, Expr
+from dhcli.notation.walk import symbols
+from dhcli.notation.writer import write, write_angle
+
+BLANK = re.compile(r"[\s\[\](){},;.…_?–-]*")  # noqa: RUF001
+
+
+def mark(exercise: Exercise, part: Part, answer: str, place: Place | None = None) -> Mark:
+    """Judge an answer to one part.
+
+    Args:
+        exercise: The exercise.
+        part: The part that is answered.
+        answer: What the student typed; blank is skipped.
+        place: Where it stands, for errors.
+
+    Returns:
+        The judgement. An answer that cannot be read gets one too: CAN'T READ, with what would be read.
+    """
+    if BLANK.fullmatch(answer):
+        return Mark(Verdict.SKIPPED)
+    try:
+        return _judged(exercise, part, answer, place)
+    except UnreadableError as error:
+        return Mark(Verdict.CANNOT_READ, answer.strip(), remarks=error.remarks)
+    except NotationError as error:
+        return Mark(Verdict.CANNOT_READ, answer.strip(), remarks=tuple(str(problem) for problem in error.problems))
+
+
+def check(exercise: Exercise, part: str, answer: str) -> Mark:
+    """Judge an answer to one part of an exercise, named by its id.
+
+    Args:
+        exercise: The exercise, from `load_exercise`.
+        part: Name of the part.
+        answer: What the student typed.
+
+    Raises:
+        UnknownNameError: There is no such part; the hint lists those there are.
+    """
+    return mark(exercise, exercise.part(part), answer)
+
+
+def _judged(exercise: Exercise, part: Part, answer: str, place: Place | None) -> Mark:
+    question = part.question
+    tolerance = part.tolerance or exercise.tolerance
+    match question:
+        case MatrixQuestion():
+            return _matrix(exercise, part, question, answer, tolerance, place)
+        case TableQuestion():
+            from dhcli.checking.tables import mark_table
+
+            return mark_table(question, exercise, answer, part.compare, tolerance)
+        case CellQuestion(column, link):
+            row = _link(exercise, link).row
+            if row is None:
+                raise RobotError(f"{exercise.id} asks for a cell, and its robot has no table")
+            return _value(exercise, getattr(row, column), answer, tolerance, place)
+        case ScalarQuestion(expr):
+            return _value(exercise, _quantity(expr, exercise), answer, tolerance, place)
+        case FactorsQuestion(link):
+            return _factors(exercise, _link(exercise, link), answer, place)
+        case ChoiceQuestion(options, right):
+            return _choice(options, right, answer)
+        case CountQuestion():
+            return mark_count(question, answer, place)
+
+
+def expected(exercise: Exercise, part: Part, style: str = "short") -> str:
+    """The right answer to a part as a person would type it."""
+    match part.question:
+        case MatrixQuestion():
+            truth = truth_of(part.question, exercise)
+            return _as_text(part.question, truth, exercise, style)
+        case TableQuestion(convention):
+            from dhcli.checking.tables import write_table
+
+            return write_table(exercise, convention)
+        case CellQuestion(column, link):
+            row = _link(exercise, link).row
+            return _spelled(getattr(row, column), exercise)
+        case ScalarQuestion(expr):
+            return _spelled(_quantity(expr, exercise), exercise)
+        case FactorsQuestion(link):
+            return " ".join(spelled(move, exercise.writing) for move in _link(exercise, link).moves)
+        case ChoiceQuestion(_, right):
+            return str(right)
+        case CountQuestion():
+            return str(right_count(part.question))
+    raise TypeError(part.question)
+
+
+def _matrix(
+    exercise: Exercise, part: Part, question: MatrixQuestion, answer: str, tolerance: Tolerance, place: Place | None
+) -> Mark:
+    truth = truth_of(question, exercise)
+    entries = read_entries(question, exercise, answer, place)
+    reading = _matrix_text(tuple(tuple(write(e.typed, "short", exercise.writing) for e in row) for row in entries))
+    if exercise.numeric:
+        if truth.numbers is None:
+            raise RobotError(f"{exercise.id} asks for numbers, and not every name of the robot has a value")
+        judged = mark_numbers(question, truth, entries, exercise, tolerance)
+    else:
+        judged = mark_symbols(question, truth, entries, exercise)
+    remarks = judged.remarks
+    if judged.verdict in (Verdict.WRONG, Verdict.CLOSE) and part.printed is not None:
+        remarks = (*misprint_remarks(question, truth, entries, exercise, part.printed), *remarks)
+    columns = question.shape[1]
+    shown = [cell.expected for cell in judged.cells]
+    rows = tuple(tuple(shown[i : i + columns]) for i in range(0, len(shown), columns))
+    return replace(judged, reading=reading, remarks=remarks, expected=_matrix_text(rows))
+
+
+def _value(exercise: Exercise, right: Value, answer: str, tolerance: Tolerance, place: Place | None) -> Mark:
+    """Judge a single angle, length or number."""
+    text = without_label(answer)
+    typed_expr = parse(text, exercise.scope, place or Place("answer"))
+    try:
+        typed: Value = to_angle(typed_expr, bare="deg") if isinstance(right, Angle) else to_length(typed_expr)
+    except DimensionError as error:
+        raise UnreadableError(error.message + (f" ({error.hint})" if error.hint else "")) from None
+    reading, shown = _spelled(typed, exercise), _spelled(right, exercise)
+    verdict = _verdict_of_value(exercise, typed, right, typed_expr, tolerance)
+    cell = CellMark(0, 0, verdict, reading, shown)
+    earned = float(verdict in (Verdict.RIGHT, Verdict.ROUNDED))
+    return Mark(verdict, reading, (cell,), earned=earned, expected=shown)
+
+
+def _verdict_of_value(
+    exercise: Exercise, typed: Value, right: Value, typed_expr: Expr, tolerance: Tolerance
+) -> Verdict:
+    if isinstance(right, Angle) or isinstance(typed, Angle):
+        difference = _constant(typed, exercise) - _constant(right, exercise)
+        if difference.terms:
+            return Verdict.WRONG
+        off = abs((float(difference.degrees) + float(difference.radians) * 57.29577951308232 + 180) % 360 - 180)
+        return judge(off, 0.0, tolerance.angle)
+    if same(typed, right, exercise.values):
+        return Verdict.RIGHT
+    typed, right = put(typed, exercise.values), put(right, exercise.values)
+    if symbols(typed) or symbols(right):
+        return Verdict.WRONG
+    over = Floats(numbers(exercise.values))
+    truth = over.value(right)
+    limit = tolerance.position if tolerance.position is not None else 1e-3 * max(abs(truth), 1e-9)
+    verdict = judge(over.value(typed), truth, limit)
+    if verdict is not Verdict.RIGHT and is_rounding_of(typed_expr, truth):
+        return Verdict.ROUNDED
+    return verdict
+
+
+def _constant(value: Value, exercise: Exercise) -> Angle:
+    if not isinstance(value, Angle):
+        return Angle()
+    return value.substitute({name: v for name, v in exercise.given.items() if isinstance(v, Angle)})
+
+
+def _factors(exercise: Exercise, link: Link, answer: str, place: Place | None) -> Mark:
+    """Judge the elementary moves of a link: the same moves in the same order, up to pairs that commute."""
+    typed = read_chain(without_label(answer), exercise.scope, place or Place("answer"))
+    reading = " ".join(spelled(move, exercise.writing) for move in typed)
+    shown = " ".join(spelled(move, exercise.writing) for move in link.moves)
+    moving, right = _elementary(typed), _elementary(link.moves)
+    same_moves = sorted(moving) == sorted(right)
+    remarks: tuple[str, ...] = ()
+    verdict = Verdict.RIGHT if same_moves and _same_product(typed, link.moves) else Verdict.WRONG
+    if verdict is Verdict.WRONG and same_moves:
+        remarks = ("the moves are right, their order is not",)
+    elif verdict is Verdict.WRONG:
+        remarks = (f"{len(set(moving) & set(right))} of {len(set(right))} moves are right",)
+    earned = float(verdict is Verdict.RIGHT)
+    return Mark(verdict, reading, remarks=remarks, earned=earned, expected=shown)
+
+
+def _elementary(chain: Chain) -> list[str]:
+    """The moves about and along single axes that move anything, as text."""
+    found: list[str] = []
+    for move in chain:
+        if isinstance(move, Rot) and not move.angle.is_zero:
+            found.append(spelled(move))
+        elif isinstance(move, Trans):
+            pairs = zip(AXES, move.offset, strict=True)
+            found += [spelled(along(axis, length)) for axis, length in pairs if not same(length, ZERO, {})]
+        elif isinstance(move, Fixed):
+            found.append(spelled(move))
+    return found
+
+
+def _same_product(first: Chain, second: Chain) -> bool:
+    rows = zip(fold(first, TERMS), fold(second, TERMS), strict=True)
+    return all(same(a, b, {}) for one, other in rows for a, b in zip(one, other, strict=True))
+
+
+def _choice(options: tuple[str, ...], right: int, answer: str) -> Mark:
+    text = answer.strip().strip("().[]").lower()
+    chosen = ord(text) - ord("a") + 1 if len(text) == 1 and text.isalpha() else int(text) if text.isdecimal() else 0
+    if not 1 <= chosen <= len(options):
+        raise UnreadableError(f"choose a number from 1 to {len(options)}")
+    verdict = Verdict.RIGHT if chosen == right else Verdict.WRONG
+    earned = float(verdict is Verdict.RIGHT)
+    return Mark(verdict, f"{chosen}: {options[chosen - 1]}", earned=earned, expected=f"{right}: {options[right - 1]}")
+
+
+def _link(exercise: Exercise, number: str) -> Link:
+    robot = _robot(exercise)
+    for link in robot.links:
+        if str(link.number) == number:
+            return link
+    numbered = ", ".join(str(link.number) for link in robot.links)
+    raise RobotError(f"{robot.name} has no link {number}", f"links: {numbered}")
+
+
+def _robot(exercise: Exercise) -> Robot:
+    if exercise.robot is None:
+        raise RobotError(f"{exercise.id} asks about a robot and names none")
+    return exercise.robot
+
+
+def _quantity(expr: Expr, exercise: Exercise) -> Value:
+    """An expression as an angle if its units or its names say so, else as a length or number."""
+    inside = symbols(expr)
+    if has_angle_unit(expr) or (inside and all(exercise.scope.is_angle(name) for name in inside)):
+        try:
+            return to_angle(expr)
+        except DimensionError:
+            pass  # a cosine of an angle is a number
+    return to_length(expr)
+
+
+def _spelled(value: Value, exercise: Exercise) -> str:
+    if isinstance(value, Angle):
+        return write_angle(value, "short", exercise.writing)
+    return write(value, "short", exercise.writing)
+
+
+def _as_text(question: MatrixQuestion, truth: Truth, exercise: Exercise, style: str) -> str:
+    """The right answer as text; numbers in the unit of the sheet."""
+    if exercise.numeric and truth.numbers is not None:
+        unit = float(exercise.metres)
+        return _matrix_text(
+            tuple(
+                tuple(f"{value / unit if is_length(question, r, c) else value:.10g}" for c, value in enumerate(row))
+                for r, row in enumerate(truth.numbers)
+            )
+        )
+    return _matrix_text(tuple(tuple(write(entry, style, exercise.writing) for entry in row) for row in truth.rows))
+
+
+def _matrix_text(rows: tuple[tuple[str, ...], ...]) -> str:
+    if len(rows) == 1 and len(rows[0]) == 1:
+        return rows[0][0]
+    return "[" + ", ".join("[" + ", ".join(row) + "]" for row in rows) + "]"

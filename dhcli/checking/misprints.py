@@ -1,0 +1,52 @@
+"""Answers that copy what a document prints where it prints it wrong."""
+
+from __future__ import annotations
+
+from dhcli.checking.exercise import Exercise, Printed
+from dhcli.checking.questions import MatrixQuestion
+from dhcli.checking.reading import Entry, UnreadableError, read_entries
+from dhcli.checking.symbolic import same
+from dhcli.checking.truth import Truth
+from dhcli.notation.writer import write
+
+
+def misprint_remarks(
+    question: MatrixQuestion,
+    truth: Truth,
+    entries: tuple[tuple[Entry, ...], ...],
+    exercise: Exercise,
+    printed: Printed,
+) -> tuple[str, ...]:
+    """A remark for each wrong entry of an answer that is the document's misprint."""
+    try:
+        shown = read_entries(question, exercise, printed.text)
+    except UnreadableError:
+        return ()
+    remarks = []
+    for r, row in enumerate(entries):
+        for c, entry in enumerate(row):
+            right = truth.rows[r][c]
+            if same(shown[r][c].expr, right, exercise.values):
+                continue
+            if same(entry.expr, shown[r][c].expr, exercise.values):
+                where = "this" if len(entries) == 1 else f"entry ({r + 1},{c + 1})"
+                proper = write(right, "short", exercise.writing)
+                remarks.append(f"{where} is what the document prints; it is a misprint, the right entry is {proper}")
+    return tuple(remarks)
+
+
+def misprints(
+    question: MatrixQuestion, truth: Truth, exercise: Exercise, printed: Printed
+) -> tuple[tuple[int, int], ...]:
+    """Row and column, from 0, of each entry that a document prints wrong.
+
+    Raises:
+        UnreadableError: What is printed cannot be read.
+    """
+    shown = read_entries(question, exercise, printed.text)
+    return tuple(
+        (r, c)
+        for r, row in enumerate(shown)
+        for c, entry in enumerate(row)
+        if not same(entry.expr, truth.rows[r][c], exercise.values)
+    )

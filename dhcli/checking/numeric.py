@@ -1,0 +1,261 @@
+"""Numeric answers: rotation cells and lengths each with their own tolerance, and the digits a student typed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+from dhcli.algebra.floats import Floats
+from dhcli.checking.exercise import Exercise
+from dhcli.checking.questions import MatrixQuestion
+from dhcli.checking.reading import Entry, UnreadableError
+from dhcli.checking.tolerance import ZERO, Tolerance, is_rounding_of, judge, typed_decimals, without_unit
+from dhcli.checking.truth import Truth, is_length
+from dhcli.checking.verdicts import CellMark, Mark, Verdict
+from dhcli.kinematics.pose import rounded
+from dhcli.kinematics.values import numbers
+from dhcli.notation.walk import symbols
+
+Matrix = Sequence[Sequence[float]]
+
+ORDER = (Verdict.WRONG, Verdict.CLOSE, Verdict.ROUNDED, Verdict.EQUIVALENT, Verdict.RIGHT)
+"""From worst to best; an answer is as good as its worst entry."""
+
+LEAST_SLACK = 4e-3
+"""What is allowed where entries were typed exactly: four times the tolerance of an entry."""
+
+RELATIVE = 1e-3
+"""Tolerance of a length where none is declared, as a share of the robot's size."""
+
+
+def mark_numbers(
+    question: MatrixQuestion,
+    truth: Truth,
+    entries: tuple[tuple[Entry, ...], ...],
+    exercise: Exercise,
+    tolerance: Tolerance,
+) -> Mark:
+    """Judge an answer in numbers.
+
+    Args:
+        question: The question.
+        truth: The right answer, with numbers.
+        entries: The answer as read, in the shape of the question.
+        exercise: The exercise, for its values and the unit of the sheet.
+        tolerance: Largest errors that count as right.
+
+    Raises:
+        UnreadableError: An entry has no finite value, or every length is right in another unit.
+    """
+    assert truth.numbers is not None  # noqa: S101  the caller has looked
+    typed = _values(entries, exercise)
+    limits = _limits(question, truth, tolerance)
+    cells = tuple(
+        _cell(question, truth, entries[r][c], typed[r][c], limits[r][c], tolerance, (r, c), exercise)
+        for r in range(len(typed))
+        for c in range(len(typed[r]))
+    )
+    verdict = min((cell.verdict for cell in cells), key=ORDER.index)
+    if verdict in (Verdict.WRONG, Verdict.CLOSE):
+        _check_units(question, truth, typed, limits, exercise)
+        if _is_rounded(question, truth, entries, typed, limits, float(exercise.metres)):
+            verdict = Verdict.ROUNDED
+    if verdict is Verdict.ROUNDED:
+        cells = tuple(replace(c, verdict=Verdict.ROUNDED) if c.verdict is not Verdict.RIGHT else c for c in cells)
+        remarks: tuple[str, ...] = ("right to the digits typed; more digits are wanted",)
+    else:
+        remarks = _remarks(question, truth.numbers, typed, verdict, _slack(entries), exercise.unit)
+    if tolerance.exact and verdict is Verdict.RIGHT and any(_is_decimal(e) for row in entries for e in row):
+        verdict, remarks = Verdict.ROUNDED, ("this task wants exact values, such as sqrt(2)/2 for 0.7071", *remarks)
+    return Mark(verdict, cells=cells, remarks=remarks, earned=_earned(question, cells, typed, verdict))
+
+
+def _values(entries: tuple[tuple[Entry, ...], ...], exercise: Exercise) -> list[list[float]]:
+    over = Floats(numbers(exercise.values))
+    typed: list[list[float]] = []
+    for r, row in enumerate(entries):
+        typed.append([])
+        for c, entry in enumerate(row):
+            missing = sorted(symbols(entry.expr) - exercise.values.keys())
+            if missing:
+                raise UnreadableError(f"entry ({r + 1},{c + 1}) holds {', '.join(missing)}, and a number was asked")
+            value = over.value(entry.expr)
+            if not math.isfinite(value):
+                raise UnreadableError(f"entry ({r + 1},{c + 1}), {entry.text}, is not a finite number")
+            typed[-1].append(value)
+    return typed
+
+
+def _limits(question: MatrixQuestion, truth: Truth, tolerance: Tolerance) -> list[list[float]]:
+    position = tolerance.position if tolerance.position is not None else max(RELATIVE * truth.size, ZERO)
+    return [
+        [position if is_length(question, r, c) else tolerance.rotation for c in range(len(row))]
+        for r, row in enumerate(truth.rows)
+    ]
+
+
+def _cell(  # noqa: PLR0913, PLR0917  everything an entry is judged by
+    question: MatrixQuestion,
+    truth: Truth,
+    entry: Entry,
+    typed: float,
+    limit: float,
+    tolerance: Tolerance,
+    place: tuple[int, int],
+    exercise: Exercise,
+) -> CellMark:
+    row, column = place
+    assert truth.numbers is not None  # noqa: S101
+    right = truth.numbers[row][column]
+    verdict = judge(typed, right, limit)
+    scale = float(exercise.metres) if is_length(question, row, column) else 1.0
+    if verdict is not Verdict.RIGHT and tolerance.decimals is not None:
+        wanted = typed_decimals(entry.typed)
+        if wanted == tolerance.decimals and is_rounding_of(entry.typed, right / scale):
+            verdict = Verdict.RIGHT
+    counted = not truth.is_structural(row, column)
+    return CellMark(row, column, verdict, entry.text, rounded(right / scale), counted=counted)
+
+
+def _check_units(
+    question: MatrixQuestion, truth: Truth, typed: list[list[float]], limits: list[list[float]], exercise: Exercise
+) -> None:
+    """Refuse an answer whose lengths would all be right in another unit, and whose rest is right."""
+    assert truth.numbers is not None  # noqa: S101
+    if exercise.unit == "none":
+        return
+    for factor, other in ((1e-3, "mm"), (1e3, "km" if exercise.unit == "m" else "m")):
+        right = moved = True
+        for r, row in enumerate(typed):
+            for c, value in enumerate(row):
+                length = is_length(question, r, c)
+                scaled = value * factor if length else value
+                right = right and judge(scaled, truth.numbers[r][c], limits[r][c]) is Verdict.RIGHT
+                moved = moved and (not length or abs(value) <= limits[r][c] or value != scaled)
+        if right and moved:
+            unit = exercise.unit
+            said = "mm" if unit == "m" and factor < 1 else "m" if unit == "mm" and factor > 1 else other
+            raise UnreadableError(f"right in {said}; this sheet is in {unit}")
+
+
+def _is_rounded(
+    question: MatrixQuestion,
+    truth: Truth,
+    entries: tuple[tuple[Entry, ...], ...],
+    typed: list[list[float]],
+    limits: list[list[float]],
+    unit: float,
+) -> bool:
+    """Whether every entry that is not right is the truth with fewer decimals, and at least two."""
+    assert truth.numbers is not None  # noqa: S101
+    for r, row in enumerate(typed):
+        for c, value in enumerate(row):
+            right = truth.numbers[r][c]
+            if judge(value, right, limits[r][c] * 1e-3) is Verdict.RIGHT:
+                continue
+            number, scale = without_unit(entries[r][c].typed, unit if is_length(question, r, c) else 1.0)
+            if truth.is_structural(r, c) or not is_rounding_of(number, right / scale):
+                return False
+    return True
+
+
+def _is_decimal(entry: Entry) -> bool:
+    return typed_decimals(entry.typed) is not None
+
+
+def _matters(cell: CellMark) -> bool:
+    """Whether an entry counts: those that are the same for everybody only where they are wrong."""
+    return cell.counted or cell.verdict is not Verdict.RIGHT
+
+
+def _earned(question: MatrixQuestion, cells: tuple[CellMark, ...], typed: Matrix, verdict: Verdict) -> float:
+    """Share of the credit: the rotation is one item, each length is one; the identity earns nothing."""
+    if verdict in (Verdict.RIGHT, Verdict.ROUNDED):
+        return 1.0
+    if question.piece == "pose" and all(
+        abs(value - (r == c)) < RELATIVE for r, row in enumerate(typed) for c, value in enumerate(row)
+    ):
+        return 0.0
+    cosines = [cell for cell in cells if not is_length(question, cell.row, cell.column)]
+    lengths = [cell for cell in cells if is_length(question, cell.row, cell.column)]
+    items: list[bool] = []
+    if any(_matters(cell) for cell in cosines):
+        items.append(all(cell.verdict is Verdict.RIGHT for cell in cosines))
+    items += [cell.verdict is Verdict.RIGHT for cell in lengths if _matters(cell)]
+    return sum(items) / len(items) if items else 0.0
+
+
+def _slack(entries: tuple[tuple[Entry, ...], ...]) -> float:
+    """What the digits typed allow a length or a dot product to be off: four half units, of the commonest number of digits."""
+    places = [p for row in entries[:3] for entry in row[:3] if (p := typed_decimals(entry.typed)) is not None]
+    return max(2 * 10.0 ** -max(places, key=places.count), LEAST_SLACK) if places else LEAST_SLACK
+
+
+def _remarks(
+    question: MatrixQuestion, right: Matrix, typed: Matrix, verdict: Verdict, slack: float, unit: str
+) -> tuple[str, ...]:
+    """What geometry says: not a rotation, transposed, inverse, or by which angle the orientation is off."""
+    if verdict is Verdict.RIGHT or question.piece not in ("pose", "rotation"):
+        return ()
+    rotation = [row[:3] for row in typed[:3]]
+    fault = not_orthonormal(rotation, slack)
+    if fault:
+        return (fault,)
+    truth = [row[:3] for row in right[:3]]
+    if not _near(rotation, truth):
+        if not _near(_transposed(rotation), truth):
+            return (f"the orientation is off by {math.degrees(angle_between(rotation, truth)):.3g}°",)
+        if question.piece == "pose" and _is_inverse(typed, right):
+            return ("this is the inverse: it shows the reference from the frame",)
+        return ("the rotation is transposed: its columns, not its rows, are the axes of the frame described",)
+    if question.piece == "rotation":
+        return ()
+    scale, name_of_unit = (1.0, "") if unit == "none" else (1000.0, " mm")
+    offsets = [(name, rounded((typed[k][3] - right[k][3]) * scale, 2)) for k, name in enumerate("xyz")]
+    off = ", ".join(f"{offset}{name_of_unit} along {name}" for name, offset in offsets if offset != "0")
+    return (f"the rotation is right; the position is off by {off}",) if off else ()
+
+
+def not_orthonormal(rotation: Matrix, slack: float = LEAST_SLACK) -> str:
+    """What keeps three columns from being a rotation, in words; empty if nothing does.
+
+    Args:
+        rotation: Direction cosines, shape (3, 3).
+        slack: What rounded digits may add up to.
+    """
+    columns = list(zip(*rotation, strict=True))
+    for i, column in enumerate(columns):
+        length = math.sqrt(sum(x * x for x in column))
+        if abs(length - 1) > slack:
+            return f"this is no rotation: column {i + 1} has length {length:.4g}, not 1"
+    for i in range(3):
+        for j in range(i + 1, 3):
+            dot = sum(a * b for a, b in zip(columns[i], columns[j], strict=True))
+            if abs(dot) > slack:
+                return f"this is no rotation: columns {i + 1} and {j + 1} are not perpendicular"
+    (a, b, c), (d, e, f), (p, q, r) = rotation
+    if a * (e * r - f * q) - b * (d * r - f * p) + c * (d * q - e * p) < 0:
+        return "this is a reflection, not a rotation: the columns are left-handed"
+    return ""
+
+
+def angle_between(first: Matrix, second: Matrix) -> float:
+    """The angle of the rotation that leads from one orientation to another [rad], from its sine and cosine."""
+    turn = [[sum(first[k][i] * second[k][j] for k in range(3)) for j in range(3)] for i in range(3)]
+    sine = math.hypot(turn[2][1] - turn[1][2], turn[0][2] - turn[2][0], turn[1][0] - turn[0][1])
+    return math.atan2(sine, turn[0][0] + turn[1][1] + turn[2][2] - 1)
+
+
+def _transposed(matrix: Matrix) -> Matrix:
+    return [list(column) for column in zip(*matrix, strict=True)]
+
+
+def _near(first: Matrix, second: Matrix, limit: float = 2e-3) -> bool:
+    return all(abs(a - b) <= limit for r, s in zip(first, second, strict=True) for a, b in zip(r, s, strict=True))
+
+
+def _is_inverse(typed: Matrix, right: Matrix) -> bool:
+    size = max(1e-9, *(abs(row[3]) for row in right[:3]))
+    back = [sum(typed[i][k] * right[k][3] for k in range(3)) + typed[i][3] for i in range(3)]
+    return all(abs(value) <= 1e-2 * size for value in back)

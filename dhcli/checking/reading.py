@@ -1,0 +1,143 @@
+"""An answer as typed, up to the gate before its values: read, known, of the right shape, with a proper bottom row."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from dhcli.algebra.floats import Floats
+from dhcli.checking.exercise import Exercise
+from dhcli.checking.questions import MatrixQuestion
+from dhcli.checking.truth import is_length
+from dhcli.checking.vectors import as_column
+from dhcli.errors import NotationError, Place
+from dhcli.notation.matrix import Cell, parse_matrix
+from dhcli.notation.parser import parse
+from dhcli.notation.quantity import DimensionError, to_length
+from dhcli.notation.tree import ONE, ZERO, Expr, Number, multiply, number
+from dhcli.notation.walk import symbols
+
+LARGEST = 256_000
+LEAST = 1e-12
+"""What floating point leaves where an exact 0 or 1 was meant."""
+
+_LABEL = re.compile(r"\s*[^\s=\[\](){},;]{1,30}\s*=\s*(?=[\[({\\a-zA-Z0-9.√−-])")  # noqa: RUF001
+_NAMED_MATRIX = re.compile(r"[^=\n]{1,60}=\s*(?=\[|\\begin|\\left|array|np\.|Matrix|matrix)")
+_CONTINUED = re.compile(r"\.\.\.[^\S\n]*(?=\n)")
+_UNFILLED = re.compile(r"(?<![\w}])_(?![\w{])")
+_SCREEN = re.compile(r"[⎡⎢⎣].*[⎤⎥⎦]")
+
+
+class UnreadableError(Exception):
+    """An answer that cannot be judged, because of its format and not of its content.
+
+    Attributes:
+        remarks: What is wrong with it and what would be read.
+    """
+
+    def __init__(self, *remarks: str) -> None:
+        """Say what would be read."""
+        super().__init__("; ".join(remarks))
+        self.remarks = remarks
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One entry of an answer: as typed, and as read in metres."""
+
+    expr: Expr
+    text: str
+    typed: Expr
+
+
+def read_entries(
+    question: MatrixQuestion, exercise: Exercise, text: str, place: Place | None = None
+) -> tuple[tuple[Entry, ...], ...]:
+    """Read an answer to a question about a matrix, in the shape of the right one.
+
+    Raises:
+        UnreadableError: It has another shape, an unknown name, or cannot be read.
+    """
+    if len(text) > LARGEST:
+        raise UnreadableError(f"the answer has {len(text)} characters, more than the {LARGEST} that are read")
+    body = without_label(text)
+    if _UNFILLED.search(body):
+        raise UnreadableError("some entries are still blank: fill in every _")
+    if question.shape == (3, 1):
+        body = as_column(body, exercise.scope, is_axis=question.piece == "axis")
+    elif not body.lstrip().startswith(("[", "(", "{", "\\", "|")):
+        body = f"[{body}]" if question.piece == "rotation" else body
+    try:
+        if question.shape == (1, 1):
+            expr = parse(body.strip(), exercise.scope, place or Place("answer"))
+            return ((_entry(question, exercise, Cell(expr, body.strip(), 0), 0, 0),),)
+        cells = parse_matrix(body, exercise.scope, place or Place("answer"))
+    except NotationError as error:
+        raise UnreadableError(*(str(problem) for problem in error.problems)) from None
+    shaped = _shaped(question, cells)
+    return tuple(
+        tuple(_entry(question, exercise, cell, r, c) for c, cell in enumerate(row)) for r, row in enumerate(shaped)
+    )
+
+
+def without_label(text: str) -> str:
+    """The answer without `T_03 =` in front, and without what a screen shows around a matrix."""
+    lines = _SCREEN.findall(text)
+    if lines:
+        return "\n".join(lines)
+    text = _CONTINUED.sub("", text)
+    match = _LABEL.match(text) or _NAMED_MATRIX.match(text)
+    return text[match.end() :] if match else text
+
+
+def _shaped(question: MatrixQuestion, cells: tuple[tuple[Cell, ...], ...]) -> tuple[tuple[Cell, ...], ...]:
+    """The cells in the shape of the answer; a column may be typed as a row, and a point with its final 1."""
+    wanted = question.shape
+    shape = (len(cells), len(cells[0]))
+    if wanted[1] == 1 and 1 in shape:
+        flat = [cell for row in cells for cell in row]
+        last = 0 if question.piece in ("vector", "axis") else 1
+        if len(flat) == wanted[0] + 1 == 4 and flat[3].expr == number(last):  # noqa: PLR2004  homogeneous
+            flat = flat[:3]
+        if len(flat) == wanted[0]:
+            return tuple((cell,) for cell in flat)
+    if shape == wanted:
+        return cells
+    raise UnreadableError(_shape_remark(question, shape))
+
+
+def _shape_remark(question: MatrixQuestion, shape: tuple[int, int]) -> str:
+    rows, columns = question.shape
+    asked = f"{rows}x{columns}" if columns > 1 else f"{rows} numbers" if rows > 1 else "one number"
+    if question.piece == "pose" and shape == (3, 3):
+        return "this is a rotation, 3x3; a pose was asked: add the position as fourth column and the row 0 0 0 1"
+    if question.piece == "pose" and shape == (3, 4):
+        return "the bottom row is missing: add the row 0 0 0 1"
+    if question.piece == "pose" and shape[1] == 3:  # noqa: PLR2004
+        return "the rows have 3 entries; a pose has 4 in each row, the position in the fourth"
+    if question.piece == "rotation" and shape == (4, 4):
+        return "this is a pose, 4x4; only the rotation was asked, its first three rows and columns"
+    if question.piece in ("position", "point") and shape == (4, 4):
+        return "this is a pose, 4x4; only three coordinates were asked"
+    return f"the answer is {shape[0]}x{shape[1]}; {asked} was asked" if rows > 1 else f"{asked} was asked"
+
+
+def _entry(question: MatrixQuestion, exercise: Exercise, cell: Cell, row: int, column: int) -> Entry:
+    where = f"entry ({row + 1},{column + 1})"
+    try:
+        expr = to_length(cell.expr)
+    except DimensionError as error:
+        raise UnreadableError(f"{where}: {error.message}") from None
+    length = is_length(question, row, column)
+    if expr != cell.expr and not length:
+        raise UnreadableError(f"{where} is a direction cosine and has no unit")
+    if length and expr == cell.expr and not symbols(expr) and exercise.metres != 1:
+        expr = multiply(expr, Number(exercise.metres))
+    if question.piece == "pose" and row == 3 and not _is_about(expr, ONE if column == 3 else ZERO):  # noqa: PLR2004
+        raise UnreadableError("the bottom row of a pose is 0 0 0 1")
+    return Entry(expr, cell.text, cell.expr)
+
+
+def _is_about(expr: Expr, wanted: Number) -> bool:
+    """Whether an entry is a number but for what floating point leaves of it."""
+    return expr == wanted or (not symbols(expr) and abs(Floats().value(expr) - float(wanted.value)) <= LEAST)

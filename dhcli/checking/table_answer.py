@@ -1,0 +1,171 @@
+"""A DH table that has been read, beside the robot it is about: its cells, its motion, and the freedom it has used."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+
+from dhcli.checking.cells import in_other_unit, mark_cells, own_values, settled
+from dhcli.checking.exercise import Exercise
+from dhcli.checking.freedoms import Drawn, Slack, end_freedoms, frame_freedoms, joint_freedoms
+from dhcli.checking.motions import Outcome, Values, same_motion, same_robot
+from dhcli.checking.reading import UnreadableError
+from dhcli.checking.screws import Arm
+from dhcli.checking.table_reading import TypedRow, misplaced, variable_of
+from dhcli.checking.tolerance import Tolerance
+from dhcli.checking.verdicts import CellMark, Verdict
+from dhcli.kinematics.conventions import Convention, Row, moves_of
+from dhcli.kinematics.frames import between
+from dhcli.kinematics.robot import Robot
+from dhcli.notation.quantity import LENGTH_UNITS
+from dhcli.notation.tree import ZERO
+
+FULL_TURN = 7
+"""Above this many radians a bare number was meant in degrees."""
+
+_ORDER = (Verdict.WRONG, Verdict.CLOSE, Verdict.RIGHT)
+
+
+@dataclass(frozen=True, slots=True)
+class TableAnswer:
+    """A table and everything it is judged by.
+
+    Attributes:
+        rows: The rows as read.
+        exercise: The exercise, for its values.
+        robot: The right robot; the exercise's own, or its second truth.
+        convention: The convention that was asked for.
+        tolerance: Largest errors that count as right.
+        compare: `literal`, `same-motion` or `same-robot`.
+        end_free: Whether the end frame may be any.
+    """
+
+    rows: tuple[TypedRow, ...]
+    exercise: Exercise
+    robot: Robot
+    convention: Convention
+    tolerance: Tolerance
+    compare: str
+    end_free: bool
+
+    @property
+    def plain(self) -> tuple[Row, ...]:
+        """The rows alone."""
+        return tuple(typed.row for typed in self.rows)
+
+    @property
+    def table(self) -> tuple[Row, ...]:
+        """The robot's own table in this convention; nothing if it has none."""
+        if self.robot.convention is not self.convention:
+            return ()
+        return rows_of(self.robot)
+
+    @property
+    def truth(self) -> Arm:
+        """The right chain, from the first numbered frame to the last."""
+        frames = self.robot.frames
+        return Arm.of(between(self.robot, frames[1], frames[-2]), self.robot.variables)
+
+    @property
+    def cells(self) -> tuple[CellMark, ...]:
+        """The cells one by one; nothing where the robot's table has not as many rows."""
+        if len(self.table) != len(self.rows):
+            return ()
+        return mark_cells(self.rows, self.table, self.robot.columns, self.exercise, self.tolerance)
+
+    @property
+    def misfit(self) -> str:
+        """Why this cannot be the robot at all, before any motion is compared; nothing if it can."""
+        fault = misplaced(self.rows, self.robot)
+        if fault:
+            return fault
+        right = self.truth.variables
+        typed = self.arm(self.plain, self.convention).variables
+        if typed != right:
+            return f"your joints come as {', '.join(typed)}; this robot has {', '.join(right)}"
+        return ""
+
+    def arm(self, rows: Iterable[Row], convention: Convention) -> Arm:
+        """The chain of some rows; angles near a multiple of 15° are meant as that."""
+        chain = tuple(move for row in rows for move in moves_of(settled(row, self.tolerance), convention))
+        return Arm.of(chain, self.robot.variables)
+
+    def judged(
+        self, rows: Iterable[Row] | None = None, convention: Convention | None = None, *, end_free: bool = False
+    ) -> Outcome:
+        """Compare the rows, or others in their place, with the robot."""
+        other = self.arm(self.plain if rows is None else rows, convention or self.convention)
+        values = Values(self.exercise.given, own_values(self.exercise))
+        if self.compare == "same-motion" and not end_free:
+            return same_motion(self.truth, other, values, self.tolerance)
+        return same_robot(self.truth, other, values, self.tolerance, end_free=self.end_free or end_free)
+
+    def is_right(self, rows: tuple[Row, ...]) -> bool:
+        """Whether other rows in the place of these would be right."""
+        if self.compare == "literal":
+            typed = tuple(replace(old, row=row) for old, row in zip(self.rows, rows, strict=True))
+            cells = replace(self, rows=typed).cells
+            return bool(cells) and worst(cells) is Verdict.RIGHT
+        return self.judged(rows).verdict is Verdict.RIGHT
+
+    def freedoms(self, outcome: Outcome) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        """What is drawn otherwise than in the solution, and what is counted otherwise."""
+        if outcome.match is None:
+            return (), ()
+        truth, match, slack = self.truth, outcome.match, self.slack(outcome)
+        movers = [variable_of(row, self.robot.variables) for row in self.table]
+        if movers and movers == [variable_of(row, self.robot.variables) for row in self.plain]:
+            own = tuple(moves_of(row, self.convention) for row in self.table)
+            typed = tuple(moves_of(settled(row, self.tolerance), self.convention) for row in self.plain)
+            drawn = Drawn(own, typed, self.convention, self.robot.first)
+            frames = frame_freedoms(drawn, match, truth.variables, outcome.point, slack)
+        else:
+            base = end_freedoms("base", match.base.inverse(), slack)
+            frames = (*base, *end_freedoms("end", match.tool, slack))
+        kinds = [screw.turns for screw in truth.screws(outcome.point)[0]]
+        return frames, joint_freedoms(match, truth.variables, kinds, slack, " ".join(frames))
+
+    def slack(self, outcome: Outcome) -> Slack:
+        """What counts as no difference between two frames."""
+        if outcome.rounded:
+            return Slack(5 * self.tolerance.rotation, 5 * self.tolerance.rotation * outcome.size)
+        return Slack(1e-5, 1e-6 * outcome.size)
+
+    def check_units(self) -> None:
+        """Refuse a table that is right but for the unit of its angles or lengths.
+
+        Raises:
+            UnreadableError: Naming the unit that makes it right.
+        """
+        if self.misfit:
+            return
+        swapped = tuple(typed.swapped for typed in self.rows)
+        angles = [angle for row in swapped for angle in (row.alpha, row.theta)]
+        plausible = all(abs(angle.radians) <= FULL_TURN for angle in angles)
+        if swapped != self.plain and plausible and self.is_right(swapped):
+            here, there = ("degrees", "radians") if any(angle.radians for angle in angles) else ("radians", "degrees")
+            raise UnreadableError(f"right in {there}; the angles of this sheet are in {here}: write -90° or -pi/2")
+        unit = self.exercise.unit
+        for other in ("mm", "cm", "m"):
+            rows = tuple(in_other_unit(row, LENGTH_UNITS[other] / LENGTH_UNITS[unit]) for row in self.plain)
+            if other != unit and rows != self.plain and self.is_right(rows):
+                raise UnreadableError(f"right in {other}; this sheet is in {unit}")
+
+
+def rows_of(robot: Robot) -> tuple[Row, ...]:
+    """The rows of a robot's table."""
+    return tuple(link.row for link in robot.links if link.row is not None)
+
+
+def worst(cells: Iterable[CellMark]) -> Verdict:
+    """A table is as good as its worst cell."""
+    return min((cell.verdict for cell in cells), key=_ORDER.index)
+
+
+def ends_on_axis(robot: Robot) -> bool:
+    """Whether behind the last joint there are only moves about and along its axis, as in a modified table."""
+    if robot.convention is not Convention.STANDARD:
+        return robot.convention is Convention.MODIFIED
+    rows = rows_of(robot)
+    last = max((i for i, row in enumerate(rows) if variable_of(row, robot.variables)), default=0)
+    return all(row.a == ZERO and row.alpha.is_zero for row in rows[last:])

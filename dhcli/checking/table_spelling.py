@@ -1,0 +1,173 @@
+"""How people dress a table up: heads, link numbers, stars and drawn values, keys, all taken off before it is read."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from dhcli.kinematics.conventions import COLUMNS
+from dhcli.notation.matrix import matching
+from dhcli.notation.names import canonical, parts
+from dhcli.notation.quantity import LENGTH_UNITS, UNITS, Bare
+from dhcli.notation.scope import Scope
+from dhcli.notation.tokens import Token
+from dhcli.notation.tree import Symbol
+
+ANGLES = ("alpha", "theta")
+
+_LETTERS = {"a": "a", "r": "a", "alpha": "alpha", "d": "d", "s": "d", "theta": "theta"}
+_SUBSCRIPTS = frozenset(("", "i", "i-1", "j", "j-1", "n", "n-1"))
+_FILLING = frozenset(("i", "j", "n", "link", "joint", "no", "nr", "row", "type", "1", *",&|-/_[](){}")) | UNITS
+_NUMBERING = frozenset(("link", "joint", "row"))
+_KINDS = frozenset(("revolute", "prismatic", "fixed"))
+_RULES = frozenset(("hline", "toprule", "midrule", "bottomrule"))
+_OPENING, _CLOSING = frozenset("[({"), frozenset("])}")
+_BREAKS = frozenset(",&|;]}(")
+_NUMBER_SIGN = re.compile(r"^(\s*\|?\s*)#(?=\s*[|,&\s])")
+_BULLET = re.compile(r"^(\s*)-(?=\s+[\[{])", re.MULTILINE)
+_ORDER = re.compile(r"^.*\bRot\(.*$", re.MULTILINE)
+
+
+@dataclass(frozen=True, slots=True)
+class Heads:
+    """What is known of the columns.
+
+    Attributes:
+        columns: Their order.
+        bare: What an angle without a unit is in.
+        unit: What a length without a unit is in.
+    """
+
+    columns: tuple[str, ...]
+    bare: Bare = "deg"
+    unit: str = "m"
+
+
+def plain_text(text: str) -> str:
+    """The text with the bullets of a list and the line of the order of operations blanked out; columns stay."""
+    text = _BULLET.sub(r"\1 ", _NUMBER_SIGN.sub(r"\1i", text))
+    return _ORDER.sub(lambda line: " " * len(line[0]), text)
+
+
+def without_stars(tokens: list[Token], scope: Scope, variables: Sequence[str]) -> list[Token]:
+    """Without what marks a joint variable: a star, and in brackets the value in the pose drawn."""
+    kept: list[Token] = []
+    i = 0
+    while i < len(tokens):
+        token = tokens[i]
+        i += 1
+        if token.kind == "word" and token.text in _RULES:
+            continue
+        if token.text == "tabular":
+            token = replace(token, text="array")
+        kept.append(token)
+        if token.kind != "word" or not _is_variable(token.text, scope, variables):
+            continue
+        star = i + (tokens[i].text == "^" and tokens[i + 1].text == "*")
+        if tokens[star].text == "*" and _ends_cell(tokens[star + 1]):
+            i = star + 1
+        closing = matching(tokens, i) if tokens[i].text == "(" else -1
+        if closing > i and all(_is_constant(inner) for inner in tokens[i + 1 : closing]):
+            i = closing + 1
+            i += tokens[i].text == "*" and _ends_cell(tokens[i + 1])
+    return kept
+
+
+def _is_variable(word: str, scope: Scope, variables: Sequence[str]) -> bool:
+    return any(isinstance(reading, Symbol) and reading.name in variables for reading in scope.readings(word))
+
+
+def _ends_cell(token: Token) -> bool:
+    return token.kind in ("end", "newline") or token.text in _BREAKS or token.spaced
+
+
+def _is_constant(token: Token) -> bool:
+    return token.kind == "number" or token.text in ("+", "-", "/", "*", "°", "π", "pi") or token.text in UNITS
+
+
+def in_order(tokens: list[Token], columns: Sequence[str]) -> list[Token]:
+    """Rows such as `{alpha: 0, a: 0, d: d1, theta: theta1}` as plain lists, in the order of the columns."""
+    if not any(token.text == ":" for token in tokens):
+        return tokens
+    kept: list[Token] = []
+    i = 0
+    while i < len(tokens):
+        closing = matching(tokens, i) if tokens[i].text == "{" else -1
+        cells = _keyed(tokens[i + 1 : closing]) if closing > i else {}
+        if set(cells) == set(COLUMNS):
+            for index, column in enumerate(columns):
+                kept += [replace(tokens[i], text="," if index else "["), *cells[column]]
+            kept.append(replace(tokens[closing], text="]"))
+            i = closing
+        elif tokens[i].text != ":":
+            kept.append(tokens[i])
+        i += 1
+    return kept
+
+
+def _keyed(tokens: Sequence[Token]) -> dict[str, list[Token]]:
+    cells: dict[str, list[Token]] = {}
+    key = ""
+    for index, token in enumerate(tokens):
+        follower = tokens[index + 1].text if index + 1 < len(tokens) else ""
+        if follower == ":" and canonical(token.text) in COLUMNS:
+            key = canonical(token.text)
+            cells[key] = []
+        elif key and token.text != ":" and not (token.text == "," and _opens_key(tokens, index + 1)):
+            cells[key].append(token)
+    return {column: cell for column, cell in cells.items() if cell}
+
+
+def _opens_key(tokens: Sequence[Token], index: int) -> bool:
+    return index >= len(tokens) or (index + 1 < len(tokens) and tokens[index + 1].text == ":")
+
+
+def without_heads(tokens: list[Token], known: Heads) -> tuple[list[Token], Heads]:
+    """The tokens without a first row that names the columns, and what that row says."""
+    start = next((i for i, t in enumerate(tokens) if t.kind == "word" and _column(t.text)), len(tokens))
+    while start and tokens[start - 1].text.lower() in _FILLING - _OPENING:
+        start -= 1
+    end = _end_of_heads(tokens, start)
+    row = tokens[start:end]
+    found = tuple(column for token in row if (column := _column(token.text)))
+    if sorted(found) != sorted(COLUMNS) or not any(token.kind in ("word", "number") for token in tokens[end:]):
+        return _without_numbering(tokens), known
+    units = dict.fromkeys(COLUMNS, "")
+    column = ""
+    for token in row:
+        column = _column(token.text) or column
+        if column and token.text in UNITS:
+            units[column] = token.text
+    bare: Bare = "rad" if any(units[angle].startswith("rad") for angle in ANGLES) else known.bare
+    unit = next((units[length] for length in ("a", "d") if units[length] in LENGTH_UNITS), known.unit)
+    return _without_numbering([*tokens[:start], *tokens[end:]]), Heads(found, bare, unit)
+
+
+def _end_of_heads(tokens: list[Token], start: int) -> int:
+    """Where a row of heads that begins here ends; where it begins if there is anything else in it."""
+    depth = 0
+    for index in range(start, len(tokens)):
+        token = tokens[index]
+        depth += (token.text in _OPENING) - (token.text in _CLOSING)
+        if token.kind in ("newline", "end") or depth < 0 or (token.text == ";" and depth == 0):
+            return index
+        if not (_column(token.text) or token.text.lower() in _FILLING):
+            return start
+    return start
+
+
+def _without_numbering(tokens: list[Token]) -> list[Token]:
+    """Without the word in `link 1`, which numbers a row, and without the kind of a joint."""
+    return [
+        token
+        for token, after in zip(tokens, [*tokens[1:], tokens[-1]], strict=True)
+        if not (token.text.lower() in _NUMBERING and after.kind == "number") and token.text.lower() not in _KINDS
+    ]
+
+
+def _column(word: str) -> str:
+    """The column that a head such as `α_{i-1}` names, or nothing."""
+    stem, subscript = parts(canonical(word))
+    known = _LETTERS.get(stem, "")
+    return known if subscript in _SUBSCRIPTS else ""

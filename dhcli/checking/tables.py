@@ -1,0 +1,190 @@
+"""Judging a DH table: by its cells, or by the motion it describes, because two tables are often both right."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from dhcli.checking.cells import table_text
+from dhcli.checking.exercise import Exercise
+from dhcli.checking.freedoms import end_freedoms
+from dhcli.checking.motions import Outcome
+from dhcli.checking.questions import TableQuestion
+from dhcli.checking.table_answer import TableAnswer, ends_on_axis, rows_of, worst
+from dhcli.checking.table_reading import read_table
+from dhcli.checking.tolerance import Tolerance
+from dhcli.checking.verdicts import CellMark, Mark, Verdict
+from dhcli.errors import Place, RobotError
+from dhcli.kinematics.conventions import NAMES, Convention
+from dhcli.kinematics.robot import Robot
+
+OTHERS = {Convention.STANDARD: Convention.MODIFIED, Convention.MODIFIED: Convention.STANDARD}
+
+
+def mark_table(
+    question: TableQuestion,
+    exercise: Exercise,
+    text: str,
+    compare: str = "same-robot",
+    tolerance: Tolerance | None = None,
+    *,
+    end_free: bool | None = None,
+    place: Place | None = None,
+) -> Mark:
+    """Judge a DH table.
+
+    Args:
+        question: Which convention was asked.
+        exercise: The exercise, with its robot and what it gives.
+        text: What was typed.
+        compare: `literal`, `same-motion` or `same-robot`.
+        tolerance: How near numbers must be; the exercise's own by default.
+        end_free: Whether the task leaves the end frame free; by default only where no table of this convention
+            reaches the robot's own end frame.
+        place: Where the text stands, for errors.
+
+    Returns:
+        RIGHT for the robot's own cells, and for other frames of the same robot, which are named; EQUIVALENT for what
+        is right in another way; CLOSE or WRONG with the first joint that differs.
+
+    Raises:
+        UnreadableError: The table cannot be read, or only its unit is wrong.
+        RobotError: There is no robot, or nothing to compare the cells with.
+    """
+    if exercise.robot is None:
+        raise RobotError(f"{exercise.id} asks for a table and names no robot")
+    robot = exercise.robot
+    rows = read_table(text, robot, exercise.scope, robot.columns, exercise.unit, place)
+    if end_free is None:
+        end_free = question.convention is Convention.MODIFIED and not ends_on_axis(robot)
+    tolerance = tolerance or exercise.tolerance
+    answer = TableAnswer(rows, exercise, robot, question.convention, tolerance, compare, end_free)
+    cells = answer.cells
+    if cells and worst(cells) is Verdict.RIGHT:
+        mark = Mark(Verdict.RIGHT, cells=cells, earned=1.0)
+    else:
+        mark = _by_cells(answer, cells) if compare == "literal" else _by_motion(answer, cells)
+    reading = table_text(answer.plain, robot.columns, exercise.writing)
+    return replace(mark, reading=reading, expected=_own_table(exercise, question.convention))
+
+
+def write_table(exercise: Exercise, convention: Convention) -> str:
+    """The right table as a person would type it, columns in the robot's order.
+
+    Raises:
+        RobotError: The robot has no table in this convention.
+    """
+    text = _own_table(exercise, convention)
+    if not text:
+        name = exercise.robot.name if exercise.robot else exercise.id
+        raise RobotError(f"{name} has no table in {NAMES[convention]}", "give one as a second robot, under also:")
+    return text
+
+
+def _own_table(exercise: Exercise, convention: Convention) -> str:
+    robots = [robot for robot in (exercise.robot, exercise.also and exercise.also[0]) if robot is not None]
+    for robot in robots:
+        if robot.convention is convention:
+            return table_text(rows_of(robot), robots[0].columns, exercise.writing)
+    return ""
+
+
+def _by_cells(answer: TableAnswer, cells: tuple[CellMark, ...]) -> Mark:
+    """Judge by the cells alone; another right table is named as such."""
+    if not answer.table:
+        raise RobotError(f"{answer.robot.name} has no table in {NAMES[answer.convention]} to compare cells with")
+    second = _second_truth(answer)
+    if second is not None:
+        return second
+    answer.check_units()
+    remarks = _notes(cells)
+    if not cells:
+        remarks = (f"your table has {len(answer.rows)} rows, the right one has {len(answer.table)}",)
+    if not answer.misfit and replace(answer, compare="same-robot").judged().verdict is Verdict.RIGHT:
+        remarks = ("a right table of the same robot, but this task asks for the one of the document", *remarks)
+    return Mark(worst(cells) if cells else Verdict.WRONG, cells=cells, remarks=remarks, earned=_earned(cells))
+
+
+def _by_motion(answer: TableAnswer, cells: tuple[CellMark, ...]) -> Mark:
+    if answer.misfit:
+        return Mark(Verdict.WRONG, cells=cells, remarks=(answer.misfit,), earned=_earned(cells))
+    outcome = answer.judged()
+    if outcome.verdict is Verdict.RIGHT:
+        return _accepted(answer, cells, outcome)
+    second = _second_truth(answer)
+    if second is not None:
+        return second
+    answer.check_units()
+    remarks = _why(answer, cells, outcome)
+    return Mark(outcome.verdict, cells=cells, remarks=remarks, earned=_earned(cells))
+
+
+def _accepted(answer: TableAnswer, cells: tuple[CellMark, ...], outcome: Outcome) -> Mark:
+    """Right with other frames, or with the joints counted otherwise, or simply another table."""
+    frames, joints = answer.freedoms(outcome)
+    own = not answer.table or (answer.compare == "same-robot" and bool(frames))
+    remarks = (*frames, *joints) or (() if own else ("another table of the same motion",))
+    shown = tuple(c if c.verdict is Verdict.RIGHT else replace(c, verdict=Verdict.EQUIVALENT, note="") for c in cells)
+    return Mark(Verdict.RIGHT if own else Verdict.EQUIVALENT, cells=shown, remarks=remarks, earned=1.0)
+
+
+def _second_truth(answer: TableAnswer) -> Mark | None:
+    """EQUIVALENT if the answer is the exercise's other robot, or goes on to the robot's tool."""
+    others = [answer.exercise.also] if answer.exercise.also else []
+    if answer.robot.tool and answer.compare != "literal":
+        last = answer.robot.links[-1]
+        links = (*answer.robot.links[:-1], replace(last, moves=(*last.moves, *answer.robot.tool), row=None))
+        others.append((replace(answer.robot, links=links, tool=()), "the table goes on to the tool frame"))
+    for robot, note in others:
+        second = replace(answer, robot=robot, exercise=replace(answer.exercise, robot=robot, also=None))
+        cells = second.cells
+        if cells and worst(cells) is Verdict.RIGHT:
+            return Mark(Verdict.EQUIVALENT, cells=cells, remarks=(note,), earned=1.0)
+        if answer.compare == "literal" or second.misfit:
+            continue
+        outcome = second.judged()
+        if outcome.verdict is Verdict.RIGHT:
+            mark = _accepted(second, cells, outcome)
+            said = mark.remarks if second.table else ()
+            return replace(mark, verdict=Verdict.EQUIVALENT, remarks=(note, *said))
+    return None
+
+
+def _why(answer: TableAnswer, cells: tuple[CellMark, ...], outcome: Outcome) -> tuple[str, ...]:
+    """What can be said of a wrong table: the other convention, the end frame, or the first wrong joint."""
+    convention = OTHERS[answer.convention]
+    robot = replace(answer, compare="same-robot")
+    if len(answer.robot.variables) > 1 and robot.judged(None, convention, end_free=True).verdict is Verdict.RIGHT:
+        return (f"right for {NAMES[convention]}; this exercise uses {answer.convention.value}",)
+    if answer.compare == "same-motion":
+        outcome = robot.judged()
+        if outcome.verdict is Verdict.RIGHT:
+            frames, joints = robot.freedoms(outcome)
+            return "the same robot, but this task fixes base, end frame, zeros and senses", *frames, *joints
+    if outcome.verdict is Verdict.CLOSE:
+        return ()
+    free = robot.judged(end_free=True)
+    if free.verdict is Verdict.RIGHT and free.match is not None:
+        end = end_freedoms("end", free.match.tool, robot.slack(free)) or ("your end frame is another",)
+        return f"all joints are right; {end[0]}", *_notes(cells)
+    return _first_difference(answer.robot, outcome.joints), *_notes(cells)
+
+
+def _first_difference(robot: Robot, agreed: int) -> str:
+    names = [str(robot.first + k) for k in range(agreed)]
+    if agreed >= len(robot.variables):
+        return f"the first difference is behind joint {names[-1]}"
+    if agreed > 1:
+        right = f"joints {', '.join(names[:-1])} and {names[-1]} are right; "
+    else:
+        right = f"joint {names[0]} is right; " if agreed else ""
+    return f"{right}the first difference is at joint {robot.first + agreed}"
+
+
+def _notes(cells: Sequence[CellMark]) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(cell.note for cell in cells if cell.note))
+
+
+def _earned(cells: Sequence[CellMark]) -> float:
+    counted = [cell for cell in cells if cell.counted or cell.verdict is Verdict.WRONG]
+    return sum(cell.verdict is Verdict.RIGHT for cell in counted) / len(counted) if counted else 0.0

@@ -1,0 +1,81 @@
+"""How near is near enough: physical tolerances, and the digits a student typed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from dhcli.checking.verdicts import Verdict
+from dhcli.notation.quantity import LENGTH_UNITS
+from dhcli.notation.tree import Expr, Number, Product, Unit, negate
+
+SLACK = 1e-9
+ZERO = 1e-12
+LEAST_DECIMALS = 2
+CLOSE_FACTOR = 10.0
+
+
+@dataclass(frozen=True, slots=True)
+class Tolerance:
+    """Largest errors that count as right.
+
+    Attributes:
+        rotation: Of a direction cosine.
+        position: Of a length [m]; None for a thousandth of the robot's size.
+        angle: Of an angle in a table [degrees].
+        decimals: Decimals that the task asks for, or None.
+        exact: Whether only exact values count, `sqrt(2)/2` and not 0.7071.
+    """
+
+    rotation: float = 1e-3
+    position: float | None = None
+    angle: float = 0.05
+    decimals: int | None = None
+    exact: bool = False
+
+
+DEFAULT = Tolerance()
+
+
+def judge(typed: float, truth: float, tolerance: float) -> Verdict:
+    """A number against the truth: RIGHT on a closed interval, CLOSE within ten times it, else WRONG."""
+    error = abs(typed - truth)
+    if error <= tolerance * (1 + SLACK):
+        return Verdict.RIGHT
+    return Verdict.CLOSE if error <= CLOSE_FACTOR * tolerance * (1 + SLACK) else Verdict.WRONG
+
+
+def typed_decimals(expr: Expr) -> int | None:
+    """Decimals of an entry that is a plain decimal number, or None."""
+    number = expr if isinstance(expr, Number) else negate(expr)
+    return number.places if isinstance(number, Number) else None
+
+
+def without_unit(expr: Expr, unit: float) -> tuple[Expr, float]:
+    """A typed length as its number and the metres in its unit; a bare one is in the unit of the sheet."""
+    if isinstance(expr, Product) and isinstance(expr.factors[-1], Unit):
+        name = expr.factors[-1].name
+        if len(expr.factors) == 2 and name in LENGTH_UNITS:  # noqa: PLR2004  a number and its unit
+            return expr.factors[0], float(LENGTH_UNITS[name])
+    return expr, unit
+
+
+def is_rounding_of(expr: Expr, truth: float, least: int = LEAST_DECIMALS) -> bool:
+    """Whether an entry is the truth rounded or cut off to the decimals typed, so many of them significant."""
+    places = typed_decimals(expr)
+    if places is None or not isinstance(expr, Number):
+        return False
+    if significant_decimals(expr.value, places) < least:
+        return False
+    unit = 10.0**-places
+    typed = float(expr.value)
+    rounded = abs(typed - truth) <= unit / 2 * (1 + SLACK)
+    cut = typed * truth >= 0 and -SLACK <= abs(truth) - abs(typed) < unit
+    return rounded or cut
+
+
+def significant_decimals(value: Fraction, places: int) -> int:
+    """Decimals typed, leading zeros of a number below 1 left out: two in 0.70 and in 0.070, one in 0.05."""
+    scaled = abs(value) * 10**places
+    digits = str(int(scaled))
+    return places if abs(value) >= 1 else min(places, len(digits)) if scaled else 0

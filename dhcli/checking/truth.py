@@ -1,0 +1,152 @@
+"""The right answer to a question, computed from the robot."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from dhcli.algebra.floats import Floats
+from dhcli.algebra.terms import TERMS
+from dhcli.checking.exercise import Exercise
+from dhcli.checking.questions import MatrixQuestion, Span
+from dhcli.errors import RobotError
+from dhcli.kinematics.fold import fold
+from dhcli.kinematics.forward import put_in
+from dhcli.kinematics.frames import between, frame
+from dhcli.kinematics.merge import merge
+from dhcli.kinematics.moves import Chain, expressions, inverse, names
+from dhcli.kinematics.robot import Robot, Value
+from dhcli.kinematics.values import numbers
+from dhcli.notation.tree import ONE, ZERO, Expr, Number, add, multiply
+from dhcli.notation.walk import symbols
+
+
+@dataclass(frozen=True, slots=True)
+class Truth:
+    """The right answer to a question about a matrix.
+
+    Attributes:
+        rows: The entries in textbook form.
+        numbers: The entries in floats at the given values, or None while a name has no value.
+        size: Sum of the lengths of all translations at the given values [m], the scale of a tolerance.
+        structural: Which entries are the same for everybody and earn nothing: the bottom row and, where joints or
+            lengths have names, those that are 0 and the direction cosines that are 1 or -1.
+    """
+
+    rows: tuple[tuple[Expr, ...], ...]
+    numbers: tuple[tuple[float, ...], ...] | None
+    size: float
+    structural: tuple[tuple[bool, ...], ...]
+
+    def is_structural(self, row: int, column: int) -> bool:
+        """Whether an entry is the same for everybody, so that it earns nothing."""
+        return self.structural[row][column]
+
+
+def truth_of(question: MatrixQuestion, exercise: Exercise, robot: Robot | None = None) -> Truth:
+    """The right answer to a question about a matrix, computed once for each exercise.
+
+    Args:
+        question: The question.
+        exercise: The exercise it belongs to, for the values given.
+        robot: The robot to compute it for; the exercise's own by default.
+    """
+    known = exercise.truths.get((question, robot and robot.name))
+    if not isinstance(known, Truth):
+        known = exercise.truths[question, robot and robot.name] = _compute(question, exercise, robot)
+    return known
+
+
+def _compute(question: MatrixQuestion, exercise: Exercise, robot: Robot | None) -> Truth:
+    chain = chain_of(question, robot or exercise.robot)
+    values = dict(exercise.values)
+    rows = piece_of(fold(merge(chain), TERMS), question)
+    named = names(chain) | _point_names(question)
+    structural = _structural(question, rows, is_constant=not named)
+    if named - values.keys():
+        return Truth(rows, None, 0.0, structural)
+    over = Floats(numbers(values))
+    exact = piece_of(fold(merge(put_in(chain, values)), TERMS), question)
+    return Truth(
+        rows,
+        tuple(tuple(over.value(entry) for entry in row) for row in exact),
+        _size(chain, question, exercise, values),
+        structural,
+    )
+
+
+def chain_of(question: MatrixQuestion, robot: Robot | None) -> Chain:
+    """The moves whose product is asked about.
+
+    Raises:
+        RobotError: The question needs a robot and there is none.
+    """
+    if isinstance(question.source, Span):
+        if robot is None:
+            raise RobotError("this question needs a robot", "name one under robot:")
+        start, end = frame(robot, question.source.start), frame(robot, question.source.end)
+        chain = between(robot, start, end)
+    else:
+        chain = question.source.chain
+    return inverse(chain) if question.inverse else chain
+
+
+def piece_of(rows: tuple[tuple[Expr, ...], ...], question: MatrixQuestion) -> tuple[tuple[Expr, ...], ...]:
+    """What a question asks of a matrix."""
+    row, column = question.index
+    if question.piece == "pose":
+        return rows
+    if question.piece == "rotation":
+        return tuple(line[:3] for line in rows[:3])
+    if question.piece == "position":
+        return tuple(line[3:] for line in rows[:3])
+    if question.piece == "entry":
+        return ((rows[row][column],),)
+    if question.piece == "axis":
+        return tuple((line[row],) for line in rows[:3])
+    coordinates = (*question.point, ONE if question.piece == "point" else ZERO)
+    return tuple((add(*(multiply(a, b) for a, b in zip(line, coordinates, strict=True))),) for line in rows[:3])
+
+
+def is_length(question: MatrixQuestion, row: int, column: int) -> bool:
+    """Whether an entry of the answer is a length; the others are direction cosines or fixed."""
+    if question.piece in ("position", "point", "vector"):
+        return True
+    if question.piece == "entry":
+        row, column = question.index
+    return question.piece in ("pose", "entry") and column == 3 and row < 3  # noqa: PLR2004
+
+
+def _structural(
+    question: MatrixQuestion, rows: tuple[tuple[Expr, ...], ...], *, is_constant: bool
+) -> tuple[tuple[bool, ...], ...]:
+    def fixed(row: int, column: int) -> bool:
+        if question.piece == "pose" and row == 3:  # noqa: PLR2004  the bottom row
+            return True
+        entry = rows[row][column]
+        if is_constant or not isinstance(entry, Number):
+            return False
+        return not entry.value or (abs(entry.value) == 1 and not is_length(question, row, column))
+
+    return tuple(tuple(fixed(r, c) for c in range(len(rows[r]))) for r in range(len(rows)))
+
+
+def _point_names(question: MatrixQuestion) -> frozenset[str]:
+    return frozenset().union(*(symbols(expr) for expr in question.point))
+
+
+def _size(chain: Chain, question: MatrixQuestion, exercise: Exercise, values: Mapping[str, Value]) -> float:
+    over = Floats(numbers(values))
+    lengths = [abs(over.value(expr)) for move in chain for expr in expressions((move,)) if _is_offset(move, expr)]
+    lengths += [abs(over.value(expr)) for expr in question.point]
+    total = sum(lengths)
+    if total:
+        return total
+    return max((abs(over.length(v)) for v in exercise.given.values() if isinstance(v, Expr)), default=0.0)
+
+
+def _is_offset(move: object, expr: Expr) -> bool:
+    """Whether an expression of a move is a length; in a matrix the fourth column is."""
+    from dhcli.kinematics.moves import Fixed
+
+    return not isinstance(move, Fixed) or any(row[3] is expr for row in move.rows)

@@ -1,0 +1,172 @@
+"""Long chains: the constraint form, with the links eliminated one after the other.
+
+A front holds the equations that touch links not yet finished. Orthogonal elimination (QR) of one link at a time leaves
+a triangular factor with small blocks; its smallest singular values, those that decide the rank, come from inverse
+iteration, which costs a few passes over the blocks. Work grows linearly with the length of a chain.
+
+Source: George and Heath 1980, sparse orthogonal factorisation; inverse iteration as in Golub and Van Loan, section 8.2.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from dhcli.errors import Problem
+from dhcli.mobility.constraints import Rows, constraints
+from dhcli.mobility.loops import closure, lambdas
+from dhcli.mobility.model import Model
+from dhcli.mobility.pairs import LinkageError
+from dhcli.mobility.rank import Rank
+from dhcli.mobility.screws import Array
+from dhcli.mobility.truth import Truth, certain
+
+WIDEST = 1200
+"""Columns of a front; a linkage with a wider one is no long chain."""
+
+SMALLEST = 12
+"""Singular values that are looked for; with more freedoms than this they are looked for in larger numbers."""
+
+PASSES = 12
+FLAT = 3
+ZERO = 1e-10
+"""Relative to the largest, below this a singular value of a long chain counts as zero; it is also the shift."""
+
+
+@dataclass(frozen=True)
+class Block:
+    """One link's part of the triangular factor: `R x_link + rest x_others = 0`.
+
+    Attributes:
+        link: Place of the link among the unknowns.
+        own: Inverse of the triangular block, shape (λ, λ).
+        others: Places of the links it still depends on.
+        rest: Shape (λ, λ · others).
+    """
+
+    link: int
+    own: Array
+    others: tuple[int, ...]
+    rest: Array
+
+
+def large_mobility(model: Model, tolerance: float = 0.0) -> Truth:
+    """The mobility of a linkage with many links, where the rank alone settles it; undecided otherwise."""
+    size, unknown = len(model.basis), len(model.basis) * (len(model.linkage.links) - 1)
+    equations, largest = _placed(model)
+    blocks = eliminate(equations, len(model.tree), size, ZERO * largest)
+    wanted = SMALLEST
+    while True:
+        values = smallest_values(blocks, equations, unknown, min(wanted, unknown)) / largest
+        zeros = int(np.count_nonzero(values < max(ZERO, tolerance)))
+        if zeros < len(values) or wanted >= unknown:
+            break
+        wanted *= 4
+    kept = float(values[zeros]) if zeros < len(values) else None
+    dropped = float(values[zeros - 1]) if zeros else None
+    rank = Rank(model.motions - zeros, kept, dropped, tuple(map(float, values[::-1])))
+    loops = _lambdas(model)
+    certificate = certain(model, rank, sum(loops) + len(model.ties), zeros)
+    if certificate:
+        return Truth(model, rank, zeros, loops, zeros, (zeros, zeros), certificate)
+    words = "undecided: the loop equations are dependent, and with so many links amplitudes are not tried"
+    return Truth(model, rank, zeros, loops, None, (0, zeros), words)
+
+
+def _lambdas(model: Model) -> tuple[int, ...]:
+    """λ of each loop; in the plane one with two pins in different places has 3, which needs no computing."""
+    turning = model.twists[:, 2] != 0
+    if len(model.basis) > FLAT:
+        return lambdas(model)
+    found = []
+    for row in model.signs != 0:
+        pins = model.twists[row & turning]
+        found.append(FLAT if len(pins) and np.ptp(pins, axis=0).max() > ZERO else closure(model.twists[row]))
+    return tuple(found)
+
+
+def _placed(model: Model) -> tuple[list[Rows], float]:
+    """The constraints, links numbered in the order in which they hang on the ground, and the size of the largest."""
+    order = [step.tail if backwards else step.head for step, backwards in model.tree]
+    place = {link: i for i, link in enumerate(order)}
+    found = [Rows(tuple(place[link] for link in r.links), r.block) for r in constraints(model) if r.block.size]
+    return found, max((float(np.linalg.norm(rows.block, 2)) for rows in found), default=1.0)
+
+
+def eliminate(equations: list[Rows], links: int, size: int, shift: float) -> list[Block]:
+    """Eliminate the links one after the other, with the equations `shift · x = 0` added.
+
+    The shift keeps the factor regular, and changes no singular vector: inverse iteration can then run over it.
+
+    Raises:
+        LinkageError: The front becomes too wide.
+    """
+    waiting: dict[int, list[Rows]] = {link: [Rows((link,), shift * np.eye(size))] for link in range(links)}
+    for rows in equations:
+        waiting[min(rows.links)].append(rows)
+    blocks = []
+    for link in range(links):
+        own = waiting.pop(link)
+        others = tuple(sorted({other for rows in own for other in rows.links} - {link}))
+        if len(others) * size > WIDEST:
+            problem = Problem(
+                f"more than {WIDEST // size} links hang together at once: this linkage is too large to analyse"
+            )
+            raise LinkageError(problem)
+        factor = np.asarray(np.linalg.qr(_front(own, (link, *others), size), mode="r"), dtype=np.float64)
+        blocks.append(
+            Block(link, np.asarray(np.linalg.inv(factor[:size, :size]), dtype=np.float64), others, factor[:size, size:])
+        )
+        if others and len(factor) > size:
+            waiting[others[0]].append(Rows(others, factor[size:, size:]))
+    return blocks
+
+
+def smallest_values(blocks: list[Block], equations: list[Rows], unknown: int, wanted: int) -> Array:
+    """The smallest singular values of the equations in rising order, by subspace iteration with the inverse."""
+    size = len(blocks[0].own)
+    x = np.linalg.qr(np.random.default_rng(2).normal(size=(unknown, wanted)))[0]
+    for _ in range(PASSES):
+        x = np.linalg.qr(_solved(blocks, _solved_transposed(blocks, x, size), size))[0]
+    # rows of zeros: with fewer equations than columns there are singular values that are zero
+    product = np.concatenate([np.zeros((wanted, wanted)), *(r.block @ _gathered(x, r.links, size) for r in equations)])
+    return np.asarray(np.sort(np.linalg.svd(product, compute_uv=False)))
+
+
+def _front(own: list[Rows], columns: tuple[int, ...], size: int) -> Array:
+    at = {link: size * k for k, link in enumerate(columns)}
+    front = np.zeros((sum(len(rows.block) for rows in own), size * len(columns)))
+    row = 0
+    for rows in own:
+        for k, link in enumerate(rows.links):
+            front[row : row + len(rows.block), at[link] : at[link] + size] = rows.block[:, k * size : (k + 1) * size]
+        row += len(rows.block)
+    return front
+
+
+def _gathered(x: Array, links: tuple[int, ...], size: int) -> Array:
+    if not links:
+        return np.zeros((0, x.shape[1]))
+    return np.concatenate([x[link * size : (link + 1) * size] for link in links])
+
+
+def _solved(blocks: list[Block], right: Array, size: int) -> Array:
+    """R x = right by back substitution; `own` holds the inverses."""
+    x = right.copy()
+    for block in reversed(blocks):
+        at = slice(block.link * size, (block.link + 1) * size)
+        x[at] = block.own @ (x[at] - block.rest @ _gathered(x, block.others, size))
+    return x
+
+
+def _solved_transposed(blocks: list[Block], right: Array, size: int) -> Array:
+    """Rᵀ x = right by forward substitution."""
+    x = right.copy()
+    for block in blocks:
+        at = slice(block.link * size, (block.link + 1) * size)
+        x[at] = block.own.T @ x[at]
+        moved = block.rest.T @ x[at]
+        for k, link in enumerate(block.others):
+            x[link * size : (link + 1) * size] -= moved[k * size : (k + 1) * size]
+    return x

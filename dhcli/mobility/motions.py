@@ -1,0 +1,74 @@
+"""What each joint allows: a row of motions with one freedom each, as unit twists from its first link to its second."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from dhcli.mobility import screws
+from dhcli.mobility.linkage import Joint, Vector
+from dhcli.mobility.screws import Array
+
+NORMAL: Vector = (0.0, 0.0, 1.0)
+"""The normal of the plane of a planar linkage."""
+
+
+def motions_of(joint: Joint, centre: Array, scale: float, *, planar: bool) -> list[Array]:
+    """The motions of a joint in the world frame, each of shape (6,).
+
+    Args:
+        joint: The joint; gear meshes are equations between other joints and have none.
+        centre: The point that becomes the origin [m].
+        scale: The length that becomes 1 [m].
+        planar: Whether it moves in the plane, where contacts and bars have pins for balls.
+    """
+    axis = _unit(joint.axis or NORMAL)
+    at, far = _scaled(joint.point, centre, scale), _scaled(joint.other, centre, scale)
+    match joint.pair.letter:
+        case "R":
+            return [screws.about(at, axis)]
+        case "P":
+            return [screws.along(axis)]
+        case "H":
+            return [screws.about(at, axis, (joint.pitch or 0.0) / (2 * np.pi * scale))]
+        case "C":
+            return [screws.about(at, axis), screws.along(axis)]
+        case "U":
+            return [screws.about(at, axis), screws.about(at, _unit(joint.axis2 or NORMAL))]
+        case "S":
+            return [screws.about(at, direction) for direction in np.eye(3)]
+        case "E":
+            across = _across(axis)
+            return [screws.along(across), screws.along(np.cross(axis, across)), screws.about(np.zeros(3), axis)]
+    if joint.pair.name == "slot":
+        return [screws.along(_unit(joint.slide or NORMAL)), screws.about(at, axis)]
+    if joint.pair.name in ("cam", "bar", "rolling"):
+        return _kept_apart(at, far, axis, planar=planar)
+    return []
+
+
+def _kept_apart(at: Array, far: Array, axis: Array, *, planar: bool) -> list[Array]:
+    """Two points that keep their distance: pins or balls at both of them.
+
+    So do the centres of curvature of two profiles in contact, as long as these are circles; of other profiles this is
+    the motion up to second order.
+    """
+    if planar:
+        return [screws.about(at, axis), screws.about(far, axis)]
+    line = _unit(far - at) if float(np.linalg.norm(far - at)) > 0 else np.array(NORMAL)
+    across = _across(line)
+    ball = [screws.about(at, direction) for direction in np.eye(3)]
+    return [*ball, screws.about(far, across), screws.about(far, np.cross(line, across))]
+
+
+def _scaled(point: Vector | None, centre: Array, scale: float) -> Array:
+    return np.zeros(3) if point is None else (np.array(point) - centre) / scale
+
+
+def _unit(vector: Vector | Array) -> Array:
+    found = np.array(vector, dtype=np.float64)
+    return np.asarray(found / np.linalg.norm(found))
+
+
+def _across(axis: Array) -> Array:
+    """A unit vector at right angles to a direction."""
+    return _unit(np.cross(axis, np.eye(3)[int(np.argmin(np.abs(axis)))]))
