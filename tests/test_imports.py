@@ -52,6 +52,11 @@ def test_the_report_names_a_module_that_is_imported(tmp_path: Path) -> None:
         "fk scara --q 0.3,0.5,0.1 --format json",
         "fk puma560 --pose ready",
         "fk puma560 --symbolic",
+        "check puma560 --symbolic --from 5 --answer [c6,-s6,0,0;0,0,1,0;-s6,-c6,0,0;0,0,0,1]",
+        "check planar-two-links --part d02 --answer a1*c1+a2*c12,a1*s1+a2*s12,0",
+        "dof 6R",
+        "list exercises",
+        "start planar-two-links -o -",
     ],
 )
 def test_a_command_loads_neither_numpy_nor_sympy(tmp_path: Path, command: str) -> None:
