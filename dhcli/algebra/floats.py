@@ -29,17 +29,20 @@ class Floats:
         self._floats = {name: float(value) for name, value in values.items() if not isinstance(value, Angle)}
 
     def cos_sin(self, angle: Angle) -> tuple[float | int, float | int]:
-        """Cosine and sine; exact where the angle is exact."""
+        """Cosine and sine; exact where the angle is exact, NaN where it is too large."""
         angle = angle.substitute(self._angles)
         exact = right_angle(angle)
         if exact is not None:
             return exact
         if not angle.terms and not angle.radians:
             return cosine_of_degrees(angle.degrees), cosine_of_degrees(angle.degrees - 90)
-        radians = angle.constant()
-        for name, factor in angle.terms:
-            radians += float(factor) * self._floats[name]
-        return math.cos(radians), math.sin(radians)
+        try:
+            radians = angle.constant()
+            for name, factor in angle.terms:
+                radians += float(factor) * self._floats[name]
+            return math.cos(radians), math.sin(radians)
+        except (ValueError, OverflowError):  # an angle beyond all floats
+            return math.nan, math.nan
 
     def length(self, expr: Expr) -> float | int:
         """Value of an expression of lengths [m]."""

@@ -72,7 +72,13 @@ def size_of(rows: Sequence[Row], exercise: Exercise) -> float:
 
 def own_values(exercise: Exercise) -> Mapping[str, Value]:
     """Values that the robot and the task have, whether or not the answer may be in numbers."""
-    return {**known_values(exercise.robot), **exercise.given}
+    return {**known_values(exercise.robot), **given_values(exercise)}
+
+
+def given_values(exercise: Exercise) -> dict[str, Value]:
+    """Values that the task states for lengths and twists; a table holds for every value of a joint."""
+    variables = exercise.robot.variables if exercise.robot else ()
+    return {name: value for name, value in exercise.given.items() if name not in variables}
 
 
 def known_values(robot: Robot | None) -> dict[str, Value]:
@@ -105,7 +111,7 @@ def _mark(  # noqa: PLR0913, PLR0917  everything a cell is judged by
 
 def _judged(value: Value, right: Value, exercise: Exercise, tolerance: Tolerance, size: float) -> Verdict:
     if isinstance(value, Angle) and isinstance(right, Angle):
-        known = {name: v for name, v in exercise.given.items() if isinstance(v, Angle)}
+        known = {name: v for name, v in given_values(exercise).items() if isinstance(v, Angle)}
         apart = value.substitute(known) - right.substitute(known)
         if apart.terms:
             own = {name: v for name, v in own_values(exercise).items() if isinstance(v, Angle)}
@@ -116,9 +122,9 @@ def _judged(value: Value, right: Value, exercise: Exercise, tolerance: Tolerance
         return judge(off, 0.0, tolerance.angle)
     if isinstance(value, Angle) or isinstance(right, Angle):
         return Verdict.WRONG
-    if same(value, right, exercise.given):
+    if same(value, right, given_values(exercise)):
         return Verdict.RIGHT
-    value, right = put(value, exercise.given), put(right, own_values(exercise))
+    value, right = put(value, given_values(exercise)), put(right, own_values(exercise))
     if symbols(value) or symbols(right):
         return Verdict.WRONG
     over = Floats()

@@ -11,6 +11,8 @@ from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import DhcliError, Place
 from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
+from dhcli.notation.tree import Unit
+from dhcli.notation.walk import walk
 
 LARGEST = 10**6
 
@@ -36,7 +38,10 @@ def mark_count(question: CountQuestion, answer: str, place: Place | None = None)
     """
     right = right_count(question)
     text = without_label(answer)
-    value = Floats().value(parse(text, Scope(), place or Place("answer")))
+    expr = parse(text, Scope(), place or Place("answer"))
+    if any(isinstance(node, Unit) for node in walk(expr)):
+        raise UnreadableError("a count is a whole number and has no unit")
+    value = Floats().value(expr)
     if not math.isfinite(value) or value != round(value) or abs(value) > LARGEST:
         raise UnreadableError("a count is a whole number")
     typed = int(value)

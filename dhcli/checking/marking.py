@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.terms import TERMS
+from dhcli.checking.cells import own_values
 from dhcli.checking.counts import mark_count, right_count
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.misprints import misprint_remarks
@@ -20,7 +21,7 @@ from dhcli.checking.questions import (
     ScalarQuestion,
     TableQuestion,
 )
-from dhcli.checking.reading import UnreadableError, read_entries, without_label
+from dhcli.checking.reading import UnreadableError, check_names, read_entries, without_label
 from dhcli.checking.symbolic import mark_symbols, put, same
 from dhcli.checking.tolerance import Tolerance, is_rounding_of, judge
 from dhcli.checking.truth import Truth, is_length, truth_of
@@ -39,6 +40,7 @@ from dhcli.notation.tree import ZERO, Expr
 from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write, write_angle
 
+_CHOICE = re.compile(r"[(\[]?([0-9]{1,3}|[a-z])[)\].:]{0,2}(?: (.+))?")
 BLANK = re.compile(r"[\s\[\](){},;.…_?–-]*")  # noqa: RUF001
 
 
@@ -56,12 +58,22 @@ def mark(exercise: Exercise, part: Part, answer: str, place: Place | None = None
     """
     if BLANK.fullmatch(answer):
         return Mark(Verdict.SKIPPED)
+    judged = _read_and_judged(exercise, part, answer, place)
+    if part.printed is not None and judged.verdict.passed is not True and not isinstance(part.question, MatrixQuestion):
+        shown = _read_and_judged(exercise, part, part.printed.text, None)
+        if shown.reading == judged.reading:
+            return replace(judged, remarks=("this is what the document prints; it is a misprint", *judged.remarks))
+    return judged
+
+
+def _read_and_judged(exercise: Exercise, part: Part, answer: str, place: Place | None) -> Mark:
     try:
         return _judged(exercise, part, answer, place)
     except UnreadableError as error:
-        return Mark(Verdict.CANNOT_READ, answer.strip(), remarks=error.remarks)
+        remarks = error.remarks
     except NotationError as error:
-        return Mark(Verdict.CANNOT_READ, answer.strip(), remarks=tuple(str(problem) for problem in error.problems))
+        remarks = tuple(str(problem) for problem in error.problems)
+    return Mark(Verdict.CANNOT_READ, answer.strip(), remarks=remarks)
 
 
 def check(exercise: Exercise, part: str, answer: str) -> Mark:
@@ -92,7 +104,7 @@ def _judged(exercise: Exercise, part: Part, answer: str, place: Place | None) ->
             row = _link(exercise, link).row
             if row is None:
                 raise RobotError(f"{exercise.id} asks for a cell, and its robot has no table")
-            return _value(exercise, getattr(row, column), answer, tolerance, place)
+            return _value(_of_table(exercise), getattr(row, column), _without_star(answer), tolerance, place)
         case ScalarQuestion(expr):
             return _value(exercise, _quantity(expr, exercise), answer, tolerance, place)
         case FactorsQuestion(link):
@@ -156,8 +168,13 @@ def _value(exercise: Exercise, right: Value, answer: str, tolerance: Tolerance, 
         typed: Value = to_angle(typed_expr, bare="deg") if isinstance(right, Angle) else to_length(typed_expr)
     except DimensionError as error:
         raise UnreadableError(error.message + (f" ({error.hint})" if error.hint else "")) from None
+    check_names(exercise, typed.names if isinstance(typed, Angle) else symbols(typed))
     reading, shown = _spelled(typed, exercise), _spelled(right, exercise)
     verdict = _verdict_of_value(exercise, typed, right, typed_expr, tolerance)
+    if isinstance(right, Angle) and verdict is not Verdict.RIGHT:
+        in_radians = to_angle(typed_expr)
+        if _verdict_of_value(exercise, in_radians, right, typed_expr, tolerance) is Verdict.RIGHT:
+            raise UnreadableError(f"right in radians; a bare angle is in degrees: write {shown} or {text.strip()} rad")
     cell = CellMark(0, 0, verdict, reading, shown)
     earned = float(verdict in (Verdict.RIGHT, Verdict.ROUNDED))
     return Mark(verdict, reading, (cell,), earned=earned, expected=shown)
@@ -229,13 +246,36 @@ def _same_product(first: Chain, second: Chain) -> bool:
 
 
 def _choice(options: tuple[str, ...], right: int, answer: str) -> Mark:
-    text = answer.strip().strip("().[]").lower()
-    chosen = ord(text) - ord("a") + 1 if len(text) == 1 and text.isalpha() else int(text) if text.isdecimal() else 0
+    chosen = _chosen(options, answer)
     if not 1 <= chosen <= len(options):
         raise UnreadableError(f"choose a number from 1 to {len(options)}")
     verdict = Verdict.RIGHT if chosen == right else Verdict.WRONG
     earned = float(verdict is Verdict.RIGHT)
     return Mark(verdict, f"{chosen}: {options[chosen - 1]}", earned=earned, expected=f"{right}: {options[right - 1]}")
+
+
+def _chosen(options: tuple[str, ...], answer: str) -> int:
+    """The number of the option meant: by its number, its letter, its text, or number and text; 0 for none."""
+    plain = [" ".join(option.split()).casefold() for option in options]
+    text = " ".join(answer.split()).casefold()
+    if text in plain:
+        return plain.index(text) + 1
+    label = _CHOICE.fullmatch(text)
+    if label is None:
+        return 0
+    chosen = int(label[1]) if label[1].isdigit() else ord(label[1]) - ord("a") + 1
+    return chosen if not label[2] or plain[chosen - 1 : chosen] == [label[2]] else 0
+
+
+def _of_table(exercise: Exercise) -> Exercise:
+    """The exercise as a cell of a table is judged: the robot's lengths may be in numbers, its joints may not."""
+    variables = exercise.robot.variables if exercise.robot else ()
+    return replace(exercise, given={name: v for name, v in own_values(exercise).items() if name not in variables})
+
+
+def _without_star(answer: str) -> str:
+    """The cell without the star that marks a joint variable."""
+    return answer.strip().removesuffix("*")
 
 
 def _link(exercise: Exercise, number: str) -> Link:

@@ -13,6 +13,7 @@ from dhcli.algebra.residues import Residues
 from dhcli.checking.fits import Limits
 from dhcli.checking.same_robot import MOST_LEAVES, Match, Registration, error_of, identity
 from dhcli.checking.screws import Arm, Point
+from dhcli.checking.symbolic import has_decimals
 from dhcli.checking.tolerance import CLOSE_FACTOR, SLACK, Tolerance
 from dhcli.checking.verdicts import Verdict
 from dhcli.kinematics.fold import fold
@@ -109,7 +110,9 @@ def same_robot(truth: Arm, other: Arm, values: Values, tolerance: Tolerance, *, 
 
 
 def has_numbers(chain: Chain) -> bool:
-    """Whether lengths in numbers, or angles that may be rounded, stand in a chain."""
+    """Whether lengths in numbers, or decimals and angles that may be rounded, stand in a chain."""
+    if any(has_decimals(expr) for expr in expressions(chain)):
+        return True
     return _has_lengths(chain) or any(
         isinstance(move, Rot) and (move.angle.radians or move.angle.degrees.denominator != 1) for move in chain
     )

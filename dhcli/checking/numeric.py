@@ -10,6 +10,7 @@ from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.questions import MatrixQuestion
 from dhcli.checking.reading import Entry, UnreadableError
+from dhcli.checking.symbolic import has_decimals, same
 from dhcli.checking.tolerance import ZERO, Tolerance, is_rounding_of, judge, typed_decimals, without_unit
 from dhcli.checking.truth import Truth, is_length
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
@@ -66,7 +67,7 @@ def mark_numbers(
         remarks: tuple[str, ...] = ("right to the digits typed; more digits are wanted",)
     else:
         remarks = _remarks(question, truth.numbers, typed, verdict, _slack(entries), exercise.unit)
-    if tolerance.exact and verdict is Verdict.RIGHT and any(_is_decimal(e) for row in entries for e in row):
+    if tolerance.exact and verdict is Verdict.RIGHT and not _is_exact(truth, entries, exercise):
         verdict, remarks = Verdict.ROUNDED, ("this task wants exact values, such as sqrt(2)/2 for 0.7071", *remarks)
     return Mark(verdict, cells=cells, remarks=remarks, earned=_earned(question, cells, typed, verdict))
 
@@ -111,8 +112,9 @@ def _cell(  # noqa: PLR0913, PLR0917  everything an entry is judged by
     verdict = judge(typed, right, limit)
     scale = float(exercise.metres) if is_length(question, row, column) else 1.0
     if verdict is not Verdict.RIGHT and tolerance.decimals is not None:
-        wanted = typed_decimals(entry.typed)
-        if wanted == tolerance.decimals and is_rounding_of(entry.typed, right / scale):
+        number, unit = without_unit(entry.typed, scale)
+        enough = (typed_decimals(number) or 0) >= tolerance.decimals
+        if enough and is_rounding_of(number, right / unit, least=0):
             verdict = Verdict.RIGHT
     counted = not truth.is_structural(row, column)
     return CellMark(row, column, verdict, entry.text, rounded(right / scale), counted=counted)
@@ -160,8 +162,13 @@ def _is_rounded(
     return True
 
 
-def _is_decimal(entry: Entry) -> bool:
-    return typed_decimals(entry.typed) is not None
+def _is_exact(truth: Truth, entries: tuple[tuple[Entry, ...], ...], exercise: Exercise) -> bool:
+    """Whether every entry with a decimal is the truth itself, as 0.5 is for cos 60° and 0.8660 for cos 30° is not."""
+    return all(
+        not has_decimals(entry.expr) or same(entry.expr, right, exercise.values)
+        for row, rights in zip(entries, truth.rows, strict=True)
+        for entry, right in zip(row, rights, strict=True)
+    )
 
 
 def _matters(cell: CellMark) -> bool:

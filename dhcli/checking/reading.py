@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.questions import MatrixQuestion
-from dhcli.checking.truth import is_length
+from dhcli.checking.truth import is_length, names_of
 from dhcli.checking.vectors import as_column
-from dhcli.errors import NotationError, Place
+from dhcli.errors import NotationError, Place, did_you_mean
 from dhcli.notation.matrix import Cell, parse_matrix
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_length
@@ -25,7 +25,7 @@ _LABEL = re.compile(r"\s*[^\s=\[\](){},;]{1,30}\s*=\s*(?=[\[({\\a-zA-Z0-9.√−
 _NAMED_MATRIX = re.compile(r"[^=\n]{1,60}=\s*(?=\[|\\begin|\\left|array|np\.|Matrix|matrix)")
 _CONTINUED = re.compile(r"\.\.\.[^\S\n]*(?=\n)")
 _UNFILLED = re.compile(r"(?<![\w}])_(?![\w{])")
-_SCREEN = re.compile(r"[⎡⎢⎣].*[⎤⎥⎦]")
+_SCREEN = re.compile(r"[⎡⎢⎣][^\n⎡⎢⎣⎤⎥⎦]*[⎤⎥⎦]")
 
 
 class UnreadableError(Exception):
@@ -69,6 +69,7 @@ def read_entries(
         body = f"[{body}]" if question.piece == "rotation" else body
     try:
         if question.shape == (1, 1):
+            _refuse_matrix(body, exercise)
             expr = parse(body.strip(), exercise.scope, place or Place("answer"))
             return ((_entry(question, exercise, Cell(expr, body.strip(), 0), 0, 0),),)
         cells = parse_matrix(body, exercise.scope, place or Place("answer"))
@@ -88,6 +89,31 @@ def without_label(text: str) -> str:
     text = _CONTINUED.sub("", text)
     match = _LABEL.match(text) or _NAMED_MATRIX.match(text)
     return text[match.end() :] if match else text
+
+
+def check_names(exercise: Exercise, names: frozenset[str]) -> None:
+    """Refuse names that stand nowhere in a task without a robot; its scope takes any.
+
+    Raises:
+        UnreadableError: Naming one of them, and those that are known.
+    """
+    if not exercise.scope.is_open:
+        return
+    known = names_of(exercise)
+    for name in sorted(names - known):
+        hint = did_you_mean(name, sorted(known))
+        raise UnreadableError(f"{name} is not a name that is known here" + (f" ({hint})" if hint else ""))
+
+
+def _refuse_matrix(text: str, exercise: Exercise) -> None:
+    """Say so where a whole matrix was typed for one number."""
+    if text.lstrip().startswith(("[", "(", "{", "\\", "|")):
+        try:
+            cells = parse_matrix(text, exercise.scope)
+        except NotationError:
+            return
+        if (len(cells), len(cells[0])) != (1, 1):
+            raise UnreadableError(f"this is a matrix, {len(cells)}x{len(cells[0])}; one number was asked")
 
 
 def _shaped(question: MatrixQuestion, cells: tuple[tuple[Cell, ...], ...]) -> tuple[tuple[Cell, ...], ...]:
@@ -128,6 +154,7 @@ def _entry(question: MatrixQuestion, exercise: Exercise, cell: Cell, row: int, c
         expr = to_length(cell.expr)
     except DimensionError as error:
         raise UnreadableError(f"{where}: {error.message}") from None
+    check_names(exercise, symbols(expr))
     length = is_length(question, row, column)
     if expr != cell.expr and not length:
         raise UnreadableError(f"{where} is a direction cosine and has no unit")

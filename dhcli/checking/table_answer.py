@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-from dhcli.checking.cells import in_other_unit, mark_cells, own_values, settled
+from dhcli.checking.cells import given_values, in_other_unit, mark_cells, own_values, settled
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.freedoms import Drawn, Slack, end_freedoms, frame_freedoms, joint_freedoms
 from dhcli.checking.motions import Outcome, Values, same_motion, same_robot
@@ -95,7 +95,7 @@ class TableAnswer:
     ) -> Outcome:
         """Compare the rows, or others in their place, with the robot."""
         other = self.arm(self.plain if rows is None else rows, convention or self.convention)
-        values = Values(self.exercise.given, own_values(self.exercise))
+        values = Values(given_values(self.exercise), own_values(self.exercise))
         if self.compare == "same-motion" and not end_free:
             return same_motion(self.truth, other, values, self.tolerance)
         return same_robot(self.truth, other, values, self.tolerance, end_free=self.end_free or end_free)

@@ -126,7 +126,7 @@ def _opens_key(tokens: Sequence[Token], index: int) -> bool:
 def without_heads(tokens: list[Token], known: Heads) -> tuple[list[Token], Heads]:
     """The tokens without a first row that names the columns, and what that row says."""
     start = next((i for i, t in enumerate(tokens) if t.kind == "word" and _column(t.text)), len(tokens))
-    while start and tokens[start - 1].text.lower() in _FILLING - _OPENING:
+    while start and tokens[start - 1].text.lower() in _FILLING - _OPENING - _CLOSING:
         start -= 1
     end = _end_of_heads(tokens, start)
     row = tokens[start:end]

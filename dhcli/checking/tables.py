@@ -17,11 +17,12 @@ from dhcli.checking.verdicts import CellMark, Mark, Verdict
 from dhcli.errors import Place, RobotError
 from dhcli.kinematics.conventions import NAMES, Convention
 from dhcli.kinematics.robot import Robot
+from dhcli.notation.tree import ZERO
 
 OTHERS = {Convention.STANDARD: Convention.MODIFIED, Convention.MODIFIED: Convention.STANDARD}
 
 
-def mark_table(
+def mark_table(  # noqa: PLR0913  what a task may say
     question: TableQuestion,
     exercise: Exercise,
     text: str,
@@ -145,8 +146,7 @@ def _second_truth(answer: TableAnswer) -> Mark | None:
         outcome = second.judged()
         if outcome.verdict is Verdict.RIGHT:
             mark = _accepted(second, cells, outcome)
-            said = mark.remarks if second.table else ()
-            return replace(mark, verdict=Verdict.EQUIVALENT, remarks=(note, *said))
+            return replace(mark, verdict=Verdict.EQUIVALENT, remarks=(note, *(mark.remarks if cells else ())))
     return None
 
 
@@ -154,7 +154,7 @@ def _why(answer: TableAnswer, cells: tuple[CellMark, ...], outcome: Outcome) -> 
     """What can be said of a wrong table: the other convention, the end frame, or the first wrong joint."""
     convention = OTHERS[answer.convention]
     robot = replace(answer, compare="same-robot")
-    if len(answer.robot.variables) > 1 and robot.judged(None, convention, end_free=True).verdict is Verdict.RIGHT:
+    if _starts_like(answer, convention) and robot.judged(None, convention, end_free=True).verdict is Verdict.RIGHT:
         return (f"right for {NAMES[convention]}; this exercise uses {answer.convention.value}",)
     if answer.compare == "same-motion":
         outcome = robot.judged()
@@ -168,6 +168,15 @@ def _why(answer: TableAnswer, cells: tuple[CellMark, ...], outcome: Outcome) -> 
         end = end_freedoms("end", free.match.tool, robot.slack(free)) or ("your end frame is another",)
         return f"all joints are right; {end[0]}", *_notes(cells)
     return _first_difference(answer.robot, outcome.joints), *_notes(cells)
+
+
+def _starts_like(answer: TableAnswer, convention: Convention) -> bool:
+    """Whether a table may be meant in a convention: its a and alpha are zero where there is nothing before or behind.
+
+    One joint alone, and a last length that only the other convention drops, would be right in it by accident.
+    """
+    outer = answer.plain[0 if convention is Convention.MODIFIED else -1]
+    return len(answer.robot.variables) > 1 and outer.a == ZERO and outer.alpha.is_zero
 
 
 def _first_difference(robot: Robot, agreed: int) -> str:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.terms import TERMS
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.questions import MatrixQuestion, Span
+from dhcli.checking.questions import Composed, MatrixQuestion, ScalarQuestion, Span
 from dhcli.errors import RobotError
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.forward import put_in
@@ -129,6 +129,19 @@ def _structural(
         return not entry.value or (abs(entry.value) == 1 and not is_length(question, row, column))
 
     return tuple(tuple(fixed(r, c) for c in range(len(rows[r]))) for r in range(len(rows)))
+
+
+def names_of(exercise: Exercise) -> frozenset[str]:
+    """Every name that the questions of an exercise and what it gives are about."""
+    found = frozenset((*exercise.given, *exercise.names, *exercise.scope.names))
+    for part in exercise.parts:
+        question = part.question
+        if isinstance(question, MatrixQuestion):
+            found |= _point_names(question)
+            found |= names(question.source.chain) if isinstance(question.source, Composed) else frozenset()
+        elif isinstance(question, ScalarQuestion):
+            found |= symbols(question.expr)
+    return found
 
 
 def _point_names(question: MatrixQuestion) -> frozenset[str]:

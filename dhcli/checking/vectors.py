@@ -12,8 +12,14 @@ from dhcli.notation.tree import ONE, ZERO
 from dhcli.notation.walk import substitute, symbols
 from dhcli.notation.writer import write
 
-_TRANSPOSED = re.compile(r"(?:\^\s*\{?\s*\\?(?:T|top|mathsf\{T\})\s*\}?|\.T|\.?')\s*$")
-_AXIS = re.compile(r"\s*([+-]?)\s*([xyz])\s*['_]*\{?\d*\}?\s*(?:axis)?\s*")
+_TRANSPOSED = re.compile(r"(?:\^ ?\{? ?\\?(?:T|top|mathsf\{T\}) ?\}?|\.T|\.?') ?$")
+_AXIS = re.compile(r"([+−-]?) ?([xyz]) ?['_]{0,3}\{?\d{0,3}\}? ?(?:axis)?")  # noqa: RUF001
+_NAMED = re.compile(r"(^|[,;\n])[ \t]{0,9}(?:[xyz]|[pd]_?\{?[xyz]\}?)[ \t]{0,9}=")
+_LATEX_ENDS = re.compile(
+    r"^(?:\\left ?[\[(])? ?\\begin ?\{\w{1,20}\}(?:\{[clr|]{1,20}\})?|\\end ?\{\w{1,20}\} ?(?:\\right ?[\])])?$"
+)
+_WIDE = re.compile(r"[^\s+*/^-][ \t]+-?[\w.]+[ \t]+-?[\w.]+[ \t]+-?[\w.]")
+"""Four cells or more in a row: a whole matrix, not a coordinate."""
 _UNIT_VECTORS = ("i", "j", "k")
 LENGTHS = (3, 4)
 """Coordinates of a vector, without and with the last one of homogeneous coordinates."""
@@ -33,9 +39,10 @@ def as_column(text: str, scope: Scope, *, is_axis: bool) -> str:
         return "[" + " ".join(f"{sign}1" if name == match[2] else "0" for name in "xyz") + "]"
     if body.startswith("(") and body.endswith(")") and _closes_at_end(body):
         body = body[1:-1]
+    body = _NAMED.sub(r"\1", body)
     if "," in body and ";" not in body:
         body = body.replace("\n", " ")  # commas separate already; the line was only long
-    rows = _one_a_row(body)
+    rows = _one_a_row(body) or _latex_column(body)
     if rows:
         return rows
     if body.startswith(("[", "{", "\\", "|")):
@@ -50,8 +57,17 @@ def _one_a_row(text: str) -> str:
         if separator in inside:
             rows = inside.split(separator)
             plain = not any(bracket in inside for bracket in "[]{}|&,\\")
-            return "[" + ", ".join(rows) + "]" if plain and len(rows) in LENGTHS else ""
+            wide = all(_WIDE.search(row) for row in rows)
+            return "[" + ", ".join(rows) + "]" if plain and len(rows) in LENGTHS and not wide else ""
     return ""
+
+
+def _latex_column(text: str) -> str:
+    r"""A LaTeX column, whose blanks are products: `\begin{bmatrix} a \cos\theta \\ 0 \\ 1 \end{bmatrix}`; else empty."""
+    if not text.startswith(("\\begin", "\\left")) or "&" in text:
+        return ""
+    rows = [row for row in _LATEX_ENDS.sub("", text).split("\\\\") if row.strip()]
+    return "[" + ", ".join(rows) + "]" if len(rows) in LENGTHS else ""
 
 
 def _from_unit_vectors(text: str, scope: Scope) -> str:

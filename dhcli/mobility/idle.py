@@ -48,22 +48,47 @@ class Idle:
         )
 
 
+@dataclass(frozen=True)
+class Part:
+    """Links that two joints alone hold.
+
+    Attributes:
+        first: One of the two joints.
+        second: The other one.
+        links: Indices of the links.
+    """
+
+    first: Step
+    second: Step
+    links: frozenset[int]
+
+    def carries(self, step: Step) -> bool:
+        """Whether a joint moves along when the part moves."""
+        return step not in (self.first, self.second) and (step.tail in self.links or step.head in self.links)
+
+    def disturbs(self, other: Part) -> bool:
+        """Whether it carries one of another part's two joints away and leaves the other one behind."""
+        return self.carries(other.first) != self.carries(other.second)
+
+
 def idle_freedoms(model: Model, tolerance: float = TIGHT) -> tuple[Idle, ...]:
-    """All independent idle freedoms."""
-    found: list[Idle] = []
+    """All independent idle freedoms; none of those that would disturb each other."""
+    found: list[tuple[Idle, Part]] = []
     rows: list[Array] = []
     names = [joint.name for joint in model.linkage.joints]
-    for first, second, part in _parts(model):
-        for rates, turns in _common(model, first, second, part, tolerance):
+    for part in _parts(model):
+        for rates, turns in _common(model, part, tolerance):
             if rank_of(np.array([*rows, rates]), TIGHT).rank > len(rows):
                 rows.append(rates)
-                links = tuple(model.linkage.links[i] for i in sorted(part))
-                found.append(Idle(links, (names[first.joint], names[second.joint]), turns, rates))
-    return tuple(found)
+                links = tuple(model.linkage.links[i] for i in sorted(part.links))
+                found.append((Idle(links, (names[part.first.joint], names[part.second.joint]), turns, rates), part))
+    # a folded rhombus can turn about either of its two double pins, but not about both: neither turn is idle
+    parts = [part for _, part in found]
+    return tuple(idle for idle, own in found if not any(own.disturbs(one) or one.disturbs(own) for one in parts))
 
 
-def _parts(model: Model) -> Iterator[tuple[Step, Step, frozenset[int]]]:
-    """Parts that two joints alone hold, small ones first, with these joints.
+def _parts(model: Model) -> Iterator[Part]:
+    """Parts that two joints alone hold, small ones first.
 
     Two joints of a graph cut a part off if and only if they lie on the same loops: with a random number for each chord,
     the joints of the tree get the combination of the loops through them, and equal numbers show such pairs.
@@ -85,11 +110,11 @@ def _parts(model: Model) -> Iterator[tuple[Step, Step, frozenset[int]]]:
         if step.last > step.first and label[step.joint]:
             classes.setdefault(label[step.joint], []).append(step)
     pairs = [(a, b) for group in classes.values() for i, a in enumerate(group) for b in group[i + 1 :]][:MOST_PAIRS]
-    parts = [(a, b, _side(model, a, b)) for a, b in pairs]
+    parts = [Part(a, b, _side(model, a, b)) for a, b in pairs]
     whole = len(model.linkage.links) - 1
-    for a, b, part in sorted(parts, key=lambda found: len(found[2])):
-        if len(part) < whole and not part & (meshed | outputs):
-            yield a, b, part
+    for part in sorted(parts, key=lambda found: len(found.links)):
+        if len(part.links) < whole and not part.links & (meshed | outputs):
+            yield part
 
 
 def _side(model: Model, first: Step, second: Step) -> frozenset[int]:
@@ -108,12 +133,11 @@ def _side(model: Model, first: Step, second: Step) -> frozenset[int]:
     return frozenset(range(len(model.linkage.links))) - reached
 
 
-def _common(
-    model: Model, first: Step, second: Step, part: frozenset[int], tolerance: float
-) -> Iterator[tuple[Array, bool]]:
+def _common(model: Model, part: Part, tolerance: float) -> Iterator[tuple[Array, bool]]:
     """Rates of the motions that both joints allow, for as long as one likes, to the part between them."""
+    first, second = part.first, part.second
     a, b = slice(first.first, first.last), slice(second.first, second.last)
-    senses = [1.0 if step.head in part else -1.0 for step in (first, second)]
+    senses = [1.0 if step.head in part.links else -1.0 for step in (first, second)]
     for own in _groups(model, first):
         for others in _groups(model, second):
             both = [senses[0] * model.twists[a].T @ own, -senses[1] * model.twists[b].T @ others]

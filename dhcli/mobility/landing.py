@@ -29,6 +29,12 @@ TRIES = 8
 STIFF = 0.03
 """Singular values above this, relative to the largest, are stiff."""
 
+BENT = 0.3
+"""Directions that differ by less may be one direction along a bent path."""
+
+SHAKY = 1.9
+"""Gaps of a shaky structure grow like A² at least, those of a rounded drawing of a true motion like A."""
+
 FARTHEST = 40.0
 """A landing farther away than this many amplitudes is in another assembly."""
 
@@ -46,7 +52,7 @@ class Trial:
 
     Attributes:
         moves: Whether the loops close at every amplitude; None if the answer is not clear.
-        order: The power k of A that the error grows with, where it does not close.
+        order: The power k of A that the error grows with, where it does not close to rounding.
         q: Joint values at the landing, shape (m,), where it closes.
     """
 
@@ -126,13 +132,17 @@ def attempt(model: Model, direction: Array, frozen: Array, tolerance: float) -> 
 
 def _judged(errors: list[float], amplitudes: tuple[float, ...], closed: float, landing: Array | None) -> Trial:
     """Closing, growing like a power, or neither."""
-    if landing is not None and errors[-1] < closed:
-        return Trial(moves=True, q=landing)
-    if errors[0] > closed and errors[1] > closed:
+    order = None
+    if min(errors[:2]) > CLOSED:
         order = math.log(errors[0] / errors[1]) / math.log(amplitudes[0] / amplitudes[1])
+    if order is not None and errors[0] > closed and errors[1] < closed and order > SHAKY:
+        return Trial(moves=False, order=order)  # rounded input hides the gap at the smaller amplitude only
+    if landing is not None and errors[-1] < closed:
+        return Trial(moves=True, order=order, q=landing)
+    if order is not None and errors[0] > closed and errors[1] > closed:
         expected = errors[1] * (amplitudes[-1] / amplitudes[1]) ** order
         same = len(errors) < 3 or errors[2] < closed or 0.1 < errors[2] / expected < 10  # noqa: PLR2004  rounded input has two amplitudes
-        if order > 1 and same:
+        if order > SHAKY and same:
             return Trial(moves=False, order=order)
     return Trial(moves=None)
 
@@ -167,7 +177,9 @@ def branch_at(model: Model, q: Array, frozen: Array, equations: int, tolerance: 
     _, twists = residual(model, q)
     rank, motions, _ = spaces(np.concatenate([model.jacobian(twists), frozen]), max(LANDED, tolerance))
     k = motions.shape[1]
-    if rank.rank == equations + len(frozen):
+    if k == 0:  # a place where nothing moves has been reached by moving: the rank is not to be trusted
+        return Branch(None, exact=False, motions=motions, twists=twists)
+    if rank.rank == equations + len(frozen) and not tolerance:
         return Branch(k, exact=True, motions=motions, twists=twists)
     small = AMPLITUDES[1] * SMALL if not tolerance else AMPLITUDES[1]
     reached = []
@@ -183,5 +195,5 @@ def branch_at(model: Model, q: Array, frozen: Array, equations: int, tolerance: 
     if not reached:
         return Branch(None, exact=False, motions=motions, twists=twists)
     # those that closed lie along the true tangents, up to the curvature over a small displacement
-    dimension = rank_of(np.array(reached), 10 * small).rank
+    dimension = rank_of(np.array(reached), min(10 * small, BENT)).rank
     return Branch(dimension, exact=False, motions=np.array(reached).T, twists=twists)

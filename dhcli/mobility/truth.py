@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from dhcli.mobility.idle import Idle, idle_freedoms
-from dhcli.mobility.landing import AMPLITUDES, CLOSED, LANDED, Branch, Trial, attempt, branch_at, close
+from dhcli.mobility.landing import AMPLITUDES, CLOSED, LANDED, SHAKY, Branch, Trial, attempt, branch_at, close
 from dhcli.mobility.linkage import Linkage
 from dhcli.mobility.loops import lambdas
 from dhcli.mobility.model import Model, model_of
@@ -183,8 +183,12 @@ def _directions(free: Array) -> Iterator[Array]:
 def _decided(model: Model, trials: list[Trial], branches: list[Branch], frozen: Array, most: int) -> Verdict:
     """The verdict over all directions tried; `most` is the instantaneous mobility without idle freedoms."""
     idle = len(frozen)
-    orders = [trial.order for trial in trials if trial.order is not None]
+    orders = [trial.order for trial in trials if trial.order is not None and trial.moves is False]
     order = round(float(np.median(orders))) if orders else None
+    landed = [trial.order for trial in trials if trial.moves]
+    if landed and all(power is not None and power > SHAKY for power in landed):
+        words = "undecided: within this tolerance a shaky structure cannot be told from a motion"
+        return Verdict(None, words, least=idle)
     known = [(branch.dimension, branch) for branch in branches if branch.dimension is not None]
     if known:
         dimension, best = max(known, key=lambda found: found[0])

@@ -18,8 +18,8 @@ from dhcli.notation.names import natural_key
 from dhcli.notation.roots import square_root
 
 HALF = Fraction(1, 2)
-MOST_BITS = 8192
-"""Numbers above this size are refused: no robot has them, and towers of powers must not run away."""
+MOST_BITS = 1000
+"""Numbers above this size are refused: no float holds them, and towers of powers must not run away."""
 
 
 class Expr:
@@ -233,7 +233,7 @@ def power(base: Expr, exponent: Fraction | int) -> Expr:
 
     Raises:
         ZeroDivisionError: Zero to a negative exponent.
-        OverflowError: The result has more than 8192 bits.
+        OverflowError: The result has more than 1000 bits.
     """
     exponent = Fraction(exponent)
     if exponent == 1:

@@ -29,7 +29,7 @@ def _reduce(angle: Angle) -> tuple[int, Angle]:
     """An angle as a number of right angles, 0 to 3, and a rest that holds none."""
     degrees = angle.degrees % FULL_TURN
     if degrees % 90 == 0:
-        return int(degrees // 90), angle if not degrees else Angle(angle.terms, Fraction(0), angle.radians)
+        return int(degrees // 90), angle if not angle.degrees else Angle(angle.terms, Fraction(0), angle.radians)
     if not angle.terms and not angle.radians:
         return int(degrees // 90), Angle(degrees=degrees % 90)
     return 0, Angle(angle.terms, degrees if degrees <= FULL_TURN / 2 else degrees - FULL_TURN, angle.radians)

@@ -145,6 +145,6 @@ def test_points_where_both_are_undefined_say_nothing() -> None:
 
 
 def test_two_names_of_one_spelling_are_one_name() -> None:
-    """θ1 and \\theta_1 are the same unit of the field."""
+    r"""θ1 and \theta_1 are the same unit of the field."""
     names = Scope(joints=("theta1",), aliases={"q1": "theta1"})
     assert equal(parse("cos(q1)", names), parse("cos(\\theta_1)", names))

@@ -133,8 +133,7 @@ def test_right_angles_are_structural_in_every_arithmetic(quarters: int) -> None:
 def test_floats_of_round_angles_are_exact(degrees: int, cosine_: float) -> None:
     """Cos 60° is 0.5, not 0.5000000000000001; sin 30° too."""
     assert cosine_of_degrees(Fraction(degrees)) == cosine_
-    cos, sin = Floats().cos_sin(Angle.in_degrees(degrees))
-    assert float(cos) == cosine_
+    assert float(Floats().cos_sin(Angle.in_degrees(degrees))[0]) == cosine_
     assert float(Floats().cos_sin(Angle.in_degrees(90 - degrees))[1]) == cosine_
 
 
@@ -153,12 +152,11 @@ def test_a_quarter_turn_in_values_is_exact_too() -> None:
     assert rows[1] == (1.0, 0.0, 0.0, 0.5)
 
 
-@pytest.mark.parametrize("text", ["√(-1)", "a^(1/3)", "acos(2)", "a^-1 + √(a - 5)", "1e60^6*1e60^6"])
+@pytest.mark.parametrize("text", ["√(-1)", "a^(1/3)", "acos(2)", "a^-1 + √(a - 5)", "cos(1e60^5 a)"])
 def test_floats_without_a_value_are_nan_and_never_an_error(text: str) -> None:
     """Of numbers that are not real, or too large."""
-    value = Floats({"a": 0.0} if "a^-1" in text else {"a": -8.0}).value(parse(text))
-    assert isinstance(value, float)
-    assert not math.isfinite(value) or abs(value) > 1e300
+    value = Floats({"a": 0.0 if "a^-1" in text else 1e300 if "cos(" in text else -8.0}).value(parse(text))
+    assert math.isnan(value)
 
 
 @pytest.mark.parametrize("shape", [(), (0,), (1,), (5,), (2, 3)])

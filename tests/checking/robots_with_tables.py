@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -25,9 +26,7 @@ Matrix = NDArray[np.float64]
 
 ROOT = Path(__file__).parents[2] / "robots"
 NAMES = tuple(
-    path.stem
-    for path in sorted(ROOT.glob("*.yaml"))
-    if "convention: product" not in path.read_text(encoding="utf-8")
+    path.stem for path in sorted(ROOT.glob("*.yaml")) if "convention: product" not in path.read_text(encoding="utf-8")
 )
 HALF_TURN = Angle.in_degrees(180)
 ROBOTS: dict[str, Robot] = {}
@@ -138,9 +137,7 @@ def recounted(rows: Rows, variables: Sequence[str], index: int, sense: int, degr
 
         return substitute(expr, {name: zero}, {})
 
-    return tuple(
-        Row(length(row.a), row.alpha, length(row.d), row.theta.substitute({name: angle})) for row in rows
-    )
+    return tuple(Row(length(row.a), row.alpha, length(row.d), row.theta.substitute({name: angle})) for row in rows)
 
 
 # --- what changes it -------------------------------------------------------------------------------------------------
@@ -166,6 +163,7 @@ def mutations(rows: Rows, variables: Sequence[str]) -> list[tuple[str, Rows]]:
         found += [
             (f"{what} in row {i + 1}", (*rows[:i], changed, *rows[i + 1 :]))
             for what, changed in candidates.items()
+            if what != "sign of alpha" or row.alpha.quarter_turns() not in (0, 2)
             if changed != row
         ]
     return found
@@ -182,27 +180,35 @@ def _about(axis: str, angle: float) -> Matrix:
 
 
 def _along(axis: str, length: float) -> Matrix:
-    T = np.eye(4)
-    T["xyz".index(axis), 3] = length
-    return T
+    shift = np.eye(4)
+    shift["xyz".index(axis), 3] = length
+    return shift
 
 
 def value(what: Expr | Angle, values: Mapping[str, float]) -> float:
     """A cell in metres or radians, by Python's own arithmetic on the written form."""
     if isinstance(what, Angle):
-        return float(np.radians(float(what.degrees))) + float(what.radians) + sum(float(k) * values[n] for n, k in what.terms)
-    return float(eval(str(what).replace("{", "").replace("}", "").replace("i-1", "im1"), {}, dict(values)))  # noqa: S307
+        return (
+            float(np.radians(float(what.degrees)))
+            + float(what.radians)
+            + sum(float(k) * values[n] for n, k in what.terms)
+        )
+    return float(eval(_plain(str(what)), {}, dict(values)))  # noqa: S307
 
 
 def fk(rows: Rows, convention: Convention, values: Mapping[str, float]) -> Matrix:
     """The product of a table in numpy."""
-    T = np.eye(4)
-    plain = {name.replace("{", "").replace("}", "").replace("i-1", "im1"): v for name, v in values.items()} | dict(values)
+    pose = np.eye(4)
+    known = {**values, **{_plain(name): number for name, number in values.items()}}
     for row in rows:
-        a, alpha, d, theta = (value(cell, plain) for cell in (row.a, row.alpha, row.d, row.theta))
+        a, alpha, d, theta = (value(cell, known) for cell in (row.a, row.alpha, row.d, row.theta))
         turn, reach = _about("z", theta) @ _along("z", d), _along("x", a) @ _about("x", alpha)
-        T = T @ turn @ reach if convention is Convention.STANDARD else T @ reach @ turn
-    return T
+        pose = pose @ turn @ reach if convention is Convention.STANDARD else pose @ reach @ turn
+    return pose
+
+
+def _plain(name: str) -> str:
+    return name.replace("{", "").replace("}", "").replace("i-1", "im1")
 
 
 def matrix(rigid: Rigid) -> Matrix:
@@ -210,11 +216,17 @@ def matrix(rigid: Rigid) -> Matrix:
     return np.array([[*row, x] for row, x in zip(rigid.rows, rigid.offset, strict=True)] + [[0, 0, 0, 1]])
 
 
-def holds(  # noqa: D417
-    match: Match, truth: Rows, other: Rows, convention: Convention, variables: Sequence[str], point: Mapping[str, float], seed: int = 0
+def holds(
+    match: Match,
+    truth: Rows,
+    other: Rows,
+    convention: Convention,
+    variables: Sequence[str],
+    point: Mapping[str, float],
+    seed: int = 0,
 ) -> bool:
     """Whether `T'(q) = B T(σq + q0) E` at random q, computed by numpy alone."""
-    draw = random.Random(seed)
+    draw = random.Random(seed)  # noqa: S311
     for _ in range(6):
         q = {name: draw.uniform(-3, 3) for name in variables}
         there = {n: s * q[n] + z for n, s, z in zip(variables, match.senses, match.zeros, strict=True)}
@@ -225,15 +237,15 @@ def holds(  # noqa: D417
 
 
 def invariants(rows: Rows, convention: Convention, variables: Sequence[str], point: Mapping[str, float]) -> list[float]:
-    """Numbers that no base, tool, sense or zero can change: Klein and Killing forms of neighbouring joints, unsigned."""
+    """Numbers that no base, tool, sense or zero can change: Klein and Killing forms of neighbouring joints."""
     zero = {**point, **dict.fromkeys(variables, 0.0)}
     twists = []
     for name in variables:
         step = 1e-6
         rate = (fk(rows, convention, {**zero, name: step}) - fk(rows, convention, {**zero, name: -step})) / (2 * step)
-        V = rate @ np.linalg.inv(fk(rows, convention, zero))
-        twists.append((np.array([V[2, 1], V[0, 2], V[1, 0]]), V[:3, 3]))
+        twist = rate @ np.linalg.inv(fk(rows, convention, zero))
+        twists.append((np.array([twist[2, 1], twist[0, 2], twist[1, 0]]), twist[:3, 3]))
     found = []
-    for (w1, v1), (w2, v2) in zip(twists, twists[1:], strict=False):
+    for (w1, v1), (w2, v2) in pairwise(twists):
         found += [abs(float(w1 @ w2)), abs(float(w1 @ v2 + w2 @ v1))]
     return found

@@ -6,11 +6,11 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dhcli.checking.motions import Values, same_motion, same_robot
 from dhcli.checking.fits import Limits
+from dhcli.checking.motions import Values, same_motion, same_robot
 from dhcli.checking.same_robot import Registration
 from dhcli.checking.screws import Arm, Rigid
 from dhcli.checking.tolerance import DEFAULT
@@ -51,6 +51,7 @@ def floats(point: object) -> dict[str, float]:
 
 @given(names, st.lists(keeping(), max_size=8), st.randoms(use_true_random=False))
 def test_moves_that_keep_the_motion_keep_it_for_numpy_and_for_dhcli(name: str, moves: list[Move], draw: object) -> None:
+    """Flipped x and z, split d and theta: the same T(q), said by numpy first."""
     convention, variables, rows = robot(name).convention, robot(name).variables, rows_of(name)
     other = rows
     for move in moves:
@@ -62,13 +63,21 @@ def test_moves_that_keep_the_motion_keep_it_for_numpy_and_for_dhcli(name: str, m
 
 
 joint_changes = st.lists(
-    st.tuples(st.floats(0, 0.999), st.sampled_from((1, -1)), st.sampled_from((0, 90, -90, 180, 37)), st.sampled_from((ZERO, Symbol("delta")))),
+    st.tuples(
+        st.floats(0, 0.999),
+        st.sampled_from((1, -1)),
+        st.sampled_from((0, 90, -90, 180, 37)),
+        st.sampled_from((ZERO, Symbol("delta"))),
+    ),
     max_size=4,
 )
 
 
 @given(names, st.lists(keeping(), max_size=6), joint_changes, st.sampled_from((ZERO, Symbol("b0"))))
-def test_other_frames_senses_zeros_and_base_are_the_same_robot(name: str, moves: list[Move], joints: list, base: object) -> None:
+def test_other_frames_senses_zeros_and_base_are_the_same_robot(
+    name: str, moves: list[Move], joints: list, base: object
+) -> None:
+    """Frames, senses, zeros and base at random; what is claimed to lead over is checked in numpy."""
     convention, variables, rows = robot(name).convention, robot(name).variables, rows_of(name)
     other = rows
     for share, sense, degrees, metres in joints:
@@ -126,15 +135,25 @@ conventions = st.sampled_from((Convention.STANDARD, Convention.MODIFIED))
 
 def moved(chain: Chain, variables: tuple[str, ...], senses: list[int], zeros: list[int]) -> Chain:
     """T(σq + q0) as a chain."""
-    lengths = {n: add(multiply(number(s), Symbol(n)), number(Fraction(z, 100))) for n, s, z in zip(variables, senses, zeros, strict=False)}
+    lengths = {
+        n: add(multiply(number(s), Symbol(n)), number(Fraction(z, 100)))
+        for n, s, z in zip(variables, senses, zeros, strict=False)
+    }
     angles = {n: Angle.of(n) * s + Angle.in_degrees(z) for n, s, z in zip(variables, senses, zeros, strict=False)}
     return substituted(chain, lengths, angles)
 
 
+@settings(max_examples=60)
 @given(tables(), conventions, senses, zeros, rigid_moves, rigid_moves)
 def test_any_base_sense_zero_and_tool_is_found(
-    table: tuple[Rows, tuple[str, ...]], convention: Convention, signs: list[int], shifts: list[int], base: Chain, tool: Chain
+    table: tuple[Rows, tuple[str, ...]],
+    convention: Convention,
+    signs: list[int],
+    shifts: list[int],
+    base: Chain,
+    tool: Chain,
 ) -> None:
+    """The definition itself, B · T(σq + q0) · E, on robots of any geometry."""
     rows, variables = table
     truth = arm(rows, convention, variables)
     without = Arm.of((*base, *moved(truth.chain, variables, signs, shifts)), variables)
@@ -149,6 +168,7 @@ def test_any_base_sense_zero_and_tool_is_found(
 def test_other_frames_of_any_robot_keep_its_motion(
     table: tuple[Rows, tuple[str, ...]], convention: Convention, moves: list[Move]
 ) -> None:
+    """The same moves on robots of any geometry; no joint is lost on the way."""
     rows, variables = table
     other = rows
     for move in moves:
@@ -167,6 +187,7 @@ def test_other_frames_of_any_robot_keep_its_motion(
 
 @pytest.mark.parametrize("name", NAMES)
 def test_a_slip_that_is_accepted_has_kept_the_motion(name: str) -> None:
+    """Each slip in each table: accepted only with a proof, and never if two axes have moved."""
     convention, variables, rows = robot(name).convention, robot(name).variables, rows_of(name)
     truth = arm(rows, convention, variables)
     for slip, other in mutations(rows, variables):
@@ -184,8 +205,10 @@ def test_a_slip_that_is_accepted_has_kept_the_motion(name: str) -> None:
             assert outcome.verdict is Verdict.WRONG, slip
 
 
+@settings(max_examples=40)
 @given(names, st.lists(keeping(), max_size=5), st.data())
 def test_a_slip_stays_found_among_other_frames(name: str, moves: list[Move], data: st.DataObject) -> None:
+    """The verdict and the first wrong joint do not depend on how the frames are drawn."""
     convention, variables, rows = robot(name).convention, robot(name).variables, rows_of(name)
     slip, wrong = data.draw(st.sampled_from(mutations(rows, variables)))
     hidden = wrong
@@ -212,6 +235,7 @@ def test_a_slip_stays_found_among_other_frames(name: str, moves: list[Move], dat
     ],
 )
 def test_the_first_wrong_joint_is_told_by_the_motion(name: str, row: int, changed: str, joints: int) -> None:
+    """How many joints agree is known from the axes."""
     convention, variables, rows = robot(name).convention, robot(name).variables, rows_of(name)
     old = rows[row]
     cells = {"a": old.a, "alpha": old.alpha, "d": old.d, "theta": old.theta}
@@ -223,6 +247,7 @@ def test_the_first_wrong_joint_is_told_by_the_motion(name: str, row: int, change
 
 
 def test_a_wrong_letter_is_wrong_even_where_its_value_is_the_same() -> None:
+    """In the PUMA a2 and d4 have one value; the letters are still two."""
     puma = robot("puma560")
     rows = rows_of("puma560")
     own = Values({}, {name: value for name, value in puma.parameters.items() if value is not None})
@@ -251,14 +276,20 @@ def in_numbers(rows: Rows, name: str, digits: int) -> Rows:
 
 
 def put_rounded(expr: object, digits: int) -> object:
+    """An expression with its numbers rounded to so many decimals."""
     from dhcli.notation.tree import Number
     from dhcli.notation.walk import rebuild
 
     return rebuild(expr, lambda leaf: Number(round(leaf.value, digits), digits) if isinstance(leaf, Number) else leaf)
 
 
-@given(st.sampled_from([name for name in NAMES if all(v is not None for v in robot(name).parameters.values())]), st.lists(keeping((number(Fraction(1, 8)),)), max_size=5), joint_changes)
+@given(
+    st.sampled_from([name for name in NAMES if all(v is not None for v in robot(name).parameters.values())]),
+    st.lists(keeping((number(Fraction(1, 8)),)), max_size=5),
+    joint_changes,
+)
 def test_numbers_to_a_millimetre_are_right_in_any_frames(name: str, moves: list[Move], joints: list) -> None:
+    """Lengths rounded to a tenth of a millimetre, whatever frames, senses and zeros."""
     convention, variables, rows = robot(name).convention, robot(name).variables, rows_of(name)
     own = Values({}, {k: v for k, v in robot(name).parameters.items() if v is not None})
     other = in_numbers(rows, name, 4)
@@ -270,8 +301,11 @@ def test_numbers_to_a_millimetre_are_right_in_any_frames(name: str, moves: list[
     assert same_robot(truth, answer, own, DEFAULT).verdict is Verdict.RIGHT
 
 
-@pytest.mark.parametrize(("typed", "verdict"), [("0.4318", "RIGHT"), ("0.432", "RIGHT"), ("0.435", "CLOSE"), ("0.46", "WRONG")])
+@pytest.mark.parametrize(
+    ("typed", "verdict"), [("0.4318", "RIGHT"), ("0.432", "RIGHT"), ("0.435", "CLOSE"), ("0.46", "WRONG")]
+)
 def test_numbers_are_judged_by_the_pose_they_give(typed: str, verdict: str) -> None:
+    """432 for 431.8 is right, 435 is close, 460 is wrong."""
     puma, rows = robot("puma560"), in_numbers(rows_of("puma560"), "puma560", 5)
     own = Values({}, {k: v for k, v in puma.parameters.items() if v is not None})
     other = (*rows[:2], Row(number(Fraction(typed), 4), rows[2].alpha, rows[2].d, rows[2].theta), *rows[3:])
@@ -283,27 +317,32 @@ def test_numbers_are_judged_by_the_pose_they_give(typed: str, verdict: str) -> N
 
 
 def test_a_product_of_moves_and_a_table_are_the_same_robot() -> None:
+    """Nothing asks how the chain was written."""
     scara = robot("scara")
     scope = Scope(joints=("theta1", "theta2"), lengths=("l1", "l2", "l3", "d3"))
     table = read_chain(
-        "Rot(z, theta1 + 90°) Trans(0,0,l1) Trans(l2,0,0) Rot(z, theta2) Trans(l3,0,0) Rot(z, -90°) Trans(0,0,-d3)", scope
+        "Rot(z, theta1 + 90°) Trans(0,0,l1) Trans(l2,0,0) Rot(z, theta2) Trans(l3,0,0) Rot(z, -90°) Trans(0,0,-d3)",
+        scope,
     )
     truth = Arm.of(tuple(move for link in scara.links for move in link.moves), scara.variables)
     assert same_motion(truth, Arm.of(table, scara.variables), NOTHING, DEFAULT).verdict is Verdict.RIGHT
 
 
 def test_a_variable_that_moves_two_joints_is_refused() -> None:
+    """A joint has one axis."""
     with pytest.raises(RobotError, match="q1 does not move one joint"):
         Arm.of((Rot("z", Angle.of("q1")), Rot("x", Angle.of("q1"))), ("q1",))
 
 
 def test_a_joint_that_turns_twice_as_fast_is_another_joint() -> None:
+    """2*q1 is no freedom."""
     one, two = Arm.of((Rot("z", Angle.of("q1")),), ("q1",)), Arm.of((Rot("z", Angle.of("q1") * 2),), ("q1",))
     assert same_robot(one, two, NOTHING, DEFAULT).verdict is Verdict.WRONG
     assert same_robot(two, two, NOTHING, DEFAULT).verdict is Verdict.RIGHT
 
 
 def test_a_turning_and_a_sliding_joint_are_never_the_same() -> None:
+    """The kind of a joint is no freedom either."""
     one = Arm.of((Rot("z", Angle.of("q1")),), ("q1",))
     two = Arm.of((Trans(ZERO, ZERO, Symbol("q1")),), ("q1",))
     assert same_robot(one, two, NOTHING, DEFAULT).verdict is Verdict.WRONG
@@ -311,6 +350,7 @@ def test_a_turning_and_a_sliding_joint_are_never_the_same() -> None:
 
 @given(st.tuples(*[st.floats(-3, 3)] * 4), st.tuples(*[st.floats(-3, 3)] * 3))
 def test_rigid_motions_form_a_group(angles: tuple[float, ...], offset: tuple[float, float, float]) -> None:
+    """A motion and its inverse cancel, and a turn knows its angle."""
     one = Rigid.turn((0.0, 0.6, 0.8), angles[0], offset) @ Rigid.shift((angles[1], angles[2], angles[3]))
     back = one.inverse() @ one
     assert back.tilt() < 1e-12

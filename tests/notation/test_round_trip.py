@@ -36,7 +36,7 @@ trees = st.one_of(
 )
 
 
-@settings(max_examples=400)
+@settings(max_examples=200)
 @given(trees, st.sampled_from(["short", "full", "latex", "matlab", "numpy"]))
 def test_an_expression_is_read_back(expr: Expr, style: str) -> None:
     """In every notation that the parser reads, without a robot and with its names and shorthand."""
@@ -53,6 +53,7 @@ def test_an_angle_is_read_back(angle: Angle) -> None:
     assert to_angle(parse(write_angle(angle, "numpy"))) == angle
 
 
+@settings(max_examples=50)
 @given(trees)
 def test_trees_have_one_shape(expr: Expr) -> None:
     """Flat, numbers in front, no bracket that is multiplied starts with a minus, no number hidden below."""
@@ -69,6 +70,7 @@ def test_trees_have_one_shape(expr: Expr) -> None:
             assert not any(write(bracket).startswith("-") for bracket in brackets)
 
 
+@settings(max_examples=50)
 @given(trees)
 def test_twice_negated_is_the_same(expr: Expr) -> None:
     """A minus costs nothing and hides nothing."""

@@ -1,0 +1,123 @@
+"""`dhcli dof`: the formula, whether to believe it, and the truth."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.cli.running import Run
+
+ROOT = Path(__file__).parents[2]
+KEYS = {
+    "mobility", "gruebler", "instantaneous", "bounds", "certificate", "formula_holds", "formulas", "space", "lambda",
+    "links", "joints", "sum_f", "sum_c", "reading", "joints_listed", "other_reading", "loops", "idle", "redundant",
+    "output", "motion", "branches", "order", "singular_values", "kept", "dropped", "reasons", "settles",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("words", "gruebler", "mobility"),
+    [
+        ("6R", 6, 6),
+        ("loop 6R", 0, None),
+        ("6-UPS", 6, None),
+        ("bennett", -2, 1),
+        ("puma560", 6, 6),
+        ("--planar --links 4 --joints 4R", 1, None),
+        ("--lambda 3 --links 4 --joints 3R+1P", 1, None),
+        ("--planar loop 4R", 1, None),
+        ("n-RPS", "6 - n", None),
+    ],
+)
+def test_json_has_all_figures(dhcli: Run, words: str, gruebler: int | str, mobility: int | None) -> None:
+    """Its keys are a contract."""
+    data = dhcli("dof", *words.split(), "--format", "json").data
+    assert set(data) == KEYS
+    assert (data["gruebler"], data["mobility"]) == (gruebler, mobility)
+
+
+def test_a_table_reads_from_counts_to_truth(dhcli: Run) -> None:
+    """And fits 80 columns."""
+    done = dhcli("dof", "sarrus")
+    assert done.code == 0
+    for text in (
+        "n = 6 links with the ground",
+        "6(6 - 6 - 1) + 6·1 = 0",
+        "No: the mobility is 1, not 0.",
+        "directions",
+    ):
+        assert text in " ".join(done.out.split())
+    assert max(map(len, done.out.splitlines())) <= 80
+
+
+def test_a_pattern_says_how_it_was_read(dhcli: Run) -> None:
+    """And what the other reading would give."""
+    out = dhcli("dof", "6R").out
+    assert "read as: open chain with the ground" in out
+    assert "read as closed loop it would have F = 0; for that type: loop 6R" in out
+
+
+def test_idle_freedoms_are_named(dhcli: Run) -> None:
+    """They count, and are told apart."""
+    out = dhcli("dof", "cam-follower").out
+    assert "Idle: roller spins between joints 2 and 3 and moves nothing else." in out
+    assert "2 (1 and 1 idle)" in out
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["dof"], "nothing to count"),
+        (["dof", "benett"], "did you mean bennett"),
+        (["dof", "--links", "4"], "--joints is missing"),
+        (["dof", "6R", "--links", "4", "--joints", "4R"], "one or the other"),
+        (["dof", "--planar", "--lambda", "3", "6R"], "say the same thing"),
+        (["dof", "bennett", "--planar"], "says itself where it moves"),
+        (["dof", "--lambda", "0", "--links", "4", "--joints", "4R"], "it is 1 to 6"),
+        (["dof", "--links", "-4", "--joints", "4R"], "is negative"),
+        (["dof", "bennett", "--tol", "2"], "tolerance of 2"),
+        (["dof", "nowhere/l.yaml"], "no such file"),
+        (["dof", "6R", "--format", "latex"], "there is no format latex"),
+    ],
+)
+def test_bad_input_ends_with_2_and_a_hint(dhcli: Run, words: list[str], message: str) -> None:
+    """Never a traceback."""
+    done = dhcli(*words)
+    assert done.code == 2
+    assert message in done.err
+
+
+def test_a_linkage_is_shown(dhcli: Run) -> None:
+    """Its joints and its source, without the answer."""
+    out = dhcli("show", "planar-four-bar").out
+    assert "crank - coupler" in out
+    assert "Source" in out
+    assert "trusted" not in out
+    assert dhcli("show", "bennett", "--format", "json").data["link_names"] == ["ground", "1", "2", "3"]
+
+
+def test_linkages_are_listed(dhcli: Run) -> None:
+    """With their joints."""
+    out = dhcli("list", "linkages").out
+    assert "bennett" in out
+    assert "4R" in out
+    assert "broken" not in out
+
+
+@pytest.mark.parametrize(
+    "words", [["dof", "6R"], ["dof", "--planar", "--links", "4", "--joints", "4R"], ["list", "linkages"]]
+)
+def test_counts_do_not_import_numpy(words: list[str], tmp_path: Path) -> None:
+    """Only geometry does."""
+    code = "import sys\nfrom dhcli.cli.main import main\nmain(sys.argv[1:])\nprint('numpy' in sys.modules)"
+    done = subprocess.run(
+        [sys.executable, "-c", code, *words],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+        check=True,
+    )
+    assert done.stdout.splitlines()[-1] == "False"
