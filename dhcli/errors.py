@@ -9,6 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import IntEnum
+from itertools import islice
+
+MOST_CANDIDATES = 200
+"""Names that a mistyped one is compared with; a file may hold more of both than time allows."""
 
 
 class ExitStatus(IntEnum):
@@ -106,6 +110,7 @@ def nearest(name: str, known: Iterable[str], most: int = 3) -> tuple[str, ...]:
     """
     from difflib import get_close_matches
 
+    known = tuple(islice(known, MOST_CANDIDATES))
     lowered = {candidate.lower(): candidate for candidate in known}
     return tuple(lowered[match] for match in get_close_matches(name.lower(), lowered, n=most, cutoff=0.5))
 

@@ -16,6 +16,7 @@ from dhcli.checking.truth import Truth, is_length
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
 from dhcli.kinematics.pose import rounded
 from dhcli.kinematics.values import numbers
+from dhcli.notation.quantity import LENGTH_UNITS
 from dhcli.notation.walk import symbols
 
 Matrix = Sequence[Sequence[float]]
@@ -127,7 +128,10 @@ def _check_units(
     assert truth.numbers is not None  # noqa: S101
     if exercise.unit == "none":
         return
-    for factor, other in ((1e-3, "mm"), (1e3, "km" if exercise.unit == "m" else "m")):
+    for other in ("mm", "cm", "m"):
+        factor = float(LENGTH_UNITS[other] / exercise.metres)
+        if factor == 1:
+            continue
         right = moved = True
         for r, row in enumerate(typed):
             for c, value in enumerate(row):
@@ -136,9 +140,7 @@ def _check_units(
                 right = right and judge(scaled, truth.numbers[r][c], limits[r][c]) is Verdict.RIGHT
                 moved = moved and (not length or abs(value) <= limits[r][c] or value != scaled)
         if right and moved:
-            unit = exercise.unit
-            said = "mm" if unit == "m" and factor < 1 else "m" if unit == "mm" and factor > 1 else other
-            raise UnreadableError(f"right in {said}; this sheet is in {unit}")
+            raise UnreadableError(f"right in {other}; this sheet is in {exercise.unit}")
 
 
 def _is_rounded(

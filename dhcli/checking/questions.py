@@ -12,9 +12,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
-from dhcli.errors import NotationError, Place, Problem
+from dhcli.errors import NotationError, Place, Problem, RobotError
 from dhcli.kinematics.conventions import COLUMNS, Convention
+from dhcli.kinematics.frames import frame
 from dhcli.kinematics.moves import Chain, read_chain
+from dhcli.kinematics.robot import Robot
 from dhcli.notation.matrix import parse_matrix
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_length
@@ -191,6 +193,33 @@ def read_question(text: str, scope: Scope, place: Place | None = None) -> Questi
     if word in others:
         return others[word](text[len(word) :].strip())
     return _matrix_question(text, scope, place)
+
+
+def check_question(question: Question, robot: Robot | None) -> None:
+    """Make sure that a robot has what a question asks about.
+
+    Raises:
+        RobotError: There is no robot, or it has no such link or no table.
+        UnknownNameError: It has no such frame.
+    """
+    match question:
+        case MatrixQuestion(source=Span(start, end)):
+            for name in (start, end):
+                frame(_needed(robot), name)
+        case CellQuestion(_, link) | FactorsQuestion(link):
+            found = [one for one in _needed(robot).links if str(one.number) == link]
+            if not found:
+                raise RobotError(f"{_needed(robot).name} has no link {link}")
+            if isinstance(question, CellQuestion) and found[0].row is None:
+                raise RobotError(f"{_needed(robot).name} is given as products and has no table")
+        case TableQuestion():
+            _needed(robot)
+
+
+def _needed(robot: Robot | None) -> Robot:
+    if robot is None:
+        raise RobotError("this question needs a robot", "name one under robot:")
+    return robot
 
 
 def _matrix_question(text: str, scope: Scope, place: Place | None) -> MatrixQuestion:

@@ -6,14 +6,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from dhcli.algebra.floats import Floats
-from dhcli.algebra.terms import TERMS
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.questions import Composed, MatrixQuestion, ScalarQuestion, Span
 from dhcli.errors import RobotError
-from dhcli.kinematics.fold import fold
-from dhcli.kinematics.forward import put_in
+from dhcli.kinematics.forward import put_in, textbook_form
 from dhcli.kinematics.frames import between, frame
-from dhcli.kinematics.merge import merge
 from dhcli.kinematics.moves import Chain, expressions, inverse, names
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import numbers
@@ -60,13 +57,13 @@ def truth_of(question: MatrixQuestion, exercise: Exercise, robot: Robot | None =
 def _compute(question: MatrixQuestion, exercise: Exercise, robot: Robot | None) -> Truth:
     chain = chain_of(question, robot or exercise.robot)
     values = dict(exercise.values)
-    rows = piece_of(fold(merge(chain), TERMS), question)
+    rows = piece_of(textbook_form(chain), question)
     named = names(chain) | _point_names(question)
     structural = _structural(question, rows, is_constant=not named)
     if named - values.keys():
         return Truth(rows, None, 0.0, structural)
     over = Floats(numbers(values))
-    exact = piece_of(fold(merge(put_in(chain, values)), TERMS), question)
+    exact = piece_of(textbook_form(put_in(chain, values)), question)
     return Truth(
         rows,
         tuple(tuple(over.value(entry) for entry in row) for row in exact),

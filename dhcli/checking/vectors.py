@@ -66,7 +66,7 @@ def _latex_column(text: str) -> str:
     r"""A LaTeX column, whose blanks are products: `\begin{bmatrix} a \cos\theta \\ 0 \\ 1 \end{bmatrix}`; else empty."""
     if not text.startswith(("\\begin", "\\left")) or "&" in text:
         return ""
-    rows = [row for row in _LATEX_ENDS.sub("", text).split("\\\\") if row.strip()]
+    rows = [row for row in _LATEX_ENDS.sub("", text).replace("\n", " ").split("\\\\") if row.strip()]
     return "[" + ", ".join(rows) + "]" if len(rows) in LENGTHS else ""
 
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from dhcli.checking.exercise import Exercise, Part, Printed, Trial, answer_scope
-from dhcli.checking.questions import ChoiceQuestion, CountQuestion, read_question
+from dhcli.checking.questions import ChoiceQuestion, CountQuestion, Question, check_question, read_question
 from dhcli.checking.tolerance import DEFAULT, Tolerance
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import DhcliError, FileError, NotationError, Problem, did_you_mean
@@ -114,8 +114,12 @@ class _Loader:
                 self.fields.place_of("unit"), f"unit: '{unit}' is no unit of length", "write m, mm, cm or none"
             )
         self.check_ids(parts_)
-        self.problems.raise_if_any(FileError)
-        return Exercise(
+        feedback = self.fields.text("feedback", "verdict")
+        if feedback not in ("verdict", "expected"):
+            self.problems.add(
+                self.fields.place_of("feedback"), f"feedback: '{feedback}' is not known", "write expected"
+            )
+        found = Exercise(
             id=self.name,
             title=self.fields.text("title"),
             source=self.source(),
@@ -129,8 +133,10 @@ class _Loader:
             tolerance=self.tolerance,
             also=also,
             trials=trials,
-            shows_expected=self.fields.text("feedback") == "expected",
+            shows_expected=feedback == "expected",
         )
+        self.problems.raise_if_any(FileError)
+        return found
 
     def read_robot(self, key: str) -> Robot | None:
         scalar = self.fields.scalar(key)
@@ -190,11 +196,14 @@ class _Loader:
 
     def read_tolerance(self) -> Tolerance:
         fields = self.fields.mapping("tolerance", known=TOLERANCE_KEYS)
-        position = read_number(fields, "position")
+        rotation, angle = read_number(fields, "rotation"), read_degrees(fields, "angle")
+        for key, value in (("rotation", rotation), ("position", read_number(fields, "position")), ("angle", angle)):
+            if value is not None and not value >= 0:
+                self.problems.add(fields.place_of(key), f"{key}: a tolerance is not negative")
         return Tolerance(
-            rotation=read_number(fields, "rotation") or DEFAULT.rotation,
-            position=position,
-            angle=read_degrees(fields, "angle") or DEFAULT.angle,
+            rotation=DEFAULT.rotation if rotation is None else rotation,
+            position=read_number(fields, "position"),
+            angle=DEFAULT.angle if angle is None else angle,
             decimals=read_whole(fields, "decimals"),
             exact=read_flag(fields, "exact"),
         )
@@ -217,23 +226,34 @@ class _Loader:
             question = ChoiceQuestion(options, right)
         if isinstance(question, CountQuestion):
             question = self.looked_up(question, ask)
+        self.check_exists(question, ask)
         tolerance = None
-        if "exact" in fields or "decimals" in fields:
-            base = self.tolerance
-            exact, decimals = read_flag(fields, "exact"), read_whole(fields, "decimals")
-            tolerance = Tolerance(base.rotation, base.position, base.angle, decimals, exact)
-        name = fields.text("id")
+        if "exact" in fields:
+            tolerance = replace(self.tolerance, exact=read_flag(fields, "exact"))
+        if "decimals" in fields:
+            tolerance = replace(tolerance or self.tolerance, decimals=read_whole(fields, "decimals"))
+        name, credit = fields.text("id"), read_number(fields, "credit")
+        if not all(letter.isalnum() or letter in "_-" for letter in name):
+            self.problems.add(fields.place_of("id"), f"id: '{name}' holds more than letters, digits, _ and -")
         return Part(
             id=name,
             question=question,
             prompt=fields.text("prompt"),
-            credit=read_number(fields, "credit") or 1.0,
+            credit=1.0 if credit is None else credit,
             depends=read_texts(fields, "depends"),
             hints=read_texts(fields, "hints"),
             tolerance=tolerance,
             compare=self.compare(fields),
             printed=self.printed.get(name),
         )
+
+    def check_exists(self, question: Question, ask: PlacedScalar) -> None:
+        """Make sure that the robot has the frames, the link or the table that is asked about."""
+        try:
+            check_question(question, self.robot)
+        except DhcliError as error:
+            for problem in error.problems:
+                self.problems.add(ask.place, f"ask: {problem.message}", problem.hint)
 
     def looked_up(self, question: CountQuestion, ask: PlacedScalar) -> CountQuestion:
         from dhcli.files.linkages import find_linkage  # few exercises count

@@ -10,7 +10,7 @@ from dhcli.files.fields import Fields, Problems
 from dhcli.files.library import Kind, find
 from dhcli.files.placed import PlacedMapping, PlacedNode, PlacedScalar, read_yaml
 from dhcli.files.reading import read_text, source_of
-from dhcli.files.typed import has_unit_of_angle, read_value
+from dhcli.files.typed import has_unit_of_angle, read_value, read_whole
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
 from dhcli.kinematics.moves import Chain, angle_names, expressions, read_chain
 from dhcli.kinematics.robot import Link, Robot, Value
@@ -131,10 +131,10 @@ class _Loader:
         scalar = self.fields.scalar("first")
         if scalar is None:
             return 1
-        if scalar.text.isdecimal() and scalar.text.isascii() and 0 < int(scalar.text[:4]) < 1000:  # noqa: PLR2004
-            return int(scalar.text[:4])
-        self.problems.add(scalar.place, f"first: '{scalar.text}' is not the number of a link", "write a whole number")
-        return 1
+        first = read_whole(self.fields, "first")
+        if first == 0:
+            self.problems.add(scalar.place, "first: links are numbered from 1")
+        return first or 1
 
     def names(self, section: str, nodes: Iterable[PlacedNode]) -> Iterable[str]:
         for i, node in enumerate(nodes):

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 
 from dhcli.algebra.floats import Floats
+from dhcli.algebra.sizes import SIZES
 from dhcli.algebra.terms import TERMS
 from dhcli.errors import RobotError
 from dhcli.kinematics.conventions import Convention
@@ -27,6 +29,9 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.styles import THETAS, Joints
 from dhcli.notation.tree import Expr
 from dhcli.notation.writer import write, write_angle
+
+LONGEST = 20_000
+"""Symbols of the longest result that is written; Panda has about 2000."""
 
 Given = Mapping[str, float | str | Value]
 
@@ -91,25 +96,56 @@ def numeric_pose(robot: Robot, values: Values, start: str, end: str) -> Pose[flo
     """The pose of one frame seen from another at known values; see `forward`."""
     chain = between(robot, start, end)
     require(robot, chain, values)
-    return Pose(fold(chain, Floats(numbers(values))), start, end, joints=robot.writing)
+    return Pose(in_numbers(chain, values), start, end, joints=robot.writing)
 
 
 def symbolic_pose(robot: Robot, values: Values, start: str, end: str) -> Pose[Expr]:
     """The pose of one frame seen from another with some values put in; see `symbolic`."""
-    chain = put_in(between(robot, start, end), values)
-    return Pose(fold(merge(chain), TERMS), start, end, joints=robot.writing)
+    return Pose(textbook_form(put_in(between(robot, start, end), values)), start, end, joints=robot.writing)
 
 
 def pose_of_chain(chain: Chain, reference: str, frame: str, title: str = "", joints: Joints = THETAS) -> Pose[Expr]:
     """The pose that a chain without a robot reaches, in terms."""
-    return Pose(fold(merge(chain), TERMS), reference, frame, title, joints)
+    return Pose(textbook_form(chain), reference, frame, title, joints)
+
+
+def textbook_form(chain: Chain) -> tuple[tuple[Expr, ...], ...]:
+    """The product of a chain in terms, shape (4, 4): parallel rotations merged, no bracket expanded.
+
+    Raises:
+        RobotError: It would be longer than anybody can read.
+    """
+    merged = merge(chain)
+    size = sum(entry.count for row in fold(merged, SIZES) for entry in row)
+    if size > LONGEST:
+        message = f"the result would be {size} symbols long, more than the {LONGEST} that are written"
+        raise RobotError(message, "ask for fewer frames with --from and --to, or put values in")
+    return fold(merged, TERMS)
+
+
+def in_numbers(chain: Chain, values: Values) -> tuple[tuple[float, ...], ...]:
+    """The product of a chain in floats, shape (4, 4).
+
+    Raises:
+        RobotError: An entry is not a real number, or beyond what a float can hold.
+    """
+    try:
+        rows = fold(chain, Floats(numbers(values)))
+    except OverflowError:
+        raise RobotError("a value is too large to compute with") from None
+    if not all(math.isfinite(entry) for row in rows for entry in row):
+        raise RobotError("the pose has an entry that is not a real number")
+    return rows
 
 
 def put_in(chain: Chain, values: Values) -> Chain:
     """A chain with exact values in the place of names."""
     lengths = {name: value for name, value in values.items() if isinstance(value, Expr)}
     angles = {name: value for name, value in values.items() if isinstance(value, Angle)}
-    return substituted(chain, lengths, angles)
+    try:
+        return substituted(chain, lengths, angles)
+    except (OverflowError, ZeroDivisionError):
+        raise RobotError("with these values a length is divided by zero or becomes too large") from None
 
 
 def factors(robot: Robot, link: Link, values: Values) -> tuple[Pose[Expr], ...]:

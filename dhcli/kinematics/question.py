@@ -2,22 +2,17 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Literal, TypeAlias, cast
 
-from dhcli.algebra.floats import Floats
-from dhcli.algebra.terms import TERMS
 from dhcli.errors import RobotError, UnknownNameError
-from dhcli.kinematics.fold import fold
-from dhcli.kinematics.forward import factors, put_in, spelled
+from dhcli.kinematics.forward import factors, in_numbers, put_in, spelled, textbook_form
 from dhcli.kinematics.frames import between, ends
-from dhcli.kinematics.merge import merge
 from dhcli.kinematics.moves import Chain, Trans, inverse
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.robot import Link, Robot
-from dhcli.kinematics.values import Values, numbers, require, warnings
+from dhcli.kinematics.values import Values, require, warnings
 from dhcli.kinematics.words import in_words
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
@@ -172,14 +167,8 @@ def folded(chain: Chain, start: str, end: str, *, symbolic: bool, values: Values
         RobotError: An entry is not a real number, or beyond what a float can hold.
     """
     if symbolic:
-        return Pose(fold(merge(chain), TERMS), start, end)
-    try:
-        rows = fold(chain, Floats(numbers(values or {})))
-    except OverflowError:
-        raise RobotError("a value is too large to compute with") from None
-    if not all(math.isfinite(entry) for row in rows for entry in row):
-        raise RobotError("the pose has an entry that is not a real number")
-    return Pose(rows, start, end)
+        return Pose(textbook_form(chain), start, end)
+    return Pose(in_numbers(chain, values or {}), start, end)
 
 
 def _said(pose: AnyPose, forms: tuple[str, ...]) -> tuple[Mapping[str, Placement], tuple[str, ...]]:

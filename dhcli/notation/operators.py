@@ -43,9 +43,7 @@ class Operators(Cursor, ABC):
 
     def expression(self, binding: int = 0) -> Expr:
         """Read an expression whose operators bind more strongly than `binding`."""
-        self._depth += 1
-        if self._depth > DEEPEST:
-            raise self.error(f"brackets nested deeper than {DEEPEST} are not read")
+        self.go_deeper()
         left = self._operand()
         while True:
             token = self.token
@@ -64,6 +62,12 @@ class Operators(Cursor, ABC):
             else:
                 self._depth -= 1
                 return left
+
+    def go_deeper(self) -> None:
+        """Count one more level of nesting, and stop at the cap."""
+        self._depth += 1
+        if self._depth > DEEPEST:
+            raise self.error(f"brackets nested deeper than {DEEPEST} are not read")
 
     def _multiplied(self, left: Expr) -> Expr:
         token = self.advance()

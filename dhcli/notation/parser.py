@@ -168,7 +168,9 @@ class Parser(Operators):
 
     def _bare_argument(self) -> Expr:
         """What `cos` without brackets applies to: a number with its unit and name, or one name."""
+        self.go_deeper()
         operand = self._operand()
+        self._depth -= 1
         if isinstance(operand, Number):
             if self._is_unit():
                 return multiply(operand, self._implicit())

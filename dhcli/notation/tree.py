@@ -18,6 +18,9 @@ from dhcli.notation.names import natural_key
 from dhcli.notation.roots import square_root
 
 HALF = Fraction(1, 2)
+MOST_PLACES = 60
+"""With more decimals than this a number is shown as a fraction."""
+
 MOST_BITS = 1000
 """Numbers above this size are refused: no float holds them, and towers of powers must not run away."""
 
@@ -215,7 +218,7 @@ def multiply(*factors: Expr) -> Expr:
             factor = negate(factor)  # noqa: PLW2901  the sign moves outside the bracket
             number_part = Number(-number_part.value, number_part.places)
         base, exponent = (factor.base, factor.exponent) if type(factor) is Power else (factor, Fraction(1))
-        if type(base) is Number and exponent == HALF:
+        if type(base) is Number and exponent == HALF and base.value >= 0:
             radicand *= base.value
         else:
             powers[base] = powers.get(base, Fraction(0)) + exponent
@@ -301,7 +304,7 @@ def _multiply_numbers(first: Number, second: Number) -> Number:
     if second.value == 1 and second.places is None:
         return first
     places = [n.places for n in (first, second) if n.places is not None]
-    product = Number(first.value * second.value, sum(places) if places else None)
+    product = Number(first.value * second.value, sum(places) if 0 < sum(places) <= MOST_PLACES else None)
     _check_size(product.value)
     return product
 

@@ -26,12 +26,12 @@ def entry(value: Expr | float, joints: Joints, look: Look) -> str:
         return write(value, look.style or _SPELLING.get(look.format, look.format), joints)
     if look.format == "latex":
         return look.number(value)
-    return repr(exact(value, look))
+    return repr(exact(value))
 
 
-def exact(value: float, look: Look) -> float:
-    """A number for a program: as computed, unless decimals were asked for; never minus zero."""
-    return (float(value) if look.digits is None else round(float(value), look.digits)) + 0.0
+def exact(value: float) -> float:
+    """A number for a program: as computed, whatever decimals people are shown; never minus zero."""
+    return float(value) + 0.0
 
 
 def pose_source(

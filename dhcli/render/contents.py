@@ -58,12 +58,12 @@ def placements_content(placements: Mapping[str, Placement], joints: Joints, look
 
 def number(value: Expr | float, joints: Joints, look: Look) -> float | str:
     """A number, or a formula as sympy reads it."""
-    return write(value, look.style or "sympy", joints) if isinstance(value, Expr) else exact(value, look)
+    return write(value, look.style or "sympy", joints) if isinstance(value, Expr) else exact(value)
 
 
 def plain_number(value: Expr, joints: Joints, look: Look) -> float | str:
     """A number where the expression is one, else a formula."""
-    return exact(float(value.value), look) if isinstance(value, Number) else number(value, joints, look)
+    return exact(float(value.value)) if isinstance(value, Number) else number(value, joints, look)
 
 
 def _placement(placement: Placement, joints: Joints, look: Look) -> list[float | str] | dict[str, Any]:
@@ -71,8 +71,8 @@ def _placement(placement: Placement, joints: Joints, look: Look) -> list[float |
         case Position(coordinates):
             return [number(value, joints, look) for value in coordinates]
         case RollPitchYaw(roll, pitch, yaw):
-            return {"roll": exact(roll, look), "pitch": exact(pitch, look), "yaw": exact(yaw, look)}
+            return {"roll": exact(roll), "pitch": exact(pitch), "yaw": exact(yaw)}
         case AxisAngle(axis, angle):
-            return {"axis": [exact(value, look) for value in axis], "angle": exact(angle, look)}
+            return {"axis": [exact(value) for value in axis], "angle": exact(angle)}
         case Quaternion(w, x, y, z):
-            return {key: exact(value, look) for key, value in zip("wxyz", (w, x, y, z), strict=True)}
+            return {key: exact(value) for key, value in zip("wxyz", (w, x, y, z), strict=True)}

@@ -1,0 +1,476 @@
+"""Judging: tolerances, digits, units and credit; and answers that nobody means well with."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from dhcli.checking.describe import describe
+from dhcli.checking.exercise import Exercise, Part, question_about
+from dhcli.checking.marking import check, expected, mark
+from dhcli.checking.numeric import angle_between, not_orthonormal
+from dhcli.checking.questions import TableQuestion
+from dhcli.checking.sheetmark import SheetMark, mark_sheet
+from dhcli.checking.tolerance import is_rounding_of, judge, typed_decimals
+from dhcli.checking.verdicts import Mark, Verdict
+from dhcli.errors import DhcliError, UnknownNameError
+from dhcli.files.exercises import load_exercise, read_exercise
+from dhcli.files.library import Kind, entries
+from dhcli.files.robots import load_robot
+from dhcli.notation.angle import Angle
+from dhcli.notation.parser import parse
+from dhcli.notation.tree import Number, number
+from dhcli.notation.writer import write
+from dhcli.render.look import Look, render
+from dhcli.render.paper import Paper
+from tests.strategies import polynomials
+
+COSINE, SINE = math.cos(math.radians(75)), math.sin(math.radians(75))
+X = 0.4 * math.cos(math.radians(30)) + 0.3 * COSINE
+Y = 0.4 * math.sin(math.radians(30)) + 0.3 * SINE
+SIZE = 0.7
+"""Lengths of the planar arm [m]: 0.4 and 0.3."""
+
+SEEN_ENOUGH = settings(max_examples=150)
+
+
+@cache
+def planar(unit: str = "m", more: str = "") -> Exercise:
+    """The planar arm at 30° and 45°, in numbers."""
+    text = f"""
+        format: 1
+        title: x
+        source: x
+        task: x
+        robot: planar-2r
+        numeric: true
+        unit: {unit}
+        given: {{theta1: 30°, theta2: 45°}}
+        {more}
+        parts:
+          - {{id: pose, ask: pose 0..2}}
+          - {{id: rotation, ask: rotation of pose 0..2}}
+          - {{id: position, ask: position of pose 0..2}}
+    """
+    return read_exercise(text, "planar.yaml", "planar")
+
+
+def pose(angle: float = math.radians(75), x: float = X, y: float = Y) -> str:
+    """A pose of the planar arm in all digits."""
+    c, s = math.cos(angle), math.sin(angle)
+    return f"[{c!r} {-s!r} 0 {x!r}; {s!r} {c!r} 0 {y!r}; 0 0 1 0; 0 0 0 1]"
+
+
+def verdict(answer: str, part: str = "pose", exercise: Exercise | None = None) -> Verdict:
+    """How the planar arm's answer is judged."""
+    return check(exercise or planar(), part, answer).verdict
+
+
+# ---------------------------------------------------------------------------------------------------- tolerances
+
+
+@pytest.mark.parametrize(
+    ("error", "found"),
+    [
+        (0.0, Verdict.RIGHT),
+        (1.0, Verdict.RIGHT),
+        (-1.0, Verdict.RIGHT),
+        (1.0001, Verdict.CLOSE),
+        (10.0, Verdict.CLOSE),
+        (-10.0, Verdict.CLOSE),
+        (10.0001, Verdict.WRONG),
+        (math.inf, Verdict.WRONG),
+        (math.nan, Verdict.WRONG),
+    ],
+)
+def test_the_boundary_belongs_to_the_tolerance(error: float, found: Verdict) -> None:
+    """RIGHT up to the tolerance, CLOSE up to ten times, WRONG beyond."""
+    assert judge(5.0 + error * 0.25, 5.0, 0.25) is found
+
+
+def test_a_length_is_right_within_a_thousandth_of_the_arm() -> None:
+    """0.7 mm for links of 0.4 m and 0.3 m, whatever the joint values."""
+    assert verdict(pose(x=X + 0.999e-3 * SIZE)) is Verdict.RIGHT
+    assert verdict(pose(x=X + 1.001e-3 * SIZE)) is Verdict.CLOSE
+    assert verdict(pose(x=X - 10.01e-3 * SIZE)) is Verdict.WRONG
+
+
+@given(st.floats(-0.02, 0.02), st.floats(-0.02, 0.02))
+@SEEN_ENOUGH
+def test_metres_and_millimetres_give_the_same_verdict(dx: float, dy: float) -> None:
+    """And the same credit."""
+    metres = check(planar("m"), "pose", pose(x=X + dx, y=Y + dy))
+    millimetres = check(planar("mm"), "pose", pose(x=1000 * (X + dx), y=1000 * (Y + dy)))
+    assert (metres.verdict, metres.earned) == (millimetres.verdict, millimetres.earned)
+    assert metres.remarks == millimetres.remarks
+
+
+@given(st.floats(1e-3, 1e3), st.floats(-8, 8))
+@SEEN_ENOUGH
+def test_a_wrong_orientation_is_as_wrong_on_a_long_arm(size: float, degrees: float) -> None:
+    """Rotation and position never share a norm."""
+    robot = load_robot("planar-2r")
+    values = {"theta1": Angle.in_degrees(75), "theta2": Angle()}
+    lengths = {"a1": Number(parse(f"{size:.9f}").value), "a2": number(0)}  # type: ignore[union-attr]
+    exercise = question_about(robot, "0", "2", numeric=True, given={**values, **lengths})
+    long = float(lengths["a1"].value)
+    answer = pose(math.radians(75 + degrees), long * COSINE, long * SINE)
+    rotation = check(planar(), "rotation", "[" + "; ".join(row.rsplit(" ", 1)[0] for row in pose(
+        math.radians(75 + degrees)).strip("[]").split("; ")[:3]) + "]")
+    assert check(exercise, "pose", answer).verdict is rotation.verdict
+
+
+def test_a_pose_of_an_arm_without_lengths_must_stay_at_the_origin() -> None:
+    """A size of 0 is no tolerance of 0: what floating point leaves of a zero is a zero."""
+    robot = load_robot("planar-2r")
+    nothing = {name: number(0) for name in ("a1", "a2")}
+    given_ = {"theta1": Angle.in_degrees(30), "theta2": Angle(), **nothing}
+    exercise = question_about(robot, "0", "2", numeric=True, given=given_)
+    c, s = math.cos(math.pi / 6), math.sin(math.pi / 6)
+    right = f"[{c} {-s} 0 6e-17; {s} {c} 0 -0; 0 0 1 0; 0 0 0 1]"
+    assert check(exercise, "pose", right).verdict is Verdict.RIGHT
+    assert check(exercise, "pose", right.replace("6e-17", "0.1")).verdict is Verdict.WRONG
+
+
+# -------------------------------------------------------------------------------------------------------- digits
+
+
+@given(st.floats(0.12, 0.99), st.integers(2, 6), st.sampled_from([-1, 1]))
+def test_rounding_and_cutting_off_are_recognised(truth: float, places: int, sign: int) -> None:
+    """One unit further on is neither."""
+    unit = 10.0**-places
+    rounded, cut = round(truth / unit), math.floor(truth / unit)
+
+    def typed(units: int) -> bool:
+        expr = parse(f"{sign * units * unit:.{places}f}")
+        return is_rounding_of(expr, sign * truth)
+
+    assert typed(rounded)
+    assert typed(cut)
+    assert not typed(cut + 2)
+    assert not typed(cut - 1)
+
+
+@pytest.mark.parametrize("text", ["0.9", "1.", "1", "0.05", "0.00"])
+def test_less_than_two_significant_decimals_are_no_rounding(text: str) -> None:
+    """Whoever types 0.9 may have guessed."""
+    assert not is_rounding_of(parse(text), float(text))
+
+
+@pytest.mark.parametrize(("text", "places"), [("0.50", 2), ("-0.500", 3), ("1/2", None), ("7", None), ("0.5*a1", None)])
+def test_digits_typed_are_counted(text: str, places: int | None) -> None:
+    """Zeros at the end count."""
+    assert typed_decimals(parse(text)) == places
+
+
+@given(st.integers(2, 3))
+def test_fewer_digits_than_the_tolerance_wants_are_rounded_and_earn_all(places: int) -> None:
+    """ROUNDED asks for more digits; the work was done."""
+    exercise = planar(more="tolerance: {rotation: 0.00001, position: 0.01 mm}")
+    cells = (COSINE, -SINE, X, SINE, COSINE, Y)
+    c, s, x, sn, cn, y = (f"{value:.{places}f}" for value in cells)
+    judged = check(exercise, "pose", f"[{c} {s} 0 {x}; {sn} {cn} 0 {y}; 0 0 1 0; 0 0 0 1]")
+    assert (judged.verdict, judged.earned) == (Verdict.ROUNDED, 1)
+
+
+# ------------------------------------------------------------------------------------------------------ geometry
+
+
+@given(st.floats(-math.pi, math.pi), st.floats(-math.pi, math.pi))
+def test_the_angle_between_two_orientations_is_that_of_the_turn_between_them(first: float, second: float) -> None:
+    """Small angles keep their digits."""
+
+    def about_z(angle: float) -> list[list[float]]:
+        c, s = math.cos(angle), math.sin(angle)
+        return [[c, -s, 0], [s, c, 0], [0, 0, 1]]
+
+    turned = abs((second - first + math.pi) % (2 * math.pi) - math.pi)
+    assert angle_between(about_z(first), about_z(second)) == pytest.approx(turned, abs=1e-12)
+    assert not_orthonormal(about_z(first)) == ""
+
+
+@pytest.mark.parametrize(
+    ("rotation", "said"),
+    [
+        ([[2, 0, 0], [0, 1, 0], [0, 0, 1]], "column 1 has length 2"),
+        ([[1, 0, 0], [0, 1, 1], [0, 0, 0]], "columns 2 and 3 are not perpendicular"),
+        ([[1, 0, 0], [0, 1, 0], [0, 0, -1]], "left-handed"),
+    ],
+)
+def test_what_is_no_rotation_is_said_first(rotation: list[list[float]], said: str) -> None:
+    """With the columns at fault."""
+    assert said in not_orthonormal(rotation)
+
+
+# ------------------------------------------------------------------------------------------------------- symbols
+
+FORMULAS = """
+format: 1
+title: x
+source: x
+task: x
+names: [theta1, theta2, theta3, theta4, a1, a2, d3, d4]
+parts:
+  - {id: short, ask: "scalar a1*cos(theta1 + theta2) - d3*sin(theta3)"}
+"""
+
+
+@cache
+def formulas() -> Exercise:
+    """One expression in four angles and four lengths."""
+    return read_exercise(FORMULAS, "formulas.yaml", "formulas")
+
+
+@given(polynomials)
+@SEEN_ENOUGH
+def test_what_cancels_does_not_matter(extra: object) -> None:
+    """An expression with anything added and taken away again is the same."""
+    text = write(extra, "full")  # type: ignore[arg-type]
+    assume(len(text) < 300)
+    judged = check(formulas(), "short", f"({text}) + a1*cos(theta1+theta2) - d3*sin(theta3) - ({text})")
+    assert judged.verdict in (Verdict.RIGHT, Verdict.CANNOT_READ)
+    assert judged.verdict is Verdict.RIGHT or any("zero" in r or "large" in r for r in judged.remarks), judged.remarks
+
+
+@given(polynomials)
+@SEEN_ENOUGH
+def test_what_does_not_cancel_is_wrong(extra: object) -> None:
+    """However small: a billionth of something is not nothing."""
+    text = write(extra, "full")  # type: ignore[arg-type]
+    assume(len(text) < 300)
+    nothing = check(formulas(), "short", f"a1*cos(theta1+theta2) - d3*sin(theta3) + ({text})")
+    doubled = check(formulas(), "short", f"a1*cos(theta1+theta2) - d3*sin(theta3) + 2*({text})")
+    assert nothing.verdict is doubled.verdict  # both are right if the extra is 0, else both are wrong
+    billionth = check(formulas(), "short", f"a1*cos(theta1+theta2) - d3*sin(theta3) + ({text})/10^9")
+    assert billionth.verdict is nothing.verdict
+
+
+# -------------------------------------------------------------------------------------------------------- sheets
+
+
+def test_a_sheet_is_as_good_as_its_worst_part() -> None:
+    """And earns the credit of each."""
+    exercise = planar()
+    answers = {"pose": pose(), "rotation": "[1 0 0; 0 1 0; 0 0 1]"}
+    marked = mark_sheet(exercise, answers)
+    words = [one.mark.verdict for one in marked.parts]
+    assert words == [Verdict.RIGHT, Verdict.WRONG, Verdict.SKIPPED]
+    assert (marked.verdict, marked.earned, marked.credit) == (Verdict.WRONG, 1, 3)
+
+
+def test_one_part_of_a_sheet_is_judged_alone() -> None:
+    """The others are not even skipped."""
+    marked = mark_sheet(planar(), {"pose": pose()}, only="pose")
+    assert [one.part.id for one in marked.parts] == ["pose"]
+    assert marked.verdict is Verdict.RIGHT
+
+
+@pytest.mark.parametrize("wrong", [{"answers": {"pse": "1"}, "only": None}, {"answers": {}, "only": "pse"}])
+def test_an_unknown_part_is_refused_with_the_nearest(wrong: dict[str, object]) -> None:
+    """In a sheet as in the option."""
+    with pytest.raises(UnknownNameError, match="no part pse") as caught:
+        mark_sheet(planar(), **wrong)  # type: ignore[arg-type]
+    assert "pose" in caught.value.problems[0].hint
+
+
+def test_an_exercise_whose_robot_lacks_lengths_says_so() -> None:
+    """That is the author's fault and no verdict on the student."""
+    robot = load_robot("dh-link")
+    exercise = question_about(robot, "0", "1", numeric=True, given={"theta_i": Angle()})
+    with pytest.raises(DhcliError, match="not every name"):
+        check(exercise, "pose", "[1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1]")
+
+
+# ------------------------------------------------------------------------------------------- whatever people type
+
+
+@cache
+def parts() -> tuple[tuple[Exercise, Part], ...]:
+    """Every part of every exercise."""
+    found = [load_exercise(entry.name) for entry in entries(Kind.EXERCISES)]
+    return tuple((exercise, part) for exercise in found for part in exercise.parts)
+
+
+@cache
+def right_answer(index: int) -> str:
+    """What would be right; nothing where a table has no own spelling."""
+    exercise, part = parts()[index]
+    try:
+        return expected(exercise, part)
+    except DhcliError:
+        return ""
+
+
+indices = st.deferred(lambda: st.integers(0, len(parts()) - 1))
+LETTERS = "acdsxqθαπ√°12345670.,;:&|\\/*^+-_=()[]{}\"' \n\te"
+texts = st.one_of(
+    st.text(max_size=60),
+    st.text(alphabet=LETTERS, max_size=60),
+    st.lists(
+        st.sampled_from(
+            ["c1", "s12", "-", "+", "*", "/", "^", "(", ")", "[", "]", "{", "}", ";", ",", "&", "\\\\", "\n", " ", "0"]
+            + ["1", "90°", "mm", "m", "rad", "pi", "sqrt(", "\\frac{", "\\begin{bmatrix}", "\\end{bmatrix}", "cos", "="]
+            + ["Rot(z, ", "Trans(", "inv(", "theta1", "\\theta_1", "a1", "_", "1e9", "1e-9", "0.5", "atan2(", "array("]
+        ),
+        max_size=25,
+    ).map("".join),
+)
+
+
+def sane(judged: Mark) -> None:
+    """What holds of every judgement."""
+    assert isinstance(judged, Mark)
+    assert 0 <= judged.earned <= 1
+    if judged.verdict.passed or judged.verdict is Verdict.ROUNDED:
+        assert judged.earned == 1
+    if judged.verdict in (Verdict.CANNOT_READ, Verdict.SKIPPED):
+        assert judged.earned == 0
+    if judged.verdict is Verdict.CANNOT_READ:
+        assert judged.remarks
+        assert all(judged.remarks)
+
+
+def shown(exercise: Exercise, part: Part, judged: Mark) -> str:
+    """The judgement as a terminal shows it."""
+    from dhcli.checking.sheetmark import PartMark
+
+    text = render("marks", SheetMark(exercise, (PartMark(part, judged),)), Look(paper=Paper()))
+    assert describe(part.question, exercise.writing).split("\n")[0][:10] in text
+    return text
+
+
+@given(indices, texts)
+@settings(max_examples=400)
+def test_any_text_for_any_part_is_judged(index: int, text: str) -> None:
+    """Never an exception, and nothing that would steer a terminal comes back."""
+    exercise, part = parts()[index]
+    judged = mark(exercise, part, text)
+    sane(judged)
+    assert shown(exercise, part, judged).replace("\n", "").isprintable()
+
+
+@given(indices, st.data())
+@settings(max_examples=250)
+def test_a_right_answer_with_a_slip_of_the_finger_is_judged(index: int, draw: st.DataObject) -> None:
+    """Letters lost, doubled, exchanged or put in."""
+    exercise, part = parts()[index]
+    text = list(right_answer(index)[:400])
+    for _ in range(draw.draw(st.integers(1, 4))):
+        at = draw.draw(st.integers(0, len(text)))
+        text[at : at + draw.draw(st.integers(0, 3))] = draw.draw(st.text(alphabet=LETTERS, max_size=3))
+    judged = mark(exercise, part, "".join(text))
+    sane(judged)
+    assert shown(exercise, part, judged).replace("\n", "").isprintable()
+
+
+@pytest.mark.parametrize("blank", ["", " ", "\n", "_", "_ _ _\n_ _ _", "[]", "[[]]", "?", "-", "–", "...", "…", "( )", "\t"])
+def test_a_blank_is_skipped_for_every_kind(blank: str) -> None:
+    """A dash is no zero."""
+    for exercise, part in parts()[::5]:
+        assert mark(exercise, part, blank).verdict is Verdict.SKIPPED
+
+
+HOSTILE = {
+    "too long": "1 " * 150_000,
+    "brackets": "[" * 30_000 + "1" + "]" * 30_000,
+    "open brackets": "(" * 60_000,
+    "sum": "1" + "+1" * 30_000,
+    "signs": "-" * 60_000,
+    "powers": "2" + "^2" * 30_000,
+    "tower": "9**9**9**9**9",
+    "factorial": "9!!!!!!",
+    "sum to the 64th": "(c1+s1+a1+a2)^64",
+    "power of a power": "((c1+s1)^64)^64",
+    "product of sums": "*".join(["(c1+s2)"] * 200),
+    "quotient of sums": "/".join(["(c1+s2)"] * 200),
+    "roots": "√" * 60_000,
+    "functions": "cos(" * 10_000,
+    "fractions": "\\frac{" * 10_000,
+    "environments": "\\begin{bmatrix}" * 4_000,
+    "digits": "9" * 60_000,
+    "exponent": "1e" + "9" * 50,
+    "blanks and a caret": "^" + " " * 60_000 + "x",
+    "blanks and an axis": "x" + " " * 60_000 + "!",
+    "screen brackets": "⎡" * 60_000,
+    "separators": ",;" * 30_000,
+    "bars": "|" * 60_000,
+    "equals": "x=" * 30_000,
+    "one long name": "c1s2" * 15_000,
+    "moves": "Rot(z, 1)" * 5_000,
+    "inverses": "inv(" * 10_000,
+    "unit vectors": "i+" * 30_000,
+    "primes": "'" * 60_000,
+    "escapes": "\x1b[31m\x1b]0;owned\x07\x9b2J" * 100,
+    "direction of writing": "\u202e\u2066\u200f" * 100,
+    "surrogate": "\ud800",
+    "zero width": "\u200b" * 10_000,
+    "rich markup": "[bold red]RIGHT[/] [link=http://x.org]x[/link]",
+    "division by zero": "1/(c1-c1)",
+    "hidden division by zero": "a1/(c1^2+s1^2-1)",
+    "tangent of a right angle": "tan(90°)",
+    "overflow": "(10^60)^64",
+    "underflow": "(10^-60)^64",
+}
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+@pytest.mark.parametrize("index_of_kind", range(10))
+def test_hostile_texts_end_at_a_cap(name: str, index_of_kind: int) -> None:
+    """For one part of each kind, with a message, and without a control character on the way out."""
+    exercise, part = one_of_each_kind()[index_of_kind]
+    text = HOSTILE[name]
+    if isinstance(part.question, TableQuestion) and len(text) < 256_000:
+        text = text[:2_000]
+    judged = mark(exercise, part, text)
+    sane(judged)
+    assert judged.verdict in (Verdict.CANNOT_READ, Verdict.WRONG)
+    assert shown(exercise, part, replace(judged, reading=judged.reading[:1000])).replace("\n", "").isprintable()
+
+
+@cache
+def one_of_each_kind() -> tuple[tuple[Exercise, Part], ...]:
+    """A part of each kind of question."""
+    wanted = [
+        ("yim/planar-two-links", "a1"),
+        ("yim/planar-two-links", "d02"),
+        ("yim/planar-two-links", "table"),
+        ("yim/planar-two-links", "blocks"),
+        ("yim/planar-in-numbers", "t02"),
+        ("yim/scara-in-numbers", "turn"),
+        ("yim/scara-in-numbers", "heading"),
+        ("yim/dh-factors", "order"),
+        ("yim/planar-linkages", "f4"),
+        ("yim/standard-configurations", "height"),
+    ]
+    return tuple((load_exercise(name), load_exercise(name).part(part)) for name, part in wanted)
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "__import__('pathlib').Path({path!r}).touch()",
+        "[[__import__('os').system('touch {path}')]]",
+        "exec(\"open({path!r}, 'w')\")",
+        "eval(compile(\"open({path!r}, 'w')\", '', 'eval'))",
+        "$(touch {path})",
+        "`touch {path}`",
+        "; touch {path}",
+        "!!python/object/apply:os.system ['touch {path}']",
+        "{{{{ ''.__class__.__mro__[1].__subclasses__() }}}}",
+        "Symbol('x').__init__.__globals__['__builtins__']['open']({path!r}, 'w')",
+        "sympify(\"open({path!r}, 'w')\")",
+    ],
+)
+def test_code_is_never_run(code: str, tmp_path: Path) -> None:
+    """Neither Python nor shell nor YAML."""
+    path = tmp_path / "touched"
+    for exercise, part in one_of_each_kind():
+        judged = mark(exercise, part, code.format(path=str(path)))
+        assert judged.verdict is Verdict.CANNOT_READ
+    assert list(tmp_path.iterdir()) == []
