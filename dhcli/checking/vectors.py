@@ -56,7 +56,7 @@ def _one_a_row(text: str) -> str:
     for separator in (";", "\n"):
         if separator in inside:
             rows = inside.split(separator)
-            plain = not any(bracket in inside for bracket in "[]{}|&,\\")
+            plain = not set(inside) & set("[]{}|&,\\")
             wide = all(_WIDE.search(row) for row in rows)
             return "[" + ", ".join(rows) + "]" if plain and len(rows) in LENGTHS and not wide else ""
     return ""

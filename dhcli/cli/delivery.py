@@ -91,6 +91,18 @@ class Delivery:
             say("".join(warning_line(message, paper) for message in warned))
 
 
+def make_folder(path: Path) -> None:
+    """Make a folder unless it is there.
+
+    Raises:
+        FileError: A file has its name, or it may not be made.
+    """
+    try:
+        path.mkdir(exist_ok=True)
+    except OSError as error:
+        raise FileError(Problem(f"no folder can be made here: {error.strerror}", Place(str(path)))) from None
+
+
 def write_file(path: Path | str, text: str, *, force: bool) -> None:
     """Write a file whole or not at all.
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from typing import Annotated
 
 import typer
@@ -26,6 +27,7 @@ def hint(
     from dhcli.cli.quiz import first_open
     from dhcli.files.exercises import load_exercise
     from dhcli.files.progress import Try, read_progress, record_hint
+    from dhcli.render.paper import Paper
 
     exercise = load_exercise(name)
     progress, message = read_progress()
@@ -36,7 +38,8 @@ def hint(
         write_out(f"{meant.id}: there is no hint for this part\n")
         return
     number = min(shown, len(meant.hints) - 1)
-    write_out(f"{meant.id}, hint {number + 1} of {len(meant.hints)}: {meant.hints[number]}\n")
+    text = Paper.of(sys.stdout).spell(meant.hints[number])
+    write_out(f"{meant.id}, hint {number + 1} of {len(meant.hints)}: {text}\n")
     message = message or record_hint(exercise.id, meant.id)
     if message:
         say(f"dhcli: {message}\n")

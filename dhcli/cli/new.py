@@ -30,13 +30,13 @@ def robot(
 ) -> None:
     """Write a commented robot file that loads, for you to change."""
     from dhcli.cli.console import say
-    from dhcli.cli.delivery import write_file
+    from dhcli.cli.delivery import make_folder, write_file
     from dhcli.files.templates import robot_template
 
     text = robot_template(name, convention, joints)
     path = Path(output or f"robots/{name}.yaml")
     if output is None:
-        path.parent.mkdir(exist_ok=True)
+        make_folder(path.parent)
     write_file(path, text, force=force)
     asked = name if output is None else path
     say(f"wrote {path}\nnext: dhcli show {asked}, then dhcli fk {asked} --symbolic\n")

@@ -54,9 +54,11 @@ def exercise_of(name: str, asked: Asked) -> Exercise:
         DhcliError: Options of a question stand with an exercise, or a robot without a question.
     """
     from dhcli.files.exercises import load_exercise
+    from dhcli.files.kinds import kind_of
+    from dhcli.files.library import Kind
     from dhcli.files.robots import load_robot
 
-    if names_exercise(name):
+    if kind_of(name) is Kind.EXERCISES:
         if asked.given:
             raise DhcliError(
                 f"{name} is an exercise and says itself what is asked", "leave --q, --symbolic and so on out"
@@ -69,13 +71,6 @@ def exercise_of(name: str, asked: Asked) -> Exercise:
         hint = f"{problem.hint}; dhcli list exercises shows the exercises"
         raise UnknownNameError(f"there is no exercise and no robot '{name}'", hint) from None
     return _about(robot, asked)
-
-
-def names_exercise(name: str) -> bool:
-    """Whether a name, or the content of a file, is an exercise; a robot file has links and no parts."""
-    from dhcli.files.exercises import is_exercise
-
-    return is_exercise(name)
 
 
 def _about(robot: Robot, asked: Asked) -> Exercise:

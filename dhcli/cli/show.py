@@ -16,23 +16,23 @@ dhcli show puma560 --format latex
 def show(name: RobotName, format_: Format = None, output: Output = None, force: Force = False) -> None:
     """Show a robot's table, a linkage's joints or an exercise's task, and where it comes from."""
     from dhcli.cli.delivery import Delivery
-    from dhcli.cli.quiz import names_exercise
-    from dhcli.files.exercises import load_exercise
-    from dhcli.files.robots import load_robot
+    from dhcli.files.kinds import kind_of
 
     delivery = Delivery("show", format_, output=output, force=force)
-    kind = "exercise" if names_exercise(name) else "linkage" if names_linkage(name) else "robot"
+    kind = kind_of(name).noun
     delivery.chosen(kind)
+    delivery.hand_over(kind, _load(kind, name))
+
+
+def _load(kind: str, name: str) -> object:
+    if kind == "exercise":
+        from dhcli.files.exercises import load_exercise
+
+        return load_exercise(name)
     if kind == "linkage":
         from dhcli.files.linkages import load_linkage
 
-        delivery.hand_over(kind, load_linkage(name))
-    else:
-        delivery.hand_over(kind, load_exercise(name) if kind == "exercise" else load_robot(name))
+        return load_linkage(name)
+    from dhcli.files.robots import load_robot
 
-
-def names_linkage(name: str) -> bool:
-    """Whether a name is that of a linkage; reads no file."""
-    from dhcli.files.library import Kind, entries
-
-    return any(entry.name == name for entry in entries(Kind.LINKAGES))
+    return load_robot(name)

@@ -56,21 +56,10 @@ def load_exercise(name: str | Path) -> Exercise:
         UnknownNameError: No exercise has this id; the nearest are listed.
         FileError: The file is no exercise; every problem, each with file, line and column.
     """
-    path = name if isinstance(name, Path) else find(Kind.EXERCISES, _full_id(name))
+    path = name if isinstance(name, Path) else find(Kind.EXERCISES, full_id(name))
     ids = {entry.path: entry.name for entry in entries(Kind.EXERCISES)}
     text = read_text("-" if str(path) == "-" else path)
     return read_exercise(text, source_of(path), ids.get(path, path.stem))
-
-
-def is_exercise(name: str) -> bool:
-    """Whether a name is that of an exercise, or a path leads to one; a file with `parts:` at the left is."""
-    if name.endswith((".yaml", ".yml")) and name != "-":
-        try:
-            return any(line.startswith("parts:") for line in read_text(name).splitlines())
-        except FileError:
-            return False
-    wanted = _full_id(name)
-    return any(entry.name == wanted for entry in entries(Kind.EXERCISES))
 
 
 def read_exercise(text: str, source: str, name: str) -> Exercise:
@@ -82,7 +71,7 @@ def read_exercise(text: str, source: str, name: str) -> Exercise:
     return _Loader(read_yaml(text, source), name).exercise()
 
 
-def _full_id(name: str) -> str:
+def full_id(name: str) -> str:
     """An id from its last part, where only one exercise ends so."""
     if "/" in name or name.endswith((".yaml", ".yml")) or name == "-":
         return name

@@ -62,6 +62,8 @@ def parse_matrix(text: str, scope: Scope = OPEN, place: Place | None = None) -> 
 def read_matrix(source: Source, tokens: Sequence[Token], scope: Scope) -> tuple[tuple[Cell, ...], ...]:
     """Read a matrix from tokens; see `parse_matrix`."""
     body = _unwrap([token for token in tokens if token.kind != "end"])
+    if {"&", ";"} <= {token.text for token in body}:  # LaTeX ends a row with \\ alone, and long rows are broken
+        body = [token for token in body if token.kind != "newline"]
     rows = [cells for row in _rows(body) if (cells := _cells(source, row))]
     if not rows:
         raise source.error(0, "no matrix is written here", "write [1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1]")
@@ -187,7 +189,7 @@ def _groups(tokens: list[Token]) -> list[list[Token]]:
         ):
             i += 1
         elif token.text in ("[", "{") and (closing := matching(tokens, i)) > i:
-            rows.append(tokens[i + 1 : closing])
+            rows.append([inner for inner in tokens[i + 1 : closing] if inner.kind != "newline"])
             i = closing + 1
         else:
             return []

@@ -148,7 +148,9 @@ class Operators(Cursor, ABC):
         sign = self.take("-")
         exponent = self._operand()
         if self.at("^"):
+            self.go_deeper()
             exponent = self._power(exponent, self.advance())
+            self._depth -= 1
         return self._raised(base, negate(exponent) if sign else exponent, token)
 
     def _raised(self, base: Expr, exponent: Expr, token: Token) -> Expr:

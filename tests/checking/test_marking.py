@@ -121,8 +121,13 @@ def test_a_wrong_orientation_is_as_wrong_on_a_long_arm(size: float, degrees: flo
     exercise = question_about(robot, "0", "2", numeric=True, given={**values, **lengths})
     long = float(lengths["a1"].value)
     answer = pose(math.radians(75 + degrees), long * COSINE, long * SINE)
-    rotation = check(planar(), "rotation", "[" + "; ".join(row.rsplit(" ", 1)[0] for row in pose(
-        math.radians(75 + degrees)).strip("[]").split("; ")[:3]) + "]")
+    rotation = check(
+        planar(),
+        "rotation",
+        "["
+        + "; ".join(row.rsplit(" ", 1)[0] for row in pose(math.radians(75 + degrees)).strip("[]").split("; ")[:3])
+        + "]",
+    )
     assert check(exercise, "pose", answer).verdict is rotation.verdict
 
 
@@ -141,11 +146,13 @@ def test_a_pose_of_an_arm_without_lengths_must_stay_at_the_origin() -> None:
 # -------------------------------------------------------------------------------------------------------- digits
 
 
-@given(st.floats(0.12, 0.99), st.integers(2, 6), st.sampled_from([-1, 1]))
-def test_rounding_and_cutting_off_are_recognised(truth: float, places: int, sign: int) -> None:
+@given(st.integers(2, 6), st.data(), st.sampled_from([-1, 1]))
+def test_rounding_and_cutting_off_are_recognised(places: int, draw: st.DataObject, sign: int) -> None:
     """One unit further on is neither."""
     unit = 10.0**-places
-    rounded, cut = round(truth / unit), math.floor(truth / unit)
+    cut = draw.draw(st.integers(12, 99)) * 10 ** (places - 2)
+    part = draw.draw(st.one_of(st.floats(0.01, 0.49), st.floats(0.51, 0.99)))
+    truth, rounded = (cut + part) * unit, cut + round(part)
 
     def typed(units: int) -> bool:
         expr = parse(f"{sign * units * unit:.{places}f}")
@@ -369,7 +376,9 @@ def test_a_right_answer_with_a_slip_of_the_finger_is_judged(index: int, draw: st
     assert shown(exercise, part, judged).replace("\n", "").isprintable()
 
 
-@pytest.mark.parametrize("blank", ["", " ", "\n", "_", "_ _ _\n_ _ _", "[]", "[[]]", "?", "-", "–", "...", "…", "( )", "\t"])
+@pytest.mark.parametrize(
+    "blank", ["", " ", "\n", "_", "_ _ _\n_ _ _", "[]", "[[]]", "?", "-", "–", "...", "…", "( )", "\t"]
+)
 def test_a_blank_is_skipped_for_every_kind(blank: str) -> None:
     """A dash is no zero."""
     for exercise, part in parts()[::5]:
@@ -429,7 +438,7 @@ def test_hostile_texts_end_at_a_cap(name: str, index_of_kind: int) -> None:
         text = text[:2_000]
     judged = mark(exercise, part, text)
     sane(judged)
-    assert judged.verdict in (Verdict.CANNOT_READ, Verdict.WRONG)
+    assert judged.verdict in (Verdict.CANNOT_READ, Verdict.WRONG, Verdict.SKIPPED)
     assert shown(exercise, part, replace(judged, reading=judged.reading[:1000])).replace("\n", "").isprintable()
 
 
