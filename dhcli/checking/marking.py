@@ -153,7 +153,7 @@ def _matrix(
         judged = mark_symbols(question, truth, entries, exercise)
     remarks = judged.remarks
     if judged.verdict in (Verdict.WRONG, Verdict.CLOSE) and part.printed is not None:
-        remarks = (*misprint_remarks(question, truth, entries, exercise, part.printed), *remarks)
+        remarks = (*misprint_remarks(question, judged.cells, entries, exercise, part.printed), *remarks)
     columns = question.shape[1]
     shown = [cell.expected for cell in judged.cells]
     rows = tuple(tuple(shown[i : i + columns]) for i in range(0, len(shown), columns))

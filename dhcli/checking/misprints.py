@@ -7,31 +7,36 @@ from dhcli.checking.questions import MatrixQuestion
 from dhcli.checking.reading import Entry, UnreadableError, read_entries
 from dhcli.checking.symbolic import same
 from dhcli.checking.truth import Truth
-from dhcli.notation.writer import write
+from dhcli.checking.verdicts import CellMark, Verdict
 
 
 def misprint_remarks(
     question: MatrixQuestion,
-    truth: Truth,
+    cells: tuple[CellMark, ...],
     entries: tuple[tuple[Entry, ...], ...],
     exercise: Exercise,
     printed: Printed,
 ) -> tuple[str, ...]:
-    """A remark for each wrong entry of an answer that is the document's misprint."""
+    """A remark for each wrong entry of an answer that is just what the document prints.
+
+    Args:
+        question: The question.
+        cells: The judgement of each entry.
+        entries: The answer as read.
+        exercise: The exercise, for the values given.
+        printed: What the document prints.
+    """
     try:
         shown = read_entries(question, exercise, printed.text)
     except UnreadableError:
         return ()
     remarks = []
-    for r, row in enumerate(entries):
-        for c, entry in enumerate(row):
-            right = truth.rows[r][c]
-            if same(shown[r][c].expr, right, exercise.values):
-                continue
-            if same(entry.expr, shown[r][c].expr, exercise.values):
-                where = "this" if len(entries) == 1 else f"entry ({r + 1},{c + 1})"
-                proper = write(right, "short", exercise.writing)
-                remarks.append(f"{where} is what the document prints; it is a misprint, the right entry is {proper}")
+    for cell in cells:
+        r, c = cell.row, cell.column
+        wrong = cell.verdict in (Verdict.WRONG, Verdict.CLOSE)
+        if wrong and same(entries[r][c].expr, shown[r][c].expr, exercise.values):
+            where = "this" if len(cells) == 1 else f"entry ({r + 1},{c + 1})"
+            remarks.append(f"{where} is what the document prints; it is a misprint, the right entry is {cell.expected}")
     return tuple(remarks)
 
 

@@ -196,7 +196,7 @@ def _earned(question: MatrixQuestion, cells: tuple[CellMark, ...], typed: Matrix
 
 
 def _slack(entries: tuple[tuple[Entry, ...], ...]) -> float:
-    """What the digits typed allow a length or a dot product to be off: four half units, of the commonest number of digits."""
+    """What the digits typed allow a length or a dot product to be off: four half units of the commonest digits."""
     places = [p for row in entries[:3] for entry in row[:3] if (p := typed_decimals(entry.typed)) is not None]
     return max(2 * 10.0 ** -max(places, key=places.count), LEAST_SLACK) if places else LEAST_SLACK
 

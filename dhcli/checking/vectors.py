@@ -63,7 +63,7 @@ def _one_a_row(text: str) -> str:
 
 
 def _latex_column(text: str) -> str:
-    r"""A LaTeX column, whose blanks are products: `\begin{bmatrix} a \cos\theta \\ 0 \\ 1 \end{bmatrix}`; else empty."""
+    r"""A LaTeX column, whose blanks are products: `\begin{bmatrix} a \cos\theta \\ 0 \\ 1 ...`; else empty."""
     if not text.startswith(("\\begin", "\\left")) or "&" in text:
         return ""
     rows = [row for row in _LATEX_ENDS.sub("", text).replace("\n", " ").split("\\\\") if row.strip()]

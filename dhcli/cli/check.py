@@ -92,6 +92,8 @@ def _walk(exercise: Exercise, part: str | None) -> ExitStatus:
 
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
         hint = f"dhcli start {exercise.id} writes one; or give --part PART --answer TEXT"
+        if "/" not in exercise.id:
+            hint = "give it with --answer TEXT; - reads it from standard input"
         raise DhcliError("there is no answer to check: name a sheet", hint)
     from dhcli.cli.walk import walk
 

@@ -45,7 +45,7 @@ class Delivery:
         """
         name = self.chosen(kind)
         paper = Paper() if self.output else Paper.of(sys.stdout)
-        look = Look(name, paper, self.digits, self.style)
+        look = Look(name, paper, self.digits, self.style, in_file=self.output is not None)
         warned = list(warnings)
         if name == "json":
             from dhcli.render.envelope import envelope
@@ -74,6 +74,8 @@ class Delivery:
                 raise UnknownNameError(f"{self.output} does not say which format it should have", hint)
             name = SUFFIXES[suffix]
         check_format(kind, name or "table")
+        if self.style is not None and name not in (None, "table", "json"):
+            raise DhcliError(f"--style is for tables; {name} has its own spelling", "leave one of the two out")
         return name or "table"
 
     def _write(self, text: str) -> None:

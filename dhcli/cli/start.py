@@ -35,7 +35,8 @@ def start(
     if output == "-":
         write_out(text)
         return
+    named = name if name.endswith((".yaml", ".yml")) else exercise.id
     path = output or f"{exercise.id.split('/')[-1]}.sheet.yaml"
     write_file(path, text, force=force)
     say(f"wrote {path}\n")
-    say(f"next: fill it in, then dhcli check {exercise.id} {path}, or dhcli watch {exercise.id} {path}\n")
+    say(f"next: fill it in, then dhcli check {named} {path}, or dhcli watch {named} {path}\n")

@@ -80,11 +80,13 @@ class _Loader:
         self.scope = Scope(lengths=(*self.variables, *self.parameters.entries))
         self.convention = self.read_convention()
         self.columns: tuple[str, ...] = COLUMNS
+        self.is_broken = False
 
     def robot(self) -> Robot:
         first = self.read_first()
         links = tuple(self.link(node, i, first + i) for i, node in enumerate(self.fields.sequence("links")))
         base, tool = self.chain("base"), self.chain("tool")
+        self.is_broken = bool(self.problems.found)
         chain = (*base, *(move for link in links for move in link.moves), *tool)
         inside = {n for e in expressions(chain) for node in walk(e) if type(node) is Trig for n in node.angle.names}
         angles = angle_names(chain) | inside
@@ -227,6 +229,8 @@ class _Loader:
         for i, node in enumerate(nodes):
             scalar = self.problems.scalar(node, key)
             is_angle = are_angles[i] if i < len(are_angles) else True
+            if scalar and self.is_broken:  # what a joint is cannot be known from rows that cannot be read
+                is_angle = has_unit_of_angle(scalar)
             value = read_value(self.problems, scalar, key, is_angle=is_angle) if scalar else None
             values.append(value if value is not None else Angle())
         return tuple(values)

@@ -137,7 +137,10 @@ def _blank(exercise: Exercise, part: Part) -> Iterator[str]:
 
 def _answer(node: PlacedNode) -> Answer:
     """An answer as text; YAML lists become the matrix they look like."""
-    return Answer(_text(node).strip(), node.place)
+    place = node.place
+    if isinstance(node, PlacedScalar) and place.line and place.text.rstrip().endswith(("|", ">", "|-", ">-")):
+        place = Place(place.source, place.line + 1)  # a block begins on the line below
+    return Answer(_text(node).strip(), place)
 
 
 def _text(node: PlacedNode) -> str:

@@ -13,6 +13,7 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import RESERVED
 from dhcli.notation.quantity import UNITS, is_affine
+from dhcli.notation.scope import trig_name
 from dhcli.notation.tree import Expr, Number, Trig
 from dhcli.notation.walk import symbols, walk
 
@@ -57,7 +58,7 @@ def check(robot: Robot) -> None:
     Raises:
         InvalidRobotError: With all findings.
     """
-    found = (*_names(robot), *_links(robot), *_frames(robot), *_limits(robot), *_poses(robot))
+    found = (*_names(robot), *_shorthand(robot), *_links(robot), *_frames(robot), *_limits(robot), *_poses(robot))
     if found:
         raise InvalidRobotError(robot.name, found)
 
@@ -72,6 +73,13 @@ def _names(robot: Robot) -> Iterator[Finding]:
             if canonical(name) in seen:
                 yield Finding(where, f"{name} is used twice", f"{seen[canonical(name)]} is declared already")
             seen.setdefault(canonical(name), name)
+
+
+def _shorthand(robot: Robot) -> Iterator[Finding]:
+    for name in robot.parameters:
+        others = [trig_name(reading) for reading in robot.scope.readings(name) if isinstance(reading, Trig)]
+        if others:
+            yield Finding(("parameters", name), f"{name} is short for {others[0]} here", "choose another name")
 
 
 def _links(robot: Robot) -> Iterator[Finding]:

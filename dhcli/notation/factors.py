@@ -90,6 +90,8 @@ def _product(source: Source, tokens: Sequence[Token], scope: Scope, *, inverse: 
             continue
         opening = i + 1 if token.kind == "word" and token.text != "begin" else i
         closing = _end_of_environment(tokens, i) if token.text == "begin" else matching(tokens, opening)
+        if closing < 0 and tokens[opening : opening + 1] and tokens[opening].text in ("(", "[", "{"):
+            raise source.error(tokens[opening].start, f"{tokens[opening].text} is never closed", "close the bracket")
         if closing < 0:
             raise source.error(token.start, f"{token.text!r} is not a move or a matrix", EXAMPLE)
         inside = tokens[opening + 1 : closing]

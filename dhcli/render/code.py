@@ -59,7 +59,12 @@ def pose_source(
     if look.format == "sympy":
         return (f"{name} = " if named else "") + f"Matrix([{', '.join('[' + ', '.join(row) + ']' for row in rows)}])\n"
     before = "".join(f"{short} = {text}\n" for short, text in lets)
-    return f"# {comment}\n{before}" + (f"{name} = " if named else "") + _numpy(rows)
+    head = "import numpy as np\n\n" if look.in_file else ""
+    return (
+        f"{head}# {comment}\n{before}"
+        + (f"{name if named else 'T'} = " if named or look.in_file else "")
+        + _numpy(rows)
+    )
 
 
 def vector_source(values: Sequence[Expr | float], joints: Joints, look: Look) -> str:

@@ -104,12 +104,14 @@ class Look:
         paper: What it is written on.
         digits: Decimals; None for what the format usually has.
         style: Spelling of formulas, `short` or `full`; None for what the format usually has.
+        in_file: Whether it goes into a file, which should run by itself.
     """
 
     format: str = "table"
     paper: Paper = field(default_factory=Paper)
     digits: int | None = None
     style: str | None = None
+    in_file: bool = False
 
     def number(self, value: float) -> str:
         """A number for people."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import unicodedata
 from dataclasses import dataclass
@@ -13,13 +14,15 @@ from dhcli.notation.names import GREEK
 WIDE = 100
 """Columns of a pipe or a file: fixed, so that what a program reads never depends on a window."""
 
+_BETWEEN = re.compile(r"(?<=\S)·(?=\S)")
+"""A dot that multiplies; one with blanks around it separates."""
 _NEEDED = "⎡θ°─"
 _INKS = {"bold": "1", "dim": "2", "underline": "4", "red": "31", "green": "32", "yellow": "33", "cyan": "36"}
 _IN_ASCII = str.maketrans(
     GREEK
     | dict(zip("₀₁₂₃₄₅₆₇₈₉", "0123456789", strict=True))
     | {"°": "deg", "π": "pi", "√": "sqrt", "−": "-", "–": "-", "—": "-", "·": ",", "…": "...", "×": "x", "′": "'"}  # noqa: RUF001
-    | {"⎡": "[", "⎢": "[", "⎣": "[", "⎤": "]", "⎥": "]", "⎦": "]", "±": "+-", "²": "^2", "→": "->"}
+    | {"⎡": "[", "⎢": "[", "⎣": "[", "⎤": "]", "⎥": "]", "⎦": "]", "±": "+-", "Σ": "sum ", "²": "^2", "→": "->"}
     | {"─": "-", "━": "-", "│": "|", "┼": "+", "╷": " ", "╵": " ", "“": '"', "”": '"', "‘": "'", "’": "'"}  # noqa: RUF001
     | {
         "ß": "ss",
