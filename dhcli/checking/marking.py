@@ -99,7 +99,7 @@ def _judged(exercise: Exercise, part: Part, answer: str, place: Place | None) ->
         case TableQuestion():
             from dhcli.checking.tables import mark_table
 
-            return mark_table(question, exercise, answer, part.compare, tolerance)
+            return mark_table(question, exercise, answer, part.compare, tolerance, place=place)
         case CellQuestion(column, link):
             row = _link(exercise, link).row
             if row is None:

@@ -75,10 +75,11 @@ def check(
     delivery = Delivery("check", format_, output=output, force=force)
     delivery.chosen("marks")
     asked = Asked(q, pose, tuple(set_ or ()), deg, symbolic, from_, to, table)
-    exercise = with_tolerance(exercise_of(name, asked), tol_rotation, tol_position, decimals)
+    exercise, typed = exercise_of(name, asked)
+    exercise = with_tolerance(exercise, tol_rotation, tol_position, decimals)
     if sheet is None and answer is None and table is None:
         return _walk(exercise, part)
-    answers, places, only = _answers(exercise, sheet, part, answer, table)
+    answers, places, only = _answers(exercise, sheet, part, answer, typed if table else None)
     marked = mark_sheet(exercise, answers, places, only)
     remember(marked)
     delivery.hand_over("marks", marked)
@@ -106,7 +107,7 @@ def _answers(
     """Answers by part, where they stand, and the one part meant."""
     from dhcli.errors import DhcliError
     from dhcli.files.reading import read_text
-    from dhcli.files.sheets import read_sheet, read_table
+    from dhcli.files.sheets import read_sheet
 
     if sum(source is not None for source in (sheet, answer, table)) > 1:
         raise DhcliError("a sheet, --answer and --table are three ways to give an answer", "use one of them")
@@ -120,5 +121,5 @@ def _answers(
         names = ", ".join(one.id for one in exercise.parts)
         raise DhcliError(f"{exercise.id} has {len(exercise.parts)} parts: say which one is answered", f"--part {names}")
     if table is not None:
-        return {only: read_table(table).text}, {}, only
+        return {only: table}, {}, only
     return {only: read_text("-") if answer == "-" else answer or ""}, {}, only

@@ -46,8 +46,8 @@ class Asked:
         return self != Asked()
 
 
-def exercise_of(name: str, asked: Asked) -> Exercise:
-    """The exercise of a name, or a question about the robot of that name.
+def exercise_of(name: str, asked: Asked) -> tuple[Exercise, str]:
+    """The exercise of a name, or a question about the robot of that name, and the text of the table to compare.
 
     Raises:
         UnknownNameError: Neither an exercise nor a robot has this name.
@@ -63,7 +63,7 @@ def exercise_of(name: str, asked: Asked) -> Exercise:
             raise DhcliError(
                 f"{name} is an exercise and says itself what is asked", "leave --q, --symbolic and so on out"
             )
-        return load_exercise(name)
+        return load_exercise(name), ""
     try:
         robot = load_robot(name)
     except UnknownNameError as error:
@@ -73,7 +73,7 @@ def exercise_of(name: str, asked: Asked) -> Exercise:
     return _about(robot, asked)
 
 
-def _about(robot: Robot, asked: Asked) -> Exercise:
+def _about(robot: Robot, asked: Asked) -> tuple[Exercise, str]:
     from dhcli.checking.exercise import question_about_table
     from dhcli.cli.given import values_of
     from dhcli.kinematics.frames import ends
@@ -81,13 +81,14 @@ def _about(robot: Robot, asked: Asked) -> Exercise:
     if asked.table is not None:
         from dhcli.files.sheets import read_table
 
-        return question_about_table(robot, read_table(asked.table).convention)
+        table = read_table(asked.table, robot)
+        return question_about_table(robot, table.convention), table.text
     if not asked.symbolic and asked.q is None and asked.pose is None and robot.variables:
         hint = f"dhcli check {robot.name} --q 0.3,... or --symbolic, and --answer '[...]'"
         raise DhcliError(f"{robot.name} is a robot: say at which joint values, or ask for symbols", hint)
     values = values_of(robot, asked.q, asked.pose, asked.settings, degrees=asked.degrees, symbolic=asked.symbolic)
     start, end = ends(robot, asked.start, asked.end)
-    return question_about(robot, start, end, numeric=not asked.symbolic, given=values)
+    return question_about(robot, start, end, numeric=not asked.symbolic, given=values), ""
 
 
 def with_tolerance(exercise: Exercise, rotation: float | None, position: str | None, decimals: int | None) -> Exercise:
@@ -95,12 +96,13 @@ def with_tolerance(exercise: Exercise, rotation: float | None, position: str | N
 
     Raises:
         NotationError: The tolerance of a position is no length.
+        DhcliError: A tolerance is negative, or no number.
     """
     changes: dict[str, float | int] = {}
     if rotation is not None:
-        changes["rotation"] = rotation
+        changes["rotation"] = _not_negative("--tol-rotation", rotation)
     if position is not None:
-        changes["position"] = _length(position)
+        changes["position"] = _not_negative("--tol-position", _length(position))
     if decimals is not None:
         changes["decimals"] = decimals
     if not changes:
@@ -135,6 +137,12 @@ def first_open(exercise: Exercise, best: Mapping[str, str]) -> Part:
     """The first part that is not solved yet; the first of all if all are."""
     solved = {Verdict.RIGHT.word, Verdict.EQUIVALENT.word}
     return next((part for part in exercise.parts if best.get(part.id) not in solved), exercise.parts[0])
+
+
+def _not_negative(option: str, value: float) -> float:
+    if not value >= 0:  # NaN is not either
+        raise DhcliError(Problem("a tolerance is a number that is not negative", Place(option)))
+    return value
 
 
 def _length(text: str) -> float:

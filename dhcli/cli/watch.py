@@ -87,6 +87,7 @@ def _draw(exercise: Exercise, path: str, hints: int) -> None:
     paper = Paper.of(sys.stdout)
     try:
         read = read_sheet(path)
+        exercise.accepts(read.exercise, path)
         marked = mark_sheet(
             exercise,
             {name: given.text for name, given in read.answers.items()},

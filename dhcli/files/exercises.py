@@ -167,9 +167,11 @@ class _Loader:
         return given
 
     def value(self, scalar: PlacedScalar, key: str) -> Value | None:
-        known = self.robot is not None and key in self.robot.scope.names
-        is_angle = key in self.robot.angles if self.robot and known else _is_angle(key)
-        return read_value(self.problems, scalar, key, is_angle=is_angle or has_unit_of_angle(scalar))
+        if self.robot is not None and key in self.robot.scope.names:
+            is_angle = key in self.robot.angles
+        else:
+            is_angle = _is_angle(key) or has_unit_of_angle(scalar)
+        return read_value(self.problems, scalar, key, is_angle=is_angle)
 
     def read_printed(self) -> dict[str, Printed]:
         fields = self.fields.mapping("printed")
@@ -185,13 +187,14 @@ class _Loader:
 
     def read_tolerance(self) -> Tolerance:
         fields = self.fields.mapping("tolerance", known=TOLERANCE_KEYS)
-        rotation, angle = read_number(fields, "rotation"), read_degrees(fields, "angle")
-        for key, value in (("rotation", rotation), ("position", read_number(fields, "position")), ("angle", angle)):
+        rotation, position = read_number(fields, "rotation"), read_number(fields, "position")
+        angle = read_degrees(fields, "angle")
+        for key, value in (("rotation", rotation), ("position", position), ("angle", angle)):
             if value is not None and not value >= 0:
                 self.problems.add(fields.place_of(key), f"{key}: a tolerance is not negative")
         return Tolerance(
             rotation=DEFAULT.rotation if rotation is None else rotation,
-            position=read_number(fields, "position"),
+            position=position,
             angle=DEFAULT.angle if angle is None else angle,
             decimals=read_whole(fields, "decimals"),
             exact=read_flag(fields, "exact"),

@@ -63,7 +63,7 @@ def read_progress() -> tuple[Progress, str]:
             }
             for exercise, parts in content["exercises"].items()
         }, ""
-    except (FileError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
+    except (FileError, ValueError, KeyError, TypeError, AttributeError, OverflowError, RecursionError):
         aside = _set_aside(path)
         return {}, f"{path} could not be read and was set aside as {aside.name}; progress starts anew"
 

@@ -15,6 +15,10 @@ from dhcli.files.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSe
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.robots import load_robot
 from dhcli.kinematics.conventions import COLUMNS, Convention
+from dhcli.kinematics.robot import Robot
+from dhcli.notation.angle import Angle
+from dhcli.notation.tree import Expr
+from dhcli.notation.walk import substitute
 from dhcli.notation.writer import write, write_angle
 
 KEYS = ("exercise", "answers", "variant", "name")
@@ -53,8 +57,9 @@ def read_sheet(path: Path | str) -> Sheet:
     fields = problems.document(root, known=KEYS, required=("answers",))
     given = fields.mapping("answers")
     answers = {key: _answer(node) for key, (_, node) in given.entries.items()}
+    exercise = fields.text("exercise")
     problems.raise_if_any(FileError)
-    return Sheet(fields.text("exercise"), answers)
+    return Sheet(exercise, answers)
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,20 +70,34 @@ class Table:
     text: str
 
 
-def read_table(path: Path | str) -> Table:
-    """The DH table of a robot file.
+def read_table(path: Path | str, reference: Robot) -> Table:
+    """The DH table of a robot file, to be compared with another robot.
+
+    Args:
+        path: The file.
+        reference: The robot it is compared with. A length of the file that this one does not know, or knows with
+            another value, is put in as a number; all others stay letters.
 
     Raises:
         FileError: It is no robot file, or has products instead of a table.
     """
     robot = load_robot(path if str(path) == "-" else Path(path))
+    own = {
+        name: value
+        for name, value in robot.parameters.items()
+        if value is not None and (name not in reference.parameters or reference.parameters[name] not in (None, value))
+    }
+    lengths = {name: value for name, value in own.items() if isinstance(value, Expr)}
+    angles = {name: value for name, value in own.items() if isinstance(value, Angle)}
     lines = [", ".join(COLUMNS)]
     for link in robot.links:
         if link.row is None:
             hint = "convention: standard or modified"
             raise FileError(Problem("has products, not a DH table", Place(str(path)), hint))
         row = link.row
-        lines.append(", ".join((write(row.a), write_angle(row.alpha), write(row.d), write_angle(row.theta))))
+        a, d = (substitute(length, lengths, angles) for length in (row.a, row.d))
+        alpha, theta = row.alpha.substitute(angles), row.theta.substitute(angles)
+        lines.append(", ".join((write(a), write_angle(alpha), write(d), write_angle(theta))))
     return Table(robot.convention, "\n".join(lines))
 
 

@@ -21,6 +21,9 @@ MOST_ROWS = 60
 NARROW = 78
 """Columns at which sentences are folded, so that they fit the narrowest usual window."""
 
+ROUNDING = 1e-12
+"""A singular value below this is rounding, whose digits differ from machine to machine."""
+
 
 def mobility_table(found: Mobility, look: Look) -> str:
     """The whole answer, to be read from top to bottom."""
@@ -202,6 +205,8 @@ def _details(found: Mobility, paper: Paper) -> str:
     if found.kept is not None or found.dropped is not None:
         kept = "none" if found.kept is None else f"{found.kept:.1e}"
         dropped = "none" if found.dropped is None else f"{found.dropped:.1e}"
+        if found.dropped is not None and found.dropped < ROUNDING:
+            dropped = f"below {ROUNDING:.0e}"
         rows.append(("singular values", f"smallest kept {kept}, largest dropped {dropped} (largest 1)"))
     width = min(max(len(name) for name, _ in rows), 24)
     text = ""

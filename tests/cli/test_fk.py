@@ -247,7 +247,10 @@ def test_digits_round_what_people_read(dhcli: Run) -> None:
 
 @pytest.mark.parametrize(
     ("suffix", "start"),
-    [("json", "{"), ("tex", r"\begin{bmatrix}"), ("m", "%"), ("py", "import numpy as np"), ("csv", "0.69"), ("txt", "T_03 of scara")],
+    [
+        *(("json", "{"), ("tex", r"\begin{bmatrix}"), ("m", "%")),
+        *(("py", "import numpy as np"), ("csv", "0.69"), ("txt", "T_03 of scara")),
+    ],
 )
 def test_the_suffix_of_the_file_chooses_the_format(dhcli: Run, tmp_path: Path, suffix: str, start: str) -> None:
     """Nothing on stdout, one line of talk on stderr."""

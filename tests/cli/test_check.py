@@ -1,0 +1,418 @@
+"""`dhcli check`: exit codes, JSON, sheets, robots, tolerances, and the walk on a terminal."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+
+import pytest
+
+from dhcli.files.progress import Try, path_of_progress, read_progress
+from tests.cli.running import Run
+from tests.cli.terminal import Terminal
+
+PLANAR = "yim/planar-two-links"
+A1 = "[c1 -s1 0 a1*c1; s1 c1 0 a1*s1; 0 0 1 0; 0 0 0 1]"
+MISPRINT = "[c1 -s1 0 a1*c1; s1 c1 0 a1*c1; 0 0 1 0; 0 0 0 1]"
+NUMBERS = "[0.2588 -0.9659 0 0.4241; 0.9659 0.2588 0 0.4898; 0 0 1 0; 0 0 0 1]"
+AT = ("check", "planar-2r", "--q", "30°, 45°")
+
+DATA = {"exercise", "verdict", "passed", "earned", "credit", "parts"}
+PART = {"part", "verdict", "passed", "earned", "credit", "cause"}
+CAUSE = {"rationale", "help", "expected", "actual", "diagnosis"}
+
+terminal = pytest.mark.skipif(os.name == "nt", reason="pseudo-terminals as Unix knows them")
+
+
+def sheet(folder: Path, answers: str, exercise: str = PLANAR, name: str = "sheet.yaml") -> str:
+    """A sheet with these answers."""
+    (folder / name).write_text(f"format: 1\nexercise: {exercise}\nanswers:\n{answers}", "utf-8")
+    return name
+
+
+# ---------------------------------------------------------------------------------------------------- exit codes
+
+
+@pytest.mark.parametrize(
+    ("answer", "word", "code", "passed"),
+    [
+        (NUMBERS, "RIGHT", 0, True),
+        ("[0.26 -0.97 0 0.42; 0.97 0.26 0 0.49; 0 0 1 0; 0 0 0 1]", "ROUNDED", 1, None),
+        (NUMBERS.replace("0.4241", "0.4255"), "CLOSE", 1, False),
+        (NUMBERS.replace("0.4241", "0.5"), "WRONG", 1, False),
+        ("_", "SKIPPED", 1, None),
+        ("[1 2; 3", "CAN'T READ", 2, None),
+    ],
+)
+def test_every_verdict_has_its_exit_code(dhcli: Run, answer: str, word: str, code: int, passed: object) -> None:
+    """And its word, on stdout alone; in JSON too, whose `ok` says that the command itself worked."""
+    done = dhcli(*AT, "--answer", answer)
+    assert (done.code, done.err) == (code, "")
+    assert word in done.out
+    done = dhcli(*AT, "--answer", answer, "--format", "json")
+    assert (done.code, done.envelope["ok"]) == (code, True)
+    assert (done.envelope["data"]["verdict"], done.envelope["data"]["passed"]) == (word, passed)
+
+
+def test_an_equivalent_table_ends_with_0(dhcli: Run) -> None:
+    """It is right, in another way."""
+    done = dhcli("check", PLANAR, "--part", "table", "--answer", "[-a1 0 0 theta1+180; a2 0 0 theta2-180]")
+    assert done.code == 0
+    assert "EQUIVALENT" in done.out
+    assert "x1" in done.out
+
+
+def test_json_has_exactly_its_keys(dhcli: Run) -> None:
+    """For the whole, for a part, and for its cause; the right answer is not among them."""
+    done = dhcli("check", PLANAR, "--part", "a1", "--answer", MISPRINT, "--format", "json")
+    envelope = done.envelope
+    assert set(envelope) == {"dhcli", "command", "ok", "data", "problems"}
+    assert (envelope["command"], envelope["problems"]) == ("check", [])
+    assert set(envelope["data"]) == DATA
+    (part,) = envelope["data"]["parts"]
+    assert set(part) == PART
+    assert set(part["cause"]) == CAUSE
+    assert part["cause"]["expected"] is None
+    assert part["cause"]["diagnosis"] is None
+    assert "misprint" in part["cause"]["rationale"][0]
+    assert (part["part"], part["verdict"], part["passed"], part["credit"]) == ("a1", "WRONG", False, 2)
+    assert part["earned"] == pytest.approx(5 / 6 * 2)
+
+
+def test_the_right_answer_is_shown_only_where_the_exercise_allows(dhcli: Run, tmp_path: Path) -> None:
+    """`feedback: expected` in its file."""
+    text = "format: 1\ntitle: t\nsource: s\ntask: t\nparts:\n  - {id: a, ask: scalar 6*7}\n"
+    for feedback, shown in (("", None), ("feedback: expected\n", "42")):
+        (tmp_path / "e.yaml").write_text(text + feedback, "utf-8")
+        done = dhcli("check", "e.yaml", "--part", "a", "--answer", "41", "--format", "json")
+        assert done.envelope["data"]["parts"][0]["cause"]["expected"] == shown
+        assert ("right: 42" in dhcli("check", "e.yaml", "--part", "a", "--answer", "41").out) == (shown == "42")
+
+
+def test_csv_has_a_line_for_each_part(dhcli: Run, tmp_path: Path) -> None:
+    """With the credit."""
+    path = sheet(tmp_path, f"  a1: '{A1}'\n  t02: '{A1}'\n")
+    lines = dhcli("check", PLANAR, path, "--format", "csv").out.splitlines()
+    assert lines[0] == "part,verdict,earned,credit"
+    assert "a1,RIGHT,2,2" in lines
+    assert len(lines) == 1 + 8
+
+
+def test_a_format_that_a_judgement_does_not_have_is_refused_first(dhcli: Run) -> None:
+    """Before anything is judged and counted as a try."""
+    done = dhcli("check", PLANAR, "--part", "a1", "--answer", A1, "--format", "latex")
+    assert (done.code, done.out) == (2, "")
+    assert read_progress()[0] == {}
+
+
+# -------------------------------------------------------------------------------------------------------- sheets
+
+
+def test_a_sheet_is_judged_part_by_part(dhcli: Run, tmp_path: Path) -> None:
+    """With the sum at the end."""
+    done = dhcli("check", "planar-two-links", sheet(tmp_path, f"  a1: '{A1}'\n  a2: '{A1}'\n  d02: _\n"))
+    assert done.code == 1
+    lines = done.out.splitlines()
+    assert next(line for line in lines if line.startswith("✓ RIGHT")).split()[2] == "a1:"
+    assert "1 of 8 parts solved, 2 of 13 credits" in done.out
+
+
+def test_a_sheet_comes_from_standard_input_too(process: Run) -> None:
+    """As `-`."""
+    text = f"format: 1\nexercise: {PLANAR}\nanswers:\n  a1: '{A1}'\n"
+    done = process("check", PLANAR, "-", "--part", "a1", stdin=text)
+    assert (done.code, done.err) == (0, "")
+    assert "RIGHT" in done.out
+
+
+def test_an_answer_comes_from_standard_input_too(process: Run) -> None:
+    """As `--answer -`."""
+    done = process("check", PLANAR, "--part", "a1", "--answer", "-", stdin=A1.replace("; ", "\n"))
+    assert (done.code, done.err) == (0, "")
+
+
+def test_a_sheet_of_another_exercise_is_refused(dhcli: Run, tmp_path: Path) -> None:
+    """With the command that would be right; one that does not say is taken."""
+    path = sheet(tmp_path, f"  a1: '{A1}'\n", exercise="yim/dh-factors")
+    done = dhcli("check", PLANAR, path)
+    assert (done.code, done.out) == (2, "")
+    assert "is a sheet of yim/dh-factors, not of yim/planar-two-links" in done.err
+    assert "dhcli check yim/dh-factors sheet.yaml" in done.err
+    (tmp_path / path).write_text(f"format: 1\nanswers: {{a1: '{A1}'}}\n", "utf-8")
+    assert dhcli("check", PLANAR, path, "--part", "a1").code == 0
+
+
+@pytest.mark.parametrize(
+    ("answers", "said"),
+    [
+        ("  a9: '1'\n", "has no part a9"),
+        ("  a1: &x '1'\n  a2: *x\n", "YAML anchor"),
+        ("  a1: [1, 2\n", "sheet.yaml:"),
+        ("  a1: '" + "1 " * 150_000 + "'\n", "256 kB"),
+    ],
+)
+def test_a_sheet_that_is_none_ends_with_2(dhcli: Run, tmp_path: Path, answers: str, said: str) -> None:
+    """And is no try."""
+    done = dhcli("check", PLANAR, sheet(tmp_path, answers))
+    assert (done.code, done.out) == (2, "")
+    assert said in done.err
+    assert read_progress()[0] == {}
+
+
+def test_a_mistake_in_a_sheet_is_found_by_its_line(dhcli: Run, tmp_path: Path) -> None:
+    """Of the file, not of the answer."""
+    path = sheet(tmp_path, "  a1: |\n    c1 -s1 0 a1*c1\n    s1 c1 0 L*s1\n    0 0 1 0\n    0 0 0 1\n")
+    done = dhcli("check", PLANAR, path, "--part", "a1")
+    assert done.code == 2
+    assert "sheet.yaml:6:" in done.out
+    assert "L is not a name that is known here" in done.out
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("check", PLANAR),
+        ("check", PLANAR, "--part", "a1"),
+        (*AT,),
+        ("check", "planar-2r", "--symbolic"),
+    ],
+)
+def test_without_an_answer_and_without_a_terminal_it_never_waits(process: Run, words: tuple[str, ...]) -> None:
+    """Standard input is not read, whatever stands there."""
+    for stdin in (None, A1 + "\n"):
+        done = process(*words, stdin=stdin)
+        assert (done.code, done.out) == (2, "")
+        assert "there is no answer to check" in done.err
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("check", "nobody"), "there is no exercise and no robot 'nobody'"),
+        (("check", "planar-2r"), "planar-2r is a robot: say at which joint values, or ask for symbols"),
+        (("check", PLANAR, "--q", "0,0", "--answer", "1"), "is an exercise and says itself what is asked"),
+        (("check", PLANAR, "--answer", "1"), "has 8 parts: say which one is answered"),
+        (("check", PLANAR, "--part", "a9", "--answer", "1"), "has no part a9"),
+        (("check", PLANAR, "none.yaml"), "no such file"),
+        (("check", PLANAR, "none.yaml", "--answer", "1"), "three ways to give an answer"),
+        ((*AT, "--from", "7", "--answer", "1"), "7"),
+        ((*AT, "--tol-position", "1°", "--answer", "1"), "unit of angle"),
+        ((*AT, "--tol-position", "x", "--answer", "1"), "x"),
+        ((*AT, "--tol-position", "-1mm", "--answer", "1"), "negative"),
+        ((*AT, "--tol-rotation", "-1", "--answer", "1"), "negative"),
+        ((*AT, "--decimals", "0", "--answer", "1"), "decimals"),
+        ((*AT, "--decimals", "two", "--answer", "1"), "whole number"),
+        ((*AT, "--tol-rotation", "nan", "--answer", "1"), "negative"),
+        (("check", "dh-link", "--q", "0", "--answer", "[1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1]"), "not every name"),
+    ],
+)
+def test_what_cannot_be_asked_ends_with_2(dhcli: Run, words: tuple[str, ...], said: str) -> None:
+    """And says what would be right."""
+    done = dhcli(*words)
+    assert (done.code, done.out) == (2, "")
+    assert said in done.err
+
+
+# -------------------------------------------------------------------------------------------- questions to robots
+
+
+def test_a_robot_is_asked_in_numbers(dhcli: Run) -> None:
+    """At joint values, at a named pose, with lengths set, between two frames."""
+    assert dhcli(*AT, "--answer", NUMBERS).code == 0
+    assert dhcli("check", "planar-2r", "--q", "30,45", "--deg", "--answer", NUMBERS).code == 0
+    straight = "[1 0 0 0.7; 0 1 0 0; 0 0 1 0; 0 0 0 1]"
+    assert dhcli("check", "planar-2r", "--pose", "zero", "--answer", straight).code == 0
+    assert dhcli("check", "planar-2r", "--pose", "zero", "--set", "a1=1m", "--answer", straight).code == 1
+    assert dhcli("check", "planar-2r", "--pose", "zero", "--to", "1", "--answer", straight.replace("7", "4")).code == 0
+
+
+def test_puma_is_asked_in_numbers_and_in_symbols(dhcli: Run) -> None:
+    """The quick self-checks of the issue, partial products too."""
+    zero = "[1 0 0 0.4521; 0 -1 0 0.15; 0 0 -1 -0.4318; 0 0 0 1]"
+    assert dhcli("check", "puma560", "--q", "0,0,0,0,0,0", "--answer", zero).code == 0
+    wrist = "c5c6 -c5s6 -s5 0; s6 c6 0 0; s5c6 -s5s6 c5 0; 0 0 0 1"
+    assert dhcli("check", "puma560", "--symbolic", "--from", "4", "--to", "6", "--answer", wrist).code == 0
+    wrong = wrist.replace("-c5s6", "c5s6")
+    done = dhcli("check", "puma560", "--symbolic", "--from", "4", "--to", "6", "--answer", wrong)
+    assert done.code == 1
+    assert "entry (1,2)" in done.out
+
+
+def test_some_joints_may_have_values_among_symbols(dhcli: Run) -> None:
+    """And the answer may keep the symbol or put the value in."""
+    asked = ("check", "planar-2r", "--symbolic", "--q", "theta2=0", "--answer")
+    for c, s in (("c1", "s1"), ("c12", "s12")):
+        assert dhcli(*asked, f"[{c} -{s} 0 a1*c1+a2*{c}; {s} {c} 0 a1*s1+a2*{s}; 0 0 1 0; 0 0 0 1]").code == 0
+
+
+def test_a_table_is_checked_against_a_robot(dhcli: Run, process: Run, tmp_path: Path) -> None:
+    """A robot file in either convention, also from standard input."""
+    head = "format: 1\ntitle: t\nsource: s\nvariables: [theta1, theta2]\nparameters: {a1: , a2: }\n"
+    standard = head + "convention: standard\nlinks:\n"
+    standard += "  - {a: a1, alpha: 0, d: 0, theta: theta1}\n  - {a: a2, alpha: 0, d: 0, theta: theta2}\n"
+    (tmp_path / "mine.yaml").write_text(standard, "utf-8")
+    assert dhcli("check", "planar-2r", "--table", "mine.yaml").code == 0
+    assert process("check", "planar-2r", "--table", "-", stdin=standard).code == 0
+    (tmp_path / "wrong.yaml").write_text(standard.replace("a: a2", "a: a1"), "utf-8")
+    assert dhcli("check", "planar-2r", "--table", "wrong.yaml").code == 1
+    (tmp_path / "broken.yaml").write_text("links: 1\n", "utf-8")
+    assert dhcli("check", "planar-2r", "--table", "broken.yaml").code == 2
+
+
+# ---------------------------------------------------------------------------------------------------- tolerances
+
+
+def test_the_tolerance_of_a_position_is_a_length(dhcli: Run) -> None:
+    """In any unit; bare metres. The truth is 0.424056, the answer 0.4245."""
+    answer = NUMBERS.replace("0.4241", "0.4245")
+    assert dhcli(*AT, "--answer", answer).code == 0
+    for tolerance, code in (("0.5mm", 0), ("0.4mm", 1), ("0.0005", 0), ("0.04 cm", 1)):
+        assert dhcli(*AT, "--tol-position", tolerance, "--answer", answer).code == code, tolerance
+
+
+def test_the_tolerance_of_a_rotation_is_a_number(dhcli: Run) -> None:
+    """It does not touch lengths."""
+    answer = NUMBERS.replace("0.2588", "0.262").replace("0.9659", "0.9651")
+    assert dhcli(*AT, "--answer", answer).code == 1
+    assert dhcli(*AT, "--tol-rotation", "0.005", "--answer", answer).code == 0
+    assert dhcli(*AT, "--tol-rotation", "0.005", "--answer", answer.replace("0.4241", "0.43")).code == 1
+
+
+def test_the_decimals_that_a_task_asks_for_are_enough(dhcli: Run) -> None:
+    """Fewer are not."""
+    two = "[0.26 -0.97 0 0.42; 0.97 0.26 0 0.49; 0 0 1 0; 0 0 0 1]"
+    assert dhcli(*AT, "--answer", two).code == 1
+    assert dhcli(*AT, "--decimals", "2", "--answer", two).code == 0
+    assert dhcli(*AT, "--decimals", "3", "--answer", two).code == 1
+
+
+def test_a_tolerance_of_the_command_line_beats_that_of_a_part(dhcli: Run, tmp_path: Path) -> None:
+    """For every part."""
+    text = "format: 1\ntitle: t\nsource: s\ntask: t\nrobot: planar-2r\nnumeric: true\n"
+    text += "given: {theta1: 30°, theta2: 45°}\nparts:\n  - {id: a, ask: position of pose 0..2, decimals: 4}\n"
+    (tmp_path / "e.yaml").write_text(text, "utf-8")
+    asked = ("check", "e.yaml", "--part", "a", "--answer", "0.42 0.49 0")
+    assert [dhcli(*asked).code, dhcli(*asked, "--tol-position", "5mm").code] == [1, 0]
+
+
+# ------------------------------------------------------------------------------------------------------ progress
+
+
+def test_a_check_is_remembered(dhcli: Run, tmp_path: Path) -> None:
+    """The best verdict and the tries; what was left blank is no try, nor is a question to a robot."""
+    dhcli("check", PLANAR, "--part", "a1", "--answer", MISPRINT)
+    dhcli("check", "planar-two-links", "--part", "a1", "--answer", A1)
+    dhcli("check", PLANAR, sheet(tmp_path, "  a1: '1'\n  a2: _\n"))
+    dhcli(*AT, "--answer", NUMBERS)
+    assert read_progress()[0] == {PLANAR: {"a1": Try("RIGHT", 3)}}
+
+
+def test_a_broken_progress_file_is_set_aside_and_the_check_goes_on(dhcli: Run) -> None:
+    """With a message on stderr, and JSON still whole on stdout."""
+    path = path_of_progress()
+    path.parent.mkdir(parents=True)
+    path.write_text("{broken")
+    done = dhcli("check", PLANAR, "--part", "a1", "--answer", A1, "--format", "json")
+    assert done.code == 0
+    assert "set aside as progress.json.broken-1" in done.err
+    assert done.envelope["data"]["verdict"] == "RIGHT"
+    assert json.loads(path.read_text())["exercises"] == {PLANAR: {"a1": {"best": "RIGHT", "tries": 1, "hints": 0}}}
+
+
+def test_progress_that_cannot_be_saved_does_not_lose_the_verdict(dhcli: Run, user_data: Path) -> None:
+    """It is said on stderr."""
+    user_data.parent.mkdir(exist_ok=True)
+    user_data.write_text("in the way")
+    done = dhcli("check", PLANAR, "--part", "a1", "--answer", A1)
+    assert done.code == 0
+    assert "progress could not be saved" in done.err
+
+
+# ---------------------------------------------------------------------------------------------------- safe output
+
+
+@pytest.mark.parametrize(
+    "answer",
+    [
+        "\x1b[2J\x1b[31mRIGHT",
+        "[bold red]RIGHT[/]",
+        "\x9b31m\x07",
+        "\u202eTHGIR",
+        "c1\rRIGHT",
+        "[link=http://x]x[/link]",
+    ],
+)
+def test_what_was_typed_never_steers_the_terminal(dhcli: Run, answer: str) -> None:
+    """Control characters and markup come back as plain letters, or not at all."""
+    done = dhcli("check", PLANAR, "--part", "a1", "--answer", answer)
+    assert done.code == 2
+    assert (done.out + done.err).replace("\n", "").isprintable()
+    assert "✓" not in done.out
+
+
+def test_without_unicode_the_signs_are_ascii(process: Run) -> None:
+    """And the word says it anyway."""
+    done = process("check", PLANAR, "--part", "a1", "--answer", MISPRINT, PYTHONIOENCODING="ascii")
+    assert done.code == 1
+    assert done.out.isascii()
+    assert "x WRONG" in done.out
+
+
+# -------------------------------------------------------------------------------------------------------- a walk
+
+
+@terminal
+def test_on_a_terminal_the_parts_are_asked_one_by_one(tmp_path: Path) -> None:
+    """A wrong answer, a hint, a right one, a blank and the end of the input."""
+    with Terminal(tmp_path, "check", "yim/planar-two-links") as screen:
+        assert "Planar arm with two links" in screen.until("table> ")
+        screen.type("?\n")
+        assert "hint: Parallel axes have no twist" in screen.until("table> ")
+        screen.type("a1 0 0 theta1\n")
+        screen.until(r"\.\.\. ")
+        screen.type("a2 0 0 theta2\n")
+        screen.until(r"\.\.\. ")
+        screen.type("\n")
+        assert "RIGHT" in screen.until("a1> ")
+        screen.type(f"{MISPRINT}\n")
+        assert "misprint" in screen.until("a2> ")
+        screen.type("\n")
+        assert "SKIPPED" in screen.until("blocks> ")
+        screen.type("\x04")
+        assert screen.end() == 1
+    assert read_progress()[0][PLANAR] == {"table": Try("RIGHT", 1), "a1": Try("WRONG", 1)}
+
+
+@terminal
+def test_one_part_is_asked_alone(tmp_path: Path) -> None:
+    """And its verdict is the exit code."""
+    with Terminal(tmp_path, "check", PLANAR, "--part", "blocks") as screen:
+        assert "1: the upper index" in screen.until("blocks> ")
+        screen.type("1\n")
+        assert screen.end() == 0
+        assert "RIGHT" in screen.seen
+
+
+@terminal
+def test_a_robot_is_asked_on_a_terminal_too(tmp_path: Path) -> None:
+    """A question made on the spot has one part."""
+    with Terminal(tmp_path, *AT) as screen:
+        screen.until("pose> ")
+        screen.type(f"{NUMBERS}\n")
+        assert screen.end() == 0
+
+
+@terminal
+def test_ctrl_c_ends_a_walk_with_130(tmp_path: Path) -> None:
+    """What was answered so far is kept."""
+    with Terminal(tmp_path, "check", PLANAR) as screen:
+        screen.until("table> ")
+        screen.type("\n")
+        screen.until("a1> ")
+        screen.type(f"{A1}\n")
+        screen.until("a2> ")
+        screen.interrupt()
+        assert screen.end() == 130
+        assert "Traceback" not in screen.seen
+    assert read_progress()[0] == {PLANAR: {"a1": Try("RIGHT", 1)}}
