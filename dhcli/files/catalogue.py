@@ -19,6 +19,7 @@ class Listed:
         title: What it is called; empty if it cannot be read.
         joints: The joints as letters, such as RRP; empty where there are none.
         problems: What is wrong with it.
+        solved: Of an exercise, how many of its parts this user has solved, such as 3/8; else empty.
     """
 
     kind: Kind
@@ -26,6 +27,7 @@ class Listed:
     title: str = ""
     joints: str = ""
     problems: tuple[Problem, ...] = ()
+    solved: str = ""
 
 
 def catalogue(kinds: Iterable[Kind] = tuple(Kind)) -> tuple[Listed, ...]:
@@ -38,34 +40,36 @@ def _listed(kind: Kind, entry: Entry) -> Listed:
     if read is None:
         return Listed(kind, entry)
     try:
-        title, joints = read(entry)
+        return read(entry)
     except DhcliError as error:
         return Listed(kind, entry, problems=error.problems)
-    return Listed(kind, entry, title, joints)
 
 
-def _robot(entry: Entry) -> tuple[str, str]:
+def _robot(entry: Entry) -> Listed:
     from dhcli.files.robots import load_robot
 
     robot = load_robot(entry.path)
-    return robot.title, robot.pattern
+    return Listed(Kind.ROBOTS, entry, robot.title, robot.pattern)
 
 
-def _exercise(entry: Entry) -> tuple[str, str]:
+def _exercise(entry: Entry) -> Listed:
     from dhcli.files.exercises import load_exercise
+    from dhcli.files.progress import solved_parts
 
     exercise = load_exercise(entry.path)
-    return exercise.title, exercise.robot.pattern if exercise.robot else ""
+    joints = exercise.robot.pattern if exercise.robot else ""
+    solved = f"{len(solved_parts(entry.name))}/{len(exercise.parts)}"
+    return Listed(Kind.EXERCISES, entry, exercise.title, joints, solved=solved)
 
 
-def _linkage(entry: Entry) -> tuple[str, str]:
+def _linkage(entry: Entry) -> Listed:
     from dhcli.files.linkages import load_linkage
 
     linkage = load_linkage(entry.path)
-    return linkage.title, linkage.pattern
+    return Listed(Kind.LINKAGES, entry, linkage.title, linkage.pattern)
 
 
-_READERS: dict[Kind, Callable[[Entry], tuple[str, str]]] = {
+_READERS: dict[Kind, Callable[[Entry], Listed]] = {
     Kind.ROBOTS: _robot,
     Kind.LINKAGES: _linkage,
     Kind.EXERCISES: _exercise,

@@ -9,6 +9,7 @@ import json
 import os
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from pathlib import Path
 
 from dhcli.checking.verdicts import Verdict
@@ -35,6 +36,8 @@ class Try:
     tries: int
     hints: int = 0
 
+
+SOLVED = ("RIGHT", "EQUIVALENT")
 
 Progress = Mapping[str, Mapping[str, Try]]
 """Parts by exercise."""
@@ -66,6 +69,23 @@ def read_progress() -> tuple[Progress, str]:
     except (FileError, ValueError, KeyError, TypeError, AttributeError, OverflowError, RecursionError):
         aside = _set_aside(path)
         return {}, f"{path} could not be read and was set aside as {aside.name}; progress starts anew"
+
+
+def solved_parts(exercise: str) -> tuple[str, ...]:
+    """The parts of an exercise that this user has solved; none if the progress cannot be read."""
+    done = _progress_now().get(exercise, {})
+    return tuple(part for part, reached in done.items() if reached.best in SOLVED)
+
+
+@lru_cache(maxsize=1)
+def _progress_at(_path: Path, _changed: int) -> Progress:
+    return read_progress()[0]
+
+
+def _progress_now() -> Progress:
+    """The progress, read once as long as its file does not change."""
+    path = path_of_progress()
+    return _progress_at(path, path.stat().st_mtime_ns) if path.exists() else {}
 
 
 def record(exercise: str, verdicts: Mapping[str, Verdict]) -> str:

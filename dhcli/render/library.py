@@ -19,8 +19,11 @@ def library_table(listed: Sequence[Listed], look: Look) -> str:
     """A table for each kind."""
     tables = []
     for kind, group in groupby(listed, key=lambda one: one.kind):
-        rows = [_row(one, look) for one in group]
-        tables.append(table_text([kind.value, "joints", "title", "from"], rows, look.paper, cut="title"))
+        listed_here = list(group)
+        solved = ["solved"] if any(one.solved for one in listed_here) else []
+        rows = [_row(one, look, with_solved=bool(solved)) for one in listed_here]
+        heads = [kind.value, "joints", *solved, "title", "from"]
+        tables.append(table_text(heads, rows, look.paper, cut="title"))
     return "\n".join(tables)
 
 
@@ -41,6 +44,7 @@ def library_content(listed: Sequence[Listed], _look: Look) -> dict[str, Any]:
                 "kind": one.kind.noun,
                 "name": one.entry.name,
                 "joints": one.joints,
+                "solved": one.solved,
                 "title": one.title,
                 "origin": one.entry.origin,
                 "path": str(one.entry.path),
@@ -52,7 +56,7 @@ def library_content(listed: Sequence[Listed], _look: Look) -> dict[str, Any]:
     }
 
 
-def _row(one: Listed, look: Look) -> list[str | Text]:
+def _row(one: Listed, look: Look, *, with_solved: bool) -> list[str | Text]:
     from rich.text import Text
 
     paper = look.paper
@@ -69,6 +73,7 @@ def _row(one: Listed, look: Look) -> list[str | Text]:
     return [
         Text(paper.spell(one.entry.name), style="cyan"),
         one.joints or "-",
+        *([one.solved or "-"] if with_solved else []),
         title,
         Text(paper.spell(one.entry.origin), style="dim"),
     ]

@@ -185,7 +185,7 @@ def test_the_list_has_exactly_these_keys(dhcli: Run) -> None:
     """One entry for each file."""
     data = dhcli("list", "robots", "--format", "json").data
     assert set(data) == {"entries"}
-    keys = {"kind", "name", "joints", "title", "origin", "path", "shadowed", "broken"}
+    keys = {"kind", "name", "joints", "solved", "title", "origin", "path", "shadowed", "broken"}
     assert all(set(entry) == keys for entry in data["entries"])
     assert "scara" in {entry["name"] for entry in data["entries"]}
 
