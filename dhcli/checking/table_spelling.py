@@ -24,8 +24,8 @@ _KINDS = frozenset(("revolute", "prismatic", "fixed"))
 _RULES = frozenset(("hline", "toprule", "midrule", "bottomrule"))
 _OPENING, _CLOSING = frozenset("[({"), frozenset("])}")
 _BREAKS = frozenset(",&|;]}(")
-_NUMBER_SIGN = re.compile(r"^(\s*\|?\s*)#(?=\s*[|,&\s])")
-_BULLET = re.compile(r"^(\s*)-(?=\s+[\[{])", re.MULTILINE)
+_NUMBER_SIGN = re.compile(r"^([^\S\n]{0,40}\|?[^\S\n]{0,40})#(?=[^\S\n]{0,40}[|,&\s])")
+_BULLET = re.compile(r"^([^\S\n]{0,40})-(?=[^\S\n]{1,40}[\[{])", re.MULTILINE)
 _ORDER = re.compile(r"^.*\bRot\(.*$", re.MULTILINE)
 
 

@@ -83,7 +83,7 @@ def test_a_literal_matrix_may_stand_among_the_moves(text: str) -> None:
         ("Rot(z, 90°) Foo(1)", "13: Foo is not a move"),
         ("Rot(z, 90°) + Trans(1, 2, 3)", "13: '+' is not a move or a matrix"),
         ("5 Rot(z, 90°)", "1: '5' is not a move or a matrix"),
-        ("Rot(z, 90°", "1: 'Rot' is not a move or a matrix"),
+        ("Rot(z, 90°", "4: ( is never closed"),
         ("[1 0 0; 0 1 0; 0 0 1]", "1: a pose has 4 rows of 4, this matrix is 3x3"),
         ("Rot(z, 90°) Trans(1, 2, x y)", None),
         ("Trans(1, 2, 1/0)", "14: a division by zero"),
