@@ -26,6 +26,9 @@ _OPENING, _CLOSING = frozenset("[({"), frozenset("])}")
 _BREAKS = frozenset(",&|;]}(")
 _NUMBER_SIGN = re.compile(r"^([^\S\n]{0,40}\|?[^\S\n]{0,40})#(?=[^\S\n]{0,40}[|,&\s])")
 _BULLET = re.compile(r"^([^\S\n]{0,40})-(?=[^\S\n]{1,40}[\[{])", re.MULTILINE)
+LONGEST_ROW = 400
+"""Tokens looked ahead for a closing bracket, so that hostile text costs no more than its length."""
+
 _ORDER = re.compile(r"^.*\bRot\(.*$", re.MULTILINE)
 
 
@@ -67,7 +70,7 @@ def without_stars(tokens: list[Token], scope: Scope, variables: Sequence[str]) -
         star = i + (tokens[i].text == "^" and tokens[i + 1].text == "*")
         if tokens[star].text == "*" and _ends_cell(tokens[star + 1]):
             i = star + 1
-        closing = matching(tokens, i) if tokens[i].text == "(" else -1
+        closing = _closing(tokens, i) if tokens[i].text == "(" else -1
         if closing > i and all(_is_constant(inner) for inner in tokens[i + 1 : closing]):
             i = closing + 1
             i += tokens[i].text == "*" and _ends_cell(tokens[i + 1])
@@ -93,7 +96,7 @@ def in_order(tokens: list[Token], columns: Sequence[str]) -> list[Token]:
     kept: list[Token] = []
     i = 0
     while i < len(tokens):
-        closing = matching(tokens, i) if tokens[i].text == "{" else -1
+        closing = _closing(tokens, i) if tokens[i].text == "{" else -1
         cells = _keyed(tokens[i + 1 : closing]) if closing > i else {}
         if set(cells) == set(COLUMNS):
             for index, column in enumerate(columns):
@@ -171,3 +174,9 @@ def _column(word: str) -> str:
     stem, subscript = parts(canonical(word))
     known = _LETTERS.get(stem, "")
     return known if subscript in _SUBSCRIPTS else ""
+
+
+def _closing(tokens: Sequence[Token], start: int) -> int:
+    """Index of the bracket that closes the one at `start`, or -1; a cell or a row is never longer than the window."""
+    found = matching(tokens[start : start + LONGEST_ROW], 0)
+    return start + found if found >= 0 else -1
