@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from dhcli.errors import DhcliError as DhcliError
     from dhcli.files.exercises import load_exercise as load_exercise
     from dhcli.files.robots import load_robot as load_robot
+    from dhcli.kinematics.batch import forward_batch as forward_batch
     from dhcli.kinematics.forward import forward as forward
     from dhcli.kinematics.forward import symbolic as symbolic
     from dhcli.kinematics.pose import Pose as Pose
@@ -34,12 +35,24 @@ _HOMES = {
     "Robot": "dhcli.kinematics.robot",
     "check": "dhcli.checking.marking",
     "forward": "dhcli.kinematics.forward",
+    "forward_batch": "dhcli.kinematics.batch",
     "load_exercise": "dhcli.files.exercises",
     "load_robot": "dhcli.files.robots",
     "symbolic": "dhcli.kinematics.forward",
 }
 
-__all__ = ["DhcliError", "Pose", "Robot", "__version__", "check", "forward", "load_exercise", "load_robot", "symbolic"]
+__all__ = [
+    "DhcliError",
+    "Pose",
+    "Robot",
+    "__version__",
+    "check",
+    "forward",
+    "forward_batch",
+    "load_exercise",
+    "load_robot",
+    "symbolic",
+]
 
 
 def __getattr__(name: str) -> object:

@@ -7,7 +7,6 @@ from dataclasses import replace
 
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.terms import TERMS
-from dhcli.checking.cells import own_values
 from dhcli.checking.counts import mark_count, right_count
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.misprints import misprint_remarks
@@ -23,6 +22,7 @@ from dhcli.checking.questions import (
 )
 from dhcli.checking.reading import UnreadableError, check_names, read_entries, without_label
 from dhcli.checking.symbolic import mark_symbols, put, same
+from dhcli.checking.tables.cells import own_values
 from dhcli.checking.tolerance import Tolerance, is_rounding_of, judge
 from dhcli.checking.truth import Truth, is_length, truth_of
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
@@ -97,7 +97,7 @@ def _judged(exercise: Exercise, part: Part, answer: str, place: Place | None) ->
         case MatrixQuestion():
             return _matrix(exercise, part, question, answer, tolerance, place)
         case TableQuestion():
-            from dhcli.checking.tables import mark_table
+            from dhcli.checking.tables.marking import mark_table
 
             return mark_table(question, exercise, answer, part.compare, tolerance, place=place)
         case CellQuestion(column, link):
@@ -122,7 +122,7 @@ def expected(exercise: Exercise, part: Part, style: str = "short") -> str:
             truth = truth_of(part.question, exercise)
             return _as_text(part.question, truth, exercise, style)
         case TableQuestion(convention):
-            from dhcli.checking.tables import write_table
+            from dhcli.checking.tables.marking import write_table
 
             return write_table(exercise, convention)
         case CellQuestion(column, link):

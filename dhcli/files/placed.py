@@ -14,12 +14,11 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, NoReturn, TypeAlias
 
 from dhcli.errors import FileError, Place, Problem
-from dhcli.files.syntax import Mark, explain_syntax
+from dhcli.files.syntax import DEEPEST, TOO_DEEP, Mark, explain_syntax
 
 if TYPE_CHECKING:
     import yaml
 
-DEEPEST = 40
 MOST_NODES = 20_000
 
 # What YAML 1.1 calls a line break; str.splitlines knows others, and the line numbers would drift apart.
@@ -153,7 +152,7 @@ class _Builder:
         if self.nodes > MOST_NODES:
             self.give_up(place, f"the file holds more than {MOST_NODES:,} keys and values", "is it the right file?")
         if depth > DEEPEST:
-            self.give_up(place, f"lists and mappings are nested more than {DEEPEST} deep")
+            self.give_up(place, TOO_DEEP)
         if isinstance(event, yaml.NodeEvent) and event.anchor is not None:
             sign, word = ("*", "alias") if isinstance(event, yaml.AliasEvent) else ("&", "anchor")
             self.refuse(place, f"'{sign}{event.anchor}' is a YAML {word}", "write the value itself; text needs quotes")

@@ -16,8 +16,12 @@ _QUOTED = re.compile(r"'[^']*'|\"[^\"]*\"")
 _NAME_WITH_BRACE = re.compile(r"[\w^)}\]][{\[]")
 _BRACE_HINT = "a name with braces or brackets needs quotes, such as 'alpha_{i-1}'"
 
+DEEPEST = 40
+TOO_DEEP = f"lists and mappings are nested more than {DEEPEST} deep"
+
 # A part of PyYAML's message (both parsers'), whether its context mark is the better place, our message, our hint.
 _PHRASES: tuple[tuple[str, bool, str, str], ...] = (
+    ("maximum nesting depth", False, TOO_DEEP, ""),  # libyaml has a limit of its own and reads ahead of ours
     (
         "could not find expected ':'",
         True,

@@ -15,8 +15,8 @@ import random
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from dhcli.checking.fits import Fit, Limits, held_by, released, slid, within
-from dhcli.checking.screws import Arm, Point, Rigid, length, plus, scaled
+from dhcli.checking.tables.fits import Fit, Limits, held_by, released, slid, within
+from dhcli.checking.tables.screws import Arm, Point, Rigid, length, plus, scaled
 
 POSES = 4
 MOST_LEAVES = 64

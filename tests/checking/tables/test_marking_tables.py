@@ -11,19 +11,19 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from dhcli.checking.cells import table_text
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.questions import TableQuestion
 from dhcli.checking.reading import UnreadableError
-from dhcli.checking.table_reading import read_table
-from dhcli.checking.tables import mark_table, write_table
+from dhcli.checking.tables.cells import table_text
+from dhcli.checking.tables.marking import mark_table, write_table
+from dhcli.checking.tables.reading import read_table
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import RobotError
 from dhcli.kinematics.conventions import Convention, moves_of
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Symbol, number
-from tests.checking.robots_with_tables import NAMES, Move, keeping, mutations, robot, rows_of
+from tests.checking.tables.robots_with_tables import NAMES, Move, keeping, mutations, robot, rows_of
 
 MODIFIED, STANDARD = Convention.MODIFIED, Convention.STANDARD
 

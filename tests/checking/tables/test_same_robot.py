@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dhcli.checking.fits import Limits
-from dhcli.checking.motions import Values, same_motion, same_robot
-from dhcli.checking.same_robot import Registration
-from dhcli.checking.screws import Arm, Rigid
+from dhcli.checking.tables.fits import Limits
+from dhcli.checking.tables.motions import Values, same_motion, same_robot
+from dhcli.checking.tables.same_robot import Registration
+from dhcli.checking.tables.screws import Arm, Rigid
 from dhcli.checking.tolerance import DEFAULT
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import RobotError
@@ -21,7 +21,7 @@ from dhcli.kinematics.moves import Chain, Rot, Trans, read_chain, substituted
 from dhcli.notation.angle import Angle
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import ZERO, Symbol, add, multiply, number
-from tests.checking.robots_with_tables import (
+from tests.checking.tables.robots_with_tables import (
     NAMES,
     Move,
     Rows,

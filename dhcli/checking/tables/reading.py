@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from dhcli.checking.reading import LARGEST, UnreadableError, without_label
-from dhcli.checking.table_spelling import ANGLES, Heads, in_order, plain_text, without_heads, without_stars
+from dhcli.checking.tables.spelling import ANGLES, Heads, in_order, plain_text, without_heads, without_stars
 from dhcli.errors import NotationError, Place
 from dhcli.kinematics.conventions import COLUMNS, Row
 from dhcli.kinematics.robot import Robot

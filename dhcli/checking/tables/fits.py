@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field, replace
 
-from dhcli.checking.screws import (
+from dhcli.checking.tables.screws import (
     ORIGIN,
     UNITS,
     Rigid,

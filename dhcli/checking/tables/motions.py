@@ -10,10 +10,10 @@ from itertools import islice
 from dhcli.algebra.arithmetic import CannotHoldError
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.residues import Residues
-from dhcli.checking.fits import Limits
-from dhcli.checking.same_robot import MOST_LEAVES, Match, Registration, error_of, identity
-from dhcli.checking.screws import Arm, Point
 from dhcli.checking.symbolic import has_decimals
+from dhcli.checking.tables.fits import Limits
+from dhcli.checking.tables.same_robot import MOST_LEAVES, Match, Registration, error_of, identity
+from dhcli.checking.tables.screws import Arm, Point
 from dhcli.checking.tolerance import CLOSE_FACTOR, SLACK, Tolerance
 from dhcli.checking.verdicts import Verdict
 from dhcli.kinematics.fold import fold

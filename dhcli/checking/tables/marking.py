@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from dhcli.checking.cells import table_text
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.freedoms import end_freedoms
-from dhcli.checking.motions import Outcome
 from dhcli.checking.questions import TableQuestion
-from dhcli.checking.table_answer import TableAnswer, ends_on_axis, rows_of, worst
-from dhcli.checking.table_reading import read_table
+from dhcli.checking.tables.answer import TableAnswer, ends_on_axis, rows_of, worst
+from dhcli.checking.tables.cells import table_text
+from dhcli.checking.tables.freedoms import end_freedoms
+from dhcli.checking.tables.motions import Outcome
+from dhcli.checking.tables.reading import read_table
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
 from dhcli.errors import Place, RobotError

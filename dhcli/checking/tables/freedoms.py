@@ -7,8 +7,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from dhcli.algebra.floats import Floats
-from dhcli.checking.same_robot import Match
-from dhcli.checking.screws import Point, Rigid
+from dhcli.checking.tables.same_robot import Match
+from dhcli.checking.tables.screws import Point, Rigid
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import Chain, names

@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from dhcli import load_robot
-from dhcli.checking.same_robot import Match
-from dhcli.checking.screws import Arm, Rigid
+from dhcli.checking.tables.same_robot import Match
+from dhcli.checking.tables.screws import Arm, Rigid
 from dhcli.kinematics.conventions import Convention, Row, moves_of
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.angle import Angle
@@ -24,7 +24,7 @@ from dhcli.notation.walk import symbols
 Rows = tuple[Row, ...]
 Matrix = NDArray[np.float64]
 
-ROOT = Path(__file__).parents[2] / "robots"
+ROOT = Path(__file__).parents[3] / "robots"
 NAMES = tuple(
     path.stem for path in sorted(ROOT.glob("*.yaml")) if "convention: product" not in path.read_text(encoding="utf-8")
 )

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-from dhcli.checking.cells import given_values, in_other_unit, mark_cells, own_values, settled
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.freedoms import Drawn, Slack, end_freedoms, frame_freedoms, joint_freedoms
-from dhcli.checking.motions import Outcome, Values, same_motion, same_robot
 from dhcli.checking.reading import UnreadableError
-from dhcli.checking.screws import Arm
-from dhcli.checking.table_reading import TypedRow, misplaced, variable_of
+from dhcli.checking.tables.cells import given_values, in_other_unit, mark_cells, own_values, settled
+from dhcli.checking.tables.freedoms import Drawn, Slack, end_freedoms, frame_freedoms, joint_freedoms
+from dhcli.checking.tables.motions import Outcome, Values, same_motion, same_robot
+from dhcli.checking.tables.reading import TypedRow, misplaced, variable_of
+from dhcli.checking.tables.screws import Arm
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import CellMark, Verdict
 from dhcli.kinematics.conventions import Convention, Row, moves_of

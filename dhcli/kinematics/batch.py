@@ -1,0 +1,66 @@
+"""Forward kinematics of many poses at once: one fold over numpy columns."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhcli.algebra.columns import Columns
+from dhcli.errors import RobotError
+from dhcli.kinematics.fold import fold
+from dhcli.kinematics.forward import Given
+from dhcli.kinematics.frames import between, ends
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.values import numbers, parameter_values, require
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+
+def forward_batch(
+    robot: Robot,
+    Q: ArrayLike,  # noqa: N803  the field's name for a matrix of joint values
+    *,
+    start: str | int | None = None,
+    end: str | int | None = None,
+    parameters: Given | None = None,
+    out: NDArray[np.float64] | None = None,
+) -> NDArray[np.float64]:
+    """Poses of a frame of a robot for many joint values, in numbers.
+
+    Args:
+        robot: The robot.
+        Q: Joint values, shape (N, n), a row for each pose in joint order; radians and metres.
+        start: The frame it is seen from; the first numbered one by default.
+        end: The frame described; the last numbered one by default.
+        parameters: Lengths and angles to use instead of the robot's own.
+        out: Where to put the result, shape (N, 4, 4).
+
+    Returns:
+        The poses, shape (N, 4, 4), translation in metres.
+
+    Raises:
+        RobotError: Q has another shape, or a length has no value.
+        UnknownNameError: The robot has no such frame or length.
+    """
+    q = np.asarray(Q, dtype=np.float64)
+    wanted = len(robot.variables)
+    if q.ndim != 2 or q.shape[1] != wanted:  # noqa: PLR2004  rows and columns
+        raise RobotError(f"{robot.name} has {wanted} joints; Q has the shape {q.shape}, not (N, {wanted})")
+    chain = between(robot, *ends(robot, start, end))
+    lengths = parameter_values(robot, parameters or {})
+    known: Mapping[str, object] = {**lengths, **dict.fromkeys(robot.variables)}
+    require(robot, chain, known)  # type: ignore[arg-type]
+    values = {
+        name: float(value.constant()) if hasattr(value, "constant") else value
+        for name, value in numbers(lengths).items()
+    }
+    columns = {name: q[:, i] for i, name in enumerate(robot.variables)}
+    rows = fold(chain, Columns({**values, **columns}))
+    poses = np.empty((len(q), 4, 4)) if out is None else out
+    for i, row in enumerate(rows):
+        for k, entry in enumerate(row):
+            poses[:, i, k] = entry
+    return poses
