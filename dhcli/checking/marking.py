@@ -77,7 +77,7 @@ def _read_and_judged(exercise: Exercise, part: Part, answer: str, place: Place |
 
 
 def check(exercise: Exercise, part: str, answer: str) -> Mark:
-    """Judge an answer to one part of an exercise, named by its id.
+    """Judge an answer to one part of an exercise, named by its id, and say why where it is wrong.
 
     Args:
         exercise: The exercise, from `load_exercise`.
@@ -87,7 +87,10 @@ def check(exercise: Exercise, part: str, answer: str) -> Mark:
     Raises:
         UnknownNameError: There is no such part; the hint lists those there are.
     """
-    return mark(exercise, exercise.part(part), answer)
+    from dhcli.checking.diagnosis.diagnosis import diagnosed
+
+    found = exercise.part(part)
+    return diagnosed(exercise, found, answer, mark(exercise, found, answer))
 
 
 def _judged(exercise: Exercise, part: Part, answer: str, place: Place | None) -> Mark:

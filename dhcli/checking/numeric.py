@@ -27,6 +27,9 @@ ORDER = (Verdict.WRONG, Verdict.CLOSE, Verdict.ROUNDED, Verdict.EQUIVALENT, Verd
 LEAST_SLACK = 4e-3
 """What is allowed where entries were typed exactly: four times the tolerance of an entry."""
 
+AXIS_KNOWN = 1e-2
+"""Sine below which a turn has no axis to speak of, and how near to a coordinate axis it is called that."""
+
 RELATIVE = 1e-3
 """Tolerance of a length where none is declared, as a share of the robot's size."""
 
@@ -214,7 +217,7 @@ def _remarks(
     truth = [row[:3] for row in right[:3]]
     if not _near(rotation, truth):
         if not _near(_transposed(rotation), truth):
-            return (f"the orientation is off by {math.degrees(angle_between(rotation, truth)):.3g}°",)
+            return (_turned(rotation, truth),)
         if question.piece == "pose" and _is_inverse(typed, right):
             return ("this is the inverse: it shows the reference from the frame",)
         return ("the rotation is transposed: its columns, not its rows, are the axes of the frame described",)
@@ -254,6 +257,20 @@ def angle_between(first: Matrix, second: Matrix) -> float:
     turn = [[sum(first[k][i] * second[k][j] for k in range(3)) for j in range(3)] for i in range(3)]
     sine = math.hypot(turn[2][1] - turn[1][2], turn[0][2] - turn[2][0], turn[1][0] - turn[0][1])
     return math.atan2(sine, turn[0][0] + turn[1][1] + turn[2][2] - 1)
+
+
+def _turned(typed: Matrix, truth: Matrix) -> str:
+    """By what angle, and about which axis of the reference, an orientation is off."""
+    off = [[sum(typed[i][k] * truth[j][k] for k in range(3)) for j in range(3)] for i in range(3)]
+    axis = (off[2][1] - off[1][2], off[0][2] - off[2][0], off[1][0] - off[0][1])
+    size = math.hypot(*axis)
+    words = f"the orientation is off by {math.degrees(angle_between(typed, truth)):.3g}°"
+    if size < AXIS_KNOWN:
+        return words
+    for name, share in zip("xyz", axis, strict=True):
+        if abs(share) > (1 - AXIS_KNOWN) * size:
+            return f"{words} about {'+' if share > 0 else '-'}{name} of the reference"
+    return f"{words} about the axis ({', '.join(rounded(share / size, 2) for share in axis)}) of the reference"
 
 
 def _transposed(matrix: Matrix) -> Matrix:

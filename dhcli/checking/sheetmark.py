@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+from dhcli.checking.diagnosis.diagnosis import diagnosed
+from dhcli.checking.diagnosis.following import follows
+from dhcli.checking.diagnosis.result import Diagnosis
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.marking import mark
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import Place, UnknownNameError, did_you_mean
+
+UNSOLVED = (Verdict.WRONG, Verdict.CLOSE)
 
 WORST_FIRST = (
     Verdict.CANNOT_READ,
@@ -37,10 +42,12 @@ class SheetMark:
     Attributes:
         exercise: The exercise.
         parts: The parts that were looked at, in order.
+        why: Whether a person has asked for the names of slips; else there are only hints.
     """
 
     exercise: Exercise
     parts: tuple[PartMark, ...]
+    why: bool = False
 
     @property
     def verdict(self) -> Verdict:
@@ -80,11 +87,22 @@ def mark_sheet(
         if name not in known:
             raise UnknownNameError(f"{exercise.id} has no part {name}", did_you_mean(name, known) or ", ".join(known))
     places = places or {}
+    marks: dict[str, Mark] = {}
+    for part in exercise.parts:
+        text = answers.get(part.id, "")
+        judged = diagnosed(exercise, part, text, mark(exercise, part, text, places.get(part.id)))
+        if judged.verdict in UNSOLVED:
+            wrong = {name: answers[name] for name, one in marks.items() if one.verdict in UNSOLVED}
+            judged = _followed(judged, follows(exercise, part, {**wrong, part.id: text}))
+        marks[part.id] = judged
     return SheetMark(
-        exercise,
-        tuple(
-            PartMark(part, mark(exercise, part, answers.get(part.id, ""), places.get(part.id)))
-            for part in exercise.parts
-            if only in (None, part.id)
-        ),
+        exercise, tuple(PartMark(part, marks[part.id]) for part in exercise.parts if only in (None, part.id))
     )
+
+
+def _followed(judged: Mark, parts: tuple[str, ...]) -> Mark:
+    """A wrong answer that is right from earlier ones: its credit is earned, the slip is where it was made."""
+    if not parts:
+        return judged
+    remark = f"right from your {' and '.join(parts)}: the slip is there; this part keeps its credit"
+    return replace(judged, earned=1.0, remarks=(remark,), diagnosis=Diagnosis(follows=parts))

@@ -41,7 +41,11 @@ def mark_symbols(
     if bad:
         approximate = all(cell.verdict is Verdict.ROUNDED for cell in bad)
         verdict = Verdict.ROUNDED if approximate else Verdict.WRONG
-    remarks = ("right approximately: decimals stand where an exact value is",) if verdict is Verdict.ROUNDED else ()
+    remarks: tuple[str, ...] = ()
+    if verdict is Verdict.ROUNDED:
+        remarks = ("right approximately: decimals stand where an exact value is",)
+    if verdict is Verdict.WRONG and question.piece == "pose":
+        remarks = _half_right(cells)
     counted = [cell for cell in cells if cell.counted] or list(cells)
     right = sum(cell.verdict in (Verdict.RIGHT, Verdict.ROUNDED) for cell in counted)
     spoiled = sum(not cell.counted for cell in bad)  # a zero that is no zero costs what an entry earns
@@ -136,6 +140,15 @@ def counterexample(typed: Expr, right: Expr, exercise: Exercise) -> str:
             at = f"at {where}: " if where else ""
             return f"{at}yours gives {one:.4g}, the right one {other:.4g}"
     return ""
+
+
+def _half_right(cells: tuple[CellMark, ...]) -> tuple[str, ...]:
+    """Which half of a pose is right, where one is."""
+    wrong = [cell for cell in cells if cell.verdict is Verdict.WRONG]
+    in_position = sum(cell.column == 3 for cell in wrong)  # noqa: PLR2004  the fourth column
+    if in_position == len(wrong):
+        return ("the rotation is right; the position is not",)
+    return () if in_position else ("the position is right; the rotation is not",)
 
 
 def _is_identity(entries: tuple[tuple[Entry, ...], ...]) -> bool:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import Enum
 
+from dhcli.checking.diagnosis.result import Diagnosis
+
 
 class Verdict(Enum):
     """A judgement, with the word and the sign that a person sees."""
@@ -69,6 +71,7 @@ class Mark:
         remarks: What a person should know, most important first.
         earned: Share of the credit, 0 to 1.
         expected: The right answer as text.
+        diagnosis: Why it is wrong, where that was looked for and found.
     """
 
     verdict: Verdict
@@ -77,3 +80,4 @@ class Mark:
     remarks: tuple[str, ...] = ()
     earned: float = 0.0
     expected: str = ""
+    diagnosis: Diagnosis | None = None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -63,6 +64,7 @@ def check(
         int | None,
         typer.Option(min=1, max=12, metavar="N", help="Decimals the task asks for.", rich_help_panel=_TOLERANCE),
     ] = None,
+    why: Annotated[bool, typer.Option("--why", help="Name the slip behind a wrong answer.")] = False,
     format_: Format = None,
     output: Output = None,
     force: Force = False,
@@ -82,7 +84,7 @@ def check(
     answers, places, only = _answers(exercise, sheet, part, answer, typed if table else None)
     marked = mark_sheet(exercise, answers, places, only)
     remember(marked)
-    delivery.hand_over("marks", marked)
+    delivery.hand_over("marks", replace(marked, why=why))
     return exit_code(marked.verdict)
 
 

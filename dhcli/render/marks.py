@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from dhcli.checking.describe import describe
+from dhcli.checking.diagnosis.result import Diagnosis
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.questions import ChoiceQuestion
 from dhcli.checking.sheetmark import PartMark, SheetMark
@@ -25,13 +26,14 @@ _INKS = {
     Verdict.SKIPPED: ("dim",),
 }
 _ASCII_SIGNS = {"✓": "+", "≡": "=", "≈": "~", "✗": "x", "–": "-"}  # noqa: RUF001
+MOST_HINTS = 2
 _LONGEST = 60
 """Longest entry that a table of entries shows; longer ones get a line each."""
 
 
 def marks_table(marked: SheetMark, look: Look) -> str:
     """Every part with its verdict, and the sum."""
-    lines = [line for part in marked.parts for line in _part_lines(marked.exercise, part, look)]
+    lines = [line for part in marked.parts for line in _part_lines(marked, part, look)]
     if len(marked.parts) > 1:
         solved = sum(part.mark.verdict.passed is True for part in marked.parts)
         credit = f"{_plain(marked.earned)} of {_plain(marked.credit)} credits"
@@ -69,7 +71,7 @@ def marks_content(marked: SheetMark, _look: Look) -> dict[str, Any]:
                     "help": one.part.hints[0] if one.part.hints else None,
                     "expected": one.mark.expected if allowed else None,
                     "actual": one.mark.reading or None,
-                    "diagnosis": None,
+                    "diagnosis": _diagnosis(one.mark.diagnosis),
                 },
             }
             for one in marked.parts
@@ -98,8 +100,18 @@ def solution_text(exercise: Exercise, part: Part, paper: Paper) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _part_lines(exercise: Exercise, one: PartMark, look: Look) -> Iterator[str]:
-    paper, mark = look.paper, one.mark
+def _diagnosis(found: Diagnosis | None) -> dict[str, Any] | None:
+    """Every cause with its slips, and the earlier parts from which the answer is right."""
+    if found is None:
+        return None
+    return {
+        "causes": [[{"name": slip.name, "words": slip.words, "hint": slip.hint} for slip in c] for c in found.causes],
+        "follows": list(found.follows),
+    }
+
+
+def _part_lines(marked: SheetMark, one: PartMark, look: Look) -> Iterator[str]:
+    paper, mark, exercise = look.paper, one.mark, marked.exercise
     verdict = mark.verdict
     sign = verdict.sign if paper.unicode else _ASCII_SIGNS.get(verdict.sign, verdict.sign)
     word = paper.ink(f"{sign} {verdict.word:<10}", "bold", *_INKS[verdict])
@@ -113,8 +125,23 @@ def _part_lines(exercise: Exercise, one: PartMark, look: Look) -> Iterator[str]:
     yield from (f"    {line}" for line in _cells(mark, paper))
     if exercise.shows_expected and verdict.passed is not True and mark.expected:
         yield f"    right: {paper.spell(mark.expected)}"
+    if mark.diagnosis is not None:
+        yield from (f"    {paper.spell(line)}" for line in _why(mark.diagnosis, named=marked.why))
     if verdict in (Verdict.WRONG, Verdict.CLOSE) and one.part.hints and "/" in exercise.id:
         yield paper.ink(f"    a hint: dhcli hint {exercise.id} --part {one.part.id}", "dim")
+
+
+def _why(found: Diagnosis, *, named: bool) -> Iterator[str]:
+    """Where to look; by name where a person has asked."""
+    if not found.causes:
+        return
+    if not named:
+        more = f"; and {len(found.hints) - MOST_HINTS} more" if len(found.hints) > MOST_HINTS else ""
+        yield "; ".join(found.hints[:MOST_HINTS]) + f"{more} (--why names the slip)"
+        return
+    if len(found.names) > 1:
+        yield "each of these alone gives just your answer:"
+    yield from (f"why: {name}" if len(found.names) == 1 else f"  - {name}" for name in found.names)
 
 
 def _reading(mark: Mark, paper: Paper) -> Iterator[str]:

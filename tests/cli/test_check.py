@@ -74,7 +74,8 @@ def test_json_has_exactly_its_keys(dhcli: Run) -> None:
     assert set(part) == PART
     assert set(part["cause"]) == CAUSE
     assert part["cause"]["expected"] is None
-    assert part["cause"]["diagnosis"] is None
+    assert set(part["cause"]["diagnosis"]) == {"causes", "follows"}
+    assert part["cause"]["diagnosis"]["causes"][0][0]["name"] == "misprint"
     assert "misprint" in part["cause"]["rationale"][0]
     assert (part["part"], part["verdict"], part["passed"], part["credit"]) == ("a1", "WRONG", False, 2)
     assert part["earned"] == pytest.approx(5 / 6 * 2)

@@ -1,7 +1,7 @@
 """The mistakes that dhcli knows, each a record: how it is made, what it is called, and where a student should look.
 
 To add one is to add a record to `MISTAKES`. In a pair the earlier level is made first. Of two mistakes that are the
-same wherever one looks, such as the transpose of a plain turn and the turn the other way, the earlier record has the name.
+same wherever one looks, such as the transpose of a plain turn and the turn the other way, the earlier has the name.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from enum import IntEnum
 from typing import TypeAlias
 
 from dhcli.checking.diagnosis import matrices, moves, products, rows
+from dhcli.checking.diagnosis.result import Rank
 from dhcli.checking.diagnosis.work import Setting, Work
 
 Made: TypeAlias = Iterator[tuple[str, Work]]
@@ -24,14 +25,6 @@ class Level(IntEnum):
     TABLE = 1
     PRODUCT = 2
     MATRIX = 3
-
-
-class Rank(IntEnum):
-    """How soon a mistake is named where several give the same answer: what is plain before what is far-fetched."""
-
-    WHOLE = 0
-    PLACE = 1
-    SYMPTOM = 2
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,10 +13,10 @@ from functools import cached_property
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.diagnosis.slips import Candidate, candidates, setting_of
-from dhcli.checking.diagnosis.work import Bench, Matrix, right_work
+from dhcli.checking.diagnosis.work import Bench, Matrix, Work, right_work
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.questions import MatrixQuestion
-from dhcli.checking.truth import chain_of
+from dhcli.checking.truth import chain_of, is_length
 from dhcli.kinematics.moves import names
 from dhcli.kinematics.robot import Value
 from dhcli.kinematics.values import numbers
@@ -37,13 +37,14 @@ class Search:
         """Evaluate the right work, and every one with a single mistake."""
         self.setting = setting_of(exercise)
         self.right = right_work(question, exercise.robot)
-        self._chain_names = names(chain_of(question, exercise.robot)).union(*(symbols(e) for e in question.point))
+        needed = names(chain_of(question, exercise.robot)).union(*(symbols(e) for e in question.point))
         known = dict(exercise.values)
-        self.is_known = exercise.numeric and self._chain_names <= known.keys()
+        self.is_known = exercise.numeric and needed <= known.keys()
+        self.names = needed.union(known, exercise.scope.names)
         held = {name: v for name, v in known.items() if not (exercise.robot and name in exercise.robot.variables)}
-        self.general = Bench(self.right, point(self._chain_names, held, SEED))
+        self.general = Bench(self.right, point(self.names, held, SEED))
         seeds = (0,) if self.is_known else (SEED + 1, SEED + 2)
-        self.points = tuple(point(self._chain_names | known.keys(), known, seed) for seed in seeds)
+        self.points = tuple(point(self.names, known, seed) for seed in seeds)
         self.benches = tuple(Bench(self.right, over) for over in self.points)
         self.truth = tuple(bench.entries(self.right) for bench in self.benches)
         self.tolerance = (exercise.tolerance.rotation, exercise.tolerance.position or 1e-3 * self._size())
@@ -57,10 +58,7 @@ class Search:
     @cached_property
     def hidden(self) -> tuple[Candidate, ...]:
         """Single mistakes whose answer here is right, though at other joint values it is not."""
-        right = self.general.entries(self.right)
-        return tuple(
-            one for one in self.singles if self._is_right(one) and not same(self.general.entries(one.work), right)
-        )
+        return tuple(one for one in self.singles if self._is_right(one))
 
     @cached_property
     def pairs(self) -> tuple[Candidate, ...]:
@@ -74,9 +72,9 @@ class Search:
                     found.append(two)
         return tuple(found)
 
-    def entries(self, work: object) -> Entries:
+    def entries(self, work: Work) -> Entries:
         """What a work leads to at the values of the task."""
-        return self.benches[0].entries(work)  # type: ignore[arg-type]
+        return self.benches[0].entries(work)
 
     def causes(self, typed: Sequence[Entries], slack: Entries) -> tuple[Candidate, ...]:
         """The single mistakes that give an answer; if there are none, the pairs that do; the plainest first.
@@ -100,33 +98,27 @@ class Search:
         ) and not all(matches(r, b.entries(one.work), slack) for r, b in zip(self.truth, self.benches, strict=True))
 
     def _is_right(self, one: Candidate) -> bool:
+        """Whether the answer of a candidate counts as right at every point."""
         rotation, position = self.tolerance if self.is_known else (SAME, SAME)
-        limit = max(rotation, position) if self.right.question.piece in ("pose", "entry") else 0.0
-        for bench, truth in zip(self.benches, self.truth, strict=True):
-            entries = bench.entries(one.work)
-            for r, row in enumerate(entries):
-                for c, value in enumerate(row):
-                    near = position if (c == 3 or len(row) == 1) else rotation  # noqa: PLR2004  the position
-                    if len(row) == 1 and self.right.question.piece in ("axis", "entry"):
-                        near = min(rotation, limit or rotation)
-                    if abs(value - truth[r][c]) > near:
-                        return False
-        return True
+        limits = tuple(
+            tuple(position if is_length(self.right.question, r, c) else rotation for c in range(len(row)))
+            for r, row in enumerate(self.truth[0])
+        )
+        return all(matches(t, b.entries(one.work), limits) for t, b in zip(self.truth, self.benches, strict=True))
 
     def _distinct(self, found: Iterator[Candidate]) -> tuple[Candidate, ...]:
         """Mistakes that change something, each of those that are the same everywhere under its first name."""
         kept: list[Candidate] = []
         known = [self.general.matrix(self.right)]
+        right = self.general.entries(self.right)
         for one in found:
-            matrix = (self.general.matrix(one.work), one.work.question.piece)
-            entries = self.general.entries(one.work)
-            moved = matrix[1] != self.right.question.piece
-            if (moved or not any(same(matrix[0], other) for other in known)) and (
-                self.is_known or not same(entries, self.general.entries(self.right))
-            ):
+            if one.work.question is not self.right.question:  # another piece of the same matrix
                 kept.append(one)
-                if not moved:
-                    known.append(matrix[0])
+                continue
+            matrix = self.general.matrix(one.work)
+            if not any(same(matrix, other) for other in known) and not same(self.general.entries(one.work), right):
+                kept.append(one)
+                known.append(matrix)
         return tuple(kept)
 
     def _different(self, found: Iterator[Candidate]) -> Iterator[Candidate]:

@@ -5,33 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from dhcli.checking.diagnosis.mistakes import MISTAKES, Level, Mistake, Rank
+from dhcli.checking.diagnosis.mistakes import MISTAKES, Level, Mistake
+from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.diagnosis.work import Setting, Step, Work, right_work, terms
 from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.questions import CountQuestion, MatrixQuestion, TableQuestion
+from dhcli.checking.questions import CountQuestion, MatrixQuestion, Span, TableQuestion
 from dhcli.checking.tables.cells import table_text
 from dhcli.checking.truth import is_length
 from dhcli.errors import DhcliError, UnknownNameError, did_you_mean
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.writer import write
-
-
-@dataclass(frozen=True, slots=True)
-class Slip:
-    """A mistake in its place.
-
-    Attributes:
-        name: What exercises call it, such as `alpha-sign 2`.
-        words: What has happened.
-        hint: Where to look, without the answer.
-        rank: How soon it is named.
-    """
-
-    name: str
-    words: str
-    hint: str
-    rank: Rank = Rank.PLACE
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,8 +130,6 @@ def table_candidates(exercise: Exercise, question: TableQuestion) -> tuple[Candi
 
 def table_work(robot: Robot) -> Work:
     """The rows of a robot, to make mistakes in."""
-    from dhcli.checking.questions import Span
-
     steps = tuple(Step(str(link.number), link.moves, link.row) for link in robot.links)
     return Work(MatrixQuestion(Span(robot.frames[1], robot.frames[-2])), steps)
 

@@ -1,0 +1,88 @@
+"""The cause of a wrong answer: a misprint copied, one mistake, two, or none that is known; never a guess."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from dhcli.checking.diagnosis.result import Diagnosis, Slip
+from dhcli.checking.diagnosis.search import matches, point
+from dhcli.checking.diagnosis.slips import count_slips, table_candidates, table_work
+from dhcli.checking.diagnosis.typed import typed_answer
+from dhcli.checking.diagnosis.work import Bench
+from dhcli.checking.exercise import Exercise, Part
+from dhcli.checking.questions import CountQuestion, MatrixQuestion, TableQuestion
+from dhcli.checking.reading import UnreadableError
+from dhcli.checking.tables.cells import own_values, settled
+from dhcli.checking.tables.reading import read_table
+from dhcli.checking.verdicts import Mark, Verdict
+from dhcli.errors import DhcliError
+from dhcli.kinematics.conventions import moves_of
+from dhcli.kinematics.fold import fold
+from dhcli.kinematics.moves import names
+
+MISPRINT = Slip(
+    "misprint", "this is what the document prints; it is a misprint", "the document may be wrong: work it out yourself"
+)
+MOTION = 2e-3
+"""What two tables of the same motion may differ by, at lengths and angles near 1."""
+
+
+def diagnosed(exercise: Exercise, part: Part, answer: str, mark: Mark) -> Mark:
+    """A mark with its diagnosis, where the answer is wrong or only close."""
+    if mark.verdict not in (Verdict.WRONG, Verdict.CLOSE):
+        return mark
+    found = diagnose(exercise, part, answer, mark)
+    return replace(mark, diagnosis=found) if found.causes else mark
+
+
+def diagnose(exercise: Exercise, part: Part, answer: str, mark: Mark) -> Diagnosis:
+    """Every cause that gives just the answer typed, the plainest kind; no cause where none is known."""
+    if any("it is a misprint" in remark for remark in mark.remarks):
+        return Diagnosis(((MISPRINT,),))
+    try:
+        match part.question:
+            case MatrixQuestion():
+                return Diagnosis(_of_matrix(exercise, part, part.question, answer))
+            case TableQuestion():
+                return Diagnosis(_of_table(exercise, part, part.question, answer))
+            case CountQuestion():
+                found = count_slips(part.question)
+                return Diagnosis(tuple((slip,) for slip, value in found if str(value) == mark.reading))
+    except (UnreadableError, DhcliError):
+        pass  # what cannot be read has been told already
+    return Diagnosis()
+
+
+def _of_matrix(exercise: Exercise, part: Part, question: MatrixQuestion, answer: str) -> tuple[tuple[Slip, ...], ...]:
+    typed = typed_answer(exercise, part, question, answer)
+    if typed is None:
+        return ()
+    for slack in typed.slacks:
+        causes = typed.search.causes(typed.values, slack)
+        if causes:
+            return tuple(cause.slips for cause in causes)
+    return ()
+
+
+def _of_table(exercise: Exercise, part: Part, question: TableQuestion, answer: str) -> tuple[tuple[Slip, ...], ...]:
+    """Mistakes in one row of the right table that give the motion of the one typed."""
+    robot = exercise.robot
+    if robot is None:
+        return ()
+    tolerance = part.tolerance or exercise.tolerance
+    rows = [settled(r.row, tolerance) for r in read_table(answer, robot, exercise.scope, robot.columns, exercise.unit)]
+    chain = tuple(move for row in rows for move in moves_of(row, question.convention))
+    right = table_work(robot)
+    free = names(chain) | names(tuple(move for step in right.steps for move in step.chain))
+    known = {name: v for name, v in own_values(exercise).items() if name not in robot.variables}
+    overs = [point(free, known, seed) for seed in (3, 4)]
+    benches = [Bench(right, over) for over in overs]
+    typed = [fold(chain, over) for over in overs]
+    slack = tuple(tuple(MOTION for _ in row) for row in typed[0])
+    found = []
+    for candidate in table_candidates(exercise, question):
+        given = [bench.matrix(candidate.work) for bench in benches]
+        is_right = all(matches(b.matrix(right), m, slack) for b, m in zip(benches, given, strict=True))
+        if not is_right and all(matches(t, m, slack) for t, m in zip(typed, given, strict=True)):
+            found.append(candidate.slips)
+    return tuple(found)

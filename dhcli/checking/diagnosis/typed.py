@@ -1,0 +1,65 @@
+"""An answer about a matrix as numbers, at each point where a search compares it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dhcli.checking.diagnosis.search import SAME, Entries, Search, search_of
+from dhcli.checking.exercise import Exercise, Part
+from dhcli.checking.questions import MatrixQuestion
+from dhcli.checking.reading import Entry, read_entries
+from dhcli.checking.symbolic import has_decimals
+from dhcli.checking.tolerance import typed_decimals, without_unit
+from dhcli.checking.truth import is_length
+from dhcli.notation.walk import symbols
+
+ROUGH = 1e-3
+"""What decimals in the place of exact values may be off, as a share."""
+
+
+@dataclass(frozen=True, slots=True)
+class Typed:
+    """An answer in numbers.
+
+    Attributes:
+        search: The search that it is compared in.
+        values: Its entries at each point.
+        slacks: What each entry may be off: by the digits typed, then by the tolerance of the task.
+    """
+
+    search: Search
+    values: tuple[Entries, ...]
+    slacks: tuple[Entries, ...]
+
+
+def typed_answer(exercise: Exercise, part: Part, question: MatrixQuestion, answer: str) -> Typed | None:
+    """An answer in numbers; None where it holds a name that has no value.
+
+    Raises:
+        UnreadableError: It cannot be read.
+    """
+    search = search_of(exercise, question)
+    entries = read_entries(question, exercise, answer)
+    if any(not symbols(entry.expr) <= search.names for row in entries for entry in row):
+        return None
+    values = tuple(tuple(tuple(over.value(e.expr) for e in row) for row in entries) for over in search.points)
+    if not search.is_known:
+        shares = [[ROUGH if has_decimals(entry.expr) else SAME for entry in row] for row in entries]
+        pairs = (zip(r, v, strict=True) for r, v in zip(shares, values[0], strict=True))
+        return Typed(search, values, (tuple(tuple(share * (1 + abs(v)) for share, v in row) for row in pairs),))
+    rotation = (part.tolerance or exercise.tolerance).rotation
+    near, far = [], []
+    for r, row in enumerate(entries):
+        lengths = [is_length(question, r, c) for c in range(len(row))]
+        units = [float(exercise.metres) if length else 1.0 for length in lengths]
+        near.append(tuple(_half_unit(entry, unit) for entry, unit in zip(row, units, strict=True)))
+        limits = [search.tolerance[1] if length else rotation for length in lengths]
+        far.append(tuple(max(a, b) for a, b in zip(near[-1], limits, strict=True)))
+    return Typed(search, values, (tuple(near), tuple(far)))
+
+
+def _half_unit(entry: Entry, unit: float) -> float:
+    """Half a unit of the last digit typed; nothing to speak of for an exact value."""
+    number, unit = without_unit(entry.typed, unit)
+    places = typed_decimals(number)
+    return SAME if places is None else unit * (0.5 * 10.0**-places * (1 + SAME)) + SAME

@@ -1,0 +1,153 @@
+from functools import cache
+
+import pytest
+
+from dhcli import check, load_exercise, load_robot
+from dhcli.checking.diagnosis.diagnosis import diagnosed
+from dhcli.checking.diagnosis.mistakes import BY_ID, MISTAKES
+from dhcli.checking.diagnosis.slips import answer_with, hidden, slips
+from dhcli.checking.exercise import Exercise, question_about
+from dhcli.checking.marking import expected, mark
+from dhcli.checking.sheetmark import mark_sheet
+from dhcli.checking.verdicts import Verdict
+from dhcli.errors import UnknownNameError
+
+ROBOTS = ("scara", "scara-yim", "stanford", "puma560", "zhou-3r")
+
+
+@cache
+def about(name: str, *, numeric: bool = False) -> Exercise:
+    """The pose of a robot as an exercise."""
+    robot = load_robot(name)
+    given = {}
+    if numeric:
+        from dhcli.kinematics.values import joint_values
+
+        typed = [f"{25 + 12 * k}°" if j.kind == "revolute" else f"{0.1 + 0.05 * k}" for k, j in enumerate(robot.joints)]
+        given = joint_values(robot, ",".join(typed))
+    return question_about(robot, robot.frames[1], robot.frames[-2], numeric=numeric, given=given)
+
+
+@pytest.mark.parametrize("name", ROBOTS)
+@pytest.mark.parametrize("numeric", [False, True])
+def test_each_mistake_applied_to_the_truth_is_named(name: str, *, numeric: bool) -> None:
+    """Whatever one mistake makes is wrong, and among the causes named stands one that makes just that."""
+    exercise = about(name, numeric=numeric)
+    part = exercise.parts[0]
+    every = slips(exercise, part)
+    assert len(every) > 20
+    for slip in every:
+        answer = answer_with(exercise, part, slip.name)
+        judged = mark(exercise, part, answer)
+        if slip.name == "position-as-row":
+            assert judged.verdict is Verdict.CANNOT_READ
+            continue
+        assert judged.verdict in (Verdict.WRONG, Verdict.CLOSE), slip.name
+        found = diagnosed(exercise, part, answer, judged).diagnosis
+        assert found is not None, slip.name
+        for cause in found.causes:
+            assert len(cause) == 1
+            other = answer_with(exercise, part, cause[0].name)
+            assert slip.name == cause[0].name or other == answer or numeric, (slip.name, found.ids)
+
+
+@pytest.mark.parametrize("name", ROBOTS)
+def test_the_right_answer_has_no_diagnosis(name: str) -> None:
+    """Nothing is said of what is right."""
+    exercise = about(name)
+    part = exercise.parts[0]
+    answer = expected(exercise, part)
+    assert diagnosed(exercise, part, answer, mark(exercise, part, answer)).diagnosis is None
+
+
+def test_two_slips_at_once_are_named_together() -> None:
+    """No single mistake gives this answer; two do."""
+    exercise = load_exercise("scara-rrpr")
+    part = next(one for one in exercise.parts if one.id == "t04")
+    answer = "[c124 s124 0 a1*c1 - a2*c12; s124 -c124 0 a1*s1 - a2*s12; 0 0 -1 d3-d4; 0 0 0 1]"
+    answer = answer.replace("c124", "c(theta1+theta2-theta4)").replace("s124", "s(theta1+theta2-theta4)")
+    found = check(exercise, part.id, answer).diagnosis
+    assert found is not None
+    assert ("a-sign 2", "d-sign 3") in [tuple(slip.name for slip in cause) for cause in found.causes]
+
+
+def test_an_answer_that_no_mistake_explains_gets_no_name() -> None:
+    """Never a guess."""
+    exercise = about("scara-yim")
+    answer = "[c1 s2 0 a1; s1 c2 0 a2; 0 0 1 d3*d3; 0 0 0 1]"
+    assert check(exercise, "pose", answer).diagnosis is None
+
+
+def test_a_part_that_is_right_from_an_earlier_wrong_one_keeps_its_credit() -> None:
+    """The slip is named where it was made."""
+    exercise = load_exercise("three-r-arm-tip")
+    marked = mark_sheet(
+        exercise,
+        {
+            "t12": "[c2 -s2 0 b*c2; s2 c2 0 b*s2; 0 0 1 0; 0 0 0 1]",
+            "t02": "[c12 -s12 0 a*c1 + b*c12; s12 c12 0 a*s1 + b*s12; 0 0 1 0; 0 0 0 1]",
+        },
+    )
+    marks = {one.part.id: one.mark for one in marked.parts}
+    assert marks["t12"].diagnosis is not None
+    assert marks["t12"].diagnosis.ids == ("misprint",)
+    assert marks["t12"].earned == 0
+    assert (marks["t02"].verdict, marks["t02"].earned) == (Verdict.WRONG, 1)
+    assert marks["t02"].diagnosis is not None
+    assert marks["t02"].diagnosis.follows == ("t12",)
+
+
+def test_a_later_part_that_is_wrong_by_itself_earns_what_is_right_in_it() -> None:
+    """It does not follow from the earlier answer."""
+    exercise = load_exercise("three-r-arm-tip")
+    answers = {"t12": "[c2 -s2 0 b*c2; s2 c2 0 b*s2; 0 0 1 0; 0 0 0 1]", "t02": "[c1 0 0 a; 0 1 0 b; 0 0 1 0; 0 0 0 1]"}
+    marks = {one.part.id: one.mark for one in mark_sheet(exercise, answers).parts}
+    assert marks["t02"].earned < 1
+
+
+def test_a_slip_in_a_table_is_named() -> None:
+    """By the motion of the table typed."""
+    found = check(load_exercise("three-r-arm-tip"), "table", "[a 0 0 θ1; b 90° 0 θ2; 0 0 0 θ3]").diagnosis
+    assert found is not None
+    assert found.ids == ("alpha-sign 2",)
+
+
+def test_a_slip_in_a_count_is_named() -> None:
+    """The ground that was not counted."""
+    exercise = load_exercise("counting-freedoms")
+    part = next(p for p in exercise.parts if slips(exercise, p))
+    slip = slips(exercise, part)[0]
+    found = check(exercise, part.id, answer_with(exercise, part, slip.name)).diagnosis
+    assert found is not None
+    assert slip.name in found.ids
+
+
+def test_a_planar_arm_at_zero_hides_many_mistakes() -> None:
+    """At a general pose it hides none of them."""
+    robot = load_robot("scara-yim")
+    from dhcli.kinematics.values import joint_values
+
+    def at(q: str) -> set[str]:
+        exercise = question_about(robot, "0", "4", numeric=True, given=joint_values(robot, q))
+        return {slip.name for slip in hidden(exercise, exercise.parts[0])}
+
+    at_zero, general = at("0,0,0,0"), at("25°,40°,0.1,65°")
+    assert {"theta-sign 1", "theta-sign 2"} <= at_zero
+    assert "theta-sign 1" not in general
+    assert len(general) < len(at_zero)
+
+
+def test_an_unknown_mistake_is_refused_with_the_nearest() -> None:
+    """Authors mistype too."""
+    exercise = about("puma560")
+    with pytest.raises(UnknownNameError, match="alpha-sine 2") as caught:
+        answer_with(exercise, exercise.parts[0], "alpha-sine 2")
+    assert "alpha-sign 2" in caught.value.problems[0].hint
+
+
+def test_every_record_has_a_name_of_its_own_and_tells_where_to_look() -> None:
+    """Words and hint of each can be filled in."""
+    assert len(BY_ID) == len(MISTAKES)
+    for mistake in MISTAKES:
+        assert mistake.words.format(where="2", row="2")
+        assert mistake.hint.format(where="2", row="2") != mistake.words
