@@ -1,0 +1,104 @@
+"""The report of a class for the person who teaches it: parts, slips, the credit earned, and what is left over."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import groupby
+
+from dhcli.checking.verdicts import Verdict
+from dhcli.classroom.grading import Graded
+from dhcli.classroom.report import STEPS, ClassReport, PartFigures
+from dhcli.render.look import Look
+from dhcli.render.marks import plain
+from dhcli.render.paper import Paper
+from dhcli.render.table import table_text
+
+_SLIPS = 3
+"""Slips of a part that the page shows; JSON has all of them."""
+_BAR = 30
+"""Longest bar of the distribution."""
+
+
+def class_table(report: ClassReport, look: Look) -> str:
+    """A table for each exercise, the commonest slips, the distribution, and the sheets that were not graded."""
+    paper = look.paper
+    sections = [_summary(report, paper)]
+    for exercise, figures in groupby(report.parts, key=lambda one: one.exercise):
+        parts = list(figures)
+        sections.append(_head(f"{exercise} · {_sheets(sum(parts[0].verdicts.values()))}", paper) + _parts(parts, paper))
+        if any(part.slips for part in parts):
+            sections.append(_head("Commonest slips", paper) + _slips(parts, paper))
+    if report.mean is not None:
+        sections.append(_head(f"Credit earned, {_percent(report.mean)} on average", paper) + _spread(report, paper))
+    if report.failed:
+        rows = [(row.sheet, _reason(row)) for row in report.failed]
+        sections.append(_head("Not graded", paper) + table_text(["sheet", "why"], rows, paper, cut="why"))
+    if report.folder.empty:
+        names = "".join(f"  {paper.spell(name)}\n" for name in report.folder.empty)
+        sections.append(_head("Folders without a sheet", paper) + names)
+    return "\n".join(sections)
+
+
+def _summary(report: ClassReport, paper: Paper) -> str:
+    text = f"{report.folder.path}: {_sheets(len(report.rows))}, {len(report.graded)} graded"
+    if report.failed:
+        text += f", {len(report.failed)} not"
+    return f"{paper.ink(paper.spell(text), 'bold')}\n"
+
+
+def _head(text: str, paper: Paper) -> str:
+    return f"{paper.ink(paper.spell(text), 'bold')}\n"
+
+
+def _parts(parts: list[PartFigures], paper: Paper) -> str:
+    """Verdicts of each part; a verdict that nobody got has no column."""
+    seen = [verdict for verdict in Verdict if any(verdict in part.verdicts for part in parts)]
+    rows = [
+        (
+            *(part.part, plain(part.credit), plain(part.mean)),
+            *(str(part.verdicts.get(verdict, "")) for verdict in seen),
+        )
+        for part in parts
+    ]
+    return table_text(["part", "credit", "mean", *(verdict.word for verdict in seen)], rows, paper)
+
+
+def _slips(parts: list[PartFigures], paper: Paper) -> str:
+    rows = [
+        (part.part, f"{count} of {sum(part.verdicts.values())}", slip)
+        for part in parts
+        for slip, count in part.slips[:_SLIPS]
+    ]
+    return table_text(["part", "sheets", "slip"], rows, paper, cut="slip")
+
+
+def _spread(report: ClassReport, paper: Paper) -> str:
+    most = max(report.spread)
+    sign = "█" if paper.unicode else "#"
+    return "".join(
+        f"  {name:>9}  {sign * -(-count * _BAR // max(most, _BAR))} {count}\n"
+        for name, count in zip(_steps(), report.spread, strict=True)
+    )
+
+
+def _steps() -> Iterator[str]:
+    """What the classes of the distribution are called."""
+    for low, high in zip(STEPS, (*STEPS[1:], None), strict=True):
+        yield f"{low} %" if high is None else f"{low}-{high - 1} %"
+
+
+def _reason(row: Graded) -> str:
+    """The first problem with its line, and how many more there are."""
+    first = row.problems[0]
+    numbers = (first.place.line, first.place.column) if first.place else ()
+    where = ":".join(str(number) for number in numbers if number is not None)
+    more = f" (and {len(row.problems) - 1} more)" if len(row.problems) > 1 else ""
+    return f"{where}{': ' if where else ''}{first.message}{more}"
+
+
+def _sheets(count: int) -> str:
+    return f"{count} sheet{'s' * (count != 1)}"
+
+
+def _percent(share: float) -> str:
+    return f"{100 * share:.0f} %"
