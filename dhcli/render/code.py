@@ -19,7 +19,7 @@ from dhcli.render.paper import Paper
 
 _SPELLING = {"csv": "sympy", "json": "sympy"}
 """Formats whose formulas are spelled as another one spells them."""
-_FORMULA = "=+-@＝＋－＠"  # noqa: RUF001  the wide ones begin a formula as well
+_FORMULA = tuple("=+-@＝＋－＠")  # noqa: RUF001  the wide ones begin a formula as well
 
 
 def entry(value: Expr | float, joints: Joints, look: Look) -> str:
@@ -98,8 +98,8 @@ def harmless(text: str) -> str:
 
     Source: OWASP, CSV injection: an apostrophe before what begins like one; full-width signs count too.
     """
-    begins = text.lstrip()[:1] or text[:1]
-    return Paper().spell(f"'{text}" if begins in _FORMULA or text[:1] in "\t\r\n" else text)
+    is_formula = text.lstrip().startswith(_FORMULA) or text.startswith(("\t", "\r", "\n"))
+    return Paper().spell(f"'{text}" if is_formula else text)
 
 
 def variable(name: str) -> str:

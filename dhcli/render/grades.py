@@ -75,9 +75,10 @@ def _slips(parts: list[PartFigures], paper: Paper) -> str:
 def _spread(report: ClassReport, paper: Paper) -> str:
     most = max(report.spread)
     sign = "█" if paper.unicode else "#"
+    bars = [sign * -(-count * _BAR // max(most, _BAR)) for count in report.spread]
     return "".join(
-        f"  {name:>9}  {sign * -(-count * _BAR // max(most, _BAR))} {count}\n"
-        for name, count in zip(_steps(), report.spread, strict=True)
+        f" {name:>7}   {bar}{' ' * bool(bar)}{count}\n"
+        for name, bar, count in zip(_steps(), bars, report.spread, strict=True)
     )
 
 
