@@ -63,9 +63,7 @@ def grade(
     if name == "gradescope":
         _check_single(found)
     if exercise is not None:
-        from dhcli.files.exercises import load_exercise
-
-        load_exercise(exercise)
+        _check_exercise(exercise)
     with progress("grading", len(found.submissions), sys.stderr) as tell:
         rows = grade_all(found.submissions, exercise, jobs=jobs or _processors(), timeout=seconds, tell=tell)
     report = report_on(found, rows)
@@ -81,6 +79,17 @@ def _check_single(found: Folder) -> None:
         message = f"holds {len(found.submissions)} sheets, and Gradescope wants the results of one"
         hint = "name the folder of one submission; --format csv has the whole class"
         raise DhcliError(Problem(message, Place(found.path), hint))
+
+
+def _check_exercise(name: str) -> None:
+    """Make sure that every process will find the exercise."""
+    from dhcli.errors import DhcliError, Place, Problem
+    from dhcli.files.exercises import load_exercise
+
+    if name == "-":
+        hint = "save it and name the file"
+        raise DhcliError(Problem("each process reads the exercise, standard input only one", Place("--exercise"), hint))
+    load_exercise(name)
 
 
 def _seconds(text: str) -> float:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import groupby
+from textwrap import wrap
 
 from dhcli.checking.verdicts import Verdict
 from dhcli.classroom.grading import Graded
@@ -17,6 +18,8 @@ _SLIPS = 3
 """Slips of a part that the page shows; JSON has all of them."""
 _BAR = 30
 """Longest bar of the distribution."""
+_LEAST = 20
+"""Fewest columns that a text is folded to."""
 
 
 def class_table(report: ClassReport, look: Look) -> str:
@@ -31,10 +34,10 @@ def class_table(report: ClassReport, look: Look) -> str:
     if report.mean is not None:
         sections.append(_head(f"Credit earned, {_percent(report.mean)} on average", paper) + _spread(report, paper))
     if report.failed:
-        rows = [(row.sheet, _reason(row)) for row in report.failed]
-        sections.append(_head("Not graded", paper) + table_text(["sheet", "why"], rows, paper, cut="why"))
+        reasons = (f" {paper.spell(row.sheet)}\n{_folded(_reason(row), '   ', paper)}" for row in report.failed)
+        sections.append(_head("Not graded", paper) + "".join(reasons))
     if report.folder.empty:
-        names = "".join(f"  {paper.spell(name)}\n" for name in report.folder.empty)
+        names = "".join(f" {paper.spell(name)}\n" for name in report.folder.empty)
         sections.append(_head("Folders without a sheet", paper) + names)
     return "\n".join(sections)
 
@@ -64,12 +67,23 @@ def _parts(parts: list[PartFigures], paper: Paper) -> str:
 
 
 def _slips(parts: list[PartFigures], paper: Paper) -> str:
+    """The commonest slips of each part, with how many sheets have them."""
     rows = [
         (part.part, f"{count} of {sum(part.verdicts.values())}", slip)
         for part in parts
         for slip, count in part.slips[:_SLIPS]
     ]
-    return table_text(["part", "sheets", "slip"], rows, paper, cut="slip")
+    widths = [max(len(row[k]) for row in rows) for k in (0, 1)]
+    heads = (f" {part.ljust(widths[0])}   {count.rjust(widths[1])}   " for part, count, _ in rows)
+    return "".join(_folded(slip, head, paper) for head, (_, _, slip) in zip(heads, rows, strict=True))
+
+
+def _folded(text: str, head: str, paper: Paper) -> str:
+    """A text behind what stands before it, folded to the width of a terminal; what is piped is not folded."""
+    text = paper.spell(text)
+    room = max(paper.width - len(head) - 1, _LEAST) if paper.terminal else len(text) + 1
+    lines = wrap(text, room) or [""]
+    return "".join(f"{(' ' * len(head) if i else head)}{line}\n" for i, line in enumerate(lines))
 
 
 def _spread(report: ClassReport, paper: Paper) -> str:
@@ -89,12 +103,13 @@ def _steps() -> Iterator[str]:
 
 
 def _reason(row: Graded) -> str:
-    """The first problem with its line, and how many more there are."""
+    """The first problem with its line and its hint, and how many more there are."""
     first = row.problems[0]
     numbers = (first.place.line, first.place.column) if first.place else ()
     where = ":".join(str(number) for number in numbers if number is not None)
     more = f" (and {len(row.problems) - 1} more)" if len(row.problems) > 1 else ""
-    return f"{where}{': ' if where else ''}{first.message}{more}"
+    hint = f"; {first.hint}" if first.hint else ""
+    return f"{where}{': ' if where else ''}{first.message}{hint}{more}"
 
 
 def _sheets(count: int) -> str:

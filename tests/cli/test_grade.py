@@ -51,6 +51,7 @@ def test_a_sheet_that_cannot_be_read_ends_with_1(dhcli: Run) -> None:
         ("grade hw --timeout -1s", "-1s is no time"),
         ("grade hw --jobs 0", "0 is not in the range"),
         ("grade hw --exercise nothing", "there is no exercise 'nothing'"),
+        ("grade hw --exercise -", "standard input only one"),
         ("grade hw --format latex", "there is no format latex for a class"),
         ("grade hw --format gradescope", "holds 2 sheets, and Gradescope wants the results of one"),
         ("grade hw -o hw/1/a.yaml", "does not say which format"),

@@ -100,6 +100,16 @@ def test_a_bar_is_as_long_as_its_count_until_there_is_no_room(sheets: int, longe
     assert "0-19 %   # 1\n" in text
 
 
+def test_a_long_text_is_folded_on_a_terminal_only() -> None:
+    """What is piped can be searched line by line."""
+    slip = " ".join(["word"] * 30)
+    rows = report(Graded("1", "1", "x/y", "", (PartGrade("a", Verdict.WRONG, 0, 1, slips=(slip,)),)))
+    assert f" a   1 of 1   {slip}\n" in render("class", rows, Look())
+    text = render("class", rows, Look(paper=Paper(width=60, terminal=True)))
+    assert max(map(len, text.split("\n"))) < 60
+    assert " ".join(text.split()).count("word") == 30
+
+
 def test_results_of_gradescope_have_the_fields_of_its_specification() -> None:
     """`score` and `tests`, each with a score, its maximum, a name and what the student reads."""
     parts = list(
