@@ -164,6 +164,13 @@ def _exercise_of(sheet: Sheet, only: str | None, written: str) -> Exercise:
         exercise = _of_library(sheet.exercise)
     else:
         raise DhcliError("exercise: is missing", "--exercise says which one it is")
+    return _varied(exercise, sheet.variant)
+
+
+def _varied(exercise: Exercise, variant: str) -> Exercise:
+    """The exercise with the numbers of a variant: judged by others, a right sheet would be wrong."""
+    if variant:
+        raise DhcliError(f"variant: {exercise.id} has no variants", "leave the line out")
     return exercise
 
 
