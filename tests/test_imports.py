@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+CLASS = Path(__file__).parent / "data" / "class"
+
 _REPORT = """
 import atexit, json, sys
 
@@ -57,6 +59,7 @@ def test_the_report_names_a_module_that_is_imported(tmp_path: Path) -> None:
         "dof 6R",
         "list exercises",
         "start planar-two-links -o -",
+        f"grade {CLASS / 'student-1'}",
     ],
 )
 def test_a_command_loads_neither_numpy_nor_sympy(tmp_path: Path, command: str) -> None:

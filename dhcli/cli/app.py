@@ -20,6 +20,7 @@ COMMANDS = {
     "watch": "dhcli.cli.watch:watch",
     "hint": "dhcli.cli.hint:hint",
     "solution": "dhcli.cli.solution:solution",
+    "grade": "dhcli.cli.grade:grade",
     "show": "dhcli.cli.show:show",
     "list": "dhcli.cli.listing:list_",
     "new": "dhcli.cli.new:new",

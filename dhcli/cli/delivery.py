@@ -78,6 +78,15 @@ class Delivery:
             raise DhcliError(f"--style is for tables; {name} has its own spelling", "leave one of the two out")
         return name or "table"
 
+    def check_output(self) -> None:
+        """Make sure that the file may be written, before work begins that takes long.
+
+        Raises:
+            FileError: It exists already.
+        """
+        if self.output is not None:
+            check_free(self.output, force=self.force)
+
     def _write(self, text: str) -> None:
         if self.output is None:
             write_out(text)
@@ -105,6 +114,16 @@ def make_folder(path: Path) -> None:
         raise FileError(Problem(f"no folder can be made here: {error.strerror}", Place(str(path)))) from None
 
 
+def check_free(path: Path | str, *, force: bool) -> None:
+    """Make sure that no file of this name stands there, unless it may be overwritten.
+
+    Raises:
+        FileError: It exists already.
+    """
+    if Path(path).is_file() and not force:
+        raise FileError(Problem("exists already", Place(str(path)), "--force overwrites it"))
+
+
 def write_file(path: Path | str, text: str, *, force: bool) -> None:
     """Write a file whole or not at all.
 
@@ -113,6 +132,5 @@ def write_file(path: Path | str, text: str, *, force: bool) -> None:
     """
     from dhcli.files.atomic import write_whole
 
-    if Path(path).is_file() and not force:
-        raise FileError(Problem("exists already", Place(str(path)), "--force overwrites it"))
+    check_free(path, force=force)
     write_whole(path, text, overwrite=force)

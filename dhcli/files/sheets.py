@@ -40,10 +40,14 @@ class Sheet:
     Attributes:
         exercise: Id of the exercise; empty if the sheet does not say.
         answers: The answers by part.
+        variant: What its numbers were drawn with; empty for those of the file.
+        name: Who filled it in; empty if the sheet does not say.
     """
 
     exercise: str
     answers: Mapping[str, Answer]
+    variant: str = ""
+    name: str = ""
 
 
 def read_sheet(path: Path | str) -> Sheet:
@@ -57,9 +61,9 @@ def read_sheet(path: Path | str) -> Sheet:
     fields = problems.document(root, known=KEYS, required=("answers",))
     given = fields.mapping("answers")
     answers = {key: _answer(node) for key, (_, node) in given.entries.items()}
-    exercise = fields.text("exercise")
+    exercise, variant, name = (fields.text(key) for key in ("exercise", "variant", "name"))
     problems.raise_if_any(FileError)
-    return Sheet(exercise, answers)
+    return Sheet(exercise, answers, variant, name)
 
 
 @dataclass(frozen=True, slots=True)

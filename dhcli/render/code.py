@@ -15,9 +15,11 @@ from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write
 from dhcli.render.look import Look
+from dhcli.render.paper import Paper
 
 _SPELLING = {"csv": "sympy", "json": "sympy"}
 """Formats whose formulas are spelled as another one spells them."""
+_FORMULA = tuple("=+-@＝＋－＠")  # noqa: RUF001  the wide ones begin a formula as well
 
 
 def entry(value: Expr | float, joints: Joints, look: Look) -> str:
@@ -89,6 +91,15 @@ def csv_line(cells: Iterable[str]) -> str:
     text = io.StringIO()
     csv.writer(text, lineterminator="\n").writerow(cells)
     return text.getvalue()
+
+
+def harmless(text: str) -> str:
+    """A text that somebody else wrote, as a CSV cell that no spreadsheet takes for a formula.
+
+    Source: OWASP, CSV injection: an apostrophe before what begins like one; full-width signs count too.
+    """
+    is_formula = text.lstrip().startswith(_FORMULA) or text.startswith(("\t", "\r", "\n"))
+    return Paper().spell(f"'{text}" if is_formula else text)
 
 
 def variable(name: str) -> str:

@@ -36,7 +36,7 @@ def marks_table(marked: SheetMark, look: Look) -> str:
     lines = [line for part in marked.parts for line in _part_lines(marked, part, look)]
     if len(marked.parts) > 1:
         solved = sum(part.mark.verdict.passed is True for part in marked.parts)
-        credit = f"{_plain(marked.earned)} of {_plain(marked.credit)} credits"
+        credit = f"{plain(marked.earned)} of {plain(marked.credit)} credits"
         lines += ["", f"{solved} of {len(marked.parts)} parts solved, {credit}"]
     return "\n".join(lines) + "\n"
 
@@ -46,7 +46,7 @@ def marks_csv(marked: SheetMark, _look: Look) -> str:
     lines = [csv_line(["part", "verdict", "earned", "credit"])]
     for one in marked.parts:
         earned, credit = one.mark.earned * one.part.credit, one.part.credit
-        lines.append(csv_line([one.part.id, one.mark.verdict.word, _plain(earned), _plain(credit)]))
+        lines.append(csv_line([one.part.id, one.mark.verdict.word, plain(earned), plain(credit)]))
     return "".join(lines)
 
 
@@ -98,6 +98,11 @@ def solution_text(exercise: Exercise, part: Part, paper: Paper) -> str:
         if step.pose is not None:
             lines += matrix_lines(step.pose.rows, step.pose.joints, Look(paper=paper))
     return "\n".join(lines) + "\n"
+
+
+def plain(value: float) -> str:
+    """A credit for people."""
+    return f"{value:.2f}".rstrip("0").rstrip(".")
 
 
 def _diagnosis(found: Diagnosis | None) -> dict[str, Any] | None:
@@ -181,7 +186,3 @@ def _signed(cells: Sequence[CellMark], paper: Paper) -> Iterator[str]:
     widths = [max(len(row[k]) for row in rows) for k in range(columns)]
     for row in rows:
         yield "   ".join(text.rjust(width) for text, width in zip(row, widths, strict=True))
-
-
-def _plain(value: float) -> str:
-    return f"{value:.2f}".rstrip("0").rstrip(".")

@@ -1,4 +1,4 @@
-"""Benchmarks of dhcli: `python tests/bench [start-up|symbols|marking|freedoms] [--rounds N]`.
+"""Benchmarks of dhcli: `python tests/bench [start-up|symbols|marking|freedoms|classes] [--rounds N]`.
 
 Every row is measured side by side with its peer in this one run; read the ratios, not the times.
 """
@@ -8,13 +8,20 @@ from __future__ import annotations
 import argparse
 import platform
 
+import classes
 import freedoms
 import marking
 import startup
 import symbols
 from measure import table
 
-GROUPS = {"start-up": startup.rows, "symbols": symbols.rows, "marking": marking.rows, "freedoms": freedoms.rows}
+GROUPS = {
+    "start-up": startup.rows,
+    "symbols": symbols.rows,
+    "marking": marking.rows,
+    "freedoms": freedoms.rows,
+    "classes": classes.rows,
+}
 
 
 def main() -> None:

@@ -220,6 +220,9 @@ def test_the_examples_of_the_help_pages_work(dhcli: Run) -> None:
     lines = [line for text in texts for line in text.split("\n") if line.startswith("dhcli ")]
     assert len(lines) > 10
     assert dhcli("start", "planar-two-links").code == 0
+    for folder in (Path("homework-3"), Path("submission")):
+        folder.mkdir()
+        (folder / "student.yaml").write_bytes(Path("planar-two-links.sheet.yaml").read_bytes())
     Path("my-table.yaml").write_text((ROOT / "robots" / "puma560.yaml").read_text(encoding="utf-8"), encoding="utf-8")
     Path("planar-two-links.sheet.yaml").rename("blank.yaml")
     for line in sorted(lines, key=lambda line: not line.startswith("dhcli start")):

@@ -1,0 +1,1 @@
+"""A folder of sheets graded, and files of a course linted."""

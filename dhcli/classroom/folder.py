@@ -1,0 +1,106 @@
+"""Finding the sheets of a class: in a folder, or in a folder for each student as learning platforms pack them."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from dhcli.errors import FileError, Place, Problem, nearest
+
+_SUFFIXES = (".yaml", ".yml")
+_SHEET = ".sheet"
+_PACKED_BY_MACOS = "__MACOSX"
+
+
+@dataclass(frozen=True, slots=True)
+class Submission:
+    """One sheet that was handed in.
+
+    Attributes:
+        path: The file.
+        sheet: Its path below the folder of the class, with `/`.
+        student: Who handed it in, going by folder or file; the sheet may know better.
+        problem: What keeps it from being read at all; empty if nothing is known to.
+    """
+
+    path: str
+    sheet: str
+    student: str
+    problem: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Folder:
+    """What a class has handed in.
+
+    Attributes:
+        path: The folder as the user wrote it.
+        submissions: The sheets, by their path.
+        empty: Folders of students that hold no sheet.
+    """
+
+    path: str
+    submissions: tuple[Submission, ...]
+    empty: tuple[str, ...]
+
+
+def find_sheets(folder: str) -> Folder:
+    """Everything in a folder that looks like a sheet, opened by nobody yet.
+
+    Links are not followed: a student might have packed one that leads to somebody else's file. Hidden files, and the
+    folder that macOS adds to archives, are no sheets.
+
+    Raises:
+        FileError: There is no such folder, or no sheet in it.
+    """
+    root = Path(folder)
+    if not root.is_dir():
+        raise FileError(_no_folder(root, folder))
+    found = tuple(sorted(_submissions(root), key=lambda one: one.sheet))
+    if not found:
+        hint = "sheets are files that end in .yaml or .yml; dhcli start EXERCISE writes one"
+        raise FileError(Problem("there is no sheet in this folder", Place(folder), hint))
+    handed_in = {one.sheet.partition("/")[0] for one in found}
+    empty = (child.name for child in root.iterdir() if child.is_dir() and _counts(child.name))
+    return Folder(folder, found, tuple(sorted(name for name in empty if name not in handed_in)))
+
+
+def _no_folder(root: Path, folder: str) -> Problem:
+    if root.exists():
+        return Problem("is a file, not a folder", Place(folder), f"dhcli check EXERCISE {folder} judges one sheet")
+    beside = [child.name for child in root.parent.iterdir() if child.is_dir()] if root.parent.is_dir() else []
+    similar = nearest(root.name, beside)
+    return Problem("there is no such folder", Place(folder), f"did you mean {' or '.join(similar)}?" if similar else "")
+
+
+def _submissions(root: Path) -> Iterator[Submission]:
+    unreadable: list[OSError] = []
+    for where, folders, files in os.walk(root, onerror=unreadable.append):
+        here = Path(where)
+        folders[:] = [name for name in folders if _counts(name)]
+        for name in folders:
+            if (here / name).is_symlink():
+                yield _submission(root, here / name, "is a link; links are not followed")
+        for name in files:
+            path = here / name
+            if not _counts(name) or path.suffix.lower() not in _SUFFIXES:
+                continue
+            problem = "is a link; links are not followed" if path.is_symlink() else ""
+            yield _submission(root, path, problem or ("" if path.is_file() else "is no file"))
+    for error in unreadable:
+        if error.filename == str(root):
+            raise FileError(Problem(f"cannot be opened: {error.strerror}", Place(str(root))))
+        yield _submission(root, Path(error.filename), f"cannot be opened: {error.strerror}")
+
+
+def _counts(name: str) -> bool:
+    return not name.startswith(".") and name != _PACKED_BY_MACOS
+
+
+def _submission(root: Path, path: Path, problem: str) -> Submission:
+    below = path.relative_to(root)
+    is_folder = len(below.parts) > 1 or path.is_dir()
+    student = below.parts[0] if is_folder else below.stem.removesuffix(_SHEET)
+    return Submission(str(path), below.as_posix(), student, problem)

@@ -1,0 +1,135 @@
+"""Work spread over processes, with a time limit that is kept.
+
+A process that takes too long is killed, and one that dies is missed; another one takes its place, and what it worked
+on is reported as lost. A thread could not be stopped, and `concurrent.futures` gives up when one process dies.
+"""
+
+from __future__ import annotations
+
+import math
+import signal
+from collections import deque
+from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
+from contextlib import contextmanager, suppress
+from enum import Enum
+from multiprocessing import get_context
+from multiprocessing.connection import Connection, wait
+from time import monotonic
+from typing import Any, TypeVar
+
+from dhcli.errors import DhcliError
+
+_SPAWN = get_context("spawn")
+"""The one way to start a process that works everywhere, and with threads around."""
+
+Task = TypeVar("Task")
+Result = TypeVar("Result")
+
+
+class Lost(Enum):
+    """Why a piece of work has no result."""
+
+    TIMED_OUT = "timed out"
+    DIED = "died"
+
+
+def spread(
+    work: Callable[[Task], Result], tasks: Iterable[Task], *, jobs: int, timeout: float
+) -> Generator[tuple[Task, Result | Lost], None, None]:
+    """Do a piece of work for each task, in several processes.
+
+    Args:
+        work: A function at the top of a module, or a `partial` of one; it raises nothing.
+        tasks: What it is called with, one by one; plain data, not None.
+        jobs: Most processes at a time.
+        timeout: Longest that one task may take [s]; the start of a process does not count.
+
+    Yields:
+        Each task with its result, or with why there is none; in the order in which they end.
+
+    Raises:
+        DhcliError: Processes cannot be started here.
+    """
+    waiting = deque(tasks)
+    team = [_Worker(work) for _ in range(min(jobs, len(waiting)))]
+    try:
+        while team:
+            spoken = wait([worker.pipe for worker in team], _patience(team))
+            for worker in tuple(team):
+                if worker.pipe not in spoken and monotonic() < worker.deadline:
+                    continue
+                task, outcome = worker.task, worker.outcome() if worker.pipe in spoken else Lost.TIMED_OUT
+                if isinstance(outcome, Lost) or not waiting:
+                    worker.end()
+                    team.remove(worker)
+                else:
+                    worker.give(waiting.popleft(), timeout)
+                if task is None and isinstance(outcome, Lost):
+                    raise DhcliError("a process for the work could not be started", "--jobs 1 needs the least memory")
+                if isinstance(outcome, Lost) and waiting:
+                    team.append(_Worker(work))
+                if task is not None:
+                    yield task, outcome
+    finally:
+        for worker in team:
+            worker.end()
+
+
+class _Worker:
+    """A process, and the end of the pipe that leads to it."""
+
+    def __init__(self, work: Callable[[Any], object]) -> None:
+        self.task: Any = None
+        self.deadline = math.inf
+        self.pipe, theirs = _SPAWN.Pipe()
+        self.process = _SPAWN.Process(target=_serve, args=(theirs, work), daemon=True)
+        with _without_interrupts():
+            self.process.start()
+        theirs.close()
+
+    def give(self, task: object, timeout: float) -> None:
+        """Hand it a task; if it has died meanwhile, its pipe will tell."""
+        self.task, self.deadline = task, monotonic() + timeout
+        with suppress(OSError):
+            self.pipe.send(task)
+
+    def outcome(self) -> Any:  # noqa: ANN401  whatever the work gives
+        """What it said: that it is ready, or a result; its pipe is closed when it has died."""
+        try:
+            return self.pipe.recv()
+        except (EOFError, OSError):
+            return Lost.DIED
+
+    def end(self) -> None:
+        """Stop it, whatever it does."""
+        self.process.kill()
+        self.process.join()
+        self.process.close()
+        self.pipe.close()
+
+
+def _serve(pipe: Connection, work: Callable[[Any], object]) -> None:
+    """The life of a process: say that it is ready, then work until nobody gives it work any more."""
+    with suppress(EOFError, OSError):
+        pipe.send(None)
+        while True:
+            pipe.send(work(pipe.recv()))
+
+
+def _patience(team: Sequence[_Worker]) -> float | None:
+    """Seconds to the next deadline; None while all processes are only starting."""
+    first = min(worker.deadline for worker in team)
+    return None if math.isinf(first) else max(0.0, first - monotonic())
+
+
+@contextmanager
+def _without_interrupts() -> Iterator[None]:
+    """Ctrl-C goes to every process of a terminal; one that starts here inherits that it does not hear it."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)

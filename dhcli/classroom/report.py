@@ -1,0 +1,96 @@
+"""The figures of a class: verdicts and slips of each part, and how the credit is spread."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from statistics import fmean
+
+from dhcli.checking.verdicts import Verdict
+from dhcli.classroom.folder import Folder
+from dhcli.classroom.grading import Graded, PartGrade
+
+STEPS = (0, 20, 40, 60, 80, 100)
+"""Where the classes of the distribution begin [%]; the last one is full credit alone."""
+_ROUNDING = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class PartFigures:
+    """What a class did with one part.
+
+    Attributes:
+        exercise: Id of the exercise.
+        part: Id of the part.
+        credit: Credit there was to earn.
+        mean: Credit earned on average.
+        verdicts: How many sheets got each verdict; those that nobody got are not in it.
+        slips: Mistakes with how many sheets have them, the commonest first.
+    """
+
+    exercise: str
+    part: str
+    credit: float
+    mean: float
+    verdicts: Mapping[Verdict, int]
+    slips: tuple[tuple[str, int], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class ClassReport:
+    """The grades of a class and what they add up to.
+
+    Attributes:
+        folder: What was handed in.
+        rows: Every sheet, graded or not.
+        parts: The figures of each part, exercise by exercise.
+        spread: How many sheets earned at least each of `STEPS`, and less than the next [%].
+        mean: Mean share of the credit; None if nothing could be graded.
+    """
+
+    folder: Folder
+    rows: tuple[Graded, ...]
+    parts: tuple[PartFigures, ...]
+    spread: tuple[int, ...]
+    mean: float | None
+
+    @property
+    def graded(self) -> tuple[Graded, ...]:
+        """The sheets that were graded."""
+        return tuple(row for row in self.rows if not row.problems)
+
+    @property
+    def failed(self) -> tuple[Graded, ...]:
+        """The sheets that were not."""
+        return tuple(row for row in self.rows if row.problems)
+
+
+def report_on(folder: Folder, rows: Sequence[Graded]) -> ClassReport:
+    """Add up the grades of a class."""
+    by_part: dict[tuple[str, str], list[PartGrade]] = {}
+    for row in sorted(rows, key=lambda row: row.exercise):
+        for part in row.parts:
+            by_part.setdefault((row.exercise, part.part), []).append(part)
+    shares = [row.earned / row.credit for row in rows if row.credit]
+    steps = Counter(max(step for step in STEPS if step <= 100 * share + _ROUNDING) for share in shares)
+    return ClassReport(
+        folder,
+        tuple(rows),
+        tuple(_figures(exercise, part, grades) for (exercise, part), grades in by_part.items()),
+        tuple(steps[step] for step in STEPS),
+        fmean(shares) if shares else None,
+    )
+
+
+def _figures(exercise: str, part: str, grades: Sequence[PartGrade]) -> PartFigures:
+    verdicts = Counter(grade.verdict for grade in grades)
+    slips = Counter(slip for grade in grades for slip in dict.fromkeys(grade.slips))
+    return PartFigures(
+        exercise,
+        part,
+        grades[0].credit,
+        fmean(grade.earned for grade in grades),
+        {verdict: verdicts[verdict] for verdict in Verdict if verdict in verdicts},
+        tuple(sorted(slips.items(), key=lambda slip: (-slip[1], slip[0]))),
+    )

@@ -1,0 +1,142 @@
+"""Grading never stops: a sheet that cannot be graded is a row that says why."""
+
+from __future__ import annotations
+
+import os
+from functools import partial
+from pathlib import Path
+
+import pytest
+
+from dhcli.checking.verdicts import Verdict
+from dhcli.classroom.folder import Submission, find_sheets
+from dhcli.classroom.grading import Graded, grade, grade_all
+from tests.classroom.sheets import EXERCISE, RIGHT, WRONG, hand_in, sheet
+from tests.classroom.workers import trouble
+
+MINE = "format: 1\ntitle: Mine\nsource: mine\ntask: One plus one.\nparts:\n  - {id: sum, ask: scalar 2}\n"
+
+
+def graded(folder: Path, text: str | bytes, only: str | None = None) -> Graded:
+    """The grades of one sheet."""
+    return grade(Submission(str(hand_in(folder, "student/a.yaml", text)), "student/a.yaml", "student"), only)
+
+
+def test_a_sheet_is_graded_against_its_exercise(tmp_path: Path) -> None:
+    """A row of grades, one for each part, with what the student should know."""
+    row = graded(tmp_path, sheet({"d02": WRONG, "blocks": "1"}))
+    grades = {part.part: part for part in row.parts}
+    assert (row.student, row.exercise, row.variant, row.problems) == ("student", EXERCISE, "", ())
+    assert (grades["blocks"].verdict, grades["blocks"].earned, grades["blocks"].credit) == (Verdict.RIGHT, 1, 1)
+    assert grades["d02"].verdict is Verdict.WRONG
+    assert 0 < grades["d02"].earned < grades["d02"].credit
+    assert "yours gives" in grades["d02"].remarks[-1]
+    assert grades["t02"].verdict is Verdict.SKIPPED
+    assert row.credit == sum(part.credit for part in row.parts) > row.earned > 1
+
+
+def test_the_name_on_the_sheet_comes_first(tmp_path: Path) -> None:
+    """Cut where nobody's name is so long."""
+    assert graded(tmp_path, sheet({}, name="no. 17") + "  d02: _\n").student == "no. 17"
+    assert len(graded(tmp_path, sheet({"d02": "_"}, name="x" * 5000)).student) == 120
+
+
+@pytest.mark.parametrize(
+    ("text", "problem"),
+    [
+        ("answers: [", "a value is missing here"),
+        (b"\x00\x01\xff\xfe", "is not a text file"),
+        (b"\xff\xfea\x00", "UTF-16"),
+        ("", "is empty"),
+        ("# nothing\n", "is empty"),
+        ("x" * 300_000, "more than the 256 kB"),
+        ("- a\n- b\n", "should be a mapping"),
+        ("format: 1\nanswers: {d02: 0}\n", "exercise: is missing"),
+        ("format: 1\nexercise: yim/planar-two-links\n", "answers: is missing"),
+        ("format: 9\nanswers: {d02: 0}\n", "format 9 needs a newer dhcli"),
+        (sheet({"d02": RIGHT}, "yim/planar-tow-links"), "there is no exercise 'yim/planar-tow-links'"),
+        (sheet({"d02": RIGHT}, "y" * 5000), "there is no exercise 'yyy"),
+        (sheet({"d99": RIGHT}), "has no part d99"),
+        (sheet({"d02": RIGHT}, variant="x" * 500), "variant: yim/planar-two-links has no variants"),
+    ],
+)
+def test_a_sheet_that_cannot_be_read_is_a_row(tmp_path: Path, text: str | bytes, problem: str) -> None:
+    """With its first problem, and nothing else."""
+    row = graded(tmp_path, text)
+    assert (row.sheet, row.student, row.parts) == ("student/a.yaml", "student", ())
+    assert problem in row.problems[0].message
+    assert all(one.place is None or one.place.source == "student/a.yaml" for one in row.problems)
+    assert len(repr(row.problems)) < 2000
+
+
+@pytest.mark.skipif(os.name == "nt" or os.geteuid() == 0, reason="nothing is forbidden there")
+def test_a_sheet_that_may_not_be_read_is_a_row(tmp_path: Path) -> None:
+    """No permission, no grade."""
+    path = hand_in(tmp_path, "a.yaml")
+    path.chmod(0)
+    (row,) = map(grade, find_sheets(str(tmp_path)).submissions)
+    assert "no permission" in row.problems[0].message
+
+
+def test_what_the_search_found_wrong_is_a_row(tmp_path: Path) -> None:
+    """Such as a link; the file is not opened."""
+    row = grade(Submission(str(hand_in(tmp_path, "a.yaml")), "a.yaml", "a", "is a link"))
+    assert [problem.message for problem in row.problems] == ["is a link"]
+
+
+def test_a_bug_is_a_row(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One sheet brings it to light, the others have their grades."""
+
+    def broken(*_: object) -> None:
+        raise RecursionError("too deep")
+
+    monkeypatch.setattr("dhcli.classroom.grading.mark_sheet", broken)
+    row = graded(tmp_path, sheet({"d02": RIGHT}))
+    assert [problem.message for problem in row.problems] == ["this is a bug in dhcli: RecursionError: too deep"]
+
+
+def test_a_sheet_cannot_choose_a_file_for_its_exercise(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A student who hands in an easy exercise too is not graded by it."""
+    monkeypatch.chdir(tmp_path)
+    mine = hand_in(tmp_path, "easy/mine.yaml", MINE)
+    for name in (str(mine), "./easy/mine.yaml", "easy/mine", "-"):
+        row = graded(tmp_path, sheet({"sum": "2"}, name))
+        assert "there is no exercise" in row.problems[0].message
+
+
+def test_the_lecturer_can_name_the_exercise(tmp_path: Path) -> None:
+    """From the library or a file; sheets that do not say are taken, sheets of another exercise are not."""
+    mine = str(hand_in(tmp_path, "mine.yaml", MINE))
+    assert graded(tmp_path, sheet({"sum": "2"}, None), mine).earned == 1
+    assert graded(tmp_path, sheet({"sum": "2"}, "mine"), mine).earned == 1
+    assert graded(tmp_path, sheet({"d02": RIGHT}, "planar-two-links"), EXERCISE).earned == 1
+    other = graded(tmp_path, sheet({"d02": RIGHT}), mine)
+    assert other.problems[0].message == f"student/a.yaml is a sheet of {EXERCISE}, not of mine"
+
+
+def test_many_processes_give_what_one_gives(tmp_path: Path) -> None:
+    """And that is what no process gives; the order is that of the sheets."""
+    for number in range(6):
+        hand_in(tmp_path, f"{number}/a.yaml", sheet({"d02": (RIGHT, WRONG)[number % 2], "blocks": str(number)}))
+    hand_in(tmp_path, "7/a.yaml", "answers: [")
+    hand_in(tmp_path, "8/a.yaml", sheet({"a1": "[1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1]"}, "yim/planar-in-numbers"))
+    sheets = find_sheets(str(tmp_path)).submissions
+    told: list[int] = []
+    alone = grade_all(sheets, jobs=1, timeout=60, tell=lambda: told.append(1))
+    assert alone == grade_all(sheets, jobs=3, timeout=60) == tuple(map(partial(grade, only=None), sheets))
+    assert len(told) == len(sheets) == 8
+
+
+def test_a_sheet_that_takes_too_long_and_one_that_kills_are_rows(tmp_path: Path) -> None:
+    """The sheets behind them are graded all the same, by processes that take the place of the lost ones."""
+    for name in ("a", "deadly-1", "deadly-2", "stuck", "z"):
+        hand_in(tmp_path, f"{name}.yaml")
+    rows = grade_all(find_sheets(str(tmp_path)).submissions, jobs=1, timeout=1.0, work=trouble)
+    assert {row.student: [str(problem) for problem in row.problems] for row in rows} == {
+        "a": [],
+        "deadly-1": ["the process that graded it died (perhaps it ran out of memory)"],
+        "deadly-2": ["the process that graded it died (perhaps it ran out of memory)"],
+        "stuck": ["took longer than 1 s (--timeout gives it more)"],
+        "z": [],
+    }
+    assert [row.earned for row in rows] == [1, 0, 0, 0, 1]

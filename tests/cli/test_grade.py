@@ -1,0 +1,154 @@
+"""`dhcli grade`: exit codes, options, files, and what happens when somebody stops it."""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.classroom.sheets import EXERCISE, RIGHT, WRONG, hand_in, sheet
+from tests.cli.running import Run
+from tests.cli.terminal import Terminal
+
+ROOT = Path(__file__).parents[2]
+CLASS = str(ROOT / "tests" / "data" / "class")
+REPORT = {"folder", "sheets", "graded", "failed", "empty", "mean", "distribution", "parts", "results"}
+RESULT = {"student", "sheet", "exercise", "variant", "earned", "credit", "parts", "problems"}
+PART = {"part", "verdict", "passed", "earned", "credit", "actual", "rationale", "slips"}
+FIGURES = {"exercise", "part", "credit", "mean", "verdicts", "slips"}
+
+
+def test_a_class_is_graded_whatever_the_verdicts(dhcli: Run, tmp_path: Path) -> None:
+    """0: the command did what it should; nothing is said on stderr, where no bar is drawn without a terminal."""
+    hand_in(tmp_path, "hw/1/a.yaml")
+    hand_in(tmp_path, "hw/2/a.yaml", sheet({"d02": WRONG}))
+    done = dhcli("grade", "hw", "--jobs", "2")
+    assert (done.code, done.err) == (0, "")
+    assert done.out.startswith("hw: 2 sheets, 2 graded\n")
+
+
+def test_a_sheet_that_cannot_be_read_ends_with_1(dhcli: Run) -> None:
+    """The others are graded."""
+    done = dhcli("grade", CLASS)
+    assert done.code == 1
+    assert "5 sheets, 4 graded, 1 not" in done.out
+    assert "yim/planar-in-numbers has no part T02" in done.out
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ("grade nowhere", "there is no such folder"),
+        ("grade empty", "there is no sheet in this folder"),
+        ("grade hw --timeout soon", "soon is no time"),
+        ("grade hw --timeout 0s", "0s is no time"),
+        ("grade hw --timeout -1s", "-1s is no time"),
+        ("grade hw --jobs 0", "0 is not in the range"),
+        ("grade hw --exercise nothing", "there is no exercise 'nothing'"),
+        ("grade hw --exercise -", "standard input only one"),
+        ("grade hw --format latex", "there is no format latex for a class"),
+        ("grade hw --format gradescope", "holds 2 sheets, and Gradescope wants the results of one"),
+        ("grade hw -o hw/1/a.yaml", "does not say which format"),
+        ("grade hw -o old.csv", "exists already"),
+    ],
+)
+def test_bad_usage_ends_with_2_before_anything_is_graded(
+    dhcli: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, words: str, message: str
+) -> None:
+    """No process is started."""
+    monkeypatch.setattr("dhcli.classroom.grading.spread", None)
+    (tmp_path / "empty").mkdir()
+    hand_in(tmp_path, "hw/1/a.yaml")
+    hand_in(tmp_path, "hw/2/a.yaml")
+    hand_in(tmp_path, "old.csv", "mine")
+    done = dhcli(*words.split())
+    assert (done.code, done.out) == (2, "")
+    assert message in done.err
+    assert (tmp_path / "old.csv").read_text() == "mine"
+
+
+def test_the_envelope_has_exactly_these_keys(dhcli: Run) -> None:
+    """A new key is a decision, and stands here."""
+    done = dhcli("grade", CLASS, "--format", "json")
+    envelope = done.envelope
+    assert (done.code, envelope["command"], envelope["ok"], envelope["problems"]) == (1, "grade", True, [])
+    data = envelope["data"]
+    assert set(data) == REPORT
+    assert (data["sheets"], data["graded"], data["failed"], data["empty"]) == (5, 4, 1, ["student-6"])
+    assert all(set(one) == RESULT for one in data["results"])
+    assert all(set(part) == PART for one in data["results"] for part in one["parts"])
+    assert all(set(part) == FIGURES for part in data["parts"])
+    assert [set(one) for one in data["distribution"]] == [{"from", "sheets"}] * 6
+    assert {key for part in data["parts"] for slip in part["slips"] for key in slip} == {"slip", "sheets"}
+    (problem,) = data["results"][4]["problems"]
+    assert problem["hint"] == "did you mean t02?"
+
+
+def test_a_spreadsheet_has_a_row_for_each_sheet(dhcli: Run, tmp_path: Path) -> None:
+    """The suffix says the format."""
+    done = dhcli("grade", CLASS, "-o", "grades.csv")
+    assert (done.code, done.out, done.err) == (1, "", "wrote grades.csv\n")
+    with (tmp_path / "grades.csv").open(newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    assert [row["student"] for row in rows] == [f"student-{n}" for n in range(1, 6)]
+    assert [row["earned"] for row in rows] == ["10.0", "8.0", "7.0", "2.0", ""]
+    assert rows[1]["t02 verdict"] == "WRONG"
+
+
+def test_gradescope_gets_its_file(dhcli: Run, tmp_path: Path) -> None:
+    """For the one sheet of a submission, which need not say its exercise."""
+    hand_in(tmp_path, "submission/a.yaml", sheet({"d02": RIGHT}, None))
+    words = ("--exercise", EXERCISE, "--format", "gradescope", "-o", "results.json", "--timeout", "1min")
+    done = dhcli("grade", "submission", *words)
+    assert (done.code, done.out) == (0, "")
+    results = json.loads((tmp_path / "results.json").read_text("utf-8"))
+    assert results["score"] == 1.0
+    assert {test["name"]: test["score"] for test in results["tests"]}["d02"] == 1.0
+
+
+def test_the_progress_of_a_student_is_not_the_lecturers(dhcli: Run, tmp_path: Path, user_data: Path) -> None:
+    """Grading leaves no trace among the exercises that the lecturer has solved."""
+    hand_in(tmp_path, "hw/a.yaml")
+    assert dhcli("grade", "hw").code == 0
+    assert not user_data.exists()
+
+
+@pytest.mark.skipif(os.name == "nt", reason="needs a pseudo-terminal")
+def test_a_terminal_shows_a_bar_and_then_the_report(tmp_path: Path) -> None:
+    """The bar is taken away."""
+    hand_in(tmp_path, "hw/a.yaml")
+    with Terminal(tmp_path, "grade", "hw") as terminal:
+        assert "0/1" in terminal.until("grading.*0/1")
+        terminal.until("hw: 1 sheet, 1 graded")
+        assert terminal.end() == 0
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals as Unix knows them")
+def test_ctrl_c_ends_with_130_and_leaves_no_file_and_no_process(tmp_path: Path) -> None:
+    """It reaches every process of the terminal; the pipe ends only when all of them have gone."""
+    hand_in(tmp_path, "hw/a.yaml")
+    hand_in(tmp_path, "hw/stuck.yaml")
+    code = "import functools, sys, dhcli.classroom.grading as g\nfrom dhcli.cli.main import main\n"
+    code += "from tests.classroom.workers import trouble\ng.grade_all = functools.partial(g.grade_all, work=trouble)\n"
+    code += "sys.exit(main(['grade', 'hw', '--jobs', '2', '--timeout', '60', '-o', 'grades.csv']))"
+    with subprocess.Popen(
+        [sys.executable, "-c", code],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+        start_new_session=True,
+    ) as running:
+        assert running.stdout is not None
+        assert running.stdout.readline() == "stuck\n"
+        os.killpg(running.pid, signal.SIGINT)
+        out, err = running.communicate(timeout=30)
+    assert (running.returncode, out, err.strip()) == (130, "", "")
+    assert [path.name for path in tmp_path.iterdir() if path.is_file()] == []
