@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from dhcli.checking.describe import describe
+from dhcli.checking.describe import describe, given_text
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.questions import ChoiceQuestion, MatrixQuestion, TableQuestion
 from dhcli.errors import FileError, Place, Problem
@@ -40,10 +41,12 @@ class Sheet:
     Attributes:
         exercise: Id of the exercise; empty if the sheet does not say.
         answers: The answers by part.
+        variant: The seed its numbers were drawn by; empty for those of the exercise.
     """
 
     exercise: str
     answers: Mapping[str, Answer]
+    variant: str = ""
 
 
 def read_sheet(path: Path | str) -> Sheet:
@@ -57,9 +60,9 @@ def read_sheet(path: Path | str) -> Sheet:
     fields = problems.document(root, known=KEYS, required=("answers",))
     given = fields.mapping("answers")
     answers = {key: _answer(node) for key, (_, node) in given.entries.items()}
-    exercise = fields.text("exercise")
+    exercise, variant = fields.text("exercise"), fields.text("variant")
     problems.raise_if_any(FileError)
-    return Sheet(exercise, answers)
+    return Sheet(exercise, answers, variant)
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,16 +111,23 @@ def write_sheet(exercise: Exercise) -> str:
         f"# {exercise.source}",
         "#",
         *(f"# {line}".rstrip() for line in exercise.task.strip().splitlines()),
+        *(["#", f"# Given: {given_text(exercise)}"] if exercise.given else []),
         "#",
         f"# Fill in each {BLANK} and save; leave a part as it is to skip it. Then: dhcli check {exercise.id} THIS_FILE",
         f"# {_units(exercise)}",
         "format: 1",
         f"exercise: {exercise.id}",
+        *([f"variant: {_scalar(exercise.variant)}"] if exercise.variant else []),
         "answers:",
     ]
     for part in exercise.parts:
         lines += _part_lines(exercise, part)
     return "\n".join(lines) + "\n"
+
+
+def _scalar(text: str) -> str:
+    """A text as YAML; in quotes unless it is plainly a name."""
+    return text if re.fullmatch("[A-Za-z][A-Za-z0-9_-]*", text) else "'" + text.replace("'", "''") + "'"
 
 
 def _units(exercise: Exercise) -> str:
