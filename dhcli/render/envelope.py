@@ -23,8 +23,8 @@ def envelope(
         warnings: What a person should know all the same.
     """
     listed = [
-        *(_problem(problem, "error") for problem in problems),
-        *(_problem(Problem(w), "warning") for w in warnings),
+        *(problem_content(problem, "error") for problem in problems),
+        *(problem_content(Problem(w), "warning") for w in warnings),
     ]
     whole = {"dhcli": VERSION, "command": command, "ok": content is not None, "data": content, "problems": listed}
     return _pretty(whole) + "\n"
@@ -46,7 +46,8 @@ def _plain(value: object) -> str:
     return json.dumps(value, allow_nan=False)
 
 
-def _problem(problem: Problem, severity: str) -> dict[str, Any]:
+def problem_content(problem: Problem, severity: str) -> dict[str, Any]:
+    """A problem as JSON holds it; the same keys wherever one stands."""
     place = problem.place
     return {
         "severity": severity,

@@ -1,0 +1,1 @@
+"""Whole folders of files: what authors are told about their content."""
