@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import TypeVar
 
+from dhcli.algebra.arithmetic import Arithmetic, plus, settled, times
 from dhcli.algebra.floats import Floats
+from dhcli.algebra.terms import TERMS
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.questions import Composed, MatrixQuestion, ScalarQuestion, Span
 from dhcli.errors import RobotError
@@ -14,8 +17,10 @@ from dhcli.kinematics.frames import between, frame
 from dhcli.kinematics.moves import Chain, expressions, inverse, names
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import numbers
-from dhcli.notation.tree import ONE, ZERO, Expr, Number, add, multiply
+from dhcli.notation.tree import Expr, Number
 from dhcli.notation.walk import symbols
+
+N = TypeVar("N")
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,13 +62,13 @@ def truth_of(question: MatrixQuestion, exercise: Exercise, robot: Robot | None =
 def _compute(question: MatrixQuestion, exercise: Exercise, robot: Robot | None) -> Truth:
     chain = chain_of(question, robot or exercise.robot)
     values = dict(exercise.values)
-    rows = piece_of(textbook_form(chain), question)
+    rows = piece_of(textbook_form(chain), question, TERMS)
     named = names(chain) | _point_names(question)
     structural = _structural(question, rows, is_constant=not named)
     if named - values.keys():
         return Truth(rows, None, 0.0, structural)
     over = Floats(numbers(values))
-    exact = piece_of(textbook_form(put_in(chain, values)), question)
+    exact = piece_of(textbook_form(put_in(chain, values)), question, TERMS)
     return Truth(
         rows,
         tuple(tuple(over.value(entry) for entry in row) for row in exact),
@@ -88,8 +93,10 @@ def chain_of(question: MatrixQuestion, robot: Robot | None) -> Chain:
     return inverse(chain) if question.inverse else chain
 
 
-def piece_of(rows: tuple[tuple[Expr, ...], ...], question: MatrixQuestion) -> tuple[tuple[Expr, ...], ...]:
-    """What a question asks of a matrix."""
+def piece_of(
+    rows: tuple[tuple[N, ...], ...], question: MatrixQuestion, over: Arithmetic[N]
+) -> tuple[tuple[N, ...], ...]:
+    """What a question asks of a matrix, in the arithmetic of its entries."""
     row, column = question.index
     if question.piece == "pose":
         return rows
@@ -101,8 +108,15 @@ def piece_of(rows: tuple[tuple[Expr, ...], ...], question: MatrixQuestion) -> tu
         return ((rows[row][column],),)
     if question.piece == "axis":
         return tuple((line[row],) for line in rows[:3])
-    coordinates = (*question.point, ONE if question.piece == "point" else ZERO)
-    return tuple((add(*(multiply(a, b) for a, b in zip(line, coordinates, strict=True))),) for line in rows[:3])
+    coordinates = (*map(over.length, question.point), int(question.piece == "point"))
+    return tuple((_dot(line, coordinates, over),) for line in rows[:3])
+
+
+def _dot(line: tuple[N, ...], coordinates: tuple[N | int, ...], over: Arithmetic[N]) -> N:
+    total: N | int = 0
+    for entry, coordinate in zip(line, coordinates, strict=True):
+        total = plus(total, times(entry, coordinate))
+    return settled(total, over)
 
 
 def is_length(question: MatrixQuestion, row: int, column: int) -> bool:

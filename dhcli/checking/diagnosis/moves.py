@@ -1,0 +1,86 @@
+"""Mistakes in a single move, where a link is a product of moves and has no row."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+from dhcli.checking.diagnosis.rows import RIGHT_ANGLE, other_unit, scale_of
+from dhcli.checking.diagnosis.work import Setting, Step, Work
+from dhcli.kinematics.moves import Move, Rot, Trans, along
+from dhcli.notation.angle import Angle
+from dhcli.notation.factors import AXES
+from dhcli.notation.tree import ZERO, Expr, multiply, negate
+
+
+def turn_sign(work: Work, _setting: Setting) -> Iterator[tuple[str, Work]]:
+    """A turn the other way; half a turn has no sense."""
+    return _turns(work, lambda angle: None if angle.quarter_turns() in (0, 2) else -angle)
+
+
+def turn_sine_cosine(work: Work, _setting: Setting) -> Iterator[tuple[str, Work]]:
+    """Cos for sin: the complement of the angle."""
+    return _turns(work, lambda angle: RIGHT_ANGLE - angle)
+
+
+def turn_unit(work: Work, setting: Setting) -> Iterator[tuple[str, Work]]:
+    """A turn with its number in the other unit."""
+    return _turns(work, lambda angle: other_unit(angle, setting))
+
+
+def shift_sign(work: Work, _setting: Setting) -> Iterator[tuple[str, Work]]:
+    """A shift the other way."""
+    return _shifts(work, negate)
+
+
+def shift_unit(work: Work, setting: Setting) -> Iterator[tuple[str, Work]]:
+    """The number of another unit in the place of a shift."""
+    factor = scale_of(setting)
+    return iter(()) if factor is None else _shifts(work, lambda length: multiply(factor, length))
+
+
+def missing(work: Work, _setting: Setting) -> Iterator[tuple[str, Work]]:
+    """A move of a link of several is left out."""
+    for index, step in enumerate(work.steps):
+        if step.row is None and len(step.chain) > 1:
+            for k in range(len(step.chain)):
+                chain = (*step.chain[:k], *step.chain[k + 1 :])
+                yield _where(step, k), work.with_step(index, Step(step.name, chain))
+
+
+def _turns(work: Work, change: Callable[[Angle], Angle | None]) -> Iterator[tuple[str, Work]]:
+    for index, k, step, move in _moves(work):
+        if isinstance(move, Rot):
+            angle = change(move.angle)
+            if angle is not None and angle != move.angle:
+                yield _where(step, k), work.with_step(index, _with_move(step, k, replace(move, angle=angle)))
+
+
+def _shifts(work: Work, change: Callable[[Expr], Expr]) -> Iterator[tuple[str, Work]]:
+    for index, k, step, move in _moves(work):
+        if not isinstance(move, Trans):
+            continue
+        for axis, length in zip(AXES, move.offset, strict=True):
+            if length != ZERO:
+                others = [along(other, part) for other, part in zip(AXES, move.offset, strict=True) if other != axis]
+                changed = (along(axis, change(length)), *(one for one in others if any(p != ZERO for p in one.offset)))
+                where = f"{_where(step, k)} {axis}"
+                chain = (*step.chain[:k], *changed, *step.chain[k + 1 :])
+                yield where, work.with_step(index, Step(step.name, chain))
+
+
+def _moves(work: Work) -> Iterator[tuple[int, int, Step, Move]]:
+    """Every move of the factors that have no row, with the numbers of the factor and of the move."""
+    for index, step in enumerate(work.steps):
+        if step.row is None:
+            for k, move in enumerate(step.chain):
+                yield index, k, step, move
+
+
+def _with_move(step: Step, k: int, move: Move) -> Step:
+    return Step(step.name, (*step.chain[:k], move, *step.chain[k + 1 :]))
+
+
+def _where(step: Step, k: int) -> str:
+    """The number of a move; in a link of several `2.1`."""
+    return step.name if len(step.chain) == 1 else f"{step.name}.{k + 1}"

@@ -1,0 +1,174 @@
+"""The search for mistakes that give exactly the answer typed: every single one, and then every two.
+
+All works are evaluated in floats: at the values of the task where the answer is in numbers, and at two general points
+where it is in expressions. A product costs a few microseconds, so that even the thousands of pairs take well under a
+second; two expressions that agree at two general points to nine digits are the same.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator, Sequence
+from functools import cached_property
+
+from dhcli.algebra.floats import Floats
+from dhcli.checking.diagnosis.slips import Candidate, candidates, setting_of
+from dhcli.checking.diagnosis.work import Bench, Matrix, right_work
+from dhcli.checking.exercise import Exercise
+from dhcli.checking.questions import MatrixQuestion
+from dhcli.checking.truth import chain_of
+from dhcli.kinematics.moves import names
+from dhcli.kinematics.robot import Value
+from dhcli.kinematics.values import numbers
+from dhcli.notation.angle import Angle
+from dhcli.notation.walk import symbols
+
+SEED = 11
+SAME = 1e-9
+MOST_CAUSES = 12
+
+Entries = Matrix[float]
+
+
+class Search:
+    """The mistakes in one question of an exercise, evaluated once for all answers to it."""
+
+    def __init__(self, exercise: Exercise, question: MatrixQuestion) -> None:
+        """Evaluate the right work, and every one with a single mistake."""
+        self.setting = setting_of(exercise)
+        self.right = right_work(question, exercise.robot)
+        self._chain_names = names(chain_of(question, exercise.robot)).union(*(symbols(e) for e in question.point))
+        known = dict(exercise.values)
+        self.is_known = exercise.numeric and self._chain_names <= known.keys()
+        held = {name: v for name, v in known.items() if not (exercise.robot and name in exercise.robot.variables)}
+        self.general = Bench(self.right, point(self._chain_names, held, SEED))
+        seeds = (0,) if self.is_known else (SEED + 1, SEED + 2)
+        self.points = tuple(point(self._chain_names | known.keys(), known, seed) for seed in seeds)
+        self.benches = tuple(Bench(self.right, over) for over in self.points)
+        self.truth = tuple(bench.entries(self.right) for bench in self.benches)
+        self.tolerance = (exercise.tolerance.rotation, exercise.tolerance.position or 1e-3 * self._size())
+        self.singles = self._distinct(candidates(self.right, self.setting))
+
+    @cached_property
+    def visible(self) -> tuple[Candidate, ...]:
+        """Single mistakes whose answer here is not the right one."""
+        return tuple(one for one in self.singles if not self._is_right(one))
+
+    @cached_property
+    def hidden(self) -> tuple[Candidate, ...]:
+        """Single mistakes whose answer here is right, though at other joint values it is not."""
+        right = self.general.entries(self.right)
+        return tuple(
+            one for one in self.singles if self._is_right(one) and not same(self.general.entries(one.work), right)
+        )
+
+    @cached_property
+    def pairs(self) -> tuple[Candidate, ...]:
+        """Two mistakes at once, the one of the earlier level first."""
+        found: list[Candidate] = []
+        place = {one.slips[0].name: k for k, one in enumerate(self.singles)}
+        for k, one in enumerate(self.singles):
+            for two in candidates(one.work, self.setting, one):
+                other = place.get(two.slips[-1].name, -1)
+                if two.mistake.level > one.mistake.level or other > k:
+                    found.append(two)
+        return tuple(found)
+
+    def entries(self, work: object) -> Entries:
+        """What a work leads to at the values of the task."""
+        return self.benches[0].entries(work)  # type: ignore[arg-type]
+
+    def causes(self, typed: Sequence[Entries], slack: Entries) -> tuple[Candidate, ...]:
+        """The single mistakes that give an answer; if there are none, the pairs that do; the plainest first.
+
+        Args:
+            typed: The answer at each point.
+            slack: What each entry may be off.
+        """
+        for stage in ("singles", "pairs"):
+            found = [one for one in getattr(self, stage) if self._gives(one, typed, slack)]
+            if found:
+                plainest = min(sum(slip.rank for slip in one.slips) for one in found)
+                plain = (one for one in found if sum(slip.rank for slip in one.slips) == plainest)
+                return tuple(self._different(plain))[:MOST_CAUSES]
+        return ()
+
+    def _gives(self, one: Candidate, typed: Sequence[Entries], slack: Entries) -> bool:
+        """Whether a candidate gives an answer at every point, and not what is right too."""
+        return all(
+            matches(answer, bench.entries(one.work), slack) for answer, bench in zip(typed, self.benches, strict=True)
+        ) and not all(matches(r, b.entries(one.work), slack) for r, b in zip(self.truth, self.benches, strict=True))
+
+    def _is_right(self, one: Candidate) -> bool:
+        rotation, position = self.tolerance if self.is_known else (SAME, SAME)
+        limit = max(rotation, position) if self.right.question.piece in ("pose", "entry") else 0.0
+        for bench, truth in zip(self.benches, self.truth, strict=True):
+            entries = bench.entries(one.work)
+            for r, row in enumerate(entries):
+                for c, value in enumerate(row):
+                    near = position if (c == 3 or len(row) == 1) else rotation  # noqa: PLR2004  the position
+                    if len(row) == 1 and self.right.question.piece in ("axis", "entry"):
+                        near = min(rotation, limit or rotation)
+                    if abs(value - truth[r][c]) > near:
+                        return False
+        return True
+
+    def _distinct(self, found: Iterator[Candidate]) -> tuple[Candidate, ...]:
+        """Mistakes that change something, each of those that are the same everywhere under its first name."""
+        kept: list[Candidate] = []
+        known = [self.general.matrix(self.right)]
+        for one in found:
+            matrix = (self.general.matrix(one.work), one.work.question.piece)
+            entries = self.general.entries(one.work)
+            moved = matrix[1] != self.right.question.piece
+            if (moved or not any(same(matrix[0], other) for other in known)) and (
+                self.is_known or not same(entries, self.general.entries(self.right))
+            ):
+                kept.append(one)
+                if not moved:
+                    known.append(matrix[0])
+        return tuple(kept)
+
+    def _different(self, found: Iterator[Candidate]) -> Iterator[Candidate]:
+        known: list[Entries] = []
+        for one in found:
+            matrix = self.general.matrix(one.work)
+            if not any(same(matrix, other) for other in known):
+                known.append(matrix)
+                yield one
+
+    def _size(self) -> float:
+        lengths = [abs(self.benches[0].matrix_of(step)[k][3]) for step in self.right.steps for k in range(3)]
+        return max(sum(lengths), 1e-9)
+
+
+def search_of(exercise: Exercise, question: MatrixQuestion) -> Search:
+    """The search for one question, kept with the exercise."""
+    key = ("search", question)
+    known = exercise.truths.get(key)
+    if not isinstance(known, Search):
+        known = exercise.truths[key] = Search(exercise, question)
+    return known
+
+
+def point(free: frozenset[str], known: dict[str, Value], seed: int) -> Floats:
+    """Values for all names: those known, and for the others some between 0.2 and 1.3, the same for everybody."""
+    draw = random.Random(seed)  # noqa: S311
+    drawn: dict[str, Angle | float] = {name: draw.uniform(0.2, 1.3) for name in sorted(free)}
+    return Floats({**drawn, **numbers(known)})
+
+
+def same(first: Entries, second: Entries) -> bool:
+    """Whether two matrices are the same but for rounding."""
+    return all(
+        abs(a - b) <= SAME * (1 + abs(b)) for r, s in zip(first, second, strict=True) for a, b in zip(r, s, strict=True)
+    )
+
+
+def matches(first: Entries, second: Entries, slack: Entries) -> bool:
+    """Whether two answers agree within what each entry may be off."""
+    for row, other, near in zip(first, second, slack, strict=True):
+        for a, b, limit in zip(row, other, near, strict=True):
+            if not abs(a - b) <= limit:
+                return False
+    return True

@@ -1,0 +1,185 @@
+"""Single mistakes in a part: which there are, what answer they lead to, and which of them its pose cannot show."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from dhcli.checking.diagnosis.mistakes import MISTAKES, Level, Mistake, Rank
+from dhcli.checking.diagnosis.work import Setting, Step, Work, right_work, terms
+from dhcli.checking.exercise import Exercise, Part
+from dhcli.checking.questions import CountQuestion, MatrixQuestion, TableQuestion
+from dhcli.checking.tables.cells import table_text
+from dhcli.checking.truth import is_length
+from dhcli.errors import DhcliError, UnknownNameError, did_you_mean
+from dhcli.kinematics.conventions import Convention
+from dhcli.kinematics.robot import Robot
+from dhcli.notation.writer import write
+
+
+@dataclass(frozen=True, slots=True)
+class Slip:
+    """A mistake in its place.
+
+    Attributes:
+        name: What exercises call it, such as `alpha-sign 2`.
+        words: What has happened.
+        hint: Where to look, without the answer.
+        rank: How soon it is named.
+    """
+
+    name: str
+    words: str
+    hint: str
+    rank: Rank = Rank.PLACE
+
+
+@dataclass(frozen=True, slots=True)
+class Candidate:
+    """Slips, and the work that holds them.
+
+    Attributes:
+        slips: One slip, or two.
+        mistake: The record of the last of them.
+        work: The way to the answer with them.
+    """
+
+    slips: tuple[Slip, ...]
+    mistake: Mistake
+    work: Work
+
+
+def slips(exercise: Exercise, part: Part) -> tuple[Slip, ...]:
+    """Every single mistake that changes the right answer to a part; nothing where it is no matrix, table or count."""
+    question = part.question
+    if isinstance(question, MatrixQuestion):
+        from dhcli.checking.diagnosis.search import search_of
+
+        return tuple(candidate.slips[0] for candidate in search_of(exercise, question).visible)
+    if isinstance(question, TableQuestion):
+        return tuple(candidate.slips[0] for candidate in table_candidates(exercise, question))
+    return tuple(slip for slip, _ in count_slips(question)) if isinstance(question, CountQuestion) else ()
+
+
+def answer_with(exercise: Exercise, part: Part, name: str) -> str:
+    """The answer that a student with one mistake would type.
+
+    Args:
+        exercise: The exercise.
+        part: The part.
+        name: Name of a slip, such as `alpha-sign 2`.
+
+    Raises:
+        UnknownNameError: No such mistake can be made here; the hint names those that can.
+    """
+    question = part.question
+    if isinstance(question, MatrixQuestion):
+        for candidate in candidates(right_work(question, exercise.robot), setting_of(exercise)):
+            if candidate.slips[0].name == name:
+                return _text(exercise, candidate.work)
+    elif isinstance(question, TableQuestion) and exercise.robot is not None:
+        for candidate in table_candidates(exercise, question):
+            if candidate.slips[0].name == name:
+                rows = tuple(step.row for step in candidate.work.steps if step.row is not None)
+                return table_text(rows, exercise.robot.columns, exercise.writing)
+    elif isinstance(question, CountQuestion):
+        for slip, value in count_slips(question):
+            if slip.name == name:
+                return str(value)
+    known = [slip.name for slip in slips(exercise, part)]
+    hint = did_you_mean(name, known) or f"mistakes here: {', '.join(known)}"
+    raise UnknownNameError(f"{part.id}: the mistake '{name}' cannot be made here", hint)
+
+
+def hidden(exercise: Exercise, part: Part) -> tuple[Slip, ...]:
+    """Mistakes whose answer is right at the values given although it is wrong at others."""
+    if not isinstance(part.question, MatrixQuestion):
+        return ()
+    from dhcli.checking.diagnosis.search import search_of
+
+    return tuple(candidate.slips[0] for candidate in search_of(exercise, part.question).hidden)
+
+
+def setting_of(exercise: Exercise) -> Setting:
+    """What mistakes in an exercise depend on."""
+    robot = exercise.robot
+    return Setting(
+        convention=robot.convention if robot else Convention.PRODUCT,
+        variables=robot.variables if robot else (),
+        values=exercise.values,
+        numeric=exercise.numeric,
+        unit=exercise.metres if exercise.unit != "none" else exercise.metres * 0,
+    )
+
+
+def candidates(work: Work, setting: Setting, earlier: Candidate | None = None) -> Iterator[Candidate]:
+    """Every single mistake in a work; behind another one, those of its level or a later one."""
+    for mistake in MISTAKES:
+        if earlier is not None and mistake.level < earlier.mistake.level:
+            continue
+        for where, changed in mistake.made(work, setting):
+            slip = slip_of(mistake, where)
+            yield Candidate((*(earlier.slips if earlier else ()), slip), mistake, changed)
+
+
+def slip_of(mistake: Mistake, where: str) -> Slip:
+    """A mistake in its place."""
+    place = {"where": where, "row": where.replace(",", " ").split(" ")[0].split(".")[0]}
+    name = f"{mistake.id} {where}".strip()
+    return Slip(name, mistake.words.format(**place), mistake.hint.format(**place), mistake.rank)
+
+
+def table_candidates(exercise: Exercise, question: TableQuestion) -> tuple[Candidate, ...]:
+    """Single mistakes in the cells of the right table; none where the robot has no table in this convention."""
+    robot = exercise.robot
+    if robot is None or robot.convention is not question.convention:
+        return ()
+    work = table_work(robot)
+    found = candidates(work, replace(setting_of(exercise), numeric=False))
+    rows = [step.row for step in work.steps]
+    return tuple(
+        candidate
+        for candidate in found
+        if candidate.mistake.level is Level.TABLE and [step.row for step in candidate.work.steps] != rows
+    )
+
+
+def table_work(robot: Robot) -> Work:
+    """The rows of a robot, to make mistakes in."""
+    from dhcli.checking.questions import Span
+
+    steps = tuple(Step(str(link.number), link.moves, link.row) for link in robot.links)
+    return Work(MatrixQuestion(Span(robot.frames[1], robot.frames[-2])), steps)
+
+
+def count_slips(question: CountQuestion) -> tuple[tuple[Slip, int], ...]:
+    """Slips in a count, each with the number it gives."""
+    from dhcli.mobility.slips import slips as slips_of_count
+
+    if question.found is None:
+        return ()
+    try:
+        found = slips_of_count(question.what, question.found)
+    except DhcliError:
+        return ()
+    hint = "go through what was counted: links with the ground, joints, and the freedoms of each"
+    return tuple((Slip(words.replace(" ", "-"), words, hint), value) for words, value in found.items())
+
+
+def _text(exercise: Exercise, work: Work) -> str:
+    """What a student types: expressions, or numbers in the unit of the sheet to six decimals."""
+    question = work.question
+    if not exercise.numeric:
+        rows = [[write(entry, "short", exercise.writing) for entry in row] for row in terms(work, {})]
+    else:
+        from dhcli.checking.diagnosis.search import search_of
+
+        unit = float(exercise.metres)
+        entries = search_of(exercise, question).entries(work)
+        rows = [
+            [f"{entry / unit if is_length(question, r, c) else entry:.6f}" for c, entry in enumerate(row)]
+            for r, row in enumerate(entries)
+        ]
+    if question.shape == (1, 1):
+        return rows[0][0]
+    return "[" + ", ".join("[" + ", ".join(row) + "]" for row in rows) + "]"

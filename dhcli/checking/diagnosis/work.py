@@ -1,0 +1,227 @@
+"""How somebody works out a matrix: the factors, how they are put together, and what is written down of it.
+
+A mistake changes one of the three. The right work and every mistaken one are evaluated by the same code, over floats to
+compare them with an answer, and over terms to write an answer that holds the mistake.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+from enum import Enum
+from fractions import Fraction
+from typing import TypeAlias, TypeVar
+
+from dhcli.algebra.arithmetic import plus, times
+from dhcli.algebra.floats import Floats
+from dhcli.algebra.terms import TERMS
+from dhcli.checking.questions import MatrixQuestion, Span
+from dhcli.checking.truth import piece_of
+from dhcli.errors import RobotError
+from dhcli.kinematics.conventions import Convention, Row
+from dhcli.kinematics.fold import fold
+from dhcli.kinematics.forward import put_in, textbook_form
+from dhcli.kinematics.frames import frame
+from dhcli.kinematics.moves import Chain
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.values import Values
+from dhcli.notation.tree import Expr
+
+N = TypeVar("N")
+
+Matrix: TypeAlias = tuple[tuple[N, ...], ...]
+"""A homogeneous matrix, shape (4, 4), of any kind of number."""
+
+Rewriting: TypeAlias = Callable[[Matrix[N]], Matrix[N]]
+"""What is done to a finished matrix before it is written down."""
+
+
+class Multiplied(Enum):
+    """How the factors are put together."""
+
+    IN_ORDER = "the matrix product"
+    UNROTATED = "rotations multiplied, positions only added"
+    ELEMENTWISE = "entry by entry"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Step:
+    """One factor: a link, the base, the tool, or a single move. It equals itself only, so that it is a cheap key.
+
+    Attributes:
+        name: Number of the link, `base`, `tool`, or the number of a move.
+        chain: Its moves.
+        row: Its DH row, if it has one.
+    """
+
+    name: str
+    chain: Chain
+    row: Row | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Work:
+    """A way to an answer.
+
+    Attributes:
+        question: What is asked of the matrix.
+        steps: The factors from left to right.
+        multiplied: How they are put together.
+        inverted: Whether the product is inverted.
+        rewritten: What is done to the matrix afterwards, first to last.
+    """
+
+    question: MatrixQuestion
+    steps: tuple[Step, ...]
+    multiplied: Multiplied = Multiplied.IN_ORDER
+    inverted: bool = False
+    rewritten: tuple[Rewriting[float] | Rewriting[Expr], ...] = ()
+
+    def with_step(self, index: int, step: Step) -> Work:
+        """The same work with another factor in one place."""
+        return replace(self, steps=(*self.steps[:index], step, *self.steps[index + 1 :]))
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """What a mistake may depend on besides the work.
+
+    Attributes:
+        convention: How rows become moves.
+        variables: The joint variables.
+        values: Values that the task gives, exact.
+        numeric: Whether the answer is in numbers.
+        unit: Metres in a bare length of the sheet; 0 where there is no unit.
+    """
+
+    convention: Convention = Convention.PRODUCT
+    variables: tuple[str, ...] = ()
+    values: Values = field(default_factory=dict)
+    numeric: bool = False
+    unit: Fraction = Fraction(1)
+
+
+def right_work(question: MatrixQuestion, robot: Robot | None) -> Work:
+    """The right way to an answer; the moves of a single link, or of a product, are factors of their own.
+
+    Raises:
+        RobotError: The question needs a robot and there is none.
+    """
+    source = question.source
+    if not isinstance(source, Span):
+        steps = tuple(Step(str(k), (move,)) for k, move in enumerate(source.chain, 1))
+        return Work(question, steps, inverted=question.inverse)
+    if robot is None:
+        raise RobotError("this question needs a robot", "name one under robot:")
+    first, last = (robot.frames.index(frame(robot, name)) for name in (source.start, source.end))
+    links = tuple(Step(str(link.number), link.moves, link.row) for link in robot.links)
+    every = (Step("base", robot.base), *links, Step("tool", robot.tool))
+    steps = tuple(step for step in every[min(first, last) : max(first, last)] if step.chain)
+    return Work(question, steps, inverted=question.inverse is not (first > last))
+
+
+class Bench:
+    """Evaluates works at one point, in floats; what they share with the right one is multiplied once."""
+
+    def __init__(self, right: Work, over: Floats) -> None:
+        """Take the work that most others resemble, and the values of the names."""
+        self._over = over
+        self._base = right.steps
+        self._known: dict[Step, Matrix[float]] = {}
+        self._heads: list[Matrix[float]] = [_UNIT]
+        self._tails: list[Matrix[float]] = [_UNIT]
+        for step in self._base:
+            self._heads.append(product(self._heads[-1], self.matrix_of(step)))
+        for step in reversed(self._base):
+            self._tails.append(product(self.matrix_of(step), self._tails[-1]))
+
+    def entries(self, work: Work) -> Matrix[float]:
+        """What is written down in the end, in the shape of the question."""
+        return piece_of(self.matrix(work), work.question, self._over)
+
+    def matrix(self, work: Work) -> Matrix[float]:
+        """The finished matrix, shape (4, 4)."""
+        return _finished(work, self._multiplied(work))
+
+    def matrix_of(self, step: Step) -> Matrix[float]:
+        """The matrix of one factor."""
+        if step not in self._known:
+            self._known[step] = fold(step.chain, self._over)
+        return self._known[step]
+
+    def _multiplied(self, work: Work) -> Matrix[float]:
+        if work.multiplied is Multiplied.ELEMENTWISE:
+            return _elementwise([self.matrix_of(step) for step in work.steps])
+        steps, base = work.steps, self._base
+        shared = min(len(steps), len(base))
+        head = next((k for k in range(shared) if steps[k] is not base[k]), shared)
+        tail = next((k for k in range(shared - head) if steps[-1 - k] is not base[-1 - k]), shared - head)
+        total = self._heads[head]
+        for step in steps[head : len(steps) - tail]:
+            total = product(total, self.matrix_of(step))
+        total = product(total, self._tails[tail]) if tail else total
+        if work.multiplied is Multiplied.UNROTATED:
+            return _added(total, [self.matrix_of(step) for step in steps])
+        return total
+
+
+def terms(work: Work, values: Values) -> Matrix[Expr]:
+    """What is written down in the end, in terms with some values put in, in the shape of the question."""
+    chain = tuple(move for step in work.steps for move in step.chain)
+    if work.multiplied is Multiplied.ELEMENTWISE:
+        matrix = _elementwise([textbook_form(put_in(step.chain, values)) for step in work.steps])
+    else:
+        matrix = textbook_form(put_in(chain, values))
+    if work.multiplied is Multiplied.UNROTATED:
+        matrix = _added(matrix, [textbook_form(put_in(step.chain, values)) for step in work.steps])
+    return piece_of(_finished(work, matrix), work.question, TERMS)
+
+
+def product(left: Matrix[N], right: Matrix[N]) -> Matrix[N]:
+    """The product of two homogeneous matrices."""
+    (a, b, c, d), (e, f, g, h), (i, j, k, m) = right[:3]
+    rows = []
+    for r, s, t, p in left[:3]:
+        rows.append((r * a + s * e + t * i, r * b + s * f + t * j, r * c + s * g + t * k, r * d + s * h + t * m + p))  # type: ignore[operator]
+    return (*rows, right[3])
+
+
+def inverse(matrix: Matrix[N]) -> Matrix[N]:
+    """The inverse of a rigid motion: R transposed and -R^T p."""
+    rows = []
+    for k in range(3):
+        column = [matrix[r][k] for r in range(3)]
+        back: N | int = 0
+        for r in range(3):
+            back = plus(back, times(column[r], matrix[r][3]))
+        rows.append((*column, times(-1, back)))
+    return (*rows, matrix[3])  # type: ignore[arg-type]
+
+
+def _finished(work: Work, matrix: Matrix[N]) -> Matrix[N]:
+    if work.inverted:
+        matrix = inverse(matrix)
+    for rewriting in work.rewritten:
+        matrix = rewriting(matrix)  # type: ignore[arg-type, assignment]
+    return matrix
+
+
+def _elementwise(matrices: Sequence[Matrix[N]]) -> Matrix[N]:
+    total = matrices[0]
+    for matrix in matrices[1:]:
+        total = tuple(tuple(a * b for a, b in zip(r, s, strict=True)) for r, s in zip(total, matrix, strict=True))  # type: ignore[operator]
+    return total
+
+
+def _added(matrix: Matrix[N], factors: Sequence[Matrix[N]]) -> Matrix[N]:
+    """The rotation of a product with the sum of the factors' positions."""
+    rows = []
+    for k in range(3):
+        position: N | int = 0
+        for factor in factors:
+            position = plus(position, factor[k][3])
+        rows.append((*matrix[k][:3], position))
+    return (*rows, matrix[3])  # type: ignore[arg-type]
+
+
+_UNIT: Matrix[float] = tuple(tuple(float(r == c) for c in range(4)) for r in range(4))
