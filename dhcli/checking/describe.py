@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dhcli.checking.exercise import Exercise
 from dhcli.checking.questions import (
     CellQuestion,
     ChoiceQuestion,
@@ -13,6 +14,7 @@ from dhcli.checking.questions import (
     Span,
     TableQuestion,
 )
+from dhcli.notation.quantity import value_text
 from dhcli.notation.styles import THETAS, Joints
 from dhcli.notation.writer import write
 
@@ -35,6 +37,12 @@ def describe(question: Question, joints: Joints = THETAS) -> str:
         case ChoiceQuestion():
             return "the number of one statement"
     raise TypeError(question)
+
+
+def given_text(exercise: Exercise) -> str:
+    """The values that an exercise gives, lengths in the unit of its sheet: `theta1 = 30°, d3 = 0.12 m`."""
+    unit = "" if exercise.unit == "none" else exercise.unit
+    return ", ".join(f"{name} = {value_text(value, unit)}" for name, value in exercise.given.items())
 
 
 def _matrix(question: MatrixQuestion, joints: Joints) -> str:

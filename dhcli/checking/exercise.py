@@ -9,6 +9,7 @@ from functools import cached_property
 
 from dhcli.checking.questions import MatrixQuestion, Question, Span, TableQuestion
 from dhcli.checking.tolerance import DEFAULT, Tolerance
+from dhcli.checking.variants import Range
 from dhcli.errors import DhcliError, UnknownNameError, did_you_mean
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.robot import Robot, Value
@@ -94,6 +95,8 @@ class Exercise:
         also: A second robot that is right too, with its note.
         trials: Submissions the exercise tests itself with.
         shows_expected: Whether feedback may show the right entry.
+        variants: What may be drawn by a seed, by name.
+        variant: The seed that `given` was drawn by; empty for the numbers of the file.
         truths: Right answers computed so far, by question.
     """
 
@@ -111,6 +114,8 @@ class Exercise:
     also: tuple[Robot, str] | None = None
     trials: tuple[Trial, ...] = ()
     shows_expected: bool = False
+    variants: Mapping[str, Range] = field(default_factory=dict)
+    variant: str = ""
     truths: dict[object, object] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     def part(self, name: str) -> Part:

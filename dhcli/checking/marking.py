@@ -23,6 +23,7 @@ from dhcli.checking.questions import (
 from dhcli.checking.reading import UnreadableError, check_names, read_entries, without_label
 from dhcli.checking.symbolic import mark_symbols, put, same
 from dhcli.checking.tables.cells import own_values
+from dhcli.checking.tolerance import ZERO as NOTHING
 from dhcli.checking.tolerance import Tolerance, is_rounding_of, judge
 from dhcli.checking.truth import Truth, is_length, truth_of
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
@@ -297,11 +298,12 @@ def _robot(exercise: Exercise) -> Robot:
 
 
 def _quantity(expr: Expr, exercise: Exercise) -> Value:
-    """An expression as an angle if its units or its names say so, else as a length or number."""
+    """An expression as an angle if its units or its names say so, else as a length or number; exact in numbers."""
     inside = symbols(expr)
     if has_angle_unit(expr) or (inside and all(exercise.scope.is_angle(name) for name in inside)):
         try:
-            return to_angle(expr)
+            angle = to_angle(expr)
+            return _constant(angle, exercise) if exercise.numeric else angle
         except DimensionError:
             pass  # a cosine of an angle is a number
     return to_length(expr)
@@ -319,11 +321,16 @@ def _as_text(question: MatrixQuestion, truth: Truth, exercise: Exercise, style: 
         unit = float(exercise.metres)
         return _matrix_text(
             tuple(
-                tuple(f"{value / unit if is_length(question, r, c) else value:.10g}" for c, value in enumerate(row))
+                tuple(_decimal(value / unit if is_length(question, r, c) else value) for c, value in enumerate(row))
                 for r, row in enumerate(truth.numbers)
             )
         )
     return _matrix_text(tuple(tuple(write(entry, style, exercise.writing) for entry in row) for row in truth.rows))
+
+
+def _decimal(value: float) -> str:
+    """A number in digits that can be typed; what is nothing but rounding of floats is 0."""
+    return "0" if abs(value) < NOTHING else f"{value:.10g}"
 
 
 def _matrix_text(rows: tuple[tuple[str, ...], ...]) -> str:

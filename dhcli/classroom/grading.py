@@ -9,6 +9,7 @@ from functools import lru_cache, partial
 
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.sheetmark import PartMark, mark_sheet
+from dhcli.checking.variants import vary
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.classroom.folder import Submission
 from dhcli.classroom.pool import Lost, spread
@@ -164,14 +165,7 @@ def _exercise_of(sheet: Sheet, only: str | None, written: str) -> Exercise:
         exercise = _of_library(sheet.exercise)
     else:
         raise DhcliError("exercise: is missing", "--exercise says which one it is")
-    return _varied(exercise, sheet.variant)
-
-
-def _varied(exercise: Exercise, variant: str) -> Exercise:
-    """The exercise with the numbers of a variant: judged by others, a right sheet would be wrong."""
-    if variant:
-        raise DhcliError(f"variant: {exercise.id} has no variants", "leave the line out")
-    return exercise
+    return vary(exercise, sheet.variant) if sheet.variant else exercise  # by other numbers a right sheet is wrong
 
 
 @lru_cache(maxsize=64)
@@ -199,8 +193,10 @@ def _part_grade(one: PartMark) -> PartGrade:
 
 
 def _slips(mark: Mark) -> tuple[str, ...]:
-    """Names of the mistakes in an answer."""
-    return () if mark.verdict.passed else mark.remarks[:1]
+    """Names of the mistakes that explain an answer; what was remarked of it where none is known."""
+    if mark.verdict.passed:
+        return ()
+    return mark.diagnosis.names[:1] if mark.diagnosis and mark.diagnosis.names else mark.remarks[:1]
 
 
 def _short(text: str) -> str:

@@ -24,6 +24,7 @@ COMMANDS = {
     "show": "dhcli.cli.show:show",
     "list": "dhcli.cli.listing:list_",
     "new": "dhcli.cli.new:new",
+    "lint": "dhcli.cli.lint:lint",
 }
 """Every command and the function behind it; the order is that of the help."""
 

@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dhcli.cli.options import ExerciseOrRobot, Force, Format, Output, Settings
+from dhcli.cli.options import ExerciseOrRobot, Force, Format, Output, Settings, Variant
 from dhcli.errors import ExitStatus
 
 if TYPE_CHECKING:
     from dhcli.checking.exercise import Exercise
     from dhcli.errors import Place
+    from dhcli.files.sheets import Sheet
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -37,6 +38,7 @@ def check(
     sheet: Annotated[str | None, typer.Argument(metavar="SHEET", help="The answer sheet; - is stdin.")] = None,
     part: Annotated[str | None, typer.Option(metavar="PART", help="Look at this part only.")] = None,
     answer: Annotated[str | None, typer.Option(metavar="TEXT", help="The answer itself; - is stdin.")] = None,
+    variant: Variant = None,
     q: Annotated[
         str | None, typer.Option("--q", metavar="VALUES", help="At these joint values.", rich_help_panel=_QUESTION)
     ] = None,
@@ -71,17 +73,25 @@ def check(
 ) -> ExitStatus:
     """Check an answer sheet, one answer, or a DH table."""
     from dhcli.checking.sheetmark import mark_sheet
+    from dhcli.checking.variants import variant_of
     from dhcli.cli.delivery import Delivery
     from dhcli.cli.quiz import Asked, exercise_of, exit_code, remember, with_tolerance
+    from dhcli.errors import DhcliError
+    from dhcli.files.sheets import Sheet, read_sheet
 
     delivery = Delivery("check", format_, output=output, force=force)
     delivery.chosen("marks")
     asked = Asked(q, pose, tuple(set_ or ()), deg, symbolic, from_, to, table)
     exercise, typed = exercise_of(name, asked)
     exercise = with_tolerance(exercise, tol_rotation, tol_position, decimals)
+    if sum(source is not None for source in (sheet, answer, table)) > 1:
+        raise DhcliError("a sheet, --answer and --table are three ways to give an answer", "use one of them")
     if sheet is None and answer is None and table is None:
-        return _walk(exercise, part)
-    answers, places, only = _answers(exercise, sheet, part, answer, typed if table else None)
+        return _walk(variant_of(exercise, variant), part)
+    read = read_sheet(sheet) if sheet is not None else Sheet(exercise.id, {})
+    exercise.accepts(read.exercise, sheet or "")
+    exercise = variant_of(exercise, variant, read.variant, sheet or "")
+    answers, places, only = _answers(exercise, read if sheet else None, part, answer, typed if table else None)
     marked = mark_sheet(exercise, answers, places, only)
     remember(marked)
     delivery.hand_over("marks", replace(marked, why=why))
@@ -104,20 +114,15 @@ def _walk(exercise: Exercise, part: str | None) -> ExitStatus:
 
 
 def _answers(
-    exercise: Exercise, sheet: str | None, part: str | None, answer: str | None, table: str | None
+    exercise: Exercise, sheet: Sheet | None, part: str | None, answer: str | None, table: str | None
 ) -> tuple[dict[str, str], dict[str, Place], str | None]:
     """Answers by part, where they stand, and the one part meant."""
     from dhcli.errors import DhcliError
     from dhcli.files.reading import read_text
-    from dhcli.files.sheets import read_sheet
 
-    if sum(source is not None for source in (sheet, answer, table)) > 1:
-        raise DhcliError("a sheet, --answer and --table are three ways to give an answer", "use one of them")
     if sheet is not None:
-        read = read_sheet(sheet)
-        exercise.accepts(read.exercise, sheet)
-        answers = {name: given.text for name, given in read.answers.items()}
-        return answers, {name: given.place for name, given in read.answers.items()}, part
+        answers = {name: given.text for name, given in sheet.answers.items()}
+        return answers, {name: given.place for name, given in sheet.answers.items()}, part
     only = exercise.part(part).id if part else exercise.parts[0].id
     if part is None and len(exercise.parts) > 1:
         names = ", ".join(one.id for one in exercise.parts)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import shlex
 import sys
 from typing import Annotated
 
 import typer
 
-from dhcli.cli.options import ExerciseName
+from dhcli.cli.options import ExerciseName, Variant
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -21,15 +22,17 @@ dhcli hint planar-two-links --part t02
 def hint(
     name: ExerciseName,
     part: Annotated[str | None, typer.Option(metavar="PART", help="Help with this part.")] = None,
+    variant: Variant = None,
 ) -> None:
     """Show the next hint, for the first part that is not solved yet or the one named."""
+    from dhcli.checking.variants import variant_of
     from dhcli.cli.console import say, write_out
     from dhcli.cli.quiz import first_open
     from dhcli.files.exercises import load_exercise
     from dhcli.files.progress import Try, read_progress, record_hint
     from dhcli.render.paper import Paper
 
-    exercise = load_exercise(name)
+    exercise = variant_of(load_exercise(name), variant)
     progress, message = read_progress()
     done = progress.get(exercise.id, {})
     meant = exercise.part(part) if part else first_open(exercise, {p: t.best for p, t in done.items()})
@@ -43,5 +46,6 @@ def hint(
     message = message or record_hint(exercise.id, meant.id)
     if message:
         say(f"dhcli: {message}\n")
+    option = f" --variant {shlex.quote(exercise.variant)}" if exercise.variant else ""
     if number + 1 == len(meant.hints):
-        say(f"that was the last one; dhcli solution {exercise.id} --part {meant.id} works it out\n")
+        say(f"that was the last one; dhcli solution {exercise.id}{option} --part {meant.id} works it out\n")

@@ -42,6 +42,10 @@ ExerciseOrRobot: TypeAlias = Annotated[
         metavar="NAME", help="An exercise, or a robot with a question about it.", autocompletion=complete_exercise
     ),
 ]
+Variant: TypeAlias = Annotated[
+    str | None,
+    typer.Option("--variant", metavar="NAME", help="With the numbers drawn for NAME, any text; the same everywhere."),
+]
 Format: TypeAlias = Annotated[
     str | None,
     typer.Option(

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dhcli.cli.options import Force, Format, Output, RobotName
+from dhcli.cli.options import Force, Format, Output, RobotName, Variant
+from dhcli.errors import DhcliError
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -10,10 +11,18 @@ EXAMPLES = """
 dhcli show puma560
 
 dhcli show puma560 --format latex
+
+dhcli show planar-in-numbers --variant alice
 """
 
 
-def show(name: RobotName, format_: Format = None, output: Output = None, force: Force = False) -> None:
+def show(
+    name: RobotName,
+    variant: Variant = None,
+    format_: Format = None,
+    output: Output = None,
+    force: Force = False,
+) -> None:
     """Show a robot's table, a linkage's joints or an exercise's task, and where it comes from."""
     from dhcli.cli.delivery import Delivery
     from dhcli.files.kinds import kind_of
@@ -21,14 +30,17 @@ def show(name: RobotName, format_: Format = None, output: Output = None, force: 
     delivery = Delivery("show", format_, output=output, force=force)
     kind = kind_of(name).noun
     delivery.chosen(kind)
-    delivery.hand_over(kind, _load(kind, name))
+    delivery.hand_over(kind, _load(kind, name, variant))
 
 
-def _load(kind: str, name: str) -> object:
+def _load(kind: str, name: str, variant: str | None) -> object:
     if kind == "exercise":
+        from dhcli.checking.variants import variant_of
         from dhcli.files.exercises import load_exercise
 
-        return load_exercise(name)
+        return variant_of(load_exercise(name), variant)
+    if variant is not None:
+        raise DhcliError(f"{name} is a {kind}: only exercises have variants", "leave --variant out")
     if kind == "linkage":
         from dhcli.files.linkages import load_linkage
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dhcli.cli.options import ExerciseName
+from dhcli.cli.options import ExerciseName, Variant
 
 if TYPE_CHECKING:
     from dhcli.checking.exercise import Exercise, Part
@@ -24,15 +24,17 @@ dhcli solution planar-two-links --yes
 def solution(
     name: ExerciseName,
     part: Annotated[str | None, typer.Option(metavar="PART", help="Only this part.")] = None,
+    variant: Variant = None,
     yes: Annotated[bool, typer.Option("--yes", help="Show parts that were never tried, too.")] = False,
 ) -> None:
     """Work an exercise out, step by step; asks once before it shows what was never tried."""
+    from dhcli.checking.variants import variant_of
     from dhcli.cli.console import write_out
     from dhcli.files.exercises import load_exercise
     from dhcli.render.marks import solution_text
     from dhcli.render.paper import Paper
 
-    exercise = load_exercise(name)
+    exercise = variant_of(load_exercise(name), variant)
     parts = (exercise.part(part),) if part else exercise.parts
     if not yes:
         _ask_once(exercise, parts)

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from dhcli.cli.options import ExerciseName
+from dhcli.cli.options import ExerciseName, Variant
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -14,23 +14,27 @@ EXAMPLES = """
 dhcli start planar-two-links
 
 dhcli start planar-two-links -o -
+
+dhcli start planar-in-numbers --variant alice
 """
 
 
 def start(
     name: ExerciseName,
+    variant: Variant = None,
     output: Annotated[
         str | None, typer.Option("-o", "--output", metavar="FILE", help="Where to write it; - is stdout.")
     ] = None,
     force: Annotated[bool, typer.Option("--force", help="Overwrite the file.")] = False,
 ) -> None:
     """Write an answer sheet for an exercise."""
+    from dhcli.checking.variants import variant_of
     from dhcli.cli.console import say, write_out
     from dhcli.cli.delivery import write_file
     from dhcli.files.exercises import load_exercise
     from dhcli.files.sheets import write_sheet
 
-    exercise = load_exercise(name)
+    exercise = variant_of(load_exercise(name), variant)
     text = write_sheet(exercise)
     if output == "-":
         write_out(text)

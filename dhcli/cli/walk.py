@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 
+from dhcli.checking.describe import given_text
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.sheetmark import PartMark, SheetMark, mark_sheet
 from dhcli.checking.verdicts import Mark, Verdict
@@ -27,6 +28,8 @@ def walk(exercise: Exercise, only: str | None = None) -> SheetMark:
     write_out(f"{paper.ink(paper.spell(exercise.title), 'bold')}\n")
     for line in exercise.task.strip().splitlines():
         write_out(f"{paper.spell(line)}\n")
+    if exercise.given:
+        write_out(f"\n{paper.spell(f'given: {given_text(exercise)}')}\n")
     write_out(f"\n{paper.ink(HELP, 'dim')}\n")
     marks: list[PartMark] = []
     for part in [exercise.part(only)] if only else exercise.parts:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dhcli.cli.options import ExerciseName
+from dhcli.cli.options import ExerciseName, Variant
 
 if TYPE_CHECKING:
     from dhcli.checking.exercise import Exercise
@@ -34,6 +34,7 @@ def watch(
     sheet: Annotated[
         str | None, typer.Argument(metavar="SHEET", help="The sheet; by default the one start wrote.")
     ] = None,
+    variant: Variant = None,
 ) -> None:
     """Check a sheet again whenever it is saved, until q or Ctrl-C."""
     from dhcli.errors import DhcliError
@@ -46,10 +47,10 @@ def watch(
     if not sys.stdout.isatty():
         raise DhcliError("watch needs a terminal", f"dhcli check {exercise.id} {path} checks once")
     with _single_keys() as key:
-        _watch(exercise, path, key)
+        _watch(exercise, path, variant, key)
 
 
-def _watch(exercise: Exercise, path: str, key: Callable[[float], str]) -> None:
+def _watch(exercise: Exercise, path: str, variant: str | None, key: Callable[[float], str]) -> None:
     """Draw the screen at each save and at each key."""
     seen: tuple[int, int] | None = None
     hints = 0
@@ -62,7 +63,7 @@ def _watch(exercise: Exercise, path: str, key: Callable[[float], str]) -> None:
             continue
         hints = hints + 1 if pressed == "h" else 0 if now != seen else hints
         seen = now
-        _draw(exercise, path, hints)
+        _draw(exercise, path, variant, hints)
 
 
 def _stamp(path: str) -> tuple[int, int]:
@@ -74,8 +75,9 @@ def _stamp(path: str) -> tuple[int, int]:
     return found.st_mtime_ns, found.st_size
 
 
-def _draw(exercise: Exercise, path: str, hints: int) -> None:
+def _draw(exercise: Exercise, path: str, variant: str | None, hints: int) -> None:
     from dhcli.checking.sheetmark import mark_sheet
+    from dhcli.checking.variants import variant_of
     from dhcli.cli.console import write_out
     from dhcli.cli.quiz import first_open, remember
     from dhcli.errors import DhcliError
@@ -88,6 +90,7 @@ def _draw(exercise: Exercise, path: str, hints: int) -> None:
     try:
         read = read_sheet(path)
         exercise.accepts(read.exercise, path)
+        exercise = variant_of(exercise, variant, read.variant, path)
         marked = mark_sheet(
             exercise,
             {name: given.text for name, given in read.answers.items()},

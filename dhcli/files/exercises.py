@@ -7,17 +7,18 @@ from pathlib import Path
 
 from dhcli.checking.exercise import Exercise, Part, Printed, Trial, answer_scope
 from dhcli.checking.questions import ChoiceQuestion, CountQuestion, Question, check_question, read_question
-from dhcli.checking.tolerance import DEFAULT, Tolerance
+from dhcli.checking.variants import Range
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import DhcliError, FileError, NotationError, Problem, did_you_mean
 from dhcli.files.fields import Fields, Problems
 from dhcli.files.library import Kind, entries, find
 from dhcli.files.placed import PlacedMapping, PlacedNode, PlacedScalar, read_yaml
+from dhcli.files.ranges import read_variants
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.robots import load_robot
+from dhcli.files.tolerances import read_tolerance
 from dhcli.files.typed import (
     has_unit_of_angle,
-    read_degrees,
     read_flag,
     read_number,
     read_texts,
@@ -25,6 +26,7 @@ from dhcli.files.typed import (
     read_whole,
 )
 from dhcli.kinematics.robot import Robot, Value
+from dhcli.notation.angle import Angle
 from dhcli.notation.names import GREEK_NAMES, parts
 from dhcli.notation.quantity import LENGTH_UNITS
 
@@ -46,7 +48,6 @@ KEYS = (
     "feedback",
 )
 PART_KEYS = ("id", "ask", "prompt", "credit", "depends", "hints", "compare", "options", "right", "exact", "decimals")
-TOLERANCE_KEYS = ("rotation", "position", "angle", "decimals", "exact")
 
 
 def load_exercise(name: str | Path) -> Exercise:
@@ -88,10 +89,11 @@ class _Loader:
         self.fields = self.problems.document(root, known=KEYS, required=("title", "source", "task", "parts"))
         self.robot = self.read_robot("robot")
         self.names = read_texts(self.fields, "names")
-        self.given = self.read_given()
+        self.given: dict[str, Value] = {}
+        self.read_given()
         self.scope = answer_scope(self.robot, (*self.given, *self.names))
         self.printed = self.read_printed()
-        self.tolerance = self.read_tolerance()
+        self.tolerance = read_tolerance(self.fields)
 
     def exercise(self) -> Exercise:
         parts_ = tuple(part for node in self.fields.sequence("parts") if (part := self.part(node)))
@@ -123,6 +125,7 @@ class _Loader:
             also=also,
             trials=trials,
             shows_expected=feedback == "expected",
+            variants=self.variants(),
         )
         self.problems.raise_if_any(FileError)
         return found
@@ -156,22 +159,32 @@ class _Loader:
             return f"{fields.text('document')}, {fields.text('item')}"
         return self.fields.text("source")
 
-    def read_given(self) -> dict[str, Value]:
-        given: dict[str, Value] = {}
+    def read_given(self) -> None:
         fields = self.fields.mapping("given")
         for key in fields.entries:
             scalar = fields.scalar(key)
             value = self.value(scalar, key) if scalar else None
             if value is not None:
-                given[key] = value
-        return given
+                self.given[key] = value
 
     def value(self, scalar: PlacedScalar, key: str) -> Value | None:
-        if self.robot is not None and key in self.robot.scope.names:
-            is_angle = key in self.robot.angles
-        else:
-            is_angle = _is_angle(key) or has_unit_of_angle(scalar)
+        is_angle = self.is_angle(key) or (not self.of_robot(key) and has_unit_of_angle(scalar))
         return read_value(self.problems, scalar, key, is_angle=is_angle)
+
+    def is_angle(self, key: str) -> bool:
+        """Whether a name stands for an angle: by the robot, by the value given, or by its Greek letter."""
+        if self.robot is not None and self.of_robot(key):
+            return key in self.robot.angles
+        return _is_angle(key) or isinstance(self.given.get(key), Angle)
+
+    def of_robot(self, key: str) -> bool:
+        return self.robot is not None and key in self.robot.scope.names
+
+    def variants(self) -> dict[str, Range]:
+        if self.robot is None and "robot" in self.fields:
+            return {}  # that it was not found is said; its names are not known
+        known = (*(self.robot.scope.names if self.robot else ()), *self.given)
+        return read_variants(self.fields, known, self.is_angle)
 
     def read_printed(self) -> dict[str, Printed]:
         fields = self.fields.mapping("printed")
@@ -184,21 +197,6 @@ class _Loader:
             else:
                 printed[key] = Printed(fields.text(key))
         return printed
-
-    def read_tolerance(self) -> Tolerance:
-        fields = self.fields.mapping("tolerance", known=TOLERANCE_KEYS)
-        rotation, position = read_number(fields, "rotation"), read_number(fields, "position")
-        angle = read_degrees(fields, "angle")
-        for key, value in (("rotation", rotation), ("position", position), ("angle", angle)):
-            if value is not None and not value >= 0:
-                self.problems.add(fields.place_of(key), f"{key}: a tolerance is not negative")
-        return Tolerance(
-            rotation=DEFAULT.rotation if rotation is None else rotation,
-            position=position,
-            angle=DEFAULT.angle if angle is None else angle,
-            decimals=read_whole(fields, "decimals"),
-            exact=read_flag(fields, "exact"),
-        )
 
     def part(self, node: PlacedNode) -> Part | None:
         fields = self.problems.mapping(node, "parts", known=PART_KEYS, required=("id", "ask"))

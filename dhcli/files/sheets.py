@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from dhcli.checking.describe import describe
+from dhcli.checking.describe import describe, given_text
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.questions import ChoiceQuestion, MatrixQuestion, TableQuestion
 from dhcli.errors import FileError, Place, Problem
@@ -112,16 +113,23 @@ def write_sheet(exercise: Exercise) -> str:
         f"# {exercise.source}",
         "#",
         *(f"# {line}".rstrip() for line in exercise.task.strip().splitlines()),
+        *(["#", f"# Given: {given_text(exercise)}"] if exercise.given else []),
         "#",
         f"# Fill in each {BLANK} and save; leave a part as it is to skip it. Then: dhcli check {exercise.id} THIS_FILE",
         f"# {_units(exercise)}",
         "format: 1",
         f"exercise: {exercise.id}",
+        *([f"variant: {_scalar(exercise.variant)}"] if exercise.variant else []),
         "answers:",
     ]
     for part in exercise.parts:
         lines += _part_lines(exercise, part)
     return "\n".join(lines) + "\n"
+
+
+def _scalar(text: str) -> str:
+    """A text as YAML; in quotes unless it is plainly a name."""
+    return text if re.fullmatch("[A-Za-z][A-Za-z0-9_-]*", text) else "'" + text.replace("'", "''") + "'"
 
 
 def _units(exercise: Exercise) -> str:

@@ -29,11 +29,13 @@ class Finding:
         where: Path to the part, such as ("links", 2, "theta"), for a loader that knows where it stands.
         message: What is wrong.
         hint: What would be right.
+        is_warning: Whether an author may well leave it as it is.
     """
 
     where: tuple[str | int, ...]
     message: str
     hint: str = ""
+    is_warning: bool = False
 
 
 class InvalidRobotError(RobotError):

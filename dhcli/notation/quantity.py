@@ -11,6 +11,7 @@ from typing import Literal
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Constant, Expr, Number, Product, Sum, Symbol, Unit
 from dhcli.notation.walk import rebuild, symbols, walk
+from dhcli.notation.writer import write, write_angle
 
 LENGTH_UNITS = {
     "mm": Fraction(1, 1000),
@@ -102,6 +103,22 @@ def is_affine(expr: Expr, name: str) -> bool:
         inside = [factor for factor in expr.factors if name in symbols(factor)]
         return len(inside) <= 1 and all(isinstance(f, Symbol | Sum) and is_affine(f, name) for f in inside)
     return name not in symbols(expr)
+
+
+def value_text(value: Angle | Expr, unit: str = "m") -> str:
+    """A value with its unit, as a person would write it: `30°`, `0.3 rad`, `0.4 m`.
+
+    Args:
+        value: An exact angle, or a length in metres.
+        unit: The unit to write a length in; empty for a bare number.
+    """
+    if isinstance(value, Angle):
+        if value.terms or (value.degrees and value.radians):
+            return write_angle(value)
+        return f"{float(value.radians):.10g} rad" if value.radians else f"{float(value.degrees):.10g}°"
+    if not isinstance(value, Number):
+        return f"{write(value)} m"
+    return f"{float(value.value / LENGTH_UNITS.get(unit, 1)):.10g} {unit}".rstrip()
 
 
 def _constant(scale: Fraction, unit: str, bare: Bare) -> Angle:

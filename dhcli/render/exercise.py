@@ -2,43 +2,46 @@
 
 from __future__ import annotations
 
+import shlex
 from typing import Any
 
+from dhcli.checking.describe import describe, given_text
 from dhcli.checking.exercise import Exercise
 from dhcli.render.look import Look
 from dhcli.render.marks import question_text
-from dhcli.render.quantities import value_text
+from dhcli.render.quantities import in_units
 
 
 def exercise_table(exercise: Exercise, look: Look) -> str:
     """A page about an exercise."""
     paper = look.paper
     robot = f" · robot {exercise.robot.name}" if exercise.robot else ""
+    variant = f" · variant {exercise.variant}" if exercise.variant else ""
     lines = [
         paper.ink(paper.spell(exercise.title), "bold"),
-        paper.ink(paper.spell(f"{exercise.id} · {exercise.source}{robot}"), "dim"),
+        paper.ink(paper.spell(f"{exercise.id} · {exercise.source}{robot}{variant}"), "dim"),
         "",
         *(paper.spell(line) for line in exercise.task.strip().splitlines()),
     ]
     if exercise.given:
-        given = ", ".join(f"{name} = {value_text(value)}" for name, value in exercise.given.items())
-        lines += ["", paper.spell(f"given: {given}")]
+        lines += ["", paper.spell(f"given: {given_text(exercise)}")]
     for part in exercise.parts:
         lines += ["", question_text(exercise, part, paper).rstrip("\n")]
-    lines += ["", paper.ink(f"dhcli start {exercise.id} writes a sheet to fill in", "dim")]
+    option = f" --variant {shlex.quote(exercise.variant)}" if exercise.variant else ""
+    lines += ["", paper.ink(f"dhcli start {exercise.id}{option} writes a sheet to fill in", "dim")]
     return "\n".join(lines) + "\n"
 
 
 def exercise_content(exercise: Exercise, _look: Look) -> dict[str, Any]:
     """An exercise as JSON holds it, without its answers."""
-    from dhcli.checking.describe import describe
-
     return {
         "exercise": exercise.id,
         "title": exercise.title,
         "source": exercise.source,
         "robot": exercise.robot.name if exercise.robot else None,
         "task": exercise.task,
+        "variant": exercise.variant or None,
+        "given": {name: in_units(value) for name, value in exercise.given.items()},
         "parts": [
             {
                 "part": part.id,

@@ -26,6 +26,7 @@ _NOUNS = {
     "mobility": "a count of freedoms",
     "linkage": "a linkage",
     "library": "a list",
+    "lint": "findings",
 }
 """What each kind of result is called in messages."""
 
@@ -77,6 +78,7 @@ _RENDERERS = {
     ("mobility", "table"): "dhcli.render.mobility:mobility_table",
     ("linkage", "table"): "dhcli.render.mobility:linkage_table",
     ("library", "table"): "dhcli.render.library:library_table",
+    ("lint", "table"): "dhcli.render.lint:lint_table",
     ("library", "csv"): "dhcli.render.library:library_csv",
 }
 """Where the renderer of each kind of result and format stands; it is imported when it is needed."""
@@ -96,6 +98,7 @@ _CONTENTS = {
     "mobility": "dhcli.render.mobility:mobility_content",
     "linkage": "dhcli.render.mobility:linkage_content",
     "library": "dhcli.render.library:library_content",
+    "lint": "dhcli.render.lint:lint_content",
 }
 """Where each kind of result becomes what stands under `data` in JSON."""
 

@@ -55,6 +55,7 @@ def marks_content(marked: SheetMark, _look: Look) -> dict[str, Any]:
     allowed = marked.exercise.shows_expected
     return {
         "exercise": marked.exercise.id,
+        "variant": marked.exercise.variant or None,
         "verdict": marked.verdict.word,
         "passed": marked.verdict.passed,
         "earned": marked.earned,

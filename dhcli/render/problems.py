@@ -21,7 +21,7 @@ def problem_lines(problem: Problem, paper: Paper) -> Iterator[str]:
     where = f"{paper.spell(str(problem.place))}: " if problem.place and str(problem.place) else ""
     yield f"{paper.ink('dhcli:', 'bold', 'red')} {where}{paper.ink(paper.spell(problem.message), 'bold')}"
     if problem.place is not None and problem.place.text.strip():
-        yield from _marked(problem.place, paper)
+        yield from marked(problem.place, paper)
     if problem.hint:
         yield f"  {paper.ink('hint:', 'cyan')} {paper.spell(problem.hint)}"
 
@@ -31,7 +31,7 @@ def warning_line(message: str, paper: Paper) -> str:
     return f"{paper.ink('dhcli: warning:', 'bold', 'yellow')} {paper.spell(message)}\n"
 
 
-def _marked(place: Place, paper: Paper) -> Iterator[str]:
+def marked(place: Place, paper: Paper) -> Iterator[str]:
     """The source line and a caret under the column, cut to the width of the paper if it is longer."""
     column = (place.column or 1) - 1
     room = max(paper.width - _MARGIN, 2 * _MARGIN)

@@ -7,19 +7,9 @@ from collections.abc import Iterator
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import Values
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import Expr, Number
+from dhcli.notation.quantity import value_text
+from dhcli.notation.tree import Number
 from dhcli.notation.writer import write, write_angle
-
-
-def value_text(value: Value) -> str:
-    """A value with its unit, as a person would write it: `30°`, `0.3 rad`, `0.4 m`."""
-    if isinstance(value, Expr):
-        return f"{float(value.value):.10g} m" if isinstance(value, Number) else f"{write(value)} m"
-    if value.terms or (value.degrees and value.radians):
-        return write_angle(value)
-    if value.radians:
-        return f"{float(value.radians):.10g} rad"
-    return f"{float(value.degrees):.10g}°"
 
 
 def in_units(value: Value) -> float | str:

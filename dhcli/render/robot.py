@@ -11,11 +11,12 @@ from dhcli.kinematics.forward import spelled
 from dhcli.kinematics.moves import Chain
 from dhcli.kinematics.robot import Joint, Link, Robot
 from dhcli.notation.angle import Angle
+from dhcli.notation.quantity import value_text
 from dhcli.notation.writer import write, write_angle
 from dhcli.render.code import csv_line
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
-from dhcli.render.quantities import in_units, value_text
+from dhcli.render.quantities import in_units
 from dhcli.render.table import table_text
 
 if TYPE_CHECKING:

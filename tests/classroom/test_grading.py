@@ -57,7 +57,7 @@ def test_the_name_on_the_sheet_comes_first(tmp_path: Path) -> None:
         (sheet({"d02": RIGHT}, "yim/planar-tow-links"), "there is no exercise 'yim/planar-tow-links'"),
         (sheet({"d02": RIGHT}, "y" * 5000), "there is no exercise 'yyy"),
         (sheet({"d99": RIGHT}), "has no part d99"),
-        (sheet({"d02": RIGHT}, variant="x" * 500), "variant: yim/planar-two-links has no variants"),
+        (sheet({"d02": RIGHT}, variant="x" * 500), "yim/planar-two-links has no variants"),
     ],
 )
 def test_a_sheet_that_cannot_be_read_is_a_row(tmp_path: Path, text: str | bytes, problem: str) -> None:

@@ -1,0 +1,90 @@
+"""Rules for variants: every seed gives a good pose, its solution is right, and no text gives a number away."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from dhcli.checking.exercise import Exercise
+from dhcli.checking.marking import expected, mark
+from dhcli.checking.variants import vary
+from dhcli.checking.verdicts import Verdict
+from dhcli.errors import DhcliError
+from dhcli.kinematics.validity import Finding, in_floats
+from dhcli.notation.names import canonical
+from dhcli.notation.quantity import value_text
+
+SEEDS = tuple(str(number) for number in range(1, 201))
+"""So many students are tried."""
+
+SLACK = 1e-9
+_ASSIGNED = re.compile(r"(?<!\w)(\\?[^\W\d_]+_?\{?\d*\}?)\s*=\s*[-−]?\d")  # noqa: RUF001  the sign of a document
+
+
+def findings(exercise: Exercise) -> Iterator[Finding]:
+    """Every broken rule about the variants of an exercise; nothing if it has none."""
+    if not exercise.variants:
+        return
+    yield from _within_limits(exercise)
+    yield from _texts(exercise)
+    yield from _seeds(exercise)
+
+
+def _within_limits(exercise: Exercise) -> Iterator[Finding]:
+    limits = exercise.robot.limits if exercise.robot else {}
+    for name, range_ in exercise.variants.items():
+        if name not in limits:
+            continue
+        low, high = (in_floats(limit) for limit in limits[name])
+        outside = [v for v in range_.values if not low - SLACK <= in_floats(v) <= high + SLACK]
+        if outside:
+            shown = f"{value_text(limits[name][0])} to {value_text(limits[name][1])}"
+            message = f"{name}: {value_text(outside[0])} is outside its limits, {shown}"
+            yield Finding(("variants", name), message, "narrow the range")
+
+
+def _texts(exercise: Exercise) -> Iterator[Finding]:
+    """A number in a text stays what it is while the value beside it varies."""
+    texts: dict[tuple[str | int, ...], str] = {("task",): exercise.task}
+    for index, part in enumerate(exercise.parts):
+        texts["parts", index, "prompt"] = part.prompt
+        texts |= {("parts", index, "hints", k): hint for k, hint in enumerate(part.hints)}
+    fixed = {value_text(v) for name, v in exercise.values.items() if name not in exercise.variants}
+    loose = {name: value_text(v) for name, v in exercise.given.items() if name in exercise.variants}
+    for where, text in texts.items():
+        for name in {canonical(found[1]) for found in _ASSIGNED.finditer(text)}.intersection(exercise.variants):
+            hint = "dhcli writes the drawn numbers below the task; leave it out here"
+            yield Finding(where, f"{name} varies, and this text gives it a number", hint)
+        for name, shown in loose.items():
+            if shown not in fixed and re.search(rf"(?<![\d.]){re.escape(shown)}", text):
+                message = f"this text says {shown}, which is {name} in the file and another number in a variant"
+                yield Finding(where, message, f"write {name}", is_warning=True)
+
+
+def _seeds(exercise: Exercise) -> Iterator[Finding]:
+    """The first seed that draws nothing, and the first whose solution is not right; the same numbers are tried once."""
+    tried = []
+    for seed in SEEDS:
+        try:
+            drawn = vary(exercise, seed)
+        except DhcliError as error:
+            yield Finding(("variants",), error.problems[0].message, error.problems[0].hint)
+            return
+        if drawn.given in tried:
+            continue
+        tried.append(drawn.given)
+        for part in drawn.parts:
+            verdict = _own_verdict(drawn, part.id)
+            if verdict is not Verdict.RIGHT and verdict is not None:
+                message = f"variant {seed}: the solution of {part.id} is judged {verdict.word}"
+                yield Finding(("variants",), message, f"dhcli solution {exercise.id} --variant {seed} --part {part.id}")
+                return
+
+
+def _own_verdict(exercise: Exercise, name: str) -> Verdict | None:
+    """How its own solution is judged; None where it has none, which is told for the exercise itself."""
+    part = exercise.part(name)
+    try:
+        return mark(exercise, part, expected(exercise, part)).verdict
+    except DhcliError:
+        return None

@@ -1,0 +1,24 @@
+"""Texts that an author has not finished, whatever they belong to."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+
+from dhcli.kinematics.validity import Finding
+
+_UNFINISHED = re.compile(r"\b(?:TODO|FIXME|XXX|TBD)\b|\bwrite here\b")
+
+
+def unfinished(texts: Mapping[tuple[str | int, ...], str]) -> Iterator[Finding]:
+    """A finding for each text that is blank, or still holds what a template left to write.
+
+    Args:
+        texts: Each text by its path in the file.
+    """
+    for where, text in texts.items():
+        what = where[-1]
+        if not text.strip():
+            yield Finding(where, f"{what}: nothing but blanks", "say it, or leave the key out")
+        elif found := _UNFINISHED.search(text):
+            yield Finding(where, f"{what}: still says '{found[0]}'", "write what belongs there")

@@ -1,0 +1,94 @@
+"""Numbers drawn by a seed: every student has an own pose, and the same seed gives the same numbers everywhere.
+
+The draw is a hash of text, not a generator of random numbers: it depends on no machine, no version of Python and no
+order in which things are done. A draw that a mistake could hide behind is thrown away, and the next one taken.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import unicodedata
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from dhcli.errors import DhcliError
+from dhcli.kinematics.robot import Value
+
+if TYPE_CHECKING:
+    from dhcli.checking.exercise import Exercise
+
+MOST_DRAWS = 1000
+"""Draws after which the ranges are held to be at fault."""
+
+LONGEST_SEED = 100
+
+
+@dataclass(frozen=True, slots=True)
+class Range:
+    """The values that a name may take.
+
+    Attributes:
+        text: As the author wrote it, `20°..70° step 5°`.
+        values: All of them, exact, at least one.
+    """
+
+    text: str
+    values: tuple[Value, ...]
+
+
+def vary(exercise: Exercise, seed: str) -> Exercise:
+    """The exercise with the numbers of a seed.
+
+    Args:
+        exercise: An exercise with `variants`.
+        seed: Any text on one line, such as the name of a student; blanks around it do not count.
+
+    Returns:
+        A copy whose `given` holds the drawn values, and whose `variant` is the seed.
+
+    Raises:
+        DhcliError: The exercise has no variants, the text is no seed, or its ranges hold hardly any pose at which
+            mistakes show.
+    """
+    from dhcli.checking.degenerate import flaw  # few sheets have a variant
+
+    seed = unicodedata.normalize("NFC", seed.strip())
+    if not exercise.variants:
+        raise DhcliError(f"{exercise.id} has no variants: its numbers are the same for everybody", "leave it out")
+    if not seed or not seed.isprintable() or len(seed) > LONGEST_SEED:
+        hint = f"such as alice, on one line and at most {LONGEST_SEED} characters long"
+        raise DhcliError("the name of a variant is a short text", hint)
+    varied = exercise
+    for attempt in range(MOST_DRAWS):
+        drawn = {name: _drawn(range_, exercise, seed, name, attempt) for name, range_ in exercise.variants.items()}
+        varied = replace(exercise, given={**exercise.given, **drawn}, variant=seed)
+        if not flaw(varied):
+            return varied
+    ranges = ", ".join(f"{name}: {range_.text}" for name, range_ in exercise.variants.items())
+    message = f"{exercise.id}: {MOST_DRAWS} draws gave no pose at which mistakes show; the last: {flaw(varied)}"
+    raise DhcliError(message, f"widen the variants, {ranges}")
+
+
+def variant_of(exercise: Exercise, asked: str | None, written: str = "", sheet: str = "") -> Exercise:
+    """The exercise with the numbers that were asked for, or that a sheet was written with; as it is by neither.
+
+    Args:
+        exercise: The exercise.
+        asked: The seed that was typed.
+        written: The seed that stands on a sheet.
+        sheet: What to call the sheet.
+
+    Raises:
+        DhcliError: The two differ, or see `vary`.
+    """
+    if asked is not None and written and asked != written:
+        raise DhcliError(f"{sheet} is a sheet of variant {written}, not of {asked}", "leave --variant out")
+    seed = asked if asked is not None else written or None
+    return exercise if seed is None else vary(exercise, seed)
+
+
+def _drawn(range_: Range, exercise: Exercise, seed: str, name: str, attempt: int) -> Value:
+    """A value by hash; the exercise goes in by its last name, which is the same from the library and from a file."""
+    words = "\n".join((seed, exercise.id.split("/")[-1], name, str(attempt)))
+    number = int.from_bytes(hashlib.sha256(words.encode()).digest())
+    return range_.values[number % len(range_.values)]

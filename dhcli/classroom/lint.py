@@ -1,0 +1,160 @@
+"""Linting: every content rule over files and folders, all findings at once, each with its place."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from dhcli.classroom.names import Names
+from dhcli.classroom.places import place_in
+from dhcli.errors import DhcliError, FileError, Place, Problem
+from dhcli.files.kinds import kind_of
+from dhcli.files.library import Kind
+from dhcli.files.placed import read_yaml
+from dhcli.files.reading import read_text
+from dhcli.kinematics.validity import Finding
+
+SUFFIXES = (".yaml", ".yml")
+SHEETS = (".sheet.yaml", ".sheet.yml")
+USUAL = ("robots", "exercises")
+
+
+@dataclass(frozen=True, slots=True)
+class Told:
+    """A finding at its place.
+
+    Attributes:
+        problem: Where, what, and what would be right.
+        is_warning: Whether an author may well leave it as it is.
+    """
+
+    problem: Problem
+    is_warning: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Linted:
+    """What was found in files.
+
+    Attributes:
+        files: The files, in the order in which they were read.
+        told: The findings, by file and line.
+    """
+
+    files: tuple[str, ...]
+    told: tuple[Told, ...]
+
+    @property
+    def errors(self) -> int:
+        """Findings that must be mended."""
+        return sum(not one.is_warning for one in self.told)
+
+    @property
+    def warnings(self) -> int:
+        """Findings that an author may leave."""
+        return len(self.told) - self.errors
+
+
+def lint(paths: Sequence[str]) -> Linted:
+    """Look at files, and at every YAML file in folders and below them; answer sheets are passed over there.
+
+    Args:
+        paths: Files and folders; `./robots` and `./exercises` if there are none.
+
+    Raises:
+        FileError: A path leads nowhere, or to nothing that can be read; all of them.
+    """
+    files = list(_files(paths or _usual()))
+    told: list[Told] = []
+    names = Names.of(files)
+    for path in files:
+        told += _of_file(path, names)
+    return Linted(tuple(files), tuple(told))
+
+
+def _usual() -> list[str]:
+    found = [folder for folder in USUAL if os.path.isdir(folder)]  # noqa: PTH112
+    if not found:
+        raise DhcliError(
+            "there is no ./robots and no ./exercises here", "name files or folders: dhcli lint my-arm.yaml"
+        )
+    return found
+
+
+def _files(paths: Iterable[str]) -> Iterator[str]:
+    """The files meant, each once."""
+    problems: list[Problem] = []
+    found: dict[str, str] = {}
+    for path in paths:
+        if Path(path).is_dir():
+            for inner in sorted(_in_folder(Path(path), problems)):
+                found.setdefault(os.path.realpath(inner), str(inner))
+            continue
+        try:
+            read_text(path)
+        except FileError as error:
+            problems += error.problems
+        found.setdefault(os.path.realpath(path), path)
+    if problems:
+        raise FileError(problems)
+    yield from found.values()
+
+
+def _in_folder(folder: Path, problems: list[Problem]) -> Iterator[Path]:
+    """YAML files in a folder and below; hidden ones and sheets are passed over."""
+
+    def refused(error: OSError) -> None:
+        problems.append(Problem(f"cannot be read: {error.strerror}", Place(str(error.filename))))
+
+    for here, folders, names in os.walk(folder, onerror=refused):
+        folders[:] = sorted(name for name in folders if not name.startswith("."))
+        for name in names:
+            if name.lower().endswith(SUFFIXES) and not name.lower().endswith(SHEETS) and not name.startswith("."):
+                yield Path(here, name)
+
+
+def _of_file(path: str, names: Names) -> Iterator[Told]:
+    """The findings of one file: what keeps it from loading, or else every broken rule, in the order of its lines."""
+    try:
+        root = read_yaml(read_text(path), path)
+        found = [
+            Told(Problem(one.message, place_in(root, one.where), one.hint), one.is_warning)
+            for one in (*_rules(path), *names.clashes(path))
+        ]
+    except DhcliError as error:
+        found = [Told(_placed(problem, path)) for problem in error.problems]
+    yield from sorted(found, key=lambda one: _line(one.problem))
+
+
+def _rules(path: str) -> Iterator[Finding]:
+    """What the rules for its kind say of a file.
+
+    Raises:
+        DhcliError: It does not load.
+    """
+    from dhcli.checking.rules import exercises, linkages, robots, variants
+    from dhcli.files.exercises import load_exercise
+    from dhcli.files.linkages import load_linkage
+    from dhcli.files.robots import load_robot
+
+    kind = kind_of(path)
+    if kind is Kind.ROBOTS:
+        yield from robots.findings(load_robot(Path(path)))
+    elif kind is Kind.LINKAGES:
+        yield from linkages.findings(load_linkage(Path(path)))
+    else:
+        exercise = load_exercise(Path(path))
+        for rules in (exercises, variants):
+            yield from rules.findings(exercise)
+
+
+def _placed(problem: Problem, path: str) -> Problem:
+    """A problem that is at least in its file."""
+    return problem if problem.place is not None else Problem(problem.message, Place(path), problem.hint)
+
+
+def _line(problem: Problem) -> tuple[int, int]:
+    place = problem.place or Place("")
+    return place.line or 0, place.column or 0

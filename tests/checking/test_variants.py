@@ -1,0 +1,204 @@
+"""Numbers drawn by a seed: the same everywhere, and never such that mistakes hide behind them."""
+
+from dataclasses import replace
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from dhcli.checking.degenerate import flaw
+from dhcli.checking.exercise import Exercise
+from dhcli.checking.marking import expected, mark
+from dhcli.checking.variants import Range, vary
+from dhcli.checking.verdicts import Verdict
+from dhcli.errors import DhcliError
+from dhcli.files.exercises import load_exercise, read_exercise
+from dhcli.files.library import Kind, entries
+from dhcli.notation.angle import Angle
+from dhcli.notation.tree import Number
+
+VARIED = ("yim/planar-in-numbers", "yim/scara-in-numbers", "yim/stanford-in-numbers", "zhou/three-r-arm-tip-in-numbers")
+SEEDS = [str(number) for number in range(1, 41)]
+
+varied = pytest.mark.parametrize("name", VARIED)
+
+
+def angles(*values: int) -> Range:
+    """A range of angles in degrees."""
+    return Range("", tuple(Angle.in_degrees(value) for value in values))
+
+
+def lengths(*values: str) -> Range:
+    """A range of lengths in metres."""
+    return Range("", tuple(Number(Fraction(value)) for value in values))
+
+
+def given_of(exercise: Exercise) -> dict[str, str]:
+    """What an exercise gives, exactly, as text."""
+    return {
+        name: str(value.degrees) if isinstance(value, Angle) else str(value.value)
+        for name, value in exercise.given.items()
+        if isinstance(value, Angle | Number)
+    }
+
+
+def test_a_seed_always_gives_the_same_numbers() -> None:
+    """Written down once: whoever changes them takes the numbers away from a class that has begun."""
+    planar, stanford = load_exercise("yim/planar-in-numbers"), load_exercise("yim/stanford-in-numbers")
+    assert given_of(vary(planar, "alice")) == {"theta1": "35", "theta2": "60"}
+    assert given_of(vary(stanford, "alice")) == {
+        "theta1": "70",
+        "theta2": "45",
+        "d3": "2/5",
+        "theta4": "50",
+        "theta5": "65",
+        "theta6": "-30",
+    }
+
+
+def test_the_same_text_is_the_same_seed() -> None:
+    """An é may be one character or two, and blanks around a name mean nothing."""
+    planar = load_exercise("yim/planar-in-numbers")
+    assert vary(planar, " Rene\u0301 ").given == vary(planar, "Ren\u00e9").given
+
+
+def test_the_numbers_do_not_depend_on_how_the_exercise_is_called() -> None:
+    """By the id of the library, or by the path of its file."""
+    planar = load_exercise("yim/planar-in-numbers")
+    assert vary(replace(planar, id="planar-in-numbers"), "alice").given == vary(planar, "alice").given
+
+
+def test_students_get_different_numbers() -> None:
+    """And each name is drawn on its own."""
+    drawn = [given_of(vary(load_exercise("yim/stanford-in-numbers"), seed)) for seed in SEEDS]
+    assert len({tuple(one.values()) for one in drawn}) == len(drawn)
+    assert len({(one["theta1"], one["theta2"]) for one in drawn}) > len(drawn) / 2
+
+
+@varied
+def test_every_drawn_value_is_one_of_its_range(name: str) -> None:
+    """What does not vary stays as it is, and the file's own numbers are untouched."""
+    exercise = load_exercise(name)
+    for seed in SEEDS:
+        drawn = vary(exercise, seed)
+        assert drawn.variant == seed
+        for key, value in drawn.given.items():
+            assert value in exercise.variants[key].values if key in exercise.variants else value == exercise.given[key]
+    assert exercise.variant == ""
+
+
+@varied
+def test_the_solution_of_every_variant_is_right(name: str) -> None:
+    """And that of another variant is not, in one part at least."""
+    exercise = load_exercise(name)
+    first = vary(exercise, "first")
+    for seed in SEEDS[:10]:
+        drawn = vary(exercise, seed)
+        answers = {part.id: expected(drawn, part) for part in drawn.parts}
+        assert {mark(drawn, part, answers[part.id]).verdict for part in drawn.parts} == {Verdict.RIGHT}
+        assert any(mark(first, part, answers[part.id]).verdict is not Verdict.RIGHT for part in first.parts)
+
+
+@varied
+@given(seed=st.text(min_size=1, max_size=20).filter(lambda text: text.strip().isprintable() and text.strip() != ""))
+def test_no_draw_is_degenerate(name: str, seed: str) -> None:
+    """No angle is a right one, and no two differ by one or add up to it."""
+    drawn = vary(load_exercise(name), seed)
+    q = [value.degrees for value in drawn.given.values() if isinstance(value, Angle)]
+    assert all(angle % 90 for angle in q)
+    assert all((a - b) % 90 and (a + b) % 90 for i, a in enumerate(q) for b in q[:i])
+
+
+@pytest.mark.parametrize(
+    ("variants", "what"),
+    [
+        ({"theta1": angles(90)}, "theta1 is a multiple of 90°"),
+        ({"theta1": angles(45)}, "theta1 and theta2 differ by a multiple of 90°"),
+        ({"theta1": angles(135)}, "theta1 and theta2 differ by a multiple of 90°"),
+        ({"theta1": angles(-45)}, "theta1 and theta2 differ by a multiple of 90°"),
+        ({"theta1": angles(30), "a1": lengths("0.3")}, "a1 and a2 are equal"),
+        ({"a1": lengths("0")}, "a1 is 0"),
+    ],
+)
+def test_a_pose_that_hides_mistakes_is_never_drawn(variants: dict[str, Range], what: str) -> None:
+    """Where there is no other, the error names the ranges."""
+    exercise = replace(load_exercise("yim/planar-in-numbers"), variants=variants)
+    with pytest.raises(DhcliError, match="1000 draws gave no pose at which mistakes show") as caught:
+        vary(exercise, "alice")
+    assert what in caught.value.problems[0].message
+    assert "widen the variants, " in caught.value.problems[0].hint
+
+
+def test_joints_that_add_up_to_a_right_angle_are_never_drawn() -> None:
+    """Sine of one is cosine of the other."""
+    exercise = load_exercise("yim/planar-in-numbers")
+    drawn = replace(exercise, variants={"theta1": angles(60)}, given={"theta1": Angle.in_degrees(60)} | exercise.given)
+    assert flaw(replace(drawn, given={"theta1": Angle.in_degrees(60), "theta2": Angle.in_degrees(30)})) == (
+        "theta1 and theta2 add up to a multiple of 90°"
+    )
+
+
+@pytest.mark.parametrize(("theta5", "near"), [(1, True), (2, True), (43, False), (67, False)])
+def test_a_pose_near_a_singularity_is_never_drawn(theta5: int, *, near: bool) -> None:
+    """The wrist of the Stanford arm is singular where joint 5 is straight; numpy's singular values agree."""
+    stanford = load_exercise("yim/stanford-in-numbers")
+    pose = {"theta1": 20, "theta2": 55, "theta4": 40, "theta5": theta5, "theta6": -65}
+    drawn = replace(stanford, given={**stanford.given, **{name: Angle.in_degrees(q) for name, q in pose.items()}})
+    assert (flaw(drawn) == "the arm is near a singularity") is near
+    assert (np.linalg.svd(_jacobian(drawn), compute_uv=False)[-1] < 0.03) is np.bool_(near)
+
+
+def _jacobian(exercise: Exercise) -> np.ndarray:
+    """The Jacobian of the end frame by differences of poses, lengths in units of half a metre."""
+    from dhcli.kinematics.forward import forward
+
+    robot = exercise.robot
+    assert robot is not None
+    q = [
+        value.constant() if isinstance(value, Angle) else float(value.value)
+        for name in robot.variables
+        if isinstance(value := exercise.given[name], Angle | Number)
+    ]
+
+    def pose(values: list[float]) -> np.ndarray:
+        return forward(robot, values).matrix
+
+    columns = []
+    for k in range(len(q)):
+        step = [value + 1e-6 * (i == k) for i, value in enumerate(q)]
+        slope = (pose(step) - pose(q)) / 1e-6
+        spin = slope[:3, :3] @ pose(q)[:3, :3].T
+        columns.append([*(slope[:3, 3] / 0.5), spin[2, 1], spin[0, 2], spin[1, 0]])
+    return np.array(columns).T
+
+
+@pytest.mark.parametrize("seed", ["", "  ", "two\nlines", "x" * 101, "\x1b[2J"])
+def test_what_is_no_seed_is_refused(seed: str) -> None:
+    """It stands on the sheet, and in a file name."""
+    with pytest.raises(DhcliError, match="the name of a variant is a short text"):
+        vary(load_exercise("yim/planar-in-numbers"), seed)
+
+
+def test_an_exercise_without_variants_says_so() -> None:
+    """Its numbers are the same for everybody."""
+    with pytest.raises(DhcliError, match="has no variants"):
+        vary(load_exercise("wpi/puma560-links"), "alice")
+
+
+def test_a_parameter_of_the_robot_may_vary() -> None:
+    """The drawn length takes the place of the robot's own."""
+    head = "format: 1\ntitle: T\nsource: S\ntask: Do it\nrobot: planar-2r\nnumeric: true\ngiven: {theta1: 30°}\n"
+    text = head + "variants: {a1: 0.5 m..0.7 m step 0.1 m}\nparts:\n  - {id: x, ask: entry 1 4 of link 1}\n"
+    drawn = vary(read_exercise(text, "my.yaml", "my/own"), "alice")
+    length = drawn.given["a1"]
+    assert isinstance(length, Number)
+    assert mark(drawn, drawn.part("x"), f"{float(length.value)} cos(30°)").verdict is Verdict.RIGHT
+    assert mark(drawn, drawn.part("x"), "0.4 cos(30°)").verdict is Verdict.WRONG
+
+
+def test_the_library_has_exercises_with_variants() -> None:
+    """These four at least."""
+    with_variants = [entry.name for entry in entries(Kind.EXERCISES) if load_exercise(entry.name).variants]
+    assert set(VARIED) <= set(with_variants)
