@@ -60,7 +60,7 @@ def answer_with(exercise: Exercise, part: Part, name: str) -> str:
     if isinstance(question, MatrixQuestion):
         for candidate in candidates(right_work(question, exercise.robot), setting_of(exercise)):
             if candidate.slips[0].name == name:
-                return _text(exercise, candidate.work)
+                return typed_text(exercise, candidate.work)
     elif isinstance(question, TableQuestion) and exercise.robot is not None:
         for candidate in table_candidates(exercise, question):
             if candidate.slips[0].name == name:
@@ -148,7 +148,7 @@ def count_slips(question: CountQuestion) -> tuple[tuple[Slip, int], ...]:
     return tuple((Slip(words.replace(" ", "-"), words, hint), value) for words, value in found.items())
 
 
-def _text(exercise: Exercise, work: Work) -> str:
+def typed_text(exercise: Exercise, work: Work) -> str:
     """What a student types: expressions, or numbers in the unit of the sheet to six decimals."""
     question = work.question
     if not exercise.numeric:

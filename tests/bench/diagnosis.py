@@ -1,0 +1,145 @@
+"""How well slips are named, over every exercise and robot: `python tests/bench/diagnosis.py [PAIRS [EVERY]]`.
+
+PAIRS pairs of slips are drawn for each part (2), and every part is looked at, or each EVERYth. Each mistake that changes an answer is made, the answer it leads to is typed, and the diagnosis of that text is held
+against the mistake. Mistakes that give the same text count as one: nobody could tell them apart.
+"""
+
+from __future__ import annotations
+
+import random
+import statistics
+import sys
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from itertools import islice
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parents[2]))
+
+from dhcli import load_exercise, load_robot
+from dhcli.checking.diagnosis.diagnosis import diagnose
+from dhcli.checking.diagnosis.search import search_of
+from dhcli.checking.diagnosis.slips import answer_with, slips, typed_text
+from dhcli.checking.exercise import Exercise, Part, question_about
+from dhcli.checking.marking import mark
+from dhcli.checking.questions import MatrixQuestion
+from dhcli.checking.verdicts import Verdict
+from dhcli.files.library import Kind, entries
+from dhcli.kinematics.values import joint_values
+
+UNSOLVED = (Verdict.WRONG, Verdict.CLOSE)
+
+
+@dataclass
+class Tally:
+    """What came out for one group of answers.
+
+    Attributes:
+        made: Wrong answers that a mistake leads to.
+        unique: Those for which just that mistake is named.
+        few: Those for which it is named among at most three.
+        named: Those for which something is named.
+        wrong: Names of mistakes that would give another answer.
+        seconds: Time of each diagnosis.
+    """
+
+    made: int = 0
+    unique: int = 0
+    few: int = 0
+    named: int = 0
+    wrong: int = 0
+    seconds: list[float] = field(default_factory=list)
+
+    def line(self, title: str) -> str:
+        """The row of the table."""
+        made = self.made or 1
+        median, longest = statistics.median(self.seconds or [0]) * 1000, max(self.seconds or [0]) * 1000
+        shares = f"{self.unique / made:8.1%} {self.few / made:8.1%} {self.named / made:8.1%}"
+        return f"{title:34}{self.made:7} {shares} {self.wrong:6} {median:9.1f} {longest:9.0f}"
+
+
+def parts() -> Iterator[tuple[str, Exercise, Part]]:
+    """Every part of the library, and the pose of every robot in symbols and, with values, in numbers."""
+    for entry in entries(Kind.EXERCISES):
+        exercise = load_exercise(entry.path)
+        for part in exercise.parts:
+            yield ("exercises, numbers" if exercise.numeric else "exercises, symbols"), exercise, part
+    for entry in entries(Kind.ROBOTS):
+        robot = load_robot(entry.path)
+        for numeric in (False, True):
+            if numeric and (not robot.variables or any(value is None for value in robot.parameters.values())):
+                continue
+            typed = [
+                f"{23 + 14 * k}°" if j.kind == "revolute" else f"{0.1 + k / 20}" for k, j in enumerate(robot.joints)
+            ]
+            given = joint_values(robot, ",".join(typed)) if numeric else {}
+            exercise = question_about(robot, robot.frames[1], robot.frames[-2], numeric=numeric, given=given)
+            yield ("robots, numbers" if numeric else "robots, symbols"), exercise, exercise.parts[0]
+
+
+def singles(exercise: Exercise, part: Part, tally: Tally) -> None:
+    """Every single mistake of a part."""
+    answers: dict[str, set[str]] = {}
+    for slip in slips(exercise, part):
+        answers.setdefault(answer_with(exercise, part, slip.name), set()).add(slip.name)
+    for answer, makers in answers.items():
+        judged = mark(exercise, part, answer)
+        if judged.verdict not in UNSOLVED:
+            continue
+        start = time.perf_counter()
+        found = diagnose(exercise, part, answer, judged)
+        tally.seconds.append(time.perf_counter() - start)
+        tally.made += 1
+        hit = any(name in makers for name in found.ids)
+        tally.named += bool(found.causes)
+        tally.unique += hit and len(found.ids) == 1
+        tally.few += hit and len(found.ids) <= 3
+        for name in found.ids:
+            if name != "misprint" and " + " not in name and name not in makers:
+                other = mark(exercise, part, answer_with(exercise, part, name))
+                tally.wrong += other.verdict.passed is True
+
+
+def pairs(exercise: Exercise, part: Part, tally: Tally, count: int, draw: random.Random) -> None:
+    """Some of the pairs of mistakes of a part."""
+    if not isinstance(part.question, MatrixQuestion):
+        return
+    every = search_of(exercise, part.question).pairs
+    for pair in draw.sample(every, min(count, len(every))):
+        answer = typed_text(exercise, pair.work)
+        judged = mark(exercise, part, answer)
+        if judged.verdict not in UNSOLVED:
+            continue
+        start = time.perf_counter()
+        found = diagnose(exercise, part, answer, judged)
+        tally.seconds.append(time.perf_counter() - start)
+        wanted = " + ".join(slip.name for slip in pair.slips)
+        tally.made += 1
+        tally.named += bool(found.causes)
+        simpler = bool(found.causes) and len(found.causes[0]) == 1
+        hit = wanted in found.ids or simpler  # one slip that gives the same answer is the better explanation
+        tally.unique += hit and len(found.ids) == 1
+        tally.few += hit and len(found.ids) <= 3
+
+
+def main() -> None:
+    """Print the table."""
+    count, every = (*map(int, sys.argv[1:]), *(2, 1)[len(sys.argv) - 1 :])
+    draw = random.Random(1)  # noqa: S311
+    single: dict[str, Tally] = {}
+    double: dict[str, Tally] = {}
+    for group, exercise, part in islice(parts(), 0, None, every):
+        singles(exercise, part, single.setdefault(group, Tally()))
+        pairs(exercise, part, double.setdefault(group, Tally()), count, draw)
+    print(f"{'':34}{'made':>7} {'unique':>8} {'of <= 3':>8} {'named':>8} {'wrong':>6} {'median ms':>9} {'most ms':>9}")
+    for title, tallies in (("one slip", single), ("two slips", double)):
+        for group, tally in tallies.items():
+            print(tally.line(f"{title}: {group}"))
+    everything = list(single.values())
+    made, unique = sum(t.made for t in everything), sum(t.unique for t in everything)
+    print(f"single slips named uniquely: {unique} of {made} ({unique / made:.1%})")
+
+
+if __name__ == "__main__":
+    main()
