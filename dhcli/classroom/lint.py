@@ -134,7 +134,7 @@ def _rules(path: str) -> Iterator[Finding]:
     Raises:
         DhcliError: It does not load.
     """
-    from dhcli.checking.rules import exercises, linkages, robots, variants
+    from dhcli.checking.rules import exercises, linkages, mistakes, robots, variants
     from dhcli.files.exercises import load_exercise
     from dhcli.files.linkages import load_linkage
     from dhcli.files.robots import load_robot
@@ -146,7 +146,7 @@ def _rules(path: str) -> Iterator[Finding]:
         yield from linkages.findings(load_linkage(Path(path)))
     else:
         exercise = load_exercise(Path(path))
-        for rules in (exercises, variants):
+        for rules in (exercises, mistakes, variants):
             yield from rules.findings(exercise)
 
 

@@ -40,3 +40,28 @@ def robot(
     write_file(path, text, force=force)
     asked = name if output is None else path
     say(f"wrote {path}\nnext: dhcli show {asked}, then dhcli fk {asked} --symbolic\n")
+
+
+@new.command(epilog="dhcli new exercise my-course/first --robot planar-2r")
+def exercise(
+    name: Annotated[str, typer.Argument(metavar="COURSE/NAME", help="Id of the exercise.")],
+    robot_name: Annotated[str, typer.Option("--robot", metavar="ROBOT", help="The robot it asks about.")],
+    output: Annotated[
+        str | None,
+        typer.Option("-o", "--output", metavar="FILE", help="Where to write; ./exercises/COURSE/NAME.yaml by default."),
+    ] = None,
+    force: Force = False,
+) -> None:
+    """Write a commented exercise file with blanks that lint points at, for you to fill in."""
+    from dhcli.cli.console import say
+    from dhcli.cli.delivery import make_folder, write_file
+    from dhcli.files.exercise_template import exercise_template
+    from dhcli.files.robots import load_robot
+
+    text = exercise_template(name, load_robot(robot_name))
+    path = Path(output or f"exercises/{name}.yaml")
+    if output is None:
+        make_folder(path.parent.parent)
+        make_folder(path.parent)
+    write_file(path, text, force=force)
+    say(f"wrote {path}\nnext: fill in what is empty, then dhcli lint {path}\n")

@@ -1,7 +1,8 @@
 """How well slips are named, over every exercise and robot: `python tests/bench/diagnosis.py [PAIRS [EVERY]]`.
 
-PAIRS pairs of slips are drawn for each part (2), and every part is looked at, or each EVERYth. Each mistake that changes an answer is made, the answer it leads to is typed, and the diagnosis of that text is held
-against the mistake. Mistakes that give the same text count as one: nobody could tell them apart.
+PAIRS pairs of slips are drawn for each part (2), and every part is looked at, or each EVERYth. Each mistake that
+changes an answer is made, the answer it leads to is typed, and the diagnosis of that text is held against the mistake.
+Mistakes that give the same text count as one: nobody could tell them apart.
 """
 
 from __future__ import annotations

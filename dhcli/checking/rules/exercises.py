@@ -8,6 +8,7 @@ from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.marking import expected, mark
 from dhcli.checking.questions import MatrixQuestion, TableQuestion
+from dhcli.checking.rules.mistakes import typed
 from dhcli.checking.rules.wording import unfinished
 from dhcli.checking.sheetmark import mark_sheet
 from dhcli.checking.tolerance import Tolerance
@@ -120,10 +121,15 @@ def _stated(exercise: Exercise, part: Part, where: tuple[str | int, ...]) -> Ite
 
 def _trials(exercise: Exercise) -> Iterator[Finding]:
     for index, trial in enumerate(exercise.trials):
-        judged = _judged(exercise, exercise.part(trial.part), trial.answer)
+        try:
+            answer = typed(exercise, trial)
+        except DhcliError as error:
+            yield Finding(("tests", index, "mistake"), error.problems[0].message, error.problems[0].hint)
+            continue
+        judged = _judged(exercise, exercise.part(trial.part), answer)
         if judged.verdict.word != trial.verdict:
             message = f"{trial.part}: is judged {_told(judged)}; the test says {trial.verdict}"
-            yield Finding(("tests", index, "answer"), message)
+            yield Finding(("tests", index, "mistake" if trial.mistake else "answer"), message)
     verdicts = {trial.verdict for trial in exercise.trials}
     for verdict in (Verdict.RIGHT, Verdict.WRONG):
         if verdict.word not in verdicts:

@@ -1,0 +1,65 @@
+"""Rules about mistakes: those an exercise tests itself with, and those that its pose cannot show."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from dhcli.checking.diagnosis.slips import answer_with, hidden, slips
+from dhcli.checking.exercise import Exercise, Part, Trial
+from dhcli.checking.questions import MatrixQuestion
+from dhcli.errors import DhcliError
+from dhcli.kinematics.validity import Finding
+from dhcli.kinematics.values import numbers
+from dhcli.notation.angle import Angle
+from dhcli.notation.quantity import value_text
+
+POSES = ((25, 40, 65, 35, 70, 20), (35, 20, 50, 65, 25, 55), (20, 65, 35, 50, 40, 25))
+"""Angles in degrees, none at a right angle or half of one, no two that add up to one: they hide little."""
+
+
+def typed(exercise: Exercise, trial: Trial) -> str:
+    """The answer of a test: as typed, or as its mistake leads to.
+
+    Raises:
+        UnknownNameError: There is no such mistake here.
+    """
+    part = exercise.part(trial.part)
+    return answer_with(exercise, part, trial.mistake) if trial.mistake else trial.answer
+
+
+def findings(exercise: Exercise) -> Iterator[Finding]:
+    """What the pose of an exercise in numbers hides, with a pose that shows it; an error where it is half of all."""
+    for index, part in enumerate(exercise.parts):
+        if not exercise.numeric or not isinstance(part.question, MatrixQuestion):
+            continue
+        unseen = hidden(exercise, part)
+        if not unseen:
+            continue
+        names = ", ".join(slip.name for slip in unseen[:MOST_NAMED]) + (", ..." if len(unseen) > MOST_NAMED else "")
+        blind = len(unseen) > len(slips(exercise, part))
+        message = f"{part.id}: this pose does not show {len(unseen)} mistakes: {names}"
+        yield Finding(("parts", index), message, _better(exercise, part), is_warning=not blind)
+
+
+MOST_NAMED = 3
+
+
+def _better(exercise: Exercise, part: Part) -> str:
+    """A pose that hides fewer, as it would be given; nothing where none is found."""
+    now = len(hidden(exercise, part))
+    best: tuple[int, str] = (now, "")
+    for degrees in POSES:
+        given = dict(exercise.given)
+        turning = [name for name, value in given.items() if isinstance(value, Angle)]
+        for name, angle in zip(turning, degrees, strict=False):
+            given[name] = Angle.in_degrees(angle)
+        if numbers(given) == numbers(exercise.given):
+            continue
+        try:
+            left = len(hidden(replace(exercise, given=given), part))
+        except DhcliError:
+            continue
+        if left < best[0]:
+            best = left, ", ".join(f"{name}: {value_text(given[name])}" for name in turning)
+    return f"given: {{{best[1]}}} leaves {best[0]}" if best[1] else "nothing to do if it is meant so"

@@ -1,0 +1,85 @@
+"""New exercise files: questions about a robot, with blanks that the loader points at until they are filled in."""
+
+from __future__ import annotations
+
+from dhcli.errors import DhcliError
+from dhcli.files.templates import check_name
+from dhcli.kinematics.robot import Robot
+
+FEWEST_FRAMES = 4
+"""base, two numbered frames, tool: the frames of a robot with one link."""
+
+
+def exercise_template(name: str, robot: Robot) -> str:
+    """The text of a new exercise file.
+
+    Args:
+        name: Its id, `course/name`.
+        robot: The robot it asks about.
+
+    Raises:
+        DhcliError: The id cannot be, or the robot has no link to ask about.
+    """
+    folder, slash, short = name.partition("/")
+    if not slash:
+        raise DhcliError(f"the exercise {name} has no course", f"write dhcli new exercise my-course/{name}")
+    for one in (folder, short):
+        check_name(one)
+    if len(robot.frames) < FEWEST_FRAMES or not robot.variables:
+        raise DhcliError(f"{robot.name} has no joint to ask about", "dhcli list robots shows others")
+    start, first, end = robot.frames[1], robot.frames[2], robot.frames[-2]
+    pose = f"pose {start}..{end}"
+    return f"""\
+# An exercise for dhcli. Fill in what is empty ("") and change what differs; answers are computed, never typed in.
+# `dhcli lint` points at what is still missing, `dhcli show ./exercises/{name}.yaml` shows what a student will see.
+
+format: 1
+title: ""
+source: ""                      # your notes, a chapter, a sheet
+robot: {robot.name}
+
+# In your own words; a student must be able to answer from this text alone.
+task: |
+  The robot is {robot.title}.
+  Base frame {start}: where it stands. End frame {end}: where it stands. Joint zero: how the arm then looks.
+  Positive sense: of every joint.
+
+parts:                          # ask: link 1 | pose 0..3 | position of pose 0..3 | table standard
+  - id: a{first}
+    ask: link {first}
+    credit: 1
+    hints: [""]                 # from gentle to plain, without the answer
+  - id: t{start}{end}
+    ask: {pose}
+    credit: 2
+    depends: [a{first}]
+    hints: [""]
+  - id: tip
+    ask: position of {pose}
+    credit: 1
+    depends: [t{start}{end}]
+    hints: [""]
+
+# Submissions the exercise tests itself with: one that is right, and mistakes that must not pass.
+tests:
+  - {{part: tip, answer: "", verdict: RIGHT}}
+  - {{part: t{start}{end}, mistake: transposed, verdict: WRONG}}
+  - {{part: tip, answer: "0, 0, 0.001", verdict: WRONG}}
+
+# Numbers instead of letters: take the # away; then every student gets numbers of their own with --variant NAME.
+# numeric: true
+# unit: m
+# given: {{{_given(robot)}}}
+# variants: {{{_ranges(robot)}}}
+# tolerance: {{position: 0.5 mm}}
+"""
+
+
+def _given(robot: Robot) -> str:
+    values = (f"{j.name}: {'35°' if j.kind == 'revolute' else '0.12 m'}" for j in robot.joints)
+    return ", ".join(values)
+
+
+def _ranges(robot: Robot) -> str:
+    joint = robot.joints[0]
+    return f"{joint.name}: " + ("20°..70° step 5°" if joint.kind == "revolute" else "0.1 m..0.3 m step 0.05 m")
