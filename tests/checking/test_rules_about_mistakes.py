@@ -1,0 +1,45 @@
+from dhcli import load_exercise, load_robot
+from dhcli.checking.exercise import question_about
+from dhcli.checking.rules.exercises import findings as rules
+from dhcli.checking.rules.mistakes import findings
+from dhcli.files.exercises import read_exercise
+from dhcli.kinematics.values import joint_values
+
+TEXT = """
+format: 1
+title: Two links
+source: a test
+robot: planar-2r
+task: Find the pose.
+parts:
+  - {id: t02, ask: pose 0..2, hints: [multiply]}
+tests:
+  - {part: t02, answer: "c12 -s12 0 a1*c1+a2*c12; s12 c12 0 a1*s1+a2*s12; 0 0 1 0; 0 0 0 1", verdict: RIGHT}
+  - {part: t02, mistake: MISTAKE, verdict: WRONG}
+"""
+
+
+def test_a_test_that_names_a_mistake_makes_it() -> None:
+    """The answer with the mistake is judged wrong, as the test says."""
+    assert list(rules(read_exercise(TEXT.replace("MISTAKE", "a-sign 2"), "f", "c/n"))) == []
+
+
+def test_a_mistake_that_nobody_can_make_is_told() -> None:
+    """With the nearest one."""
+    (found,) = rules(read_exercise(TEXT.replace("MISTAKE", "a-sine 2"), "f", "c/n"))
+    assert found.where == ("tests", 1, "mistake")
+    assert "a-sign 2" in found.hint
+
+
+def test_a_pose_that_hides_mistakes_is_told_with_one_that_shows_them() -> None:
+    """At zero a planar arm shows half of the mistakes at best; the angles proposed show more."""
+    robot = load_robot("scara-yim")
+    at_zero = question_about(robot, "0", "4", numeric=True, given=joint_values(robot, "0,0,0.1,0"))
+    (found,) = findings(at_zero)
+    assert "does not show" in found.message
+    assert found.hint.endswith("leaves 0")
+
+
+def test_an_exercise_in_symbols_hides_nothing() -> None:
+    """Letters are every pose at once."""
+    assert list(findings(load_exercise("three-r-arm-tip"))) == []
