@@ -43,11 +43,11 @@ def flaw(exercise: Exercise) -> str:
 
 
 def _of_angles(exercise: Exercise, varied: Collection[str]) -> str:
-    """An angle at a right angle, or two that differ by a multiple of one or add up to it."""
+    """An angle at a right angle or half of one, or two that differ by a multiple of a right angle or add up to it."""
     angles = {name: value for name, value in exercise.values.items() if isinstance(value, Angle)}
     for name in varied:
-        if name in angles and _is_right(angles[name]):
-            return f"{name} is a multiple of 90°"
+        if name in angles and _is_right(angles[name] * 2):  # at 45° sine and cosine are the same
+            return f"{name} is a multiple of 45°"
     for one, other in combinations(angles, 2):
         if one in varied or other in varied:
             if _is_right(angles[one] - angles[other]):

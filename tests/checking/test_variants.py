@@ -49,12 +49,12 @@ def test_a_seed_always_gives_the_same_numbers() -> None:
     planar, stanford = load_exercise("yim/planar-in-numbers"), load_exercise("yim/stanford-in-numbers")
     assert given_of(vary(planar, "alice")) == {"theta1": "35", "theta2": "60"}
     assert given_of(vary(stanford, "alice")) == {
-        "theta1": "70",
-        "theta2": "45",
-        "d3": "2/5",
-        "theta4": "50",
-        "theta5": "65",
-        "theta6": "-30",
+        "theta1": "50",
+        "theta2": "25",
+        "d3": "7/10",
+        "theta4": "30",
+        "theta5": "20",
+        "theta6": "-55",
     }
 
 
@@ -104,20 +104,20 @@ def test_the_solution_of_every_variant_is_right(name: str) -> None:
 @varied
 @given(seed=st.text(min_size=1, max_size=20).filter(lambda text: text.strip().isprintable() and text.strip() != ""))
 def test_no_draw_is_degenerate(name: str, seed: str) -> None:
-    """No angle is a right one, and no two differ by one or add up to it."""
+    """No angle is a right one or half of one, and no two differ by one or add up to it."""
     drawn = vary(load_exercise(name), seed)
     q = [value.degrees for value in drawn.given.values() if isinstance(value, Angle)]
-    assert all(angle % 90 for angle in q)
+    assert all(angle % 45 for angle in q)
     assert all((a - b) % 90 and (a + b) % 90 for i, a in enumerate(q) for b in q[:i])
 
 
 @pytest.mark.parametrize(
     ("variants", "what"),
     [
-        ({"theta1": angles(90)}, "theta1 is a multiple of 90°"),
-        ({"theta1": angles(45)}, "theta1 and theta2 differ by a multiple of 90°"),
-        ({"theta1": angles(135)}, "theta1 and theta2 differ by a multiple of 90°"),
-        ({"theta1": angles(-45)}, "theta1 and theta2 differ by a multiple of 90°"),
+        ({"theta1": angles(90)}, "theta1 is a multiple of 45°"),
+        ({"theta1": angles(45)}, "theta1 is a multiple of 45°"),
+        ({"theta1": angles(135)}, "theta1 is a multiple of 45°"),
+        ({"theta1": angles(-45)}, "theta1 is a multiple of 45°"),
         ({"theta1": angles(30), "a1": lengths("0.3")}, "a1 and a2 are equal"),
         ({"a1": lengths("0")}, "a1 is 0"),
     ],
@@ -137,6 +137,9 @@ def test_joints_that_add_up_to_a_right_angle_are_never_drawn() -> None:
     drawn = replace(exercise, variants={"theta1": angles(60)}, given={"theta1": Angle.in_degrees(60)} | exercise.given)
     assert flaw(replace(drawn, given={"theta1": Angle.in_degrees(60), "theta2": Angle.in_degrees(30)})) == (
         "theta1 and theta2 add up to a multiple of 90°"
+    )
+    assert flaw(replace(drawn, given={"theta1": Angle.in_degrees(115), "theta2": Angle.in_degrees(25)})) == (
+        "theta1 and theta2 differ by a multiple of 90°"
     )
 
 
