@@ -224,6 +224,12 @@ def test_the_examples_of_the_help_pages_work(dhcli: Run) -> None:
         folder.mkdir()
         (folder / "student.yaml").write_bytes(Path("planar-two-links.sheet.yaml").read_bytes())
     Path("my-table.yaml").write_text((ROOT / "robots" / "puma560.yaml").read_text(encoding="utf-8"), encoding="utf-8")
+    Path("robots").mkdir()
+    arm = (ROOT / "robots" / "scara.yaml").read_text(encoding="utf-8")
+    Path("robots/my-arm.yaml").write_text(arm, encoding="utf-8")
+    Path("exercises/my-course").mkdir(parents=True)
+    exercise = (ROOT / "exercises/yim/planar-two-links.yaml").read_text(encoding="utf-8")
+    Path("exercises/my-course/first.yaml").write_text(exercise, encoding="utf-8")
     Path("planar-two-links.sheet.yaml").rename("blank.yaml")
     for line in sorted(lines, key=lambda line: not line.startswith("dhcli start")):
         done = dhcli(*split(line)[1:])
