@@ -5,16 +5,15 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 
-import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dhcli.algebra.arithmetic import Arithmetic, CannotHoldError, evaluate, plus, right_angle, times
-from dhcli.algebra.columns import Columns
+from dhcli.algebra.arithmetic import Arithmetic, CannotHoldError, plus, right_angle, times
 from dhcli.algebra.floats import Floats, cosine_of_degrees
 from dhcli.algebra.residues import STEPS, Field, Residues, field_of_the_day, is_prime
 from dhcli.algebra.symbolic import Sympy, to_sympy
+from dhcli.algebra.tape import Tape
 from dhcli.algebra.terms import TERMS
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import read_chain
@@ -104,7 +103,7 @@ def test_right_angles_are_structural_in_every_arithmetic(quarters: int) -> None:
     """The integers 0, 1 and -1 before any float, array or symbol exists."""
     angle = Angle.in_degrees(90 * quarters)
     wanted = (round(math.cos(math.pi / 2 * quarters)), round(math.sin(math.pi / 2 * quarters)))
-    arithmetics: tuple[Arithmetic[object], ...] = (Floats(), Columns({}), TERMS, Residues())
+    arithmetics: tuple[Arithmetic[object], ...] = (Floats(), Tape([]), TERMS, Residues())
     for over in arithmetics:
         found = over.cos_sin(angle)
         assert found == wanted
@@ -157,25 +156,6 @@ def test_floats_without_a_value_are_nan_and_never_an_error(text: str) -> None:
     """Of numbers that are not real, or too large."""
     value = Floats({"a": 0.0 if "a^-1" in text else 1e300 if "cos(" in text else -8.0}).value(parse(text))
     assert math.isnan(value)
-
-
-@pytest.mark.parametrize("shape", [(), (0,), (1,), (5,), (2, 3)])
-def test_columns_have_the_shape_of_their_values(shape: tuple[int, ...]) -> None:
-    """Of none, one or many poses; what does not move is a number that broadcasts."""
-    theta = np.full(shape, 0.3)
-    rows = fold(read_chain("Trans(a1, 0, 0) Rot(z, theta1) Rot(x, 30°)"), Columns({"theta1": theta, "a1": 2.0}))
-    assert rows[0][0].shape == shape
-    assert rows[2][2].shape == rows[0][3].shape == ()
-    assert np.broadcast_to(rows[0][0], shape) == pytest.approx(np.cos(theta))
-    assert all(entry.dtype == np.float64 for row in rows for entry in row)
-
-
-def test_columns_of_roots_and_calls_do_not_warn() -> None:
-    """NaN where there is no value, beside poses that have one."""
-    over = Columns({"a": np.array([-1.0, 0.0, 4.0])})
-    assert evaluate(parse("sqrt(a)"), over) == pytest.approx(np.array([np.nan, 0, 2]), nan_ok=True)
-    assert evaluate(parse("acos(a)"), over) == pytest.approx(np.array([np.pi, np.pi / 2, np.nan]), nan_ok=True)
-    assert evaluate(parse("atan2(a, 0)"), over) == pytest.approx(np.array([-np.pi / 2, 0, np.pi / 2]))
 
 
 @pytest.mark.parametrize("zero", [0, 1, -1])

@@ -1,9 +1,14 @@
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from dhcli import forward, forward_batch, load_robot
+from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
 from dhcli.kinematics.batch import BLOCK
+from dhcli.kinematics.fold import fold
+from dhcli.kinematics.frames import between
+from dhcli.kinematics.values import numbers, parameter_values
 
 
 @pytest.mark.parametrize("name", ["scara", "puma560", "stanford", "panda"])
@@ -14,6 +19,36 @@ def test_a_batch_is_the_plain_fold_row_by_row(name: str) -> None:
     batch = forward_batch(robot, poses)
     for q, pose in zip(poses, batch, strict=True):
         assert np.allclose(pose, forward(robot, list(q)).matrix, atol=1e-14)
+
+
+REACH = 1.0
+"""At least the reach of PUMA 560 [m]."""
+
+
+@pytest.mark.parametrize(
+    "q",
+    [
+        np.pi * np.arange(-9, 9, 2).repeat(6).reshape(-1, 6),
+        np.pi * (2 * np.random.default_rng(3).integers(-(10**7), 10**7, (200, 6)) + 1.0),
+        np.pi + 10.0 ** np.random.default_rng(4).uniform(-17, -2, (200, 6)),
+        np.nextafter(np.pi / 2 * np.arange(1, 100, 2), 0).repeat(6).reshape(-1, 6),
+        np.random.default_rng(5).uniform(-1e6, 1e6, (200, 6)),
+        np.random.default_rng(6).uniform(-1e300, 1e300, (200, 6)),
+        10.0 ** np.random.default_rng(7).uniform(-320, -3, (200, 6)),
+    ],
+    ids=["odd pi", "large odd pi", "near pi", "half pi", "large", "huge", "tiny"],
+)
+def test_a_batch_loses_no_digits_where_the_half_angle_tangent_has_poles_or_angles_are_large(
+    q: NDArray[np.float64],
+) -> None:
+    """1e-14 of the reach from the plain fold of the unmerged chain, with the sines of the C library."""
+    robot = load_robot("puma560")
+    lengths = numbers(parameter_values(robot, {}))
+    batch = forward_batch(robot, q)
+    chain = between(robot, "0", "6")
+    for row, pose in zip(q, batch, strict=True):
+        plain = fold(chain, Floats({**lengths, **dict(zip(robot.variables, row, strict=True))}))
+        assert np.abs(pose - np.array(plain)).max() <= 1e-14 * REACH
 
 
 def test_a_matrix_of_another_width_is_refused() -> None:

@@ -16,6 +16,7 @@ from dhcli.algebra.floats import Floats
 from dhcli.algebra.residues import Residues
 from dhcli.algebra.symbolic import Sympy, to_sympy
 from dhcli.algebra.terms import TERMS
+from dhcli.kinematics.batch import recorded
 from dhcli.kinematics.conventions import Convention, Row, moves_of
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.merge import merge
@@ -229,16 +230,13 @@ def test_a_pose_in_numbers_is_the_oracle(chain: Chain) -> None:
 @settings(max_examples=50)
 @given(any_chains, st.lists(values, max_size=4))
 def test_columns_are_floats_one_by_one(chain: Chain, listed: list[dict[str, float]]) -> None:
-    """A batch of none, one or several poses at once; shared lengths may be single numbers."""
-    columns = {name: np.array([at[name] for at in listed]) for name in (*THETAS, *LENGTHS)}
-    batch = fold(chain, Columns(columns))
-    shape = (len(listed),) if names(chain) else ()
-    for i, row in enumerate(batch):
-        for j, entry in enumerate(row):
-            assert entry.dtype == np.float64
-            assert entry.shape in ((), shape)
-            wanted = [fold(chain, Floats(at))[i][j] for at in listed]
-            assert np.broadcast_to(entry, (len(listed),)) == pytest.approx(np.array(wanted), abs=1e-12)
+    """A batch of none, one or several poses at once, of the chain as it stands and merged."""
+    variables = (*THETAS, *LENGTHS)
+    values = np.array([[at[name] for at in listed] for name in variables])
+    wanted = np.array([np.array(fold(chain, Floats(at))).ravel() for at in listed]).T
+    for merged in (False, True):
+        columns = Columns(recorded(chain, variables, (), merged=merged), len(listed))
+        assert columns.play(values) == pytest.approx(wanted.reshape(16, len(listed)), abs=1e-12)
 
 
 @settings(max_examples=15)
