@@ -4,6 +4,7 @@ typer reads some of these variables when it is imported, so they are set here, b
 """
 
 import os
+import signal
 from pathlib import Path
 
 import pytest
@@ -30,6 +31,10 @@ _UNSET = (
 os.environ.update(_FIXED)
 for _name in _UNSET:
     os.environ.pop(_name, None)
+
+# A shell that starts the tests in the background has them ignore Ctrl-C, and so would every process that a test stops.
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 # A busy machine is not a failure: no deadline, and no health check that looks at the clock.
 _PATIENT = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])
