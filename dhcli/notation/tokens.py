@@ -28,21 +28,23 @@ _OPERATORS = {
     "’": "'",  # noqa: RUF001
     "″": '"',
 }
+_SIGNS = {**_OPERATORS, "**": "^"}
 _SUPERSCRIPT = re.compile("(⁻?)([⁰¹²³⁴⁵⁶⁷⁸⁹]+)")
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
 _LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _NOISE = "─━═┄┈╌┌┬┐├┼┤└┴┘┏┳┓┡╇┩┢┣╋┫┗┻┛╔╦╗╠╬╣╚╩╝╭╮╯╰⎡⎢⎣⎤⎥⎦⎛⎜⎝⎞⎟⎠$"
 """What frames a table or a formula on a screen and means nothing."""
 _GREEK_LETTERS = "".join(GREEK)
-_BLANK = re.compile(f"[ \t\u00a0\u2009\u202f{_NOISE}]+")
-_MODULE = re.compile(r"(?:np|numpy|math|sp|sympy|sym)\.(?=[A-Za-z])")
 _DECIMAL_COMMA = re.compile(r"\d+,\d+(?![\d,.])", re.ASCII)
 _WORD = rf"π|[A-Za-z{_GREEK_LETTERS}](?:[A-Za-z0-9{_GREEK_LETTERS}₀-₉]|_\{{[^{{}}]*\}}|_(?=[A-Za-z0-9]))*"
-_PATTERNS: tuple[tuple[Kind, re.Pattern[str]], ...] = (
-    ("newline", re.compile(r"[\r\n]")),
-    ("number", re.compile(r"(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)),
-    ("word", re.compile(_WORD)),
+_PIECE = re.compile(
+    rf"(?P<blank>[ \t\u00a0\u2009\u202f{_NOISE}]+)"
+    r"|(?P<module>(?:np|numpy|math|sp|sympy|sym)\.(?=[A-Za-z]))"
+    rf"|(?P<word>{_WORD})"
+    r"|(?P<number>(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
+    rf"|(?P<sign>\*\*|[{re.escape(''.join(_OPERATORS))}])"
 )
+"""Everything but LaTeX, superscripts and decimal commas."""
 _COMMAND = re.compile(r"\\([A-Za-z]+|.)", re.DOTALL)
 _SUBSCRIPT = re.compile(r"\s*(_\{[^{}]*\}|_[A-Za-z0-9])")
 _WRAPPED = re.compile(r"\s*\{\s*([A-Za-z0-9]+)\s*\}((?:_\{[^{}]*\}|_[A-Za-z0-9])?)")
@@ -126,43 +128,44 @@ def tokenize(source: Source, *, decimal_comma: bool = False, most: int = MOST_CH
     tokens: list[Token] = []
     position, spaced, depth = 0, False, 0
     while position < len(text):
-        if match := _BLANK.match(text, position):
-            position, spaced = match.end(), True
-            continue
-        if match := _MODULE.match(text, position):
-            position = match.end()
-            continue
-        comma = decimal_comma and depth == 0
-        if text[position] == "\\":
-            found, position = _latex(source, position, spaced=spaced)
+        match = _PIECE.match(text, position)
+        kind = match.lastgroup if match else None
+        if match and kind in ("blank", "module"):
+            position, spaced = match.end(), spaced or kind == "blank"
+        elif match and (kind == "word" or (kind == "number" and not (decimal_comma and depth == 0))):
+            tokens.append(
+                Token(
+                    "word" if kind == "word" else "number", match[0].translate(_LOWERED), position, match.end(), spaced
+                )
+            )
+            position, spaced = match.end(), False
+        elif match and kind == "sign":
+            sign = _SIGNS[match[0]]
+            depth += (sign in "([{") - (sign in ")]}")
+            tokens.append(Token("sign", sign, position, match.end(), spaced))
+            position, spaced = match.end(), False
         else:
-            found = _token(source, position, spaced=spaced, comma=comma)
-            position = found[-1].end
-        tokens += found
-        spaced = not found or found[-1].kind == "newline"
-        for token in found:
-            depth += (token.text in "([{") - (token.text in ")]}") if token.kind == "sign" else 0
+            found, position = _rare(source, position, spaced=spaced)
+            tokens += found
+            spaced = not found or found[-1].kind == "newline"
     tokens.append(Token("end", "", len(text), len(text), spaced))
     return tokens
 
 
-def _token(source: Source, start: int, *, spaced: bool, comma: bool) -> tuple[Token, ...]:
-    """The token that begins here; several for a superscript, which is a power and its exponent."""
+def _rare(source: Source, start: int, *, spaced: bool) -> tuple[tuple[Token, ...], int]:
+    """What begins here, and where it ends: a line end, LaTeX, a number that may have a decimal comma, a superscript."""
     text = source.text
-    if comma and (match := _DECIMAL_COMMA.match(text, start)):
-        return (Token("number", match[0].replace(",", "."), start, match.end(), spaced),)
-    for kind, pattern in _PATTERNS:
-        if match := pattern.match(text, start):
-            return (Token(kind, match[0].translate(_LOWERED), start, match.end(), spaced),)
+    if text[start] in "\r\n":
+        return (Token("newline", text[start], start, start + 1, spaced),), start + 1
+    if text[start] == "\\":
+        return _latex(source, start, spaced=spaced)
+    if match := _DECIMAL_COMMA.match(text, start) or _PIECE.match(text, start):
+        return (Token("number", match[0].replace(",", "."), start, match.end(), spaced),), match.end()
     if match := _SUPERSCRIPT.match(text, start):
         power = Token("sign", "^", start, start, spaced=False)
         minus = (Token("sign", "-", start, start + 1, spaced=False),) if match[1] else ()
-        return power, *minus, Token("number", match[2].translate(_RAISED), match.start(2), match.end(), spaced=False)
-    letter = text[start]
-    if text.startswith("**", start):
-        return (Token("sign", "^", start, start + 2, spaced),)
-    if letter in _OPERATORS:
-        return (Token("sign", _OPERATORS[letter], start, start + 1, spaced),)
+        number = Token("number", match[2].translate(_RAISED), match.start(2), match.end(), spaced=False)
+        return (power, *minus, number), match.end()
     raise _strange(source, start)
 
 
