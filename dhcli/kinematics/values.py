@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import TypeAlias
@@ -26,6 +27,9 @@ JointInput: TypeAlias = str | Sequence[float | str | Angle] | Mapping[str, float
 """What a caller may give for the joints: text, a list in joint order, a mapping by name, or nothing."""
 
 SLACK = 1e-9
+
+_ONE_VALUE = re.compile(r"([^\s=,;]+=)?[-+−–]?(\d|\.|√|π|pi|\()[^\s;]*(?<!,)")  # noqa: RUF001
+"""A value without a blank in it, or a name with one."""
 
 
 def joint_values(robot: Robot, q: JointInput, *, bare: Bare = "rad", place: Place | None = None) -> dict[str, Value]:
@@ -139,6 +143,8 @@ def _from_text(robot: Robot, text: str, bare: Bare, place: Place) -> dict[str, V
     if text.strip() in robot.poses:
         return dict(zip(robot.variables, robot.poses[text.strip()], strict=True))
     parts = list(_split(text))
+    if len(parts) != len(robot.variables):
+        parts = _between_blanks(robot, text) or parts
     if any("=" in part for _, part in parts):
         return _assignments(robot, parts, text, bare, place)
     if len(parts) == 1 and not parts[0][1]:
@@ -181,6 +187,16 @@ def _split(text: str) -> Iterator[tuple[int, str]]:
     yield _stripped(text[start:end], start)
 
 
+def _between_blanks(robot: Robot, text: str) -> list[tuple[int, str]]:
+    """A value for each joint with only blanks between them, `0.3 30° 0,1`, with offsets; nothing if it is not that."""
+    inner = re.sub(r"^\s*\[|\]\s*$", " ", text)
+    pieces = [(found.start(), found[0]) for found in re.finditer(r"\S+", inner)]
+    named = all("=" in piece for _, piece in pieces)
+    if not all(_ONE_VALUE.fullmatch(piece) for _, piece in pieces):
+        return []
+    return pieces if len(pieces) > 1 and (named or len(pieces) == len(robot.variables)) else []
+
+
 def _stripped(piece: str, offset: int) -> tuple[int, str]:
     """A piece without the blanks before it, and where it begins."""
     bare = piece.lstrip()
@@ -196,7 +212,11 @@ def _value(robot: Robot, name: str, value: float | str | Value, bare: Bare, plac
         return value
     if isinstance(value, str):
         return read_value(robot, name, value, bare=bare, place=place or Place(name))
-    number = float(value)
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        hint = "forward_batch takes a row for each pose"
+        raise RobotError(Problem(f"{name} wants one number, not {value!r}", place, hint)) from None
     if not math.isfinite(number):
         raise RobotError(Problem(f"{name} = {number} is not a number that a joint can have", place))
     exact = Fraction(repr(number))  # 0.1 is a tenth, as it was typed, and not the binary fraction nearest to it

@@ -15,7 +15,7 @@ from dhcli.notation.operators import OPENING, Operators
 from dhcli.notation.quantity import ANGLE_UNITS, DimensionError, to_angle
 from dhcli.notation.scope import OPEN, Scope, trig_name
 from dhcli.notation.tokens import Source, Token, tokenize
-from dhcli.notation.tree import HALF, PI, Call, Expr, Number, Symbol, Unit, multiply, power
+from dhcli.notation.tree import HALF, PI, Call, Expr, Number, Symbol, Trig, Unit, add, multiply, power
 from dhcli.notation.trig import cosine, sine
 from dhcli.notation.walk import walk
 
@@ -32,6 +32,7 @@ FUNCTIONS = {name: name for name in ("cos", "sin", "tan", "sqrt", "acos", "asin"
 RESERVED = frozenset(FUNCTIONS) | {"pi", "frac", "inv", "Rot", "Trans"}
 """Words that cannot name a joint or a length."""
 
+_FUNCTION = re.compile("(cos|sin)")
 _PIECES = re.compile(r"[^\W\d_]+(?:[0-9₀-₉]+|_\{[^{}]*\}|_[A-Za-z]+[0-9]*|_[0-9]+)?")
 """One name inside a run of letters and digits: `a1c1` is two."""
 
@@ -104,14 +105,15 @@ class Parser(Operators):
         readings = self.scope.readings(word)
         if any(isinstance(reading, Symbol) and self.scope.is_angle(reading.name) for reading in readings):
             return True
+        if self.scope.sums(word):
+            return True
         return self.scope.is_open and parts(word)[0] in GREEK_NAMES
 
     def _joined(self, token: Token) -> Expr:
         """A word that is no single name: `cosθ1`, `a1c1`, or unknown."""
-        for name in ("cos", "sin"):
-            rest = token.text.removeprefix(name)
-            if rest != token.text and self._names_angle(rest):
-                return self._apply(name, [self._resolve(rest, token)], token)
+        with_functions = self._with_functions(token)
+        if with_functions:
+            return self._build(token, multiply, *with_functions)
         ways = self.scope.split(token.text)
         if len(ways) == 1:
             return self._build(token, multiply, *ways[0])
@@ -119,10 +121,32 @@ class Parser(Operators):
             raise self._question(token, [" * ".join(map(trig_name, way)) for way in ways])
         return self._resolve(token.text, token)
 
+    def _with_functions(self, token: Token) -> tuple[Expr, ...]:
+        """The factors of `a1cosθ1sinθ12`; none if a piece of it means nothing, or two things."""
+        head, *rest = _FUNCTION.split(token.text)
+        ways: list[tuple[Expr, ...]] = self.scope.split(head) if head else [()]
+        if not rest or len(ways) != 1:
+            return ()
+        factors = list(ways[0])
+        for name, angle in zip(rest[::2], rest[1::2], strict=True):
+            if not angle[:1].isalpha():
+                return ()
+            trig = self.scope.readings(name[0] + angle)
+            if self._names_angle(angle):
+                factors.append(self._apply(name, [self._resolve(angle, token)], token))
+            elif len(trig) == 1 and isinstance(trig[0], Trig):
+                factors.append(trig[0])
+            else:
+                return ()
+        return tuple(factors)
+
     def _resolve(self, word: str, token: Token) -> Expr:
         readings = self.scope.readings(word)
         if readings:
             return readings[0]
+        sums = self.scope.sums(word)
+        if len(sums) == 1:
+            return add(*(Symbol(name) for name, _ in sums[0].terms))
         if self.scope.is_open:
             pieces = _PIECES.findall(word)
             if len(pieces) > 1 and "".join(pieces) == word:

@@ -101,8 +101,21 @@ class Scope:
         name = self._known.get(canonical(text.lstrip("_")))
         if name is not None and self.is_angle(name):
             yield Angle.of(name)
-        elif self.is_open and name is None and parts(text)[0] in GREEK_NAMES:
+            return
+        sums = self.sums(text.lstrip("_"))
+        yield from sums
+        if self.is_open and not sums and name is None and parts(text)[0] in GREEK_NAMES:
             yield Angle.of(canonical(text))
+
+    def sums(self, word: str) -> tuple[Angle, ...]:
+        """What an undeclared `theta12` may stand for: the sum of theta1 and theta2."""
+        stem, index = parts(word)
+        spellings = {
+            parts(name)[0] for name in (*self.joints, *(a for a, n in self.aliases.items() if n in self.joints))
+        }
+        if self.has(word) or stem not in spellings or not index.isdecimal():
+            return ()
+        return tuple(self._indexed(index))
 
     def _indexed(self, digits: str) -> Iterator[Angle]:
         joints = {parts(name)[1]: name for name in self.joints}

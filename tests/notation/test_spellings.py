@@ -52,7 +52,10 @@ ROBOT = Scope(
         ("c_1", "c1"), ("c_{12}", "c12"), ("c_12", "c12"), ("cθ1", "c1"), ("cθ_1", "c1"), ("c\\theta_1", "c1"),
         ("sα", "sin(alpha)"), ("cα_{i-1}", "cos(alpha_{i-1})"), ("s\\alpha_{i-1}", "sin(alpha_{i-1})"),
         ("c(θ1+θ2)", "c12"), ("s(θ1)", "s1"), ("c*(a1+a2)", "c*(a1 + a2)"), ("c(a1+a2)", "c*(a1 + a2)"), ("c", "c"),
+        ("cθ12", "c12"), ("cosθ12", "c12"), ("cos θ12", "c12"), ("cos(θ_{12})", "c12"), ("s\\theta_{23}", "s23"),
+        ("sin(q12)", "s12"), ("cos(θ12 - 90°)", "s12"),
         # products and brackets
+        ("a1cosθ1", "a1*c1"), ("a1cosθ12", "a1*c12"), ("a1 b cosθ1sinθ2", "a1*b*c1*s2"), ("2a1sinθ23", "2*a1*s23"),
         ("c1 s12", "c1*s12"), ("a1c1", "a1*c1"), ("2a1", "2*a1"), ("a₁c₁", "a1*c1"), ("a1c1s23", "a1*c1*s23"),
         ("a1(b+c)", "a1*(b + c)"), ("[a1 + b]{c1}", "c1*(a1 + b)"), ("(a1)(b)", "a1*b"), ("a1 × b", "a1*b"),
         ("a1 · b", "a1*b"), ("a1\\cdot b", "a1*b"), ("a1\\,b", "a1*b"), ("a1 ÷ b", "a1/b"), ("a1/b*c", "a1*c/b"),
@@ -72,7 +75,7 @@ def test_a_spelling_is_read_as_it_is_meant(text: str, read: str) -> None:
         ("c12", "c12"), ("cα_i", "cos(alpha_i)"), ("a1c1", "a1*c1"), ("c5", "c5"), ("l_1 c_1", "l1*c1"),
         ("x y", "x*y"), ("θ1θ2", "theta1*theta2"), ("c(φ)", "cos(phi)"), ("shoulder", "shoulder"),
         ("c12 + c", "c12 + c"),
-        ("c_ij", "c_ij"), ("q1", "q1"),
+        ("c_ij", "c_ij"), ("q1", "q1"), ("θ12", "theta12"), ("cθ12", "cos(theta12)"),
     ],
 )  # fmt: skip
 def test_without_a_robot_names_stand_for_themselves(text: str, read: str) -> None:
