@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 from dhcli.algebra.floats import Floats
+from dhcli.checking.pasted import UnreadableError, without_label
 from dhcli.checking.questions import CountQuestion
-from dhcli.checking.reading import UnreadableError, without_label
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import DhcliError, Place
 from dhcli.notation.parser import parse

@@ -11,6 +11,7 @@ from dhcli.checking.counts import mark_count, right_count
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.misprints import misprint_remarks
 from dhcli.checking.numeric import mark_numbers
+from dhcli.checking.pasted import UnreadableError, without_label
 from dhcli.checking.questions import (
     CellQuestion,
     ChoiceQuestion,
@@ -20,7 +21,7 @@ from dhcli.checking.questions import (
     ScalarQuestion,
     TableQuestion,
 )
-from dhcli.checking.reading import UnreadableError, check_names, read_entries, without_label
+from dhcli.checking.reading import check_names, read_entries
 from dhcli.checking.symbolic import mark_symbols, put, same
 from dhcli.checking.tables.cells import own_values
 from dhcli.checking.tolerance import ZERO as NOTHING

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from dhcli.checking.exercise import Exercise, Printed
+from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.questions import MatrixQuestion
-from dhcli.checking.reading import Entry, UnreadableError, read_entries
+from dhcli.checking.reading import Entry, read_entries
 from dhcli.checking.symbolic import same
 from dhcli.checking.truth import Truth
 from dhcli.checking.verdicts import CellMark, Verdict

@@ -8,8 +8,9 @@ from dataclasses import replace
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Exercise
+from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.questions import MatrixQuestion
-from dhcli.checking.reading import Entry, UnreadableError
+from dhcli.checking.reading import Entry
 from dhcli.checking.symbolic import has_decimals, same
 from dhcli.checking.tolerance import ZERO, Tolerance, is_rounding_of, judge, typed_decimals, without_unit
 from dhcli.checking.truth import Truth, is_length

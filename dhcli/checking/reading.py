@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Exercise
+from dhcli.checking.pasted import UnreadableError, rows_of, without_label
 from dhcli.checking.questions import MatrixQuestion
 from dhcli.checking.truth import is_length, names_of
 from dhcli.checking.vectors import as_column
@@ -21,24 +22,7 @@ LARGEST = 256_000
 LEAST = 1e-12
 """What floating point leaves where an exact 0 or 1 was meant."""
 
-_LABEL = re.compile(r"\s*[^\s=\[\](){},;]{1,30}\s*=\s*(?=[\[({\\a-zA-Z0-9.√−-])")  # noqa: RUF001
-_NAMED_MATRIX = re.compile(r"[^=\n]{1,60}=\s*(?=\[|\\begin|\\left|array|np\.|Matrix|matrix)")
-_CONTINUED = re.compile(r"\.\.\.[^\S\n]*(?=\n)")
 _UNFILLED = re.compile(r"(?<![\w}])_(?![\w{])")
-_SCREEN = re.compile(r"[⎡⎢⎣][^\n⎡⎢⎣⎤⎥⎦]*[⎤⎥⎦]")
-
-
-class UnreadableError(Exception):
-    """An answer that cannot be judged, because of its format and not of its content.
-
-    Attributes:
-        remarks: What is wrong with it and what would be read.
-    """
-
-    def __init__(self, *remarks: str) -> None:
-        """Say what would be read."""
-        super().__init__("; ".join(remarks))
-        self.remarks = remarks
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,7 +44,7 @@ def read_entries(
     """
     if len(text) > LARGEST:
         raise UnreadableError(f"the answer has {len(text)} characters, more than the {LARGEST} that are read")
-    body = without_label(text)
+    body = without_label(rows_of(text, question.shape))
     if _UNFILLED.search(body):
         raise UnreadableError("some entries are still blank: fill in every _")
     if question.shape == (3, 1):
@@ -79,16 +63,6 @@ def read_entries(
     return tuple(
         tuple(_entry(question, exercise, cell, r, c) for c, cell in enumerate(row)) for r, row in enumerate(shaped)
     )
-
-
-def without_label(text: str) -> str:
-    """The answer without `T_03 =` in front, and without what a screen shows around a matrix."""
-    lines = _SCREEN.findall(text)
-    if lines:
-        return "\n".join(lines)
-    text = _CONTINUED.sub("", text)
-    match = _LABEL.match(text) or _NAMED_MATRIX.match(text)
-    return text[match.end() :] if match else text
 
 
 def check_names(exercise: Exercise, names: frozenset[str]) -> None:

@@ -10,8 +10,8 @@ from dhcli.checking.diagnosis.slips import count_slips, table_candidates, table_
 from dhcli.checking.diagnosis.typed import typed_answer
 from dhcli.checking.diagnosis.work import Bench
 from dhcli.checking.exercise import Exercise, Part
+from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.questions import CountQuestion, MatrixQuestion, TableQuestion
-from dhcli.checking.reading import UnreadableError
 from dhcli.checking.tables.cells import own_values, settled
 from dhcli.checking.tables.reading import read_table
 from dhcli.checking.verdicts import Mark, Verdict

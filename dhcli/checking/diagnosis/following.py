@@ -8,8 +8,8 @@ from dhcli.checking.diagnosis.search import Entries, matches
 from dhcli.checking.diagnosis.typed import typed_answer
 from dhcli.checking.diagnosis.work import inverse, product
 from dhcli.checking.exercise import Exercise, Part
+from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.questions import MatrixQuestion, Span
-from dhcli.checking.reading import UnreadableError
 from dhcli.checking.truth import piece_of
 from dhcli.errors import DhcliError
 from dhcli.kinematics.fold import fold

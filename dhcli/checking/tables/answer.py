@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.reading import UnreadableError
+from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.tables.cells import given_values, in_other_unit, mark_cells, own_values, settled
 from dhcli.checking.tables.freedoms import Drawn, Slack, end_freedoms, frame_freedoms, joint_freedoms
 from dhcli.checking.tables.motions import Outcome, Values, same_motion, same_robot

@@ -12,8 +12,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from dhcli.checking.exercise import Exercise
+from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.questions import TableQuestion
-from dhcli.checking.reading import UnreadableError
 from dhcli.checking.tables.cells import table_text
 from dhcli.checking.tables.marking import mark_table, write_table
 from dhcli.checking.tables.reading import read_table
