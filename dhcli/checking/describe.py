@@ -15,15 +15,15 @@ from dhcli.checking.questions import (
     TableQuestion,
 )
 from dhcli.notation.quantity import value_text
-from dhcli.notation.styles import THETAS, Joints
+from dhcli.notation.tree import ONE, Number, multiply, number
 from dhcli.notation.writer import write
 
 
-def describe(question: Question, joints: Joints = THETAS) -> str:
-    """What a part asks for, in a few words."""
+def describe(question: Question, exercise: Exercise) -> str:
+    """What a part of an exercise asks for, in a few words."""
     match question:
         case MatrixQuestion():
-            return _matrix(question, joints)
+            return _matrix(question, exercise)
         case TableQuestion(convention):
             return f"the {convention.value} DH table"
         case CellQuestion(column, link):
@@ -45,7 +45,14 @@ def given_text(exercise: Exercise) -> str:
     return ", ".join(f"{name} = {value_text(value, unit)}" for name, value in exercise.given.items())
 
 
-def _matrix(question: MatrixQuestion, joints: Joints) -> str:
+def coordinates(question: MatrixQuestion, exercise: Exercise) -> str:
+    """The point or the vector of a question, in the unit of the sheet: `20, -30, 50`."""
+    scale = number(1 / exercise.metres) if exercise.numeric and question.piece == "point" else ONE
+    shown = [multiply(scale, value) if isinstance(value, Number) else value for value in question.point]
+    return ", ".join(write(value, "short", exercise.writing) for value in shown)
+
+
+def _matrix(question: MatrixQuestion, exercise: Exercise) -> str:
     if isinstance(question.source, Span):
         start, end = question.source.start, question.source.end
         whole = f"A_{end}" if question.source.link else f"T_{start}{end}"
@@ -55,7 +62,7 @@ def _matrix(question: MatrixQuestion, joints: Joints) -> str:
     if question.inverse:
         whole = f"the inverse of {whole}"
     row, column = question.index
-    point = ", ".join(write(coordinate, "short", joints) for coordinate in question.point)
+    point = coordinates(question, exercise)
     pieces = {
         "pose": f"{whole}: a 4x4 matrix, row by row",
         "rotation": f"the rotation of {whole}: a 3x3 matrix",

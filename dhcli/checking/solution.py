@@ -2,20 +2,53 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TypeAlias
 
 from dhcli.algebra.terms import TERMS
+from dhcli.checking.describe import coordinates
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.marking import expected
-from dhcli.checking.questions import Composed, FactorsQuestion, MatrixQuestion, Span
+from dhcli.checking.questions import (
+    CellQuestion,
+    ChoiceQuestion,
+    Composed,
+    CountQuestion,
+    FactorsQuestion,
+    MatrixQuestion,
+    ScalarQuestion,
+    Span,
+    TableQuestion,
+)
 from dhcli.checking.truth import chain_of
-from dhcli.kinematics.conventions import ORDER
+from dhcli.kinematics.conventions import COLUMNS, ORDER, Convention
 from dhcli.kinematics.fold import fold
-from dhcli.kinematics.forward import pose_of_chain, put_in, spelled, symbolic_pose
-from dhcli.kinematics.frames import frame
-from dhcli.kinematics.pose import Pose
+from dhcli.kinematics.forward import in_numbers, put_in, spelled, textbook_form
+from dhcli.kinematics.frames import between, frame
+from dhcli.kinematics.moves import Chain, names
 from dhcli.kinematics.robot import Robot
+from dhcli.notation.names import natural_key
+from dhcli.notation.quantity import value_text
 from dhcli.notation.tree import Expr
+
+Rows: TypeAlias = tuple[tuple[Expr | float, ...], ...]
+
+MEANINGS = {
+    Convention.STANDARD: (
+        "a_i: from z_{i-1} to z_i along x_i",
+        "alpha_i: from z_{i-1} to z_i about x_i",
+        "d_i: from x_{i-1} to x_i along z_{i-1}",
+        "theta_i: from x_{i-1} to x_i about z_{i-1}",
+    ),
+    Convention.MODIFIED: (
+        "a_{i-1}: from z_{i-1} to z_i along x_{i-1}",
+        "alpha_{i-1}: from z_{i-1} to z_i about x_{i-1}",
+        "d_i: from x_{i-1} to x_i along z_i",
+        "theta_i: from x_{i-1} to x_i about z_i",
+    ),
+}
+"""What the four parameters of a row measure, in the order of `COLUMNS`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,61 +56,123 @@ class Step:
     """One step of a solution.
 
     Attributes:
-        text: What is done, in words.
-        pose: The matrix it gives, if it gives one.
+        text: What is done, in words; each line on its own.
+        rows: The matrix it gives, if it gives one; lengths of numbers in the unit of the sheet.
     """
 
     text: str
-    pose: Pose[Expr] | None = None
+    rows: Rows = ()
 
 
 def solution(exercise: Exercise, part: Part) -> tuple[Step, ...]:
-    """The steps that lead to the right answer; the last one holds it."""
-    question = part.question
-    if isinstance(question, MatrixQuestion):
-        return (*_product_steps(exercise, question), Step(f"So the answer is {expected(exercise, part)}"))
-    if isinstance(question, FactorsQuestion) and exercise.robot is not None:
-        return (Step(ORDER[exercise.robot.convention]), Step(f"So the answer is {expected(exercise, part)}"))
-    return (Step(f"The answer is {expected(exercise, part)}"),)
+    """The steps that lead to the right answer; the last one holds it as it may be typed."""
+    answer = expected(exercise, part)
+    match part.question:
+        case MatrixQuestion():
+            steps = tuple(_matrix(exercise, part.question))
+        case TableQuestion(convention):
+            steps = (Step("Each row leads from one frame to the next:\n" + "\n".join(MEANINGS[convention])),)
+        case CellQuestion(column, _) if exercise.robot is not None and exercise.robot.convention in MEANINGS:
+            meanings = MEANINGS[exercise.robot.convention]
+            steps = (Step(f"What is measured is {meanings[COLUMNS.index(column)]}"),)
+        case FactorsQuestion() if exercise.robot is not None:
+            steps = (Step(ORDER[exercise.robot.convention]),)
+        case ScalarQuestion(_, text) if exercise.given or exercise.numeric:
+            steps = (Step(f"What is asked for is {text}"),)
+        case CountQuestion():
+            steps = _count(part.question)
+        case ChoiceQuestion(options, right):
+            return (Step(f"The answer is {right}: {options[right - 1]}"),)
+        case _:
+            steps = ()
+    return (*steps, Step(f"So the answer is {answer}" if steps else f"The answer is {answer}"))
 
 
-def _product_steps(exercise: Exercise, question: MatrixQuestion) -> tuple[Step, ...]:
-    source = question.source
-    if isinstance(source, Span) and exercise.robot is not None:
-        steps = _robot_steps(exercise, exercise.robot, source)
-    elif isinstance(source, Composed):
-        steps = _move_steps(source)
-    else:
-        steps = ()
+def _matrix(exercise: Exercise, question: MatrixQuestion) -> Iterator[Step]:
+    """The matrices and their product, then the piece of it that is asked for."""
+    if isinstance(question.source, Span) and exercise.robot is not None:
+        yield from _links(exercise, exercise.robot, question.source)
+    elif isinstance(question.source, Composed):
+        yield from _moves(exercise, question.source.chain)
     if question.inverse:
-        chain = put_in(chain_of(question, exercise.robot), exercise.given)
         back = "The inverse: the moves undone in the opposite order, R transposed and -R^T p"
-        steps = (*steps, Step(back, pose_of_chain(chain, "1", "0", "inverse", exercise.writing)))
-    return steps
+        yield Step(back, _product(exercise, chain_of(question, exercise.robot)))
+    row, column = question.index
+    point = coordinates(question, exercise)
+    pieces = {
+        "rotation": "The rotation is its upper left 3x3",
+        "position": "The position is its last column, without the 1",
+        "entry": f"Entry ({row + 1},{column + 1}) is in row {row + 1}, column {column + 1}",
+        "axis": f"The {'xyz'[row]} axis is column {row + 1}, without the 0",
+        "point": f"A point is multiplied with a 1 below it: ({point}, 1)",
+        "vector": f"A vector is only turned, so it is multiplied with a 0 below it: ({point}, 0)",
+    }
+    if question.piece in pieces:
+        yield Step(pieces[question.piece])
 
 
-def _robot_steps(exercise: Exercise, robot: Robot, span: Span) -> tuple[Step, ...]:
+def _links(exercise: Exercise, robot: Robot, span: Span) -> Iterator[Step]:
     """Each link matrix, then the products from right to left, which keep the brackets small."""
-    given = exercise.given
     first, last = (robot.frames.index(frame(robot, name)) for name in (span.start, span.end))
     low, high = min(first, last), max(first, last)
-    steps = [Step(ORDER[robot.convention])]
+    yield Step(ORDER[robot.convention] + _unit(exercise))
     for i in range(low, high):
         before, after = robot.frames[i], robot.frames[i + 1]
-        pose = symbolic_pose(robot, given, before, after)
-        steps.append(Step(f"From frame {before} to frame {after}", pose))
+        chain = between(robot, before, after)
+        yield Step(f"From frame {before} to frame {after}{_values(exercise, chain)}", _product(exercise, chain))
     for i in range(high - 2, low - 1, -1):
-        start, end = robot.frames[i], robot.frames[high]
-        middle = robot.frames[i + 1]
-        text = f"T_{start}{end} = T_{start}{middle} T_{middle}{end}"
-        steps.append(Step(text, symbolic_pose(robot, given, start, end)))
-    return tuple(steps)
+        start, middle, end = robot.frames[i], robot.frames[i + 1], robot.frames[high]
+        chain = between(robot, start, end)
+        yield Step(f"T_{start}{end} = T_{start}{middle} T_{middle}{end}", _product(exercise, chain))
+    if first > last:
+        start, end = robot.frames[high], robot.frames[low]
+        yield Step(f"T_{start}{end} is its inverse", _product(exercise, between(robot, start, end)))
 
 
-def _move_steps(source: Composed) -> tuple[Step, ...]:
+def _moves(exercise: Exercise, chain: Chain) -> Iterator[Step]:
     """The frame after each move, from left to right."""
-    steps = []
-    for count, move in enumerate(source.chain, 1):
-        pose = Pose(fold(source.chain[:count], TERMS), "0", str(count), f"after {spelled(move)}")
-        steps.append(Step(f"Move {count}: {spelled(move)}", pose))
+    for count, move in enumerate(chain, 1):
+        reached = chain[:count]
+        rows = _product(exercise, reached) if exercise.numeric else fold(reached, TERMS)
+        yield Step(f"Move {count}: {spelled(move)}", rows)
+
+
+def _count(question: CountQuestion) -> tuple[Step, ...]:
+    """What is counted, and the formula if it is asked for."""
+    from dhcli.mobility.counting import Counts
+    from dhcli.mobility.linkage import Linkage
+
+    if question.found is None:
+        return ()
+    is_linkage = isinstance(question.found, Linkage)
+    counts = Counts.of(question.found) if isinstance(question.found, Linkage) else question.found
+    counted = f"n = {counts.n} links with the ground, j = {counts.j} joints, Σf = {counts.sum_f}, ΣC = {counts.sum_c}"
+    steps = [Step(counted + f", λ = {counts.space.lambda_}")]
+    if question.what in ("mobility", "gruebler"):
+        steps.append(Step(counts.formulas[0]))
+    if question.what == "mobility" and is_linkage:
+        steps.append(Step(f"Whether that is the truth, and why: dhcli dof {question.linkage}"))
     return tuple(steps)
+
+
+def _product(exercise: Exercise, chain: Chain) -> Rows:
+    """The product of a chain with what the task gives: in textbook form, or in numbers in the unit of the sheet."""
+    if not exercise.numeric:
+        return textbook_form(put_in(chain, exercise.given))
+    unit = float(exercise.metres)
+    *upper, bottom = in_numbers(chain, exercise.values)
+    return (*((*row[:3], row[3] / unit) for row in upper), bottom)
+
+
+def _values(exercise: Exercise, chain: Chain) -> str:
+    """The values that go into a matrix of numbers."""
+    if not exercise.numeric:
+        return ""
+    unit = "" if exercise.unit == "none" else exercise.unit
+    wanted = sorted(names(chain) & exercise.values.keys(), key=natural_key)
+    listed = ", ".join(f"{name} = {value_text(exercise.values[name], unit)}" for name in wanted)
+    return f", with {listed}" if listed else ""
+
+
+def _unit(exercise: Exercise) -> str:
+    return f", lengths in {exercise.unit}" if exercise.numeric and exercise.unit != "none" else ""

@@ -145,7 +145,7 @@ def _part_lines(exercise: Exercise, part: Part) -> Iterator[str]:
     yield ""
     for line in part.prompt.strip().splitlines():
         yield f"  # {line}"
-    yield f"  # {describe(question, exercise.writing)}"
+    yield f"  # {describe(question, exercise)}"
     if isinstance(question, TableQuestion) and exercise.robot is not None:
         yield "  # columns: " + "  ".join(exercise.robot.columns) + "; angles in degrees"
     if isinstance(question, ChoiceQuestion):

@@ -45,7 +45,7 @@ def exercise_content(exercise: Exercise, _look: Look) -> dict[str, Any]:
         "parts": [
             {
                 "part": part.id,
-                "asks": describe(part.question, exercise.writing),
+                "asks": describe(part.question, exercise),
                 "prompt": part.prompt,
                 "credit": part.credit,
                 "depends": list(part.depends),

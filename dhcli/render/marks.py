@@ -82,7 +82,7 @@ def marks_content(marked: SheetMark, _look: Look) -> dict[str, Any]:
 
 def question_text(exercise: Exercise, part: Part, paper: Paper) -> str:
     """What a part asks, for a person who is about to answer."""
-    lines = [paper.ink(f"{part.id}: {paper.spell(describe(part.question, exercise.writing))}", "bold")]
+    lines = [paper.ink(f"{part.id}: {paper.spell(describe(part.question, exercise))}", "bold")]
     lines += [paper.spell(line) for line in part.prompt.strip().splitlines()]
     if isinstance(part.question, ChoiceQuestion):
         lines += [f"  {n}: {paper.spell(option)}" for n, option in enumerate(part.question.options, 1)]
@@ -95,9 +95,9 @@ def solution_text(exercise: Exercise, part: Part, paper: Paper) -> str:
 
     lines = [question_text(exercise, part, paper).rstrip("\n")]
     for step in solution(exercise, part):
-        lines += ["", paper.spell(step.text)]
-        if step.pose is not None:
-            lines += matrix_lines(step.pose.rows, step.pose.joints, Look(paper=paper))
+        lines += ["", *map(paper.spell, step.text.splitlines())]
+        if step.rows:
+            lines += matrix_lines(step.rows, exercise.writing, Look(paper=paper))
     return "\n".join(lines) + "\n"
 
 
@@ -121,7 +121,7 @@ def _part_lines(marked: SheetMark, one: PartMark, look: Look) -> Iterator[str]:
     verdict = mark.verdict
     sign = verdict.sign if paper.unicode else _ASCII_SIGNS.get(verdict.sign, verdict.sign)
     word = paper.ink(f"{sign} {verdict.word:<10}", "bold", *_INKS[verdict])
-    yield f"{word}  {one.part.id}: {paper.spell(describe(one.part.question, exercise.writing))}"
+    yield f"{word}  {one.part.id}: {paper.spell(describe(one.part.question, exercise))}"
     if verdict is Verdict.SKIPPED:
         return
     if mark.reading and verdict not in (Verdict.RIGHT, Verdict.CANNOT_READ):

@@ -397,7 +397,7 @@ def shown(exercise: Exercise, part: Part, judged: Mark) -> str:
     from dhcli.checking.sheetmark import PartMark
 
     text = render("marks", SheetMark(exercise, (PartMark(part, judged),)), Look(paper=Paper()))
-    assert describe(part.question, exercise.writing).split("\n")[0][:10] in text
+    assert describe(part.question, exercise).split("\n")[0][:10] in text
     return text
 
 

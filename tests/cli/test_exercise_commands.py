@@ -170,6 +170,31 @@ def test_the_answer_of_a_solution_is_right_when_typed(dhcli: Run) -> None:
     assert dhcli("check", PLANAR, "--part", "t02", "--answer", answer).code == 0
 
 
+def test_a_solution_in_numbers_is_worked_in_numbers(dhcli: Run) -> None:
+    """Each matrix with the values that went into it, in the unit of the sheet; a point in that unit too."""
+    out = dhcli("solution", "zhou/six-r-at-work-in-mm", "--part", "camera", "--yes").out
+    assert "From frame 0 to frame 1, with l1 = 500 mm, theta1 = 30°" in out
+    assert "⎢ 0      1   0      500 ⎥" in out
+    assert "the point (20, -30, 50) through T_06" in out
+    assert "(20, -30, 50, 1)" in out
+    assert "cos" not in out
+
+
+@pytest.mark.parametrize(
+    ("exercise", "part", "words"),
+    [
+        ("yim/counting-freedoms", "links", "n = 7 links with the ground, j = 6 joints"),
+        ("yim/counting-freedoms", "limit", "The answer is 3: over all joints, i = 1 to j"),
+        ("zhou/puma200-table", "table", "a_{i-1}: from z_{i-1} to z_i along x_{i-1}"),
+        ("yim/planar-linkages", "f4", "F = λ(n - j - 1) + Σf = 3(4 - 4 - 1) + 4·1 = 1"),
+        ("bajd/rotate-a-vector", "about_z", "multiplied with a 0 below it: (1, 0, 0, 0)"),
+    ],
+)
+def test_a_solution_says_how(dhcli: Run, exercise: str, part: str, words: str) -> None:
+    """What is counted and by which formula, what a parameter measures, which statement it is."""
+    assert words in dhcli("solution", exercise, "--part", part, "--yes").out
+
+
 def test_every_solution_can_be_shown(dhcli: Run) -> None:
     """For one exercise with every kind of question."""
     for name in (PLANAR, "yim/dh-factors", "yim/planar-in-numbers", "yim/counting-freedoms", "bajd/displaced-frame"):

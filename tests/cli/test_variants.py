@@ -76,7 +76,7 @@ def test_show_hint_and_solution_follow(dhcli: Run) -> None:
     done = dhcli("hint", PLANAR, "--variant", "alice")
     assert "dhcli solution yim/planar-in-numbers --variant alice --part a1" in done.err
     solution = dhcli("solution", PLANAR, "--part", "a1", "--variant", "alice", "--yes").out
-    assert "cos(35°)" in solution
+    assert "theta1 = 35°" in solution
     assert "So the answer is [[0.8191520443, -0.5735764364" in solution
 
 
