@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from functools import cached_property
 from types import MappingProxyType
 from typing import Literal, TypeAlias
@@ -100,6 +100,11 @@ class Robot:
         for attribute in ("parameters", "limits", "poses"):
             object.__setattr__(self, attribute, MappingProxyType(dict(getattr(self, attribute))))
         check(self)
+
+    def __reduce__(self) -> tuple[type[Robot], tuple[object, ...]]:
+        """Copied and sent to other processes by its fields, which a read-only view of a mapping could not be."""
+        values = (getattr(self, each.name) for each in fields(self))
+        return Robot, tuple(dict(value) if isinstance(value, MappingProxyType) else value for value in values)
 
     @cached_property
     def joints(self) -> tuple[Joint, ...]:

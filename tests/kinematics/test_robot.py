@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import copy
+import pickle
 from fractions import Fraction
 from typing import Any
 
@@ -166,6 +168,16 @@ def test_all_broken_rules_are_told_at_once() -> None:
     """Not one after the other."""
     found = findings(parameters={"a2": METRE}, tool=read_chain("Trans(0, 0, b)"), limits={"d3": (Angle(), Angle())})
     assert [text.split(":")[0] for text in found] == ["links.0", "tool", "limits.d3"]
+
+
+@pytest.mark.parametrize("name", ["scara", "puma560", "stanford"])
+def test_a_robot_can_be_copied_and_sent_to_another_process(name: str) -> None:
+    """Equal to itself, and with mappings that cannot be changed."""
+    arm = load_robot(name)
+    for other in (copy.deepcopy(arm), pickle.loads(pickle.dumps(arm))):  # noqa: S301  our own
+        assert other == arm
+        with pytest.raises(TypeError):
+            other.parameters["a1"] = METRE  # type: ignore[index]
 
 
 def test_an_offset_a_sign_and_a_factor_are_affine() -> None:
