@@ -77,7 +77,7 @@ class RowDelivery:
         if self.format is not None and self.format not in FORMATS:
             hint = "jsonl has one object a row" if self.format == "json" else did_you_mean(self.format, FORMATS)
             raise UnknownNameError(f"there is no format {self.format} for rows", hint)
-        suffix = Path(self.output or ".csv").suffix.lower()
+        suffix = Path(self.output or "stdout.csv").suffix.lower()
         if self.format is None and suffix not in SUFFIXES:
             hint = f"known suffixes of rows: {' '.join(SUFFIXES)}; or say --format"
             raise UnknownNameError(f"{self.output} does not say which format it should have", hint)
@@ -128,5 +128,11 @@ def _sink(name: str, layout: Layout, stream: BinaryIO | None = None) -> Iterator
         write_out(lines)
         sys.stdout.flush()  # rows show as they come, and a reader that has gone away is noticed
 
-    put(text.heading)
-    yield RowSink(lambda block: put(text.lines(block)), printed=stream is None)
+    def put_rows(block: NDArray[np.float64]) -> None:
+        # The heading comes with the first rows: work that fails before there are any leaves stdout empty.
+        put(text.lines(block) if sink.count else text.heading + text.lines(block))
+
+    sink = RowSink(put_rows, printed=stream is None)
+    yield sink
+    if not sink.count:
+        put(text.heading)

@@ -83,7 +83,9 @@ def decode(content: bytes, source: str, *, before: tuple[int, int] = (0, 0)) -> 
         if byte >= _FIRST_PRINTABLE_LATIN_1:
             hint += f"; if it is Latin-1, this byte is '{chr(byte)}'"
         place = Place(source, before[1] + len(lines), len(lines[-1]) + 1)
-        raise FileError(Problem(f"is not UTF-8: byte {before[0] + error.start + 1} is 0x{byte:02X}", place, hint)) from None
+        raise FileError(
+            Problem(f"is not UTF-8: byte {before[0] + error.start + 1} is 0x{byte:02X}", place, hint)
+        ) from None
     return text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
 
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
+from dhcli.errors import UnknownNameError, did_you_mean
 from dhcli.kinematics.orientation import TINY
 
 if TYPE_CHECKING:
@@ -58,7 +59,7 @@ def quaternions(poses: Table) -> Table:
     half = np.abs(parts[:, 0]) < TINY * np.abs(length)  # half a turn: the first part that is not zero is positive
     first = np.argmax(np.abs(parts[:, 1:]) > TINY, axis=1)
     leading = np.take_along_axis(parts[:, 1:], first[:, None], axis=1)[:, 0]
-    turns = parts / np.where(half, np.copysign(length, leading), length)[:, None]
+    turns: Table = parts / np.where(half, np.copysign(length, leading), length)[:, None]
     turns[:, 0] = np.abs(turns[:, 0])
     return turns
 
@@ -82,3 +83,14 @@ FORMS: dict[str, Callable[[Table], Table]] = {
     "axis-angle": axis_angles,
 }
 """Ways to say where a frame is, by the names a user gives them; each takes poses, shape (N, 4, 4)."""
+
+
+def check_forms(forms: Iterable[str]) -> None:
+    """Make sure that poses can be said in these ways.
+
+    Raises:
+        UnknownNameError: There is no such form.
+    """
+    for form in forms:
+        if form not in FORMS:
+            raise UnknownNameError(f"there is no way to say a pose as {form}", did_you_mean(form, FORMS))

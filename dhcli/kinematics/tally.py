@@ -31,15 +31,18 @@ class Tally:
         self._outside: Counter[str] = Counter()
         self._turning: Counter[str] = Counter()
         self._any_outside = 0
+        self._locked = 0
 
-    def take(self, q: NDArray[np.float64], in_radians: tuple[bool, ...]) -> None:
+    def take(self, q: NDArray[np.float64], in_radians: tuple[bool, ...], *, locked: int = 0) -> None:
         """Look at rows.
 
         Args:
             q: Joint values, shape (N, n); radians and metres.
             in_radians: Whether each joint's values were taken for radians.
+            locked: In how many of them roll and yaw cannot be told apart.
         """
         self.rows += len(q)
+        self._locked += locked
         outside = q[:, 0] != q[:, 0]  # nowhere
         for k, joint in enumerate(self._robot.joints):
             if joint.name in self._limits:
@@ -57,6 +60,9 @@ class Tally:
             yield f"more than a turn: {turning} of {_rows(self.rows)}; did you mean degrees, --deg?"
         if outside := _listed(self._outside):
             yield f"{self._any_outside} of {_rows(self.rows)} outside the limits of a joint: {outside}"
+        if self._locked:
+            many = f"{self._locked} of {_rows(self.rows)}"
+            yield f"pitch is ±90° in {many}, where roll and yaw turn about one axis: roll is 0 there"
 
 
 def _listed(counts: Counter[str]) -> str:

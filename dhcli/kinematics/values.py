@@ -51,7 +51,8 @@ def joint_values(robot: Robot, q: JointInput, *, bare: Bare = "rad", place: Plac
         return _from_text(robot, q, bare, place or Place("q"))
     if isinstance(q, Mapping):
         return {
-            (joint := joint_called(robot, name, place)): _value(robot, joint, value, bare, place) for name, value in q.items()
+            (joint := joint_called(robot, name, place)): _value(robot, joint, value, bare, place)
+            for name, value in q.items()
         }
     given = list(q)
     _check_count(robot, len(given), place)
