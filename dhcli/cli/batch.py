@@ -44,7 +44,7 @@ def check_options(path: str | None, robot: str, others: Mapping[str, object]) ->
         raise DhcliError("--skip-bad is for many poses", "name their file with --in FILE")
     if path == robot == "-":
         raise DhcliError("the robot and the rows cannot both come from standard input", "save one of them in a file")
-    if given := [option for option, value in others.items() if value not in (None, False)]:
+    if given := [option for option, value in others.items() if value is not None and value is not False]:
         verb = "does" if len(given) == 1 else "do"
         hint = "with --in go --deg --set --from --to --inverse --frames --as --skip-bad --format -o --force"
         raise DhcliError(f"{' and '.join(given)} {verb} not go with --in", hint)

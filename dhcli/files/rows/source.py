@@ -12,8 +12,8 @@ from typing import BinaryIO
 from dhcli.errors import FileError, Place, Problem
 from dhcli.files.reading import decode, explain, source_of
 
-PIECE = 1 << 20
-"""Most bytes of one piece [B]."""
+PIECE = 1 << 18
+"""Most bytes of one piece, and of one line [B]: some thousand rows, which keeps memory small and numpy busy."""
 
 
 class Source:
