@@ -62,8 +62,8 @@ def fk(
         typer.Option(
             "--in",
             metavar="FILE",
-            help="Joint values, a pose a row: CSV, JSON Lines or .npy, or - for stdin. CSV and JSON name the joints, "
-            "with a unit if need be, theta1[deg]. Gives a row for each, as csv, jsonl or npy.",
+            help="Joint values, a row for each pose: CSV, JSON Lines or .npy; - is stdin. Names and units stand in the "
+            r"header: theta1\[deg]. Gives rows: csv, or jsonl or npy by --format or -o. --as takes matrix too.",
             rich_help_panel=_MANY,
         ),
     ] = None,

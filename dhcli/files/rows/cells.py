@@ -5,13 +5,15 @@ from __future__ import annotations
 import math
 import re
 
+from dhcli.notation.quantity import UNITS
+
 NUMBER = re.compile(r"\s*[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?\s*", re.ASCII)
 PLAIN = b"0123456789+-.eE \n"
 """What numbers, blanks and line ends are made of: `nan`, `1_000` and quotes have something else in them."""
 
 _NO_NUMBERS = {"nan", "na", "n/a", "null", "none", "inf", "infinity", "-inf", "+inf", "-infinity", "-nan"}
 _COMMA = re.compile(r"[+-]?\d+,\d+", re.ASCII)
-_UNIT = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)\s*([^\W\d_]+|°|″|\")", re.ASCII)
+_UNIT = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)\s*(?P<unit>\D+)", re.ASCII)
 _LONGEST = 40
 
 
@@ -57,6 +59,6 @@ def shown(text: str) -> str:
 def _hint(text: str) -> str:
     if _COMMA.fullmatch(text):
         return f"write {text.replace(',', '.')}, with a point"
-    if _UNIT.match(text.replace("°", "deg")):
-        return "the unit stands once, in the header: theta1[deg]"
+    if (match := _UNIT.fullmatch(text)) and match["unit"] in UNITS:
+        return f"the unit stands once, in the header: [{match['unit']}]"
     return "a cell is a plain number, such as -0.25 or 1e-3"
