@@ -60,13 +60,14 @@ def in_joint_order(robot: Robot, *, degrees: bool) -> Columns:
     )
 
 
-def columns_of(robot: Robot, heads: Sequence[str], places: Iterable[Place], *, degrees: bool) -> Columns:
+def columns_of(robot: Robot, heads: Sequence[str], places: Iterable[Place], *, whole: Place, degrees: bool) -> Columns:
     """The columns of a table with a header.
 
     Args:
         robot: The robot.
         heads: The head of each column: a name, and a unit in brackets if need be.
-        places: Where each of them stands; the first of them is also that of what is missing.
+        places: Where each of them stands.
+        whole: Where all of them stand, for what is missing.
         degrees: Whether bare columns of revolute joints are in degrees; else they are in radians.
 
     Raises:
@@ -76,7 +77,6 @@ def columns_of(robot: Robot, heads: Sequence[str], places: Iterable[Place], *, d
     found: dict[str, int] = {}
     factors: dict[str, tuple[float, float]] = {}
     problems: list[Problem] = []
-    places = tuple(places)
     for k, (head, place) in enumerate(zip(heads, places, strict=True)):
         try:
             name, unit = _parts(head, place)
@@ -89,8 +89,7 @@ def columns_of(robot: Robot, heads: Sequence[str], places: Iterable[Place], *, d
         except RobotError as error:
             problems += error.problems
     if missing := [name for name in joints if name not in found]:
-        where = Place(places[0].source, places[0].line) if places else None
-        problems.append(Problem(f"no column for {', '.join(missing)}", where, _wanted(robot)))
+        problems.append(Problem(f"no column for {', '.join(missing)}", whole, _wanted(robot)))
     if problems:
         raise FileError(problems)
     return Columns(tuple(found[name] for name in joints), tuple(factors[name] for name in joints))

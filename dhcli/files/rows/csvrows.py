@@ -72,8 +72,9 @@ class CsvRows:
         cells = self._cells(head)
         if any(is_number(cell) for _, cell in cells):
             return in_joint_order(self._robot, degrees=self._degrees), False
+        heads = [cell for _, cell in cells]
         places = [Place(self._source.name, line, column, head) for column, _ in cells]
-        return columns_of(self._robot, [cell for _, cell in cells], places, degrees=self._degrees), True
+        return columns_of(self._robot, heads, places, whole=self.place_of(line), degrees=self._degrees), True
 
     def _block(self, first: int, text: str, columns: Columns) -> Block:
         count = text.count("\n")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from collections.abc import Callable, Iterator
 from operator import itemgetter
 from typing import Any, NoReturn
@@ -18,6 +19,7 @@ from dhcli.files.rows.source import Source, text_blocks
 from dhcli.kinematics.robot import Robot
 
 _ONE_A_LINE = "JSON Lines has a row in each line: {\"theta1\": 0.1, ...} or [0.1, ...]; jq -c '.[]' makes it of a list"
+_ONE_LIST = re.compile(r"\s*(?:\[[ \t]*(?:\n|[\[{])|\{[ \t]*\n)")
 _WORDS = {"True": "true", "False": "false", "None": "null"}
 _MOST_HEADERS = 100
 """Sets of names that are remembered."""
@@ -42,11 +44,21 @@ class JsonRows:
         """The rows.
 
         Raises:
-            FileError: The source cannot be read.
+            FileError: The source cannot be read, or holds one list of rows.
         """
+        begun = False
         for first, text in text_blocks(self._source):
             lines = text.split("\n")[:-1]
+            if not begun and (begun := bool(text.strip())):
+                self._check_beginning(text)
             yield self._at_once(first, lines) or self._line_by_line(first, lines)
+
+    def _check_beginning(self, text: str) -> None:
+        """Make sure that the rows are not the items of one list, of which some may well stand in lines of their own."""
+        if _ONE_LIST.match(text):
+            raise FileError(
+                Problem("is one list or object, not a row in each line", Place(self._source.name), _ONE_A_LINE)
+            )
 
     def _at_once(self, first: int, lines: list[str]) -> Block | None:
         """All rows of a block, if there is nothing to say about any of them.
@@ -125,7 +137,8 @@ class JsonRows:
         if names not in self._known:
             if len(self._known) >= _MOST_HEADERS:
                 self._known.clear()
-            self._known[names] = columns_of(self._robot, names, [place] * len(names), degrees=self._degrees)
+            places = [place] * len(names)
+            self._known[names] = columns_of(self._robot, names, places, whole=place, degrees=self._degrees)
         return self._known[names]
 
 

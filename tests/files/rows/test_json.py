@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from dhcli.errors import FileError
 from dhcli.files.rows.jsonrows import JsonRows
 from tests.files.rows.tables import bad, read, rows
 
@@ -81,6 +82,20 @@ def test_unknown_and_missing_names_are_told_at_once() -> None:
         "q.csv:1: scara has no joint tetha2 (did you mean theta2 or theta1?)",
         "q.csv:1: no column for theta2, d3 (wanted: theta1[rad], theta2[rad], d3[m])",
     ]
+
+
+@pytest.mark.parametrize(
+    "content", ["[[1, 2, 3], [4, 5, 6]]", "[\n  [1, 2, 3],\n  [4, 5, 6]\n]", '[ {"q1": 1}]', '\n{\n"q1": [1, 2]}']
+)
+def test_one_list_of_rows_is_not_taken_for_lines(content: str) -> None:
+    """The last of its rows stands in a line of its own, and would be the only one."""
+    with pytest.raises(FileError, match=r"q\.csv: is one list or object, not a row in each line"):
+        read(content)
+
+
+def test_an_object_without_names_has_none_of_the_joints() -> None:
+    """And its place is told all the same."""
+    assert bad("{}\n") == ["q.csv:1: no column for theta1, theta2, d3 (wanted: theta1[rad], theta2[rad], d3[m])"]
 
 
 @pytest.mark.parametrize("row", ["[[1, 2, 3], [4, 5, 6]]", "[1, 2, 3],", "[1, 2, 3", "{}x", "[" * 5000, '{"a":', "7"])
