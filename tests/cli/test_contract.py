@@ -231,6 +231,7 @@ def test_the_examples_of_the_help_pages_work(dhcli: Run) -> None:
     exercise = (ROOT / "exercises/yim/planar-two-links.yaml").read_text(encoding="utf-8")
     Path("exercises/my-course/first.yaml").write_text(exercise, encoding="utf-8")
     Path("planar-two-links.sheet.yaml").rename("blank.yaml")
+    Path("q.csv").write_text("0.1,0.2,0.3,0.4,0.5,0.6\n", encoding="utf-8")
     for line in sorted(lines, key=lambda line: not line.startswith("dhcli start")):
         done = dhcli(*split(line)[1:])
         if line.startswith("dhcli watch"):
