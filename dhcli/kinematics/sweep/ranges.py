@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -115,11 +116,12 @@ def _value(robot: Robot, joint: str, piece: _Piece, bare: Bare, place: Place) ->
         raise NotationError(Problem("a value is missing here", where, f"write {_example(robot, joint)}"))
     value = read_value(robot, joint, piece.text.strip(), bare=bare, place=where)
     try:
-        if (number := in_floats(value)) - number == 0:
-            return value
+        is_number = math.isfinite(in_floats(value))
     except OverflowError:
-        pass
-    raise RobotError(Problem(f"{piece.text.strip()} is not a number that a joint can have", where))
+        is_number = False
+    if not is_number:
+        raise RobotError(Problem(f"{piece.text.strip()} is not a number that a joint can have", where))
+    return value
 
 
 def _example(robot: Robot, joint: str) -> str:
