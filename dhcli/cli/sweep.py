@@ -26,9 +26,9 @@ EXAMPLES = """
 
 dhcli sweep planar-2r
 
-dhcli sweep scara --over 'theta1=-90°..90° step 5°' --over theta2 --over 'd3=0..0.2 n 11'
+dhcli sweep scara --over 'q1=-90°..90° step 5°' --over 'd3=0..0.2 n 11'
 
-dhcli sweep puma560 --over theta1 --over theta2 --over theta3 --pose ready --point 0,0,0.1 -o points.csv
+dhcli sweep puma560 --pose ready --over q2 --over q3 -o reach.csv
 """
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Any
+from typing import Any, TypeAlias
 
 from dhcli.kinematics.conventions import NAMES
 from dhcli.kinematics.robot import Value
@@ -20,9 +20,12 @@ from dhcli.render.quantities import in_units, value_lines
 from dhcli.render.rows import Group, Layout
 from dhcli.render.table import table_text
 
+Columns: TypeAlias = Mapping[str, Sequence[str]]
+"""Cells of a table by the heads of its columns."""
+
 NARROW = 80
-"""Columns of a usual window: a table that would be wider is drawn in two parts, on any paper."""
-BETWEEN = "of the poses of this grid; between them the robot may reach a little further"
+"""Columns of a usual window: a table that would be wider is drawn in parts, on any paper."""
+BETWEEN = "extremes of this grid; between its poses the robot may reach a little further"
 _GAP = 3
 _AXES = "xyz"
 
@@ -125,9 +128,9 @@ def _axes(axes: Iterable[Axis], look: Look) -> str:
 
 
 def _extremes(result: Sweep, look: Look) -> list[str]:
-    """Each extreme with its position and the joints that move; in two tables where one would be too wide."""
-    names = [name.replace("_", " ") for name, _ in _named(result)]
+    """Each extreme with its position and the joints that move; in more tables than one where that would be too wide."""
     extremes = [extreme for _, extreme in _named(result)]
+    title: Columns = {"extreme": [name.replace("_", " ") for name, _ in _named(result)]}
     places = {"distance": aligned([look.number(extreme.distance) for extreme in extremes])}
     for k, axis in enumerate(_AXES):
         places[axis] = aligned([look.number(extreme.position[k]) for extreme in extremes])
@@ -135,13 +138,25 @@ def _extremes(result: Sweep, look: Look) -> list[str]:
         axis.name: aligned([look.paper.spell(_value(axis, extreme.q[axis.name], look)) for extreme in extremes])
         for axis in result.grid.swept
     }
-    title = {"extreme": names}
-    whole = {**title, **places, **joints}
-    tables = [whole] if _width(whole) <= NARROW else [{**title, **places}, {**title, **joints}]
+    parts: list[Columns] = [{**places, **joints}]
+    if _width({**title, **parts[0]}) > NARROW:
+        parts = [places, *_parts(joints, NARROW - _width(title))]
+    tables = ({**title, **part} for part in parts)
     return [table_text(list(table), zip(*table.values(), strict=True), look.paper) for table in tables]
 
 
-def _width(columns: Mapping[str, Sequence[str]]) -> int:
+def _parts(columns: Columns, room: int) -> Iterator[Columns]:
+    """Columns in groups, each as wide as there is room, and of at least one column."""
+    part: Columns = {}
+    for head, cells in columns.items():
+        if part and _width({**part, head: cells}) > room:
+            yield part
+            part = {}
+        part = {**part, head: cells}
+    yield part
+
+
+def _width(columns: Columns) -> int:
     return sum(max(len(head), *map(len, cells)) + _GAP for head, cells in columns.items())
 
 
