@@ -12,7 +12,7 @@ from dhcli.kinematics.sweep.result import Extreme, Sweep
 from dhcli.kinematics.validity import in_floats
 from dhcli.notation.angle import Angle
 from dhcli.render.code import csv_line, exact
-from dhcli.render.forward import packed
+from dhcli.render.forward import frame_words, packed
 from dhcli.render.look import Look
 from dhcli.render.matrix import aligned
 from dhcli.render.pose_rows import GROUPS
@@ -43,7 +43,7 @@ def sweep_table(result: Sweep, look: Look) -> str:
         *(paper.ink(line, "dim") for line in dim),
         "",
         _axes(grid.swept, look),
-        paper.spell(f"{grid.count:,} poses; distance from frame {target.start}: {_least_to_most(result, look)} m"),
+        paper.spell(f"{grid.count:,} poses; {_reach(result, look)}"),
         paper.spell("box: " + " · ".join(_side(result, k, look) for k in range(3))),
         "",
         *_extremes(result, look),
@@ -105,11 +105,13 @@ def _named(result: Sweep) -> Iterator[tuple[str, Extreme]]:
 def _heading(result: Sweep, look: Look) -> str:
     target = result.target
     what = "origin" if not any(target.coordinates) else f"({', '.join(map(look.number, target.coordinates))})"
-    return f"sweep of {target.robot.name}: {what} of frame {target.end}, seen from frame {target.start}"
+    of, seen_from = frame_words(target.end), frame_words(target.start)
+    return f"sweep of {target.robot.name}: {what} of {of}, seen from {seen_from}"
 
 
-def _least_to_most(result: Sweep, look: Look) -> str:
-    return f"{look.number(result.nearest.distance)} to {look.number(result.farthest.distance)}"
+def _reach(result: Sweep, look: Look) -> str:
+    least, most = (look.number(extreme.distance) for extreme in (result.nearest, result.farthest))
+    return f"reach {least} to {most} m from the origin of {frame_words(result.target.start)}"
 
 
 def _side(result: Sweep, k: int, look: Look) -> str:

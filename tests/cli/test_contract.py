@@ -75,7 +75,9 @@ def test_ctrl_c_ends_with_130_and_no_traceback(tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(os.name == "nt", reason="needs bash")
-@pytest.mark.parametrize("words", ["fk puma560 --symbolic --frames", "list", "show puma560", "--help", "fk --help"])
+@pytest.mark.parametrize(
+    "words", ["fk puma560 --symbolic --frames", "sweep planar-2r", "list", "show puma560", "--help", "fk --help"]
+)
 def test_a_reader_that_goes_away_changes_nothing(process: Run, words: str) -> None:
     """The exit code is that of the work, and nothing is said."""
     done = process(script=f'"$0" -m dhcli {words} | true; echo "${{PIPESTATUS[0]}}"', PYTHONUNBUFFERED="1")

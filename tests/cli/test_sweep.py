@@ -29,7 +29,7 @@ held: theta2 = 90°
  theta1   -90°   90°     5°       37
  d3       0 m    0.2 m   0.02 m   11
 
-407 poses; distance from frame 0: 0.4123 to 0.5385 m
+407 poses; reach 0.4123 to 0.5385 m from the origin of frame 0
 box: x -0.3605 to 0.3 · y -0.2 to 0.3605 · z 0.2 to 0.4
 
  extreme    distance   x         y         z     theta1   d3

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Literal
 
@@ -27,7 +27,11 @@ MOST_VALUES = 1_000_000
 HAIR = Fraction(1, 1_000_000)
 """Part of a step by which the last one may miss the end of a range, and still be meant to meet it."""
 
-_TAIL = re.compile(r"\s(step|n)(?=\s|$)")
+_RANGE = re.compile(
+    r"(?P<name>[^=]*)(?:=(?P<low>.*?)(?:\.\.(?P<high>.*?)(?:\s(?P<word>step|n)(?P<more>(?:\s.*)?))?)?)?", re.DOTALL
+)
+"""Matches any text, in one go: nothing in it is tried twice."""
+
 _LONGEST_COUNT = 40
 
 
@@ -50,15 +54,10 @@ class Over:
 
 @dataclass(frozen=True, slots=True)
 class _Piece:
-    """A part of a range: its text and where it begins."""
+    """A part of a range, without the blanks around it, and where it stands."""
 
     text: str
-    offset: int
-
-    def place(self, whole: Place) -> Place:
-        """Where it stands; blanks before it do not count."""
-        blanks = len(self.text) - len(self.text.lstrip())
-        return Place(whole.source, whole.line, self.offset + blanks + 1, whole.text)
+    place: Place
 
 
 def read_over(robot: Robot, text: str, *, bare: Literal["rad", "deg"] = "rad", place: Place | None = None) -> Over:
@@ -74,34 +73,29 @@ def read_over(robot: Robot, text: str, *, bare: Literal["rad", "deg"] = "rad", p
         RobotError: An unknown joint; or a range without a value, with too many, or whose step leads away from its end.
         NotationError: A value that cannot be read, with its column.
     """
-    place = Place(place.source if place else "range", text=text)
-    name, equals, rest = text.partition("=")
-    if not name.strip():
-        raise NotationError(Problem("a joint is missing here", place, "write theta1=-90°..90° step 5°"))
-    joint = joint_called(robot, name.strip(), _Piece(name, 0).place(place))
-    if not equals:
+    whole = Place(place.source if place else "range", text=text)
+    name, low, high, word, more = _pieces(text, whole)
+    if name is None or not name.text:
+        raise NotationError(Problem("a joint is missing here", whole, "write theta1=-90°..90° step 5°"))
+    if low is None and ".." in name.text:
+        raise NotationError(Problem("there is no = in this range", whole, "write theta1=-90°..90° step 5°"))
+    joint = joint_called(robot, name.text, name.place)
+    if low is None:
         return Over(joint)
-    low, dots, tail = rest.partition("..")
-    first = _Piece(low, len(name) + 1)
-    if not dots:
-        value = _value(robot, joint, first, bare, place)
+    if high is None:
+        value = _value(robot, joint, low, bare)
         return Over(joint, value, value, 1)
-    match = _TAIL.search(tail)
-    begin = first.offset + len(low) + len(dots)
-    last = _Piece(tail[: match.start()] if match else tail, begin)
-    more = _Piece(tail[match.end() :], begin + match.end()) if match else None
-    stepped = match is not None and match[1] == "step"
-    pieces = (first, last, more) if more is not None and stepped else (first, last)
-    values = [_value(robot, joint, piece, bare, place) for piece in pieces]
-    _check_units(pieces, place)
+    pieces = [low, high, more] if more is not None and word is not None and word.text == "step" else [low, high]
+    values = [_value(robot, joint, piece, bare) for piece in pieces]
+    _check_units(pieces)
     if difference(values[0], values[1]) in (Angle(), Number(Fraction(0))):
-        hint = f"one value is written {joint}={low.strip()}"
-        raise RobotError(Problem(f"{joint} begins and ends at {low.strip()}", first.place(place), hint))
+        hint = f"one value is written {joint}={low.text}"
+        raise RobotError(Problem(f"{joint} begins and ends at {low.text}", low.place, hint))
     if more is None:
         return Over(joint, values[0], values[1])
-    if not stepped:
-        return Over(joint, values[0], values[1], _count(joint, more, place))
-    return _in_steps(joint, pieces, values, place)
+    if len(pieces) == 2:  # noqa: PLR2004  the ends alone
+        return Over(joint, values[0], values[1], _count(joint, more))
+    return _in_steps(joint, pieces, values)
 
 
 def counted(count: int) -> str:
@@ -110,41 +104,55 @@ def counted(count: int) -> str:
     return f"{count:,}" if digits <= 18 else f"about 10^{digits - 1}"  # noqa: PLR2004  a quintillion is read
 
 
-def _value(robot: Robot, joint: str, piece: _Piece, bare: Bare, place: Place) -> Value:
-    where = piece.place(place)
-    if not piece.text.strip():
-        raise NotationError(Problem("a value is missing here", where, f"write {_example(robot, joint)}"))
-    value = read_value(robot, joint, piece.text.strip(), bare=bare, place=where)
+def _pieces(text: str, whole: Place) -> Iterator[_Piece | None]:
+    """The pieces of a range in the order of `_RANGE`, None for those that are not there."""
+    match = _RANGE.fullmatch(text)
+    assert match is not None, "the pattern matches any text"  # noqa: S101
+    for group in _RANGE.groupindex:
+        piece = match[group]
+        if piece is None:
+            yield None
+            continue
+        begin = match.start(group) + len(piece) - len(piece.lstrip())
+        yield _Piece(piece.strip(), Place(whole.source, None, begin + 1, text))
+
+
+def _value(robot: Robot, joint: str, piece: _Piece, bare: Bare) -> Value:
+    example = f"{joint}=-90°..90° step 5°" if joint in robot.angles else f"{joint}=0..0.2 n 11"
+    if not piece.text:
+        raise NotationError(Problem("a value is missing here", piece.place, f"write {example}"))
+    try:
+        parse(piece.text, Scope(), piece.place)
+    except NotationError as error:  # what is no value may well be a range in another notation
+        raise NotationError(
+            replace(problem, hint=f"a range looks like {example}") for problem in error.problems
+        ) from None
+    value = read_value(robot, joint, piece.text, bare=bare, place=piece.place)
     try:
         is_number = math.isfinite(in_floats(value))
     except OverflowError:
         is_number = False
     if not is_number:
-        raise RobotError(Problem(f"{piece.text.strip()} is not a number that a joint can have", where))
+        raise RobotError(Problem(f"{piece.text} is not a number that a joint can have", piece.place))
     return value
 
 
-def _example(robot: Robot, joint: str) -> str:
-    return f"{joint}=-90°..90° step 5°" if joint in robot.angles else f"{joint}=0..0.2 n 11"
-
-
-def _count(joint: str, piece: _Piece, place: Place) -> int:
-    text = piece.text.strip()
-    where = piece.place(place)
+def _count(joint: str, piece: _Piece) -> int:
+    text = piece.text
     if not (text.isdecimal() and text.isascii() and len(text) <= _LONGEST_COUNT):
-        raise RobotError(Problem(f"'{text}' is not a number of values", where, "write n 11"))
+        raise RobotError(Problem(f"'{text}' is not a number of values", piece.place, "write n 11"))
     count = int(text)
     if count < 2:  # noqa: PLR2004  both ends
         what = "no value" if count == 0 else "one value, and a range has two ends"
-        raise RobotError(Problem(f"n {count} is {what}", where, f"write n 2 or more; or one value, {joint}=..."))
-    return _checked(joint, count, where)
+        raise RobotError(Problem(f"n {count} is {what}", piece.place, f"write n 2 or more; or one value, {joint}=..."))
+    return _checked(joint, count, piece.place)
 
 
-def _in_steps(joint: str, pieces: Sequence[_Piece], values: Sequence[Value], place: Place) -> Over:
+def _in_steps(joint: str, pieces: Sequence[_Piece], values: Sequence[Value]) -> Over:
     """The values from the first in steps, as far as they stay in the range; its end is one if a step ends there."""
     first, last, step = values
-    low, high, by = (piece.text.strip() for piece in pieces)
-    where = pieces[2].place(place)
+    low, high, by = (piece.text for piece in pieces)
+    where = pieces[2].place
     if not in_floats(step):
         raise RobotError(Problem(f"the step of {joint} is {by}", where, "a step leads from one value to the next"))
     steps = _ratio(difference(first, last), step)
@@ -156,9 +164,8 @@ def _in_steps(joint: str, pieces: Sequence[_Piece], values: Sequence[Value], pla
         return Over(joint, first, last, _checked(joint, whole + 1, where))
     whole = steps.numerator // steps.denominator
     if not whole:
-        raise RobotError(
-            Problem(f"a step of {by} is longer than the way from {low} to {high}", where, "make it shorter")
-        )
+        message = f"a step of {by} is longer than the way from {low} to {high}"
+        raise RobotError(Problem(message, where, "make it shorter"))
     return Over(joint, first, total(first, times(step, whole)), _checked(joint, whole + 1, where))
 
 
@@ -180,13 +187,13 @@ def _checked(joint: str, count: int, where: Place) -> int:
     return count
 
 
-def _check_units(pieces: Sequence[_Piece], place: Place) -> None:
+def _check_units(pieces: Sequence[_Piece]) -> None:
     """Refuse `-90..90°`: nobody knows what the bare number was meant in. 0 is 0, and π is radians."""
-    nodes = {piece: tuple(walk(parse(piece.text.strip(), Scope()))) for piece in pieces}
+    nodes = {piece: tuple(walk(parse(piece.text, Scope()))) for piece in pieces}
     if not any(isinstance(node, Unit) for found in nodes.values() for node in found):
         return
     for piece, found in nodes.items():
         is_zero = found == (Number(Fraction(0)),)
         if not is_zero and not any(isinstance(node, Unit | Constant) for node in found):
-            message = f"{piece.text.strip()} has no unit, and others in this range have"
-            raise RobotError(Problem(message, piece.place(place), "write the unit at every value of the range"))
+            message = f"{piece.text} has no unit, and others in this range have"
+            raise RobotError(Problem(message, piece.place, "write the unit at every value of the range"))
