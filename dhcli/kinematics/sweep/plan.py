@@ -7,10 +7,11 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 
 from dhcli.errors import Place, Problem, RobotError
-from dhcli.kinematics.robot import Robot, Value
+from dhcli.kinematics.robot import Kind, Robot, Value
 from dhcli.kinematics.sweep.grid import Axis, Grid
 from dhcli.kinematics.sweep.ranges import Over, counted
 from dhcli.kinematics.sweep.target import Target
+from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import warnings
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO
@@ -84,14 +85,11 @@ def _with_ends(robot: Robot, asked: Mapping[str, Over], place: Place | None) -> 
     found: dict[str, Over] = {}
     endless = []
     for name, over in asked.items():
-        if over.first is not None:
-            found[name] = over
-        elif name in robot.limits:
-            found[name] = Over(name, *robot.limits[name], over.count)
-        elif kinds[name] == "revolute":
-            found[name] = Over(name, *WHOLE_TURN, over.count)
-        else:
+        ends = (over.first, over.last) if over.first is not None else _limits(robot, name, kinds[name])
+        if ends is None:
             endless.append(name)
+        else:
+            found[name] = Over(name, *ends, over.count)
     if endless:
         open_ = (name for name, over in asked.items() if over.first is None)
         words = " ".join(f"--over {name}{'=0..0.2' if name in endless else ''}" for name in open_)
@@ -99,6 +97,16 @@ def _with_ends(robot: Robot, asked: Mapping[str, Over], place: Place | None) -> 
         message = f"{', '.join(endless)} of {robot.name} {has} no limits in its file, so how far {it} is not known"
         raise RobotError(Problem(message, place, f"say it: {words}"))
     return found
+
+
+def _limits(robot: Robot, name: str, kind: Kind) -> tuple[Value, Value] | None:
+    """How far a joint goes; a turn is enough where it may turn further, for there it comes by the same places."""
+    limits = robot.limits.get(name)
+    if kind == "prismatic":
+        return limits
+    low, high = map(in_floats, limits or WHOLE_TURN)
+    is_free = low <= in_floats(WHOLE_TURN[0]) and high >= in_floats(WHOLE_TURN[1])
+    return WHOLE_TURN if limits is None or is_free else limits
 
 
 def _axis(robot: Robot, name: str, over: Over | None, held: Mapping[str, Value]) -> Axis:

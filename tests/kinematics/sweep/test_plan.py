@@ -36,6 +36,12 @@ def test_joints_without_limits_are_swept_over_a_whole_turn() -> None:
     assert not said
 
 
+def test_a_joint_that_may_turn_further_is_swept_over_one_turn() -> None:
+    """The limits of a UR5e are two turns, which come by every place twice."""
+    grid, _ = _planned("ur5e", "q1", "q2=-360°..360° n 5")
+    assert _swept(grid) == [("theta1", -PI, PI, 181), ("theta2", -2 * PI, 2 * PI, 5)]
+
+
 def test_joints_with_limits_are_swept_over_them_unless_they_do_not_move_the_point() -> None:
     """PUMA's wrist stands still: it does not move its centre."""
     grid, said = _planned("puma560")
