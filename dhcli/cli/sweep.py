@@ -100,8 +100,10 @@ def sweep(
     delivery.hand_over("sweep", result, result.warnings)
 
 
-def _points(output: str | None, *, force: bool) -> RowDelivery:
-    """Where the points go, once it is known that they can."""
+def _points(output: str | None, *, force: bool) -> RowDelivery | None:
+    """Where the points go, once it is known that they can; None if nobody wants them."""
+    if output is None and not force:
+        return None
     from dhcli.cli.rows import SUFFIXES, RowDelivery
     from dhcli.errors import UnknownNameError
 
@@ -109,19 +111,18 @@ def _points(output: str | None, *, force: bool) -> RowDelivery:
         hint = f"known suffixes of points: {' '.join(SUFFIXES)}; the summary is on standard output, see --format"
         raise UnknownNameError(f"{output} does not say which format its points should have", hint)
     delivery = RowDelivery(None, output, force)
-    if output is not None or force:
-        delivery.chosen()
+    delivery.chosen()
     return delivery
 
 
 @contextmanager
-def _taking(points: RowDelivery, grid: Grid) -> Iterator[Callable[[NDArray[np.float64]], None]]:
+def _taking(points: RowDelivery | None, grid: Grid) -> Iterator[Callable[[NDArray[np.float64]], None]]:
     """What takes the rows of a grid: a file, if one is wanted, and the bar that shows how far they are."""
     from dhcli.render.progress import row_progress
     from dhcli.render.sweep import point_layout
 
     with ExitStack() as stack:
-        sink = None if points.output is None else stack.enter_context(points.open(point_layout(grid)))
+        sink = None if points is None else stack.enter_context(points.open(point_layout(grid)))
         tell = stack.enter_context(row_progress(sys.stderr))
         done = 0
 
