@@ -12,7 +12,7 @@ from dhcli.kinematics.sweep.grid import Axis, Grid
 from dhcli.kinematics.sweep.ranges import Over, counted
 from dhcli.kinematics.sweep.target import Target
 from dhcli.kinematics.validity import in_floats
-from dhcli.kinematics.values import warnings
+from dhcli.kinematics.values import Values, warnings
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO
 
@@ -28,7 +28,7 @@ COUNTS = (181, 121, 73, 61, 37, 25, 13, 9, 5)
 WHOLE_TURN = Angle.in_degrees(-180), Angle.in_degrees(180)
 
 
-def plan(target: Target, overs: Sequence[Over], held: Mapping[str, Value], place: Place | None = None) -> Grid:
+def plan(target: Target, overs: Sequence[Over] = (), held: Values | None = None, place: Place | None = None) -> Grid:
     """The grid that is asked for.
 
     Args:
@@ -40,7 +40,7 @@ def plan(target: Target, overs: Sequence[Over], held: Mapping[str, Value], place
     Raises:
         RobotError: A joint is given twice or has no limits to sweep over, none is swept, or the grid is too large.
     """
-    robot = target.robot
+    robot, held = target.robot, held or {}
     movers = target.movers()
     if not robot.variables:
         raise RobotError(f"{robot.name} has no joint, so there is nothing to sweep")
@@ -109,7 +109,7 @@ def _limits(robot: Robot, name: str, kind: Kind) -> tuple[Value, Value] | None:
     return WHOLE_TURN if limits is None or is_free else limits
 
 
-def _axis(robot: Robot, name: str, over: Over | None, held: Mapping[str, Value]) -> Axis:
+def _axis(robot: Robot, name: str, over: Over | None, held: Values) -> Axis:
     """The values of a joint; their number is 0 where it is still open."""
     if over is None or over.first is None or over.last is None:
         return Axis.held(name, held.get(name, Angle() if name in robot.angles else ZERO))

@@ -25,6 +25,14 @@ BLOCK = 65_536
 def sweep(target: Target, grid: Grid, each: Callable[[NDArray[np.float64]], None] | None = None) -> Sweep:
     """Follow a target through a grid.
 
+    >>> from dhcli import load_robot
+    >>> from dhcli.kinematics.sweep.plan import plan
+    >>> from dhcli.kinematics.sweep.target import target_of
+    >>> target = target_of(load_robot("planar-2r"))
+    >>> found = sweep(target, plan(target))
+    >>> found.farthest.distance, found.box[1]
+    (0.7, (-0.7, 0.7))
+
     Args:
         target: What is followed.
         grid: The joint values.

@@ -12,7 +12,7 @@ from dhcli.kinematics.frames import between, ends
 from dhcli.kinematics.moves import Chain, Trans
 from dhcli.kinematics.question import Point
 from dhcli.kinematics.robot import Robot, Value
-from dhcli.kinematics.values import Values, numbers, require
+from dhcli.kinematics.values import Values, numbers, parameter_values, require
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO
 from dhcli.notation.walk import symbols
@@ -66,21 +66,29 @@ class Target:
         return joints & frozenset().union(*(symbols(row[3]) for row in rows[:3]))
 
 
-def target_of(robot: Robot, start: str | None, end: str | None, values: Values, point: Point | None = None) -> Target:
+def target_of(
+    robot: Robot,
+    start: str | None = None,
+    end: str | None = None,
+    values: Values | None = None,
+    point: Point | None = None,
+) -> Target:
     """The point that is asked about.
 
     Args:
         robot: The robot.
         start: The frame it is seen from; the first numbered one by default.
         end: The frame it is fixed in; the last numbered one by default.
-        values: Values of the robot's lengths and constant angles; those of joints are left to the grid.
+        values: Values of the robot's lengths and constant angles, its own by default; those of joints are left to the
+            grid.
         point: Its coordinates in the frame `end` [m]; the origin by default.
 
     Raises:
         UnknownNameError: The robot has no such frame.
         RobotError: A length has no value, or the point holds a name without one.
     """
-    lengths = {name: value for name, value in values.items() if name not in robot.variables}
+    known = parameter_values(robot, {}) if values is None else values
+    lengths = {name: value for name, value in known.items() if name not in robot.variables}
     target = Target(robot, *ends(robot, start, end), lengths, point or ORIGIN)
     if free := sorted(frozenset().union(*map(symbols, target.point)) - lengths.keys()):
         raise RobotError(f"{', '.join(free)} of the point has no value", "write numbers: --point 0,0,0.1")
