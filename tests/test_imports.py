@@ -50,6 +50,7 @@ def test_the_report_names_a_module_that_is_imported(tmp_path: Path) -> None:
         "list robots",
         "show puma560",
         "fk --help",
+        "sweep --help",
         "fk scara --q 0.3,0.5,0.1",
         "fk scara --q 0.3,0.5,0.1 --format json",
         "fk puma560 --pose ready",

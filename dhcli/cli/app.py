@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 
 COMMANDS = {
     "fk": "dhcli.cli.fk:fk",
+    "sweep": "dhcli.cli.sweep:sweep",
     "transform": "dhcli.cli.transform:transform",
     "dof": "dhcli.cli.dof:dof",
     "check": "dhcli.cli.check:check",

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import errno
+import io
 import os
 import sys
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
-from typing import Any, TextIO, cast
+from typing import Any, BinaryIO, TextIO, cast
 
 from dhcli.errors import FileError, Place, Problem
 
@@ -19,11 +20,15 @@ class GuardedStream:
     """A text stream that takes everything in silence once its reader has gone away.
 
     The work of a command is done when it writes; `dhcli fk scara | head -1` has the exit code of that work.
+
+    Attributes:
+        is_read: Whether anybody still reads.
     """
 
     def __init__(self, stream: TextIO) -> None:
         """Stand before a stream."""
         self._stream = stream
+        self.is_read = True
 
     @classmethod
     def around(cls, stream: TextIO | None) -> TextIO:
@@ -42,6 +47,16 @@ class GuardedStream:
             self._let_go(error)
         return len(text)
 
+    def write_bytes(self, content: bytes) -> int:
+        """Write what is no text, or forget it if nobody reads any more."""
+        try:
+            self._stream.flush()
+            self._stream.buffer.write(content)
+            self._stream.buffer.flush()
+        except OSError as error:
+            self._let_go(error)
+        return len(content)
+
     def flush(self) -> None:
         """Flush, or forget it if nobody reads any more."""
         try:
@@ -58,6 +73,7 @@ class GuardedStream:
 
     def _to_nowhere(self) -> None:
         """What is left in buffers would fail again when Python ends; the null device takes it."""
+        self.is_read = False
         nowhere = os.open(os.devnull, os.O_WRONLY)
         os.dup2(nowhere, self._stream.fileno())
         os.close(nowhere)
@@ -69,6 +85,28 @@ class GuardedStream:
 def write_out(text: str) -> None:
     """Write a result."""
     sys.stdout.write(text)
+
+
+def somebody_reads() -> bool:
+    """Whether what is written to stdout still has a reader; work that goes on for ever may end when it has none."""
+    return bool(getattr(sys.stdout, "is_read", True))
+
+
+def raw_out() -> BinaryIO:
+    """Standard output for bytes, as forgiving as it is for text."""
+    return cast("BinaryIO", _RawOut())
+
+
+class _RawOut(io.RawIOBase):
+    """A stream of bytes in front of the guarded stdout."""
+
+    def writable(self) -> bool:
+        """Yes; but it cannot be turned back."""
+        return True
+
+    def write(self, content: bytes) -> int:  # type: ignore[override]  # only bytes are written here
+        """Write, or forget it if nobody reads any more."""
+        return cast("GuardedStream", sys.stdout).write_bytes(content)
 
 
 def say(text: str) -> None:

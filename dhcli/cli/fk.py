@@ -9,6 +9,7 @@ import typer
 from dhcli.cli.options import Digits, Force, Format, Forms, Output, RobotName, Settings, Spelling
 
 _WHERE = "Where and what"
+_MANY = "Many poses"
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -22,6 +23,8 @@ dhcli fk stanford --q 90,0,0.3,0,45,0 --deg --as rpy,position
 dhcli fk puma560 --symbolic --from 3 --to 6
 
 dhcli fk panda --symbolic --let -o panda.tex
+
+dhcli fk puma560 --in q.csv --as position -o points.csv
 """
 
 
@@ -54,6 +57,20 @@ def fk(
     point: Annotated[
         str | None, typer.Option(metavar="X,Y,Z", help="Where a point of the end frame is.", rich_help_panel=_WHERE)
     ] = None,
+    in_: Annotated[
+        str | None,
+        typer.Option(
+            "--in",
+            metavar="FILE",
+            help="Joint values, a row for each pose: CSV, JSON Lines or .npy; - is stdin. Names and units stand in the "
+            r"header: theta1\[deg]. Gives rows: csv, or jsonl or npy by --format or -o. --as takes matrix too.",
+            rich_help_panel=_MANY,
+        ),
+    ] = None,
+    skip_bad: Annotated[
+        bool,
+        typer.Option("--skip-bad", help="Go on without bad rows, list them, and end with 0.", rich_help_panel=_MANY),
+    ] = False,
     as_: Forms = None,
     format_: Format = None,
     style: Spelling = None,
@@ -62,6 +79,16 @@ def fk(
     force: Force = False,
 ) -> None:
     """Pose of a robot's end frame: in numbers from joint values, or in symbols as the textbook prints it."""
+    if in_ is not None or skip_bad:
+        from dhcli.cli.batch import check_options, fk_rows, rows_wanted
+        from dhcli.cli.rows import RowDelivery
+
+        others: dict[str, object] = {"--q": q, "--pose": pose, "--symbolic": symbolic, "--let": let, "--links": links}
+        others |= {"--factors": factors, "--point": point, "--style": style, "--digits": digits}
+        path = check_options(in_, robot, others)
+        wanted = rows_wanted(robot, from_, to, set_ or [], as_ or [], inverse=inverse, every=frames)
+        fk_rows(wanted, path, RowDelivery(format_, output, force), degrees=deg, skip_bad=skip_bad)
+        return
     from dhcli.cli.asking import ask, kind_of
     from dhcli.cli.delivery import Delivery
     from dhcli.cli.given import values_of

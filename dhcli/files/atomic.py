@@ -5,7 +5,10 @@ from __future__ import annotations
 import errno
 import os
 import stat
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from typing import BinaryIO
 
 from dhcli.errors import FileError, Place, Problem
 
@@ -13,10 +16,7 @@ _DISK_FULL = {errno.ENOSPC, errno.EDQUOT}
 
 
 def write_whole(path: Path | str, content: str | bytes, *, overwrite: bool) -> None:
-    """Write a file in one step.
-
-    A new file gets the usual permissions, an overwritten one keeps its own, and a symbolic link stays a link.
-    Devices and pipes (`/dev/stdout`) cannot be replaced and are written directly.
+    """Write a file in one step; see `whole_file`.
 
     Args:
         path: Where to write.
@@ -26,21 +26,45 @@ def write_whole(path: Path | str, content: str | bytes, *, overwrite: bool) -> N
     Raises:
         FileError: Something stands there already, or it cannot be written; nothing has changed then.
     """
-    path = Path(path)
     try:
         payload = content if isinstance(content, bytes) else content.encode("utf-8")
+    except UnicodeEncodeError as error:
+        character = f"U+{ord(error.object[error.start]):04X}"
+        raise FileError(Problem(f"cannot be written: {character} has no UTF-8", Place(str(path)))) from None
+    with whole_file(path, overwrite=overwrite) as stream:
+        stream.write(payload)
+
+
+@contextmanager
+def whole_file(path: Path | str, *, overwrite: bool) -> Iterator[BinaryIO]:
+    """A file to write piece by piece, which appears in one step when all of it is written.
+
+    A new file gets the usual permissions, an overwritten one keeps its own, and a symbolic link stays a link.
+    Devices and pipes (`/dev/stdout`) cannot be replaced and are written directly.
+
+    Args:
+        path: Where to write.
+        overwrite: Whether a file that stands there may be replaced.
+
+    Yields:
+        Where to write the bytes. If anything is raised meanwhile, Ctrl-C too, the file is not there, or is the old one.
+
+    Raises:
+        FileError: Something stands there already, or it cannot be written; nothing has changed then.
+    """
+    path = Path(path)
+    try:
         mode = _mode_of(path)
         if mode is not None and stat.S_ISDIR(mode):
             raise FileError(Problem("is a folder", Place(str(path)), "name a file in it"))
         if mode is not None and not stat.S_ISREG(mode):
-            path.write_bytes(payload)
+            with open(path, "wb") as stream:
+                yield stream
             return
         if mode is not None and not overwrite:
             raise FileError(Problem("exists already", Place(str(path)), "choose another name, or allow overwriting"))
-        _replace(Path(os.path.realpath(path)), payload, mode)
-    except UnicodeEncodeError as error:
-        character = f"U+{ord(error.object[error.start]):04X}"
-        raise FileError(Problem(f"cannot be written: {character} has no UTF-8", Place(str(path)))) from None
+        with _beside(Path(os.path.realpath(path)), mode) as stream:
+            yield stream
     except OSError as error:
         raise FileError(_explain(error, path)) from None
 
@@ -53,13 +77,14 @@ def _mode_of(path: Path) -> int | None:
         return None
 
 
-def _replace(path: Path, payload: bytes, mode: int | None) -> None:
-    """Write beside the target, where a rename is one step, then rename."""
+@contextmanager
+def _beside(path: Path, mode: int | None) -> Iterator[BinaryIO]:
+    """A new file beside the target, where a rename is one step, and that step."""
     temporary = path.with_name(f".dhcli-{os.urandom(6).hex()}.tmp")
     descriptor = os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o666)
     try:
         with open(descriptor, "wb") as stream:
-            stream.write(payload)
+            yield stream
             stream.flush()
             os.fsync(stream.fileno())
         if mode is not None:

@@ -41,8 +41,52 @@ def read_text(path: Path | str, *, limit: int = LIMIT) -> str:
             with open(path, "rb") as stream:
                 content = _read_limited(stream, source, limit)
     except OSError as error:
-        raise FileError(_explain(error, source, path)) from None
-    return _decode(content, source)
+        raise FileError(explain(error, source, path)) from None
+    return decode(content, source)
+
+
+def explain(error: OSError, source: str, path: Path | str) -> Problem:
+    """What the operating system said, as a problem."""
+    place = Place(source)
+    if isinstance(error, FileNotFoundError | NotADirectoryError):
+        similar = nearest(Path(path).name, _neighbours(Path(path)))
+        hint = f"did you mean {' or '.join(similar)}?" if similar else ""
+        return Problem("there is no such file", place, hint)
+    if isinstance(error, IsADirectoryError) or os.path.isdir(path):
+        return Problem("is a folder, not a file", place)
+    if isinstance(error, PermissionError):
+        return Problem("may not be read: no permission", place)
+    return Problem(f"cannot be read: {error.strerror or error}", place)
+
+
+def decode(content: bytes, source: str, *, before: tuple[int, int] = (0, 0)) -> str:
+    r"""Bytes as text, every line end as "\n", without a byte order mark.
+
+    Args:
+        content: The bytes; whole lines, if they are a part of a file.
+        source: What to call the file.
+        before: How many bytes and lines stand before them.
+
+    Raises:
+        FileError: They are not text in UTF-8; the place is that of the first byte that is none.
+    """
+    if content.startswith((b"\xff\xfe", b"\xfe\xff")):
+        raise FileError(Problem("is written in UTF-16", Place(source), "save it as UTF-8"))
+    if (at := content.find(b"\0")) >= 0:
+        raise FileError(Problem(f"is not a text file: byte {before[0] + at + 1} is NUL", Place(source)))
+    try:
+        text = content.decode("utf-8")
+    except UnicodeDecodeError as error:
+        text, byte = content[: error.start].decode("utf-8"), content[error.start]
+        lines = text.replace("\r\n", "\n").replace("\r", "\n").removeprefix("\ufeff").split("\n")
+        hint = "save the file as UTF-8"
+        if byte >= _FIRST_PRINTABLE_LATIN_1:
+            hint += f"; if it is Latin-1, this byte is '{chr(byte)}'"
+        place = Place(source, before[1] + len(lines), len(lines[-1]) + 1)
+        raise FileError(
+            Problem(f"is not UTF-8: byte {before[0] + error.start + 1} is 0x{byte:02X}", place, hint)
+        ) from None
+    return text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
 
 
 def _read_standard_input(limit: int) -> bytes:
@@ -63,20 +107,6 @@ def _read_limited(stream: BinaryIO, source: str, limit: int) -> bytes:
     raise FileError(Problem(f"{is_size} the {_spell_size(limit)} that dhcli reads", Place(source)))
 
 
-def _explain(error: OSError, source: str, path: Path | str) -> Problem:
-    """What the operating system said, as a problem."""
-    place = Place(source)
-    if isinstance(error, FileNotFoundError | NotADirectoryError):
-        similar = nearest(Path(path).name, _neighbours(Path(path)))
-        hint = f"did you mean {' or '.join(similar)}?" if similar else ""
-        return Problem("there is no such file", place, hint)
-    if isinstance(error, IsADirectoryError) or os.path.isdir(path):
-        return Problem("is a folder, not a file", place)
-    if isinstance(error, PermissionError):
-        return Problem("may not be read: no permission", place)
-    return Problem(f"cannot be read: {error.strerror or error}", place)
-
-
 def _neighbours(path: Path) -> tuple[str, ...]:
     """Names of files beside a path, not more than a few."""
     from itertools import islice
@@ -85,25 +115,6 @@ def _neighbours(path: Path) -> tuple[str, ...]:
         return tuple(beside.name for beside in islice(path.parent.iterdir(), _NEIGHBOURS))
     except OSError:
         return ()
-
-
-def _decode(content: bytes, source: str) -> str:
-    """Bytes as text, or the place of the first byte that is none."""
-    if content.startswith((b"\xff\xfe", b"\xfe\xff")):
-        raise FileError(Problem("is written in UTF-16", Place(source), "save it as UTF-8"))
-    if (at := content.find(b"\0")) >= 0:
-        raise FileError(Problem(f"is not a text file: byte {at + 1} is NUL", Place(source)))
-    try:
-        text = content.decode("utf-8")
-    except UnicodeDecodeError as error:
-        before, byte = content[: error.start].decode("utf-8"), content[error.start]
-        lines = before.replace("\r\n", "\n").replace("\r", "\n").removeprefix("\ufeff").split("\n")
-        hint = "save the file as UTF-8"
-        if byte >= _FIRST_PRINTABLE_LATIN_1:
-            hint += f"; if it is Latin-1, this byte is '{chr(byte)}'"
-        place = Place(source, len(lines), len(lines[-1]) + 1)
-        raise FileError(Problem(f"is not UTF-8: byte {error.start + 1} is 0x{byte:02X}", place, hint)) from None
-    return text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
 
 
 def _spell_size(size: int) -> str:

@@ -35,3 +35,9 @@ def between(robot: Robot, start: str, end: str) -> Chain:
         return inverse(between(robot, end, start))
     segments = (robot.base, *(link.moves for link in robot.links), robot.tool)
     return tuple(move for segment in segments[first:last] for move in segment)
+
+
+def path(robot: Robot, start: str, end: str) -> tuple[str, ...]:
+    """The frames that one comes by on the way from one to another: not the first, but the last."""
+    first, last = robot.frames.index(start), robot.frames.index(end)
+    return robot.frames[first + 1 : last + 1] if first <= last else robot.frames[last:first][::-1]

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal, TypeAlias, cast
 
 from dhcli.errors import RobotError, UnknownNameError
 from dhcli.kinematics.forward import factors, in_numbers, put_in, spelled, textbook_form
-from dhcli.kinematics.frames import between, ends
+from dhcli.kinematics.frames import between, ends, path
 from dhcli.kinematics.moves import Chain, Trans, inverse
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.robot import Link, Robot
@@ -205,9 +205,7 @@ def _listed(
 ) -> Iterator[AnyPose]:
     robot = fold_chain.robot
     if question.listing == "frames":
-        first, last = robot.frames.index(start), robot.frames.index(end)
-        names = robot.frames[first + 1 : last + 1] if first <= last else robot.frames[last:first][::-1]
-        for name in names:
+        for name in path(robot, start, end):
             yield fold_chain(between(robot, start, name), start, name)
     for link in links if question.listing == "links" else ():
         before, own = str(link.number - 1), str(link.number)

@@ -51,7 +51,8 @@ def joint_values(robot: Robot, q: JointInput, *, bare: Bare = "rad", place: Plac
         return _from_text(robot, q, bare, place or Place("q"))
     if isinstance(q, Mapping):
         return {
-            (joint := _joint(robot, name, place)): _value(robot, joint, value, bare, place) for name, value in q.items()
+            (joint := joint_called(robot, name, place)): _value(robot, joint, value, bare, place)
+            for name, value in q.items()
         }
     given = list(q)
     _check_count(robot, len(given), place)
@@ -139,6 +140,19 @@ def read_value(robot: Robot, name: str, text: str, *, bare: Bare, place: Place) 
         raise NotationError(Problem(error.message + kind, place, error.hint)) from None
 
 
+def joint_called(robot: Robot, name: str, place: Place | None = None) -> str:
+    """The joint variable that a person means: `θ1`, `theta_1` and `q1` are theta1.
+
+    Raises:
+        RobotError: There is no such joint; the hint has the nearest.
+    """
+    for candidate in (canonical(name), robot.scope.aliases.get(canonical(name), "")):
+        for variable in robot.variables:
+            if canonical(variable) == canonical(candidate):
+                return variable
+    raise RobotError(Problem(f"{robot.name} has no joint {name}", place, did_you_mean(name, robot.variables)))
+
+
 def _from_text(robot: Robot, text: str, bare: Bare, place: Place) -> dict[str, Value]:
     if text.strip() in robot.poses:
         return dict(zip(robot.variables, robot.poses[text.strip()], strict=True))
@@ -166,7 +180,7 @@ def _assignments(robot: Robot, parts: list[tuple[int, str]], text: str, bare: Ba
         where = _at(place, text, offset)
         if not equals:
             raise RobotError(Problem(f"{part.strip()} has no name", where, "write q1=0.3, q2=0.5, or only values"))
-        joint = _joint(robot, name.strip(), where)
+        joint = joint_called(robot, name.strip(), where)
         if joint in values:
             raise RobotError(Problem(f"{joint} is given twice", where))
         start, value = _stripped(value, offset + len(name) + 1)
@@ -228,14 +242,6 @@ def _value(robot: Robot, name: str, value: float | str | Value, bare: Bare, plac
 def _places(value: Fraction) -> int | None:
     """Decimal places that a decimal fraction needs; None for a whole number."""
     return None if value.denominator == 1 else value.denominator.bit_length() - 1
-
-
-def _joint(robot: Robot, name: str, place: Place | None) -> str:
-    for candidate in (canonical(name), robot.scope.aliases.get(canonical(name), "")):
-        for variable in robot.variables:
-            if canonical(variable) == canonical(candidate):
-                return variable
-    raise RobotError(Problem(f"{robot.name} has no joint {name}", place, did_you_mean(name, robot.variables)))
 
 
 def _parameter(robot: Robot, name: str, place: Place | None) -> str:

@@ -50,7 +50,7 @@ def point_table(result: ForwardKinematics, look: Look) -> str:
 
 def sentence(pose: AnyPose, robot: str) -> str:
     """What a matrix is, in words: `T_03 of scara: frame 3 seen from frame 0`."""
-    return f"{pose.name} of {robot}: {_frame(pose.frame)} seen from {_frame(pose.reference)}"
+    return f"{pose.name} of {robot}: {frame_words(pose.frame)} seen from {frame_words(pose.reference)}"
 
 
 def heading(pose: AnyPose, robot: str, look: Look) -> str:
@@ -81,7 +81,8 @@ def _legend(result: ForwardKinematics, look: Look) -> list[str]:
     return [shown[key] for key in sorted(shown)]
 
 
-def _frame(name: str) -> str:
+def frame_words(name: str) -> str:
+    """A frame in a sentence."""
     return name if name in ("base", "tool") else f"frame {name}"
 
 

@@ -27,6 +27,7 @@ _NOUNS = {
     "linkage": "a linkage",
     "library": "a list",
     "lint": "findings",
+    "sweep": "a sweep",
 }
 """What each kind of result is called in messages."""
 
@@ -80,6 +81,8 @@ _RENDERERS = {
     ("library", "table"): "dhcli.render.library:library_table",
     ("lint", "table"): "dhcli.render.lint:lint_table",
     ("library", "csv"): "dhcli.render.library:library_csv",
+    ("sweep", "table"): "dhcli.render.sweep:sweep_table",
+    ("sweep", "csv"): "dhcli.render.sweep:sweep_csv",
 }
 """Where the renderer of each kind of result and format stands; it is imported when it is needed."""
 
@@ -99,6 +102,7 @@ _CONTENTS = {
     "linkage": "dhcli.render.mobility:linkage_content",
     "library": "dhcli.render.library:library_content",
     "lint": "dhcli.render.lint:lint_content",
+    "sweep": "dhcli.render.sweep:sweep_content",
 }
 """Where each kind of result becomes what stands under `data` in JSON."""
 

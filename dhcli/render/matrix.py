@@ -19,6 +19,7 @@ ENTRIES = (
 
 _LEFT, _RIGHT = "⎡⎢⎣", "⎤⎥⎦"
 _GAP = 2
+_WHOLE = re.compile(r"-?[0-9]*")
 _NUMBER = re.compile(r"-?[0-9.]+(e[-+]?[0-9]+)?")
 
 
@@ -32,7 +33,7 @@ def matrix_lines(rows: Sequence[Sequence[Expr | float]], joints: Joints, look: L
     paper = look.paper
     cells = [[paper.spell(cell(entry, joints, look)) for entry in row] for row in rows]
     numeric = all(_NUMBER.fullmatch(text) for row in cells for text in row)
-    columns = [_aligned(column) if numeric else _centred(column) for column in zip(*cells, strict=True)]
+    columns = [aligned(column) if numeric else _centred(column) for column in zip(*cells, strict=True)]
     if _width(columns) > paper.width and len(rows) == len(ENTRIES) + 1:
         return entry_lines(cells, look)
     lines = []
@@ -58,7 +59,7 @@ def vector_lines(names: Sequence[str], entries: Iterable[Expr | float], joints: 
     values = list(entries)
     cells = [look.paper.spell(cell(entry, joints, look)) for entry in values]
     if not any(isinstance(value, Expr) for value in values):
-        cells = [text.rstrip() for text in _aligned(cells)]
+        cells = [text.rstrip() for text in aligned(cells)]
     width = max(map(len, names))
     return [f"{look.paper.ink(n.ljust(width), 'cyan')} = {text}" for n, text in zip(names, cells, strict=True)]
 
@@ -67,9 +68,9 @@ def _width(columns: Sequence[Sequence[str]]) -> int:
     return sum(len(column[0]) + _GAP for column in columns) - _GAP + 4
 
 
-def _aligned(column: Sequence[str]) -> list[str]:
-    """Numbers with their decimal points below each other."""
-    whole = [text.partition(".")[0] for text in column]
+def aligned(column: Sequence[str]) -> list[str]:
+    """Numbers, with units or without, with their decimal points below each other."""
+    whole = [_WHOLE.match(text)[0] for text in column]  # type: ignore[index]  # it matches nothing too
     left = max(map(len, whole))
     padded = [" " * (left - len(part)) + text for part, text in zip(whole, column, strict=True)]
     width = max(map(len, padded))

@@ -33,3 +33,33 @@ def progress(what: str, total: int, stream: TextIO) -> Iterator[Callable[[], Non
     with Progress(*columns, console=console, transient=True) as bar:
         task = bar.add_task(paper.spell(what), total=total)
         yield lambda: bar.advance(task)
+
+
+@contextmanager
+def row_progress(stream: TextIO, *, wanted: bool = True) -> Iterator[Callable[[int, float | None], None]]:
+    """Show how many rows are done while they are, and take it away afterwards.
+
+    Args:
+        stream: Where it is drawn; if it is no terminal, nothing is.
+        wanted: Whether to draw at all; rows on the same terminal would run through the bar.
+
+    Yields:
+        What to call with the rows done so far and the share of the work they are, None where nobody knows.
+    """
+    paper = Paper.of(stream)
+    if not paper.terminal or not wanted:
+        yield lambda _rows, _share: None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+
+    console = Console(file=stream, width=paper.width, no_color=not paper.colour, legacy_windows=False)
+    columns = (BarColumn(), TextColumn("{task.description}", markup=False), TimeRemainingColumn())
+    # rich would put itself before both streams; the rows go their own way
+    with Progress(*columns, console=console, transient=True, redirect_stdout=False, redirect_stderr=False) as bar:
+        task = bar.add_task("0 rows", total=None)
+
+        def tell(rows: int, share: float | None) -> None:
+            bar.update(task, description=f"{rows:,} rows", total=None if share is None else 1.0, completed=share or 0.0)
+
+        yield tell

@@ -1,4 +1,4 @@
-"""Benchmarks of dhcli: `python tests/bench [start-up|symbols|marking|freedoms|classes] [--rounds N]`.
+"""Benchmarks of dhcli: `python tests/bench [start-up|symbols|marking|freedoms|classes|rows] [--rounds N]`.
 
 Every row is measured side by side with its peer in this one run; read the ratios, not the times.
 """
@@ -11,6 +11,7 @@ import platform
 import classes
 import freedoms
 import marking
+import rows
 import startup
 import symbols
 from measure import table
@@ -21,6 +22,7 @@ GROUPS = {
     "marking": marking.rows,
     "freedoms": freedoms.rows,
     "classes": classes.rows,
+    "rows": rows.rows,
 }
 
 

@@ -75,7 +75,9 @@ def test_ctrl_c_ends_with_130_and_no_traceback(tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(os.name == "nt", reason="needs bash")
-@pytest.mark.parametrize("words", ["fk puma560 --symbolic --frames", "list", "show puma560", "--help", "fk --help"])
+@pytest.mark.parametrize(
+    "words", ["fk puma560 --symbolic --frames", "sweep planar-2r", "list", "show puma560", "--help", "fk --help"]
+)
 def test_a_reader_that_goes_away_changes_nothing(process: Run, words: str) -> None:
     """The exit code is that of the work, and nothing is said."""
     done = process(script=f'"$0" -m dhcli {words} | true; echo "${{PIPESTATUS[0]}}"', PYTHONUNBUFFERED="1")
@@ -231,6 +233,7 @@ def test_the_examples_of_the_help_pages_work(dhcli: Run) -> None:
     exercise = (ROOT / "exercises/yim/planar-two-links.yaml").read_text(encoding="utf-8")
     Path("exercises/my-course/first.yaml").write_text(exercise, encoding="utf-8")
     Path("planar-two-links.sheet.yaml").rename("blank.yaml")
+    Path("q.csv").write_text("0.1,0.2,0.3,0.4,0.5,0.6\n", encoding="utf-8")
     for line in sorted(lines, key=lambda line: not line.startswith("dhcli start")):
         done = dhcli(*split(line)[1:])
         if line.startswith("dhcli watch"):

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from dhcli.errors import FileError
-from dhcli.files.atomic import write_whole
+from dhcli.files.atomic import whole_file, write_whole
 
 
 def problem_of(path: Path | str, content: str = "new", *, overwrite: bool = False) -> str:
@@ -150,4 +150,30 @@ def test_another_failure_says_what_the_system_says(tmp_path: Path) -> None:
 def test_half_a_character_is_not_written(tmp_path: Path) -> None:
     """An argument that is not UTF-8 reaches Python as such."""
     assert problem_of(tmp_path / "a", "x\udcb0") == "a: cannot be written: U+DCB0 has no UTF-8"
+    assert os.listdir(tmp_path) == []
+
+
+def test_a_file_written_in_pieces_appears_when_all_are_there(tmp_path: Path) -> None:
+    """Whoever looks meanwhile finds the old one."""
+    (tmp_path / "a").write_text("old")
+    with whole_file(tmp_path / "a", overwrite=True) as stream:
+        stream.write(b"one, ")
+        stream.flush()
+        assert (tmp_path / "a").read_text() == "old"
+        stream.write(b"two")
+    assert (tmp_path / "a").read_text() == "one, two"
+    assert os.listdir(tmp_path) == ["a"]
+
+
+@pytest.mark.parametrize("error", [KeyboardInterrupt, FileError, ValueError])
+def test_work_that_fails_half_way_leaves_no_file(tmp_path: Path, error: type[BaseException]) -> None:
+    """Whatever stopped it goes on as it is."""
+
+    def work() -> None:
+        with whole_file(tmp_path / "a", overwrite=False) as stream:
+            stream.write(b"half")
+            raise error("q.csv is cut off")
+
+    with pytest.raises(error):
+        work()
     assert os.listdir(tmp_path) == []

@@ -1,0 +1,64 @@
+"""One cell of a table: a plain decimal number, or what is wrong with it."""
+
+from __future__ import annotations
+
+import math
+import re
+
+from dhcli.notation.quantity import UNITS
+
+NUMBER = re.compile(r"\s*[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?\s*", re.ASCII)
+PLAIN = b"0123456789+-.eE \n"
+"""What numbers, blanks and line ends are made of: `nan`, `1_000` and quotes have something else in them."""
+
+_NO_NUMBERS = {"nan", "na", "n/a", "null", "none", "inf", "infinity", "-inf", "+inf", "-infinity", "-nan"}
+_COMMA = re.compile(r"[+-]?\d+,\d+", re.ASCII)
+_UNIT = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)\s*(?P<unit>\D+)", re.ASCII)
+_LONGEST = 40
+
+
+class CellError(ValueError):
+    """A cell that is no number; carries a message and a hint."""
+
+    def __init__(self, message: str, hint: str = "") -> None:
+        """Say what is wrong, and what would be right."""
+        super().__init__(message)
+        self.message = message
+        self.hint = hint
+
+
+def read_cell(text: str) -> float:
+    """The number in a cell.
+
+    Raises:
+        CellError: There is none, or it is not finite.
+    """
+    if NUMBER.fullmatch(text):
+        value = float(text)
+        if math.isfinite(value):
+            return value
+        raise CellError(f"{shown(text)} is too large")
+    bare = text.strip()
+    if not bare:
+        raise CellError("is empty")
+    if bare.lower() in _NO_NUMBERS:
+        raise CellError(f"{shown(bare)} is not a finite number")
+    raise CellError(f"{shown(bare)} is not a number", _hint(bare))
+
+
+def is_number(text: str) -> bool:
+    """Whether a cell is meant for a number: also one that no joint can have."""
+    return NUMBER.fullmatch(text) is not None or text.strip().lower() in _NO_NUMBERS
+
+
+def shown(text: str) -> str:
+    """A cell in a message, not too long."""
+    return f"'{text}'" if len(text) <= _LONGEST else f"'{text[:_LONGEST]}...'"
+
+
+def _hint(text: str) -> str:
+    if _COMMA.fullmatch(text):
+        return f"write {text.replace(',', '.')}, with a point"
+    if (match := _UNIT.fullmatch(text)) and match["unit"] in UNITS:
+        return f"the unit stands once, in the header: [{match['unit']}]"
+    return "a cell is a plain number, such as -0.25 or 1e-3"

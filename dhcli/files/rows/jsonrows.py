@@ -1,0 +1,188 @@
+"""Joint values from JSON Lines: an object or a list a row; whole blocks at once while all is well."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections.abc import Callable, Iterator
+from operator import itemgetter
+from typing import Any, NoReturn
+
+import numpy as np
+
+from dhcli.errors import FileError, Place, Problem
+from dhcli.files.rows.blocks import Block, Sieve, cell_problem
+from dhcli.files.rows.cells import CellError, is_number, shown
+from dhcli.files.rows.columns import Columns, columns_of, in_joint_order
+from dhcli.files.rows.source import Source, text_blocks
+from dhcli.kinematics.robot import Robot
+
+_ONE_A_LINE = "JSON Lines has a row in each line: {\"theta1\": 0.1, ...} or [0.1, ...]; jq -c '.[]' makes it of a list"
+_ONE_LIST = re.compile(r"\s*(?:\[[ \t]*(?:\n|[\[{])|\{[ \t]*\n)")
+_WORDS = {"True": "true", "False": "false", "None": "null"}
+_MOST_HEADERS = 100
+"""Sets of names that are remembered."""
+
+
+class JsonRows:
+    """Reads the rows of a JSON Lines file; lists have the joints in their order, objects by name."""
+
+    def __init__(self, source: Source, robot: Robot, *, degrees: bool) -> None:
+        """Read the joint values of a robot; bare numbers in radians and metres, or in degrees and metres."""
+        self._source = source
+        self._robot = robot
+        self._degrees = degrees
+        self._in_order = in_joint_order(robot, degrees=degrees)
+        self._known: dict[tuple[str, ...], Columns] = {}
+
+    def place_of(self, row: int) -> Place:
+        """Where a row stands."""
+        return Place(self._source.name, row)
+
+    def blocks(self) -> Iterator[Block]:
+        """The rows.
+
+        Raises:
+            FileError: The source cannot be read, or holds one list of rows.
+        """
+        begun = False
+        for first, text in text_blocks(self._source):
+            lines = text.split("\n")[:-1]
+            if not begun and (begun := bool(text.strip())):
+                self._check_beginning(text)
+            yield self._at_once(first, lines) or self._line_by_line(first, lines)
+
+    def _check_beginning(self, text: str) -> None:
+        """Make sure that the rows are not the items of one list, of which some may well stand in lines of their own."""
+        if _ONE_LIST.match(text):
+            raise FileError(
+                Problem("is one list or object, not a row in each line", Place(self._source.name), _ONE_A_LINE)
+            )
+
+    def _at_once(self, first: int, lines: list[str]) -> Block | None:
+        """All rows of a block, if there is nothing to say about any of them.
+
+        Parsed as one list, lines could pass for other rows than they are: `[1,2],[3,4]` for two. So every line begins
+        and ends as a row does, there are as many rows as lines, and each row holds numbers and nothing else.
+        """
+        begin, end = ("{", "}") if lines[0].startswith("{") else ("[", "]")
+        text = ",".join(lines)
+        if (
+            not all(line.startswith(begin) and line.endswith(end) for line in lines)
+            or "true" in text
+            or "false" in text
+        ):
+            return None
+        try:
+            rows = json.loads(f"[{text}]", parse_constant=_refuse)
+            names = tuple(rows[0]) if begin == "{" else ()
+            columns = self._columns(names, Place("")) if names else self._in_order
+            # Twice as many quotes as names: no name comes twice in an object, and no value is text.
+            if len(rows) != len(lines) or text.count('"') != 2 * len(names) * len(rows):
+                return None
+            table = np.array([*map(_picker(names), rows)] if names else rows, dtype=np.float64)
+        except (ValueError, TypeError, KeyError, OverflowError, RecursionError, FileError):
+            return None
+        if table.shape != (len(rows), len(columns.order)) or not np.isfinite(table).all():
+            return None
+        return Block(columns.values(table), range(first, first + len(rows)), columns.in_radians)
+
+    def _line_by_line(self, first: int, lines: list[str]) -> Block:
+        """The same with an eye on every value."""
+        sieve, in_radians = Sieve(), (False,) * len(self._robot.joints)
+        for row, line in enumerate(lines, first):
+            if not line.strip():
+                continue
+            place = Place(self._source.name, row, None, line)
+            try:
+                columns, numbers = self._row(line, place)
+            except FileError as error:
+                sieve.refuse(error.problems)
+                continue
+            pairs = zip(columns.order, columns.factors, strict=True)
+            sieve.good(row, [numbers[k] * numerator / denominator for k, (numerator, denominator) in pairs])
+            in_radians = tuple(map(max, in_radians, columns.in_radians))
+        return Block(sieve.table(len(in_radians)), sieve.rows, in_radians, tuple(sieve.bad), sieve.bad_rows)
+
+    def _row(self, line: str, place: Place) -> tuple[Columns, list[float]]:
+        """The numbers of a row, in the order in which they stand.
+
+        Raises:
+            FileError: With all that is wrong.
+        """
+        row = _parsed(line, place)
+        if isinstance(row, _Object):
+            names, values = tuple(name for name, _ in row.pairs), [value for _, value in row.pairs]
+            columns = self._columns(names, place)
+        elif isinstance(row, list) and not any(isinstance(value, list | _Object) for value in row):
+            values, columns = row, self._in_order
+            if len(values) != (wanted := len(columns.order)):
+                count = f"{len(values)} number{'s' * (len(values) != 1)}"
+                raise FileError(Problem(f"{count} where {self._robot.name} has {wanted} joints", place))
+        else:
+            raise FileError(Problem("is no row", place, _ONE_A_LINE))
+        numbers, problems = [0.0] * len(values), []
+        for joint, k in zip(self._robot.variables, columns.order, strict=True):
+            try:
+                numbers[k] = _number(values[k])
+            except CellError as error:
+                problems.append(cell_problem(joint, error, place))
+        if problems:
+            raise FileError(problems)
+        return columns, numbers
+
+    def _columns(self, names: tuple[str, ...], place: Place) -> Columns:
+        """The columns that an object's names make; most files have the same in every row."""
+        if names not in self._known:
+            if len(self._known) >= _MOST_HEADERS:
+                self._known.clear()
+            places = [place] * len(names)
+            self._known[names] = columns_of(self._robot, names, places, whole=place, degrees=self._degrees)
+        return self._known[names]
+
+
+class _Object:
+    """A JSON object with all of its members, also those of the same name."""
+
+    def __init__(self, pairs: list[tuple[str, Any]]) -> None:
+        self.pairs = pairs
+
+
+def _parsed(line: str, place: Place) -> object:
+    try:
+        return json.loads(line, object_pairs_hook=_Object)
+    except json.JSONDecodeError as error:
+        where = Place(place.source, place.line, error.colno, line)
+        raise FileError(Problem(f"is not JSON: {error.msg[:1].lower()}{error.msg[1:]}", where, _ONE_A_LINE)) from None
+    except (ValueError, RecursionError):  # a number of thousands of digits, or brackets in brackets in brackets
+        raise FileError(Problem("is no row", place, _ONE_A_LINE)) from None
+
+
+def _number(value: object) -> float:
+    """A value as a number.
+
+    Raises:
+        CellError: It is none, or it is not finite.
+    """
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        spelled = shown(value) if isinstance(value, str) else _WORDS.get(repr(value), "a list or an object")
+        hint = "write it without quotes" if isinstance(value, str) and is_number(value) else ""
+        raise CellError(f"is {spelled}, not a number", hint)
+    try:
+        number = float(value)
+    except OverflowError:
+        number = math.inf
+    if not math.isfinite(number):
+        raise CellError(f"is {number}, not a finite number")
+    return number
+
+
+def _picker(names: tuple[str, ...]) -> Callable[[Any], Any]:
+    """What takes the values of these names out of an object, if it has no others."""
+    pick = itemgetter(*names) if len(names) > 1 else lambda row: (row[names[0]],)
+    return lambda row: pick(row) if len(row) == len(names) else ()
+
+
+def _refuse(constant: str) -> NoReturn:
+    raise ValueError(constant)

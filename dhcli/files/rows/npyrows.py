@@ -1,0 +1,105 @@
+"""Joint values from a .npy file, read piece by piece: never all of it, never a pickled object."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from dhcli.errors import FileError, Place, Problem
+from dhcli.files.rows.blocks import MOST, Block, cell_problem
+from dhcli.files.rows.cells import CellError
+from dhcli.files.rows.columns import in_joint_order
+from dhcli.files.rows.source import PIECE, Source
+from dhcli.kinematics.robot import Robot
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+MAGIC = b"\x93NUMPY"
+_HEADER = 1 << 16
+"""Most bytes of a header; those of plain arrays have 128."""
+_SAVE = "np.save('q.npy', np.ascontiguousarray(Q, dtype=float))"
+"""What makes a file that is read."""
+
+
+class NpyRows:
+    """Reads the rows of an array, shape (N, n), joints in their order."""
+
+    def __init__(self, source: Source, robot: Robot, *, degrees: bool) -> None:
+        """Read the joint values of a robot, in radians and metres, or in degrees and metres."""
+        self._source = source
+        self._robot = robot
+        self._columns = in_joint_order(robot, degrees=degrees)
+
+    def place_of(self, row: int) -> Place:
+        """Where a row stands, as numpy counts: from 0."""
+        return Place(f"{self._source.name}[{row}]")
+
+    def blocks(self) -> Iterator[Block]:
+        """The rows.
+
+        Raises:
+            FileError: It is no array of numbers with a column for each joint, or it is cut off.
+        """
+        count, kind = self._header()
+        width = len(self._columns.order)
+        at_once = max(1, PIECE // (width * kind.itemsize))
+        for first in range(0, count, at_once):
+            wanted = min(at_once, count - first)
+            content = self._bytes(wanted * width * kind.itemsize)
+            whole = len(content) // (width * kind.itemsize)
+            if whole < wanted:
+                message = f"is cut off: it holds {first + whole} of the {count} rows that it promises"
+                raise FileError(Problem(message, Place(self._source.name)))
+            yield self._block(first, np.frombuffer(content, kind).reshape(wanted, width).astype(np.float64))
+
+    def _block(self, first: int, table: NDArray[np.float64]) -> Block:
+        finite = np.isfinite(table)
+        good = finite.all(axis=1)
+        columns = self._columns
+        if good.all():
+            return Block(columns.values(table), range(first, first + len(table)), columns.in_radians)
+        bad = []
+        for row, k in np.argwhere(~finite)[:MOST]:
+            error = CellError(f"is {table[row, k]}, not a finite number")
+            bad.append(cell_problem(self._robot.variables[k], error, self.place_of(first + row)))
+        rows = (first + np.flatnonzero(good)).tolist()
+        return Block(columns.values(table[good]), rows, columns.in_radians, tuple(bad), int((~good).sum()))
+
+    def _header(self) -> tuple[int, np.dtype[Any]]:
+        """How many rows there are, and what kind of number is in them."""
+        shape, is_fortran, kind = self._described()
+        place, joints = Place(self._source.name), len(self._columns.order)
+        if len(shape) != 2 or shape[1] != joints:  # noqa: PLR2004  rows and columns
+            message = f"has the shape {shape}, and {self._robot.name} has {joints} joints: (N, {joints}) is wanted"
+            hint = "one pose is Q.reshape(1, -1)" if shape == (joints,) else ""
+            raise FileError(Problem(message, place, hint))
+        if kind.kind not in "fiu":
+            message = f"holds {kind.name if kind.names is None else 'records'}, not real numbers"
+            raise FileError(Problem(message, place, _SAVE))
+        if is_fortran and min(shape) > 1:
+            raise FileError(Problem("is stored column by column, and is read row by row", place, _SAVE))
+        return shape[0], kind
+
+    def _described(self) -> tuple[tuple[int, ...], bool, np.dtype[Any]]:
+        """What the header says; numpy reads it as a literal, and runs nothing."""
+        stream = io.BytesIO(self._source.peek(_HEADER))
+        try:
+            version = np.lib.format.read_magic(stream)
+            read = {(1, 0): np.lib.format.read_array_header_1_0, (2, 0): np.lib.format.read_array_header_2_0}[version]
+            described = read(stream)
+        except (ValueError, KeyError, EOFError):
+            raise FileError(Problem("is no .npy file that can be read", Place(self._source.name), _SAVE)) from None
+        self._bytes(stream.tell())
+        return described
+
+    def _bytes(self, count: int) -> bytes:
+        """The next bytes, all of them unless the source ends."""
+        pieces = []
+        while count and (piece := self._source.read(count)):
+            pieces.append(piece)
+            count -= len(piece)
+        return b"".join(pieces)

@@ -1,0 +1,45 @@
+"""Reading joint values from a file of any length: which format it has shows in its first bytes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Protocol
+
+from dhcli.errors import FileError, Place, Problem
+from dhcli.files.rows.blocks import Block
+from dhcli.files.rows.csvrows import CsvRows
+from dhcli.files.rows.jsonrows import JsonRows
+from dhcli.files.rows.npyrows import MAGIC, NpyRows
+from dhcli.files.rows.source import Source
+from dhcli.kinematics.robot import Robot
+
+
+class Rows(Protocol):
+    """Rows of joint values."""
+
+    def blocks(self) -> Iterator[Block]:
+        """The rows, block by block, each read when it is asked for."""
+
+    def place_of(self, row: int) -> Place:
+        """Where a row stands."""
+
+
+def rows_of(source: Source, robot: Robot, *, degrees: bool = False) -> Rows:
+    """The joint values of a robot in CSV, JSON Lines or .npy.
+
+    Args:
+        source: Where they stand.
+        robot: The robot.
+        degrees: Whether numbers of revolute joints without a unit are degrees; else they are radians.
+
+    Raises:
+        FileError: It is called .npy and is something else.
+    """
+    beginning = source.peek(len(MAGIC))  # no more: a row may be all there is for a while
+    if beginning.startswith(MAGIC):
+        return NpyRows(source, robot, degrees=degrees)
+    if source.path.lower().endswith(".npy"):
+        raise FileError(Problem("is no .npy file", Place(source.name), "np.save writes one"))
+    is_json = beginning.removeprefix(b"\xef\xbb\xbf").lstrip()[:1] in (b"{", b"[")
+    is_named_json = source.path.lower().endswith((".jsonl", ".ndjson"))
+    return (JsonRows if is_json or is_named_json else CsvRows)(source, robot, degrees=degrees)

@@ -1,0 +1,97 @@
+"""Poses of one or more frames for many joint values, as rows of numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhcli.errors import RobotError
+from dhcli.kinematics.batch import forward_batch
+from dhcli.kinematics.forms import FORMS, check_forms, locked
+from dhcli.kinematics.frames import ends, path
+from dhcli.kinematics.robot import Robot, Value
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+
+@dataclass(frozen=True, slots=True)
+class PoseRows:
+    """What is wanted of each row of joint values.
+
+    Attributes:
+        robot: The robot.
+        frames: Reference and frame of each pose in a row.
+        parameters: Values of all lengths and constant angles that have one.
+        forms: The ways in which each pose is said, names of `forms.FORMS`.
+        every: Whether they are all the frames on a way, were it only one.
+    """
+
+    robot: Robot
+    frames: tuple[tuple[str, str], ...]
+    parameters: Mapping[str, Value]
+    forms: tuple[str, ...] = ("matrix",)
+    every: bool = False
+
+    def __post_init__(self) -> None:
+        """Refuse what cannot be computed for any row, before there are any.
+
+        Raises:
+            RobotError: The robot has no joint, or a length has no value.
+            UnknownNameError: There is no such form.
+        """
+        check_forms(self.forms)
+        if not self.robot.variables:
+            raise RobotError(f"{self.robot.name} has no joint, so all its poses are one", "leave --in out")
+        self.poses(np.empty((0, len(self.robot.variables))))
+
+    def poses(self, q: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The poses, shape (N, F, 4, 4), NaN where one is not a real number.
+
+        Args:
+            q: Joint values, shape (N, n); radians and metres.
+        """
+        poses = np.empty((len(q), len(self.frames), 4, 4))
+        for k, (start, end) in enumerate(self.frames):
+            forward_batch(self.robot, q, start=start, end=end, parameters=self.parameters, out=poses[:, k])
+        return poses
+
+    def said(self, poses: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The numbers of each row, shape (N, width): frame by frame, form by form."""
+        pieces = [FORMS[form](poses[:, k]) for k in range(len(self.frames)) for form in self.forms]
+        return pieces[0] if len(pieces) == 1 else np.concatenate(pieces, axis=1)
+
+    def locked(self, poses: NDArray[np.float64]) -> int:
+        """In how many rows roll and yaw cannot be told apart, where they are asked for."""
+        if "rpy" not in self.forms:
+            return 0
+        return int(locked(poses.reshape(-1, 4, 4)).reshape(len(poses), -1).any(axis=1).sum())
+
+
+def frames_wanted(
+    robot: Robot, start: str | None, end: str | None, *, inverse: bool = False, every: bool = False
+) -> tuple[tuple[str, str], ...]:
+    """Reference and frame of each pose that is asked for.
+
+    Args:
+        robot: The robot.
+        start: The frame it is seen from; the first numbered one by default.
+        end: The frame described; the last numbered one by default.
+        inverse: Whether the two change places.
+        every: Whether every frame between them is asked for too.
+
+    Raises:
+        UnknownNameError: The robot has no such frame.
+    """
+    reference, last = ends(robot, start, end)
+    if inverse:
+        reference, last = last, reference
+    return tuple((reference, frame) for frame in ((every and path(robot, reference, last)) or (last,)))
+
+
+def is_real(poses: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """In which rows of poses, shape (N, F, 4, 4), every entry is a real number; shape (N,)."""
+    return np.all(np.isfinite(poses), axis=(1, 2, 3))  # type: ignore[no-any-return]  # numpy: or one bool

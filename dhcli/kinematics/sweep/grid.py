@@ -1,0 +1,119 @@
+"""Grids of joint values, exact and lazy: a grid knows its poses by number and holds none of them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+
+from dhcli.kinematics.robot import Value
+from dhcli.kinematics.validity import in_floats
+from dhcli.notation.angle import Angle
+from dhcli.notation.tree import Number, number
+
+
+@dataclass(frozen=True, slots=True)
+class Axis:
+    """The values that one joint takes, evenly spaced.
+
+    Attributes:
+        name: The joint variable.
+        first: The first value.
+        last: The last value; the first one again for a joint that stands still.
+        count: How many values there are.
+    """
+
+    name: str
+    first: Value
+    last: Value
+    count: int = 1
+
+    @classmethod
+    def held(cls, name: str, value: Value) -> Axis:
+        """A joint that stands still."""
+        return cls(name, value, value)
+
+    @property
+    def step(self) -> Value:
+        """What lies between one value and the next."""
+        return times(difference(self.first, self.last), Fraction(1, max(1, self.count - 1)))
+
+    def at(self, k: int) -> Value:
+        """The value of this number from 0, exact."""
+        return self.first if self.count == 1 else total(self.first, times(self.step, k))
+
+    def floats(self) -> list[float]:
+        """All values in radians or metres, each the nearest float to the exact one."""
+        if self.count == 1:
+            return [in_floats(self.first)]
+        if isinstance(self.first, Angle) and isinstance(self.last, Angle):
+            turns = _line(self.first.degrees, self.last.degrees, self.count)
+            rest = _line(self.first.radians, self.last.radians, self.count)
+            return [math.radians(degrees) + radians for degrees, radians in zip(turns, rest, strict=True)]
+        return _line(metres(self.first), metres(self.last), self.count)
+
+
+@dataclass(frozen=True, slots=True)
+class Grid:
+    """Every combination of the values of some joints, numbered from 0; the last joint changes fastest.
+
+    Attributes:
+        axes: The values of each joint, in joint order.
+    """
+
+    axes: tuple[Axis, ...]
+
+    @property
+    def count(self) -> int:
+        """How many poses there are."""
+        return math.prod(axis.count for axis in self.axes)
+
+    @property
+    def swept(self) -> tuple[Axis, ...]:
+        """The joints that move."""
+        return tuple(axis for axis in self.axes if axis.count > 1)
+
+    @property
+    def held(self) -> tuple[Axis, ...]:
+        """The joints that stand still."""
+        return tuple(axis for axis in self.axes if axis.count == 1)
+
+    def at(self, index: int) -> dict[str, Value]:
+        """The joint values of a pose by its number, exact."""
+        found: dict[str, Value] = {}
+        for axis in reversed(self.axes):
+            index, k = divmod(index, axis.count)
+            found[axis.name] = axis.at(k)
+        return {axis.name: found[axis.name] for axis in self.axes}
+
+
+def difference(first: Value, last: Value) -> Value:
+    """How far it is from one constant value to another of the same kind."""
+    if isinstance(first, Angle) and isinstance(last, Angle):
+        return last - first
+    return number(metres(last) - metres(first))
+
+
+def total(first: Value, second: Value) -> Value:
+    """The sum of two constant values of the same kind."""
+    if isinstance(first, Angle) and isinstance(second, Angle):
+        return first + second
+    return number(metres(first) + metres(second))
+
+
+def times(value: Value, factor: Fraction | int) -> Value:
+    """A multiple of a constant value."""
+    return value * factor if isinstance(value, Angle) else number(metres(value) * factor)
+
+
+def metres(length: Value) -> Fraction:
+    """A constant length [m]; exact where it is a fraction."""
+    return length.value if isinstance(length, Number) else Fraction(in_floats(length))
+
+
+def _line(first: Fraction, last: Fraction, count: int) -> list[float]:
+    """Values from one to another in equal steps; a quotient of integers is rounded once, to the nearest float."""
+    step = (last - first) / (count - 1)
+    below = math.lcm(first.denominator, step.denominator)
+    start, rise = int(first * below), int(step * below)
+    return [(start + k * rise) / below for k in range(count)]

@@ -1,0 +1,74 @@
+"""What a person should know of many joint values that can be computed all the same: said once, with how often."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.validity import in_floats
+from dhcli.kinematics.values import SLACK
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+
+class Tally:
+    """Counts rows of joint values that a person would be warned about one by one.
+
+    Attributes:
+        rows: Rows seen.
+    """
+
+    def __init__(self, robot: Robot) -> None:
+        """Count nothing yet."""
+        self.rows = 0
+        self._robot = robot
+        self._limits = {name: (in_floats(low), in_floats(high)) for name, (low, high) in robot.limits.items()}
+        self._outside: Counter[str] = Counter()
+        self._turning: Counter[str] = Counter()
+        self._any_outside = 0
+        self._locked = 0
+
+    def take(self, q: NDArray[np.float64], in_radians: tuple[bool, ...], *, locked: int = 0) -> None:
+        """Look at rows.
+
+        Args:
+            q: Joint values, shape (N, n); radians and metres.
+            in_radians: Whether each joint's values were taken for radians.
+            locked: In how many of them roll and yaw cannot be told apart.
+        """
+        self.rows += len(q)
+        self._locked += locked
+        outside = q[:, 0] != q[:, 0]  # nowhere
+        for k, joint in enumerate(self._robot.joints):
+            if joint.name in self._limits:
+                low, high = self._limits[joint.name]
+                beyond = (q[:, k] < low - SLACK) | (q[:, k] > high + SLACK)
+                self._outside[joint.name] += int(beyond.sum())
+                outside |= beyond
+            if in_radians[k] and joint.kind == "revolute":
+                self._turning[joint.name] += int((abs(q[:, k]) > math.tau).sum())
+        self._any_outside += int(outside.sum())
+
+    def warnings(self) -> Iterator[str]:
+        """One sentence for each thing to know."""
+        if turning := _listed(self._turning):
+            yield f"more than a turn: {turning} of {_rows(self.rows)}; did you mean degrees, --deg?"
+        if outside := _listed(self._outside):
+            yield f"{self._any_outside} of {_rows(self.rows)} outside the limits of a joint: {outside}"
+        if self._locked:
+            many = f"{self._locked} of {_rows(self.rows)}"
+            yield f"pitch is ±90° in {many}, where roll and yaw turn about one axis: roll is 0 there"
+
+
+def _listed(counts: Counter[str]) -> str:
+    """`theta1 in 3, theta2 in 5`."""
+    return ", ".join(f"{name} in {count}" for name, count in counts.items() if count)
+
+
+def _rows(count: int) -> str:
+    return f"{count} row{'s' * (count != 1)}"

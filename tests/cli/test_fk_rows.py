@@ -1,0 +1,413 @@
+"""`dhcli fk --in`: a pose for each row of a file; streams, files, bad rows, and what happens when somebody stops it."""
+
+from __future__ import annotations
+
+import contextlib
+import csv
+import errno
+import io
+import json
+import math
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+from time import monotonic
+
+import numpy as np
+import pytest
+
+from dhcli import forward, load_robot
+from dhcli.kinematics.orientation import quaternion, roll_pitch_yaw
+from tests.cli.running import Run
+from tests.cli.terminal import PATIENCE, Terminal
+
+ROOT = Path(__file__).parents[2]
+POSIX = pytest.mark.skipif(os.name != "posix", reason="streams and signals as POSIX has them")
+MATRIX = "r11,r12,r13,p_x,r21,r22,r23,p_y,r31,r32,r33,p_z"
+GOOD = "theta1,theta2,d3\n0.3,0.5,0.1\n-0.2,1.5,0\n"
+
+
+def table(text: str) -> np.ndarray:
+    """The numbers of a CSV file with a header."""
+    return np.array([[float(cell) for cell in row] for row in list(csv.reader(io.StringIO(text)))[1:]])
+
+
+def puma(rows: int) -> np.ndarray:
+    """Joint values for PUMA 560 within its limits."""
+    return np.random.default_rng(5).uniform(-1, 0.7, (rows, 6))
+
+
+@pytest.mark.parametrize("given", ["csv", "jsonl", "npy"])
+@pytest.mark.parametrize("wanted", ["csv", "jsonl", "npy"])
+def test_every_row_is_the_pose_of_its_joint_values(dhcli: Run, tmp_path: Path, given: str, wanted: str) -> None:
+    """The law: as `forward` one by one, whatever the files are."""
+    q = puma(9)
+    names = ",".join(f"theta{i}" for i in range(1, 7))
+    np.save("q.npy", q)
+    Path("q.csv").write_text(f"{names}\n" + "".join(",".join(map(repr, row)) + "\n" for row in q.tolist()), "utf-8")
+    Path("q.jsonl").write_text("".join(json.dumps(row) + "\n" for row in q.tolist()), "utf-8")
+    done = dhcli("fk", "puma560", "--in", f"q.{given}", "-o", f"poses.{wanted}")
+    assert (done.code, done.out, done.err) == (0, "", f"wrote poses.{wanted}: 9 rows\n")
+    robot = load_robot("puma560")
+    expected = np.array([forward(robot, list(row)).matrix for row in q])
+    match wanted:
+        case "npy":
+            poses = np.load("poses.npy", allow_pickle=False)
+        case "csv":
+            assert Path("poses.csv").read_text("utf-8").split("\n")[0] == MATRIX
+            rows = table(Path("poses.csv").read_text("utf-8")).reshape(-1, 3, 4)
+            poses = np.concatenate([rows, np.tile([0.0, 0, 0, 1], (9, 1, 1))], axis=1)
+        case _:
+            poses = np.array([json.loads(line)["matrix"] for line in Path("poses.jsonl").read_text().splitlines()])
+    assert poses.shape == (9, 4, 4)
+    assert np.allclose(poses, expected, rtol=0, atol=1e-12)
+    assert not list(tmp_path.glob(".*"))
+
+
+def test_several_forms_stand_side_by_side(process: Run) -> None:
+    """In the order in which they are asked for, angles in radians; JSON nests them as `--format json` does."""
+    words = ("fk", "scara", "--in", "-", "--as", "position,rpy", "--as", "quaternion")
+    done = process(*words, stdin=GOOD)
+    assert done.out.split("\n")[0] == "p_x,p_y,p_z,roll,pitch,yaw,q_w,q_x,q_y,q_z"
+    pose = forward(load_robot("scara"), [0.3, 0.5, 0.1])
+    said, turn = roll_pitch_yaw(pose), quaternion(pose)
+    expected = [*pose.position, said.roll, said.pitch, said.yaw, turn.w, turn.x, turn.y, turn.z]
+    assert table(done.out)[0] == pytest.approx(expected, abs=1e-12)
+    [first, _] = map(json.loads, process(*words, "--format", "jsonl", stdin=GOOD).out.splitlines())
+    assert set(first) == {"position", "rpy", "quaternion"}
+    assert first["position"] == pytest.approx(list(pose.position))
+    assert first["rpy"]["yaw"] == pytest.approx(said.yaw)
+    assert set(first["quaternion"]) == set("wxyz")
+
+
+def test_every_frame_stands_side_by_side(process: Run, tmp_path: Path) -> None:
+    """Each under its name; a dimension of its own in .npy."""
+    done = process("fk", "scara", "--in", "-", "--frames", "--as", "position", stdin=GOOD)
+    heads = done.out.split("\n")[0].split(",")
+    assert heads == [f"T_0{i}_p_{axis}" for i in (1, 2, 3) for axis in "xyz"]
+    robot = load_robot("scara")
+    expected = [x for i in (1, 2, 3) for x in forward(robot, [0.3, 0.5, 0.1], end=i).position]
+    assert table(done.out)[0] == pytest.approx(expected, abs=1e-12)
+    process("fk", "scara", "--in", "-", "--frames", "-o", "all.npy", stdin=GOOD)
+    poses = np.load(tmp_path / "all.npy")
+    assert poses.shape == (2, 3, 4, 4)
+    assert poses[1, 0] == pytest.approx(forward(robot, [-0.2, 1.5, 0], end=1).matrix, abs=1e-12)
+    process("fk", "scara", "--in", "-", "--frames", "--as", "position,quaternion", "-o", "7.npy", stdin=GOOD)
+    assert np.load(tmp_path / "7.npy").shape == (2, 3, 7)
+    [first, _] = process("fk", "scara", "--in", "-", "--frames", "--format", "jsonl", stdin=GOOD).out.splitlines()
+    assert np.array(json.loads(first)["T_02"]["matrix"]).shape == (4, 4)
+
+
+def test_frames_lengths_and_degrees_are_those_of_one_pose(process: Run) -> None:
+    """`--from`, `--to`, `--inverse`, `--set`, `--deg`."""
+    words = "fk scara --in - --deg --from 1 --to tool --inverse --set l2=500mm"
+    done = process(*words.split(), stdin="30,45,0.1\n")
+    q = {"theta1": math.radians(30), "theta2": math.radians(45), "d3": 0.1}
+    pose = forward(load_robot("scara"), q, start="tool", end=1, parameters={"l2": 0.5})
+    assert table(done.out)[0] == pytest.approx(pose.matrix[:3].ravel(), abs=1e-12)
+
+
+@pytest.mark.parametrize("format_", ["csv", "jsonl"])
+def test_no_rows_give_no_rows(process: Run, format_: str) -> None:
+    """A header of CSV all the same."""
+    done = process("fk", "scara", "--in", "-", "--format", format_, stdin="theta1,theta2,d3\n")
+    assert (done.code, done.out, done.err) == (0, f"{MATRIX}\n" if format_ == "csv" else "", "")
+
+
+def test_no_rows_make_an_array_of_none(process: Run, tmp_path: Path) -> None:
+    """Of the shape that rows would have."""
+    assert process("fk", "scara", "--in", "-", "-o", "a.npy", stdin="theta1,theta2,d3\n").code == 0
+    assert np.load(tmp_path / "a.npy").shape == (0, 4, 4)
+
+
+@POSIX
+def test_npy_goes_through_a_pipe(process: Run, tmp_path: Path) -> None:
+    """In and out, from one command to the next program."""
+    np.save(tmp_path / "q.npy", puma(3))
+    words = "fk puma560 --in - --format npy --as position"
+    done = process(script=f'"$0" -m dhcli {words} < q.npy | cat > p.npy')
+    assert (done.code, done.err) == (0, "")
+    assert np.load(tmp_path / "p.npy").shape == (3, 3)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("fk scara --in q.csv --q 0,0,0", "--q does not go with --in"),
+        ("fk scara --in q.csv --pose pick --symbolic", "--pose and --symbolic do not go with --in"),
+        ("fk scara --in q.csv --links", "--links does not"),
+        ("fk scara --in q.csv --factors 1 --point 0,0,0", "--factors and --point"),
+        ("fk scara --in q.csv --let", "--let"),
+        ("fk scara --in q.csv --style full --digits 0", "--style and --digits"),
+        ("fk scara --skip-bad --pose pick", "name their file with --in FILE"),
+        ("fk - --in -", "cannot both come from standard input"),
+        ("fk scara --in nowhere.csv", "nowhere.csv: there is no such file"),
+        ("fk scara --in .", "is a folder"),
+        ("fk scara --in q.csv --format cvs", "did you mean csv?"),
+        ("fk scara --in q.csv -o poses.tex", "known suffixes of rows: .csv .jsonl .ndjson .npy"),
+        ("fk scara --in q.csv -o q.csv", "q.csv: exists already"),
+        ("fk scara --in q.csv -o nowhere/p.csv", "there is no folder nowhere"),
+        ("fk scara --in q.csv --force", "--force needs a file"),
+        ("fk scara --in q.csv --as rpyy", "did you mean rpy?"),
+        ("fk scara --in q.csv --to 9", "scara has no frame 9"),
+        ("fk scara --in q.csv --set l9=1", "scara has no length called l9"),
+        ("fk dh-link --in q.csv", "--set a_i=0.4 --set alpha_i=30° --set d_i=0.4"),
+        ("fk assembly-blocks --in q.csv", "assembly-blocks has no joint"),
+        ("fk puma560 --in q.csv", "puma560 has no joint d3"),
+    ],
+)
+def test_bad_usage_is_told_before_any_row(dhcli: Run, words: str, said: str) -> None:
+    """With exit code 2, nothing on stdout, and no file."""
+    Path("q.csv").write_text(GOOD, "utf-8")
+    done = dhcli(*words.split())
+    assert (done.code, done.out) == (2, "")
+    assert said in done.err
+    assert "Traceback" not in done.err
+    assert os.listdir() == ["q.csv"]
+
+
+def test_an_envelope_is_no_row(dhcli: Run) -> None:
+    """Whoever asks for JSON is told what there is, in JSON."""
+    Path("q.csv").write_text(GOOD, "utf-8")
+    done = dhcli("fk", "scara", "--in", "q.csv", "--format", "json")
+    assert done.code == 2
+    assert done.envelope["problems"][0]["hint"] == "jsonl has one object a row"
+
+
+def test_bad_rows_are_told_and_nothing_is_written(dhcli: Run) -> None:
+    """With line, column and joint, all of them, and what to do."""
+    Path("q.csv").write_text("theta1,theta2,d3\n0.1,abc,0.3\n1,2\n", "utf-8")
+    done = dhcli("fk", "scara", "--in", "q.csv", "-o", "p.csv")
+    assert (done.code, done.out) == (2, "")
+    assert done.err == (
+        "dhcli: q.csv:2:5: theta2 'abc' is not a number\n"
+        "  0.1,abc,0.3\n"
+        "      ^\n"
+        "  hint: a cell is a plain number, such as -0.25 or 1e-3\n"
+        "dhcli: q.csv:3: 2 cells where there are 3 columns\n"
+        "  1,2\n"
+        "dhcli: q.csv: 2 rows cannot be read\n"
+        "  hint: --skip-bad goes on without them\n"
+    )
+    assert os.listdir() == ["q.csv"]
+
+
+def test_bad_rows_can_be_left_out(dhcli: Run) -> None:
+    """They are counted and listed; the exit code is 0, as it was asked for."""
+    Path("q.csv").write_text(GOOD + "0.1,abc,\n" + "x,1,2\n" * 30 + "0.1,0.2,0.3\n", "utf-8")
+    done = dhcli("fk", "scara", "--in", "q.csv", "--skip-bad", "--as", "position")
+    assert done.code == 0
+    assert len(table(done.out)) == 3
+    lines = done.err.splitlines()
+    assert lines[0] == "dhcli: warning: left out 31 of 34 rows:"
+    assert lines[1:3] == ["  q.csv:4:5: theta2 'abc' is not a number", "  q.csv:4:9: d3 is empty"]
+    assert lines[-1] == "  and 12 rows more"
+    assert len(lines) == 1 + 20 + 1
+
+
+@pytest.mark.parametrize("skip", [[], ["--skip-bad"]])
+def test_if_every_row_is_bad_it_is_an_error(dhcli: Run, skip: list[str]) -> None:
+    """Also for those who skip them: an empty file would pass for a result."""
+    Path("q.csv").write_text("theta1,theta2,d3\n1deg,2deg,3\n", "utf-8")
+    done = dhcli("fk", "scara", "--in", "q.csv", "-o", "p.csv", *skip)
+    assert done.code == 2
+    assert "the unit stands once, in the header" in done.err
+    assert os.listdir() == ["q.csv"]
+
+
+def test_a_pose_that_is_no_number_is_a_bad_row(dhcli: Run) -> None:
+    """Its place is that of the row."""
+    Path("q.csv").write_text("d1\n1\n1e308\n", "utf-8")
+    Path("far.yaml").write_text(
+        "format: 1\ntitle: Far\nsource: nowhere\nconvention: standard\nvariables: [d1]\n"
+        "links:\n  - {a: 0, alpha: 0, d: 4*d1, theta: 0}\n",
+        "utf-8",
+    )
+    words = ("fk", "./far.yaml", "--in", "q.csv")
+    done = dhcli(*words)
+    assert done.code == 2
+    assert "q.csv:3: the pose has an entry that is not a real number" in done.err
+    done = dhcli(*words, "--skip-bad")
+    assert (done.code, len(table(done.out))) == (0, 1)
+
+
+def test_what_a_person_should_know_is_said_once(dhcli: Run) -> None:
+    """With how many rows it is true of."""
+    Path("q.csv").write_text(",".join(f"theta{i}" for i in range(1, 7)) + "\n" + "90,0,0,0,0,0\n" * 7, "utf-8")
+    done = dhcli("fk", "puma560", "--in", "q.csv", "-o", "p.csv")
+    assert done.code == 0
+    assert done.err == (
+        "wrote p.csv: 7 rows\n"
+        "dhcli: warning: more than a turn: theta1 in 7 of 7 rows; did you mean degrees, --deg?\n"
+        "dhcli: warning: 7 of 7 rows outside the limits of a joint: theta1 in 7\n"
+    )
+    assert dhcli("fk", "puma560", "--in", "q.csv", "--deg").err == ""
+
+
+def test_where_roll_and_yaw_are_one_is_said_once(dhcli: Run) -> None:
+    """As for one pose, with how many."""
+    Path("q.csv").write_text("theta4,theta5,theta6\n0,0,0\n0,90,0\n1,90,0\n", "utf-8")
+    done = dhcli("fk", "spherical-wrist", "--in", "q.csv", "--deg", "--as", "rpy", "--set", "d6=0.1")
+    assert done.code == 0
+    assert done.err.startswith("dhcli: warning: pitch is ±90° in 2 of 3 rows")
+
+
+@POSIX
+def test_a_reader_that_goes_away_ends_the_work_in_silence(process: Run) -> None:
+    """The rows never end; the exit code is that of the work."""
+    words = "fk scara --in - --as position"
+    done = process(script=f'yes 0.1,0.2,0.3 | {{ "$0" -m dhcli {words}; echo $? >code; }} | head -2; cat code')
+    head, row, code = done.out.split()
+    assert (head, code) == ("p_x,p_y,p_z", "0")
+    assert len(row.split(",")) == 3
+    assert done.err == ""
+
+
+@POSIX
+def test_a_reader_of_bytes_that_goes_away_is_no_error(process: Run, tmp_path: Path) -> None:
+    """As one of text is not."""
+    np.save(tmp_path / "q.npy", puma(20_000))
+    words = "fk puma560 --in q.npy --format npy"
+    done = process(script=f'"$0" -m dhcli {words} | true; echo "${{PIPESTATUS[0]}}"')
+    assert (done.out, done.err) == ("0\n", "")
+
+
+def test_rows_left_out_of_an_array_are_counted_as_rows(dhcli: Run) -> None:
+    """However many of their numbers are bad."""
+    q = puma(40)
+    q[:30, :2] = np.nan
+    np.save("q.npy", q)
+    lines = dhcli("fk", "puma560", "--in", "q.npy", "-o", "p.csv", "--skip-bad").err.splitlines()
+    assert lines[:3] == [
+        "wrote p.csv: 10 rows",
+        "dhcli: warning: left out 30 of 40 rows:",
+        "  q.npy[0]: theta1 is nan, not a finite number",
+    ]
+    assert lines[-1] == "  and 20 rows more"
+
+
+@POSIX
+def test_rows_show_as_they_come(tmp_path: Path) -> None:
+    """A pose is there before the next row is typed; Ctrl-C then ends with 130."""
+    with started(tmp_path, "fk", "scara", "--in", "-", "--as", "position") as running:
+        assert running.stdin is not None
+        assert running.stdout is not None
+        for _ in range(2):
+            running.stdin.write("0.1,0.2,0.3\n")
+            running.stdin.flush()
+            while running.stdout.readline().startswith("p_x"):
+                pass
+        running.send_signal(signal.SIGINT)
+        out, err = running.communicate(timeout=PATIENCE)
+    assert (running.returncode, out) == (130, "")
+    assert "Traceback" not in err
+
+
+@POSIX
+@pytest.mark.parametrize("suffix", ["csv", "jsonl", "npy"])
+@pytest.mark.parametrize("there_before", [False, True])
+def test_ctrl_c_leaves_nothing_that_looks_complete(tmp_path: Path, suffix: str, there_before: bool) -> None:
+    """No new file, or the old one; nothing beside it."""
+    target = tmp_path / f"poses.{suffix}"
+    if there_before:
+        target.write_text("old")
+    with started(tmp_path, "fk", "scara", "--in", "-", "-o", target.name, "--force") as running:
+        assert running.stdin is not None
+        running.stdin.write("0.1,0.2,0.3\n")
+        running.stdin.flush()
+        last = monotonic() + PATIENCE
+        while not list(tmp_path.glob(".dhcli-*")) and monotonic() < last:
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                running.wait(timeout=0.02)
+        running.send_signal(signal.SIGINT)
+        _, err = running.communicate(timeout=PATIENCE)
+    assert running.returncode == 130
+    assert "Traceback" not in err
+    assert [path.read_text() for path in tmp_path.iterdir()] == (["old"] if there_before else [])
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
+@pytest.mark.parametrize("format_", ["csv", "jsonl", "npy"])
+def test_a_full_disk_is_told(process: Run, tmp_path: Path, format_: str) -> None:
+    """On stdout, and for a file."""
+    (tmp_path / "q.csv").write_text(GOOD)
+    words = f"fk scara --in q.csv --format {format_}"
+    done = process(script=f'"$0" -m dhcli {words} > /dev/full')
+    assert done.code == 2
+    assert "standard output: cannot be written" in done.err
+    done = process(*words.split(), "-o", "/dev/full", "--force")
+    assert done.code == 2
+    assert "/dev/full: cannot be written: the disk is full" in done.err
+    assert "Traceback" not in done.err
+
+
+def test_a_disk_that_fills_up_leaves_no_file(dhcli: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nor half of one."""
+    Path("q.csv").write_text(GOOD, "utf-8")
+
+    def fail(_: int) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(os, "fsync", fail)
+    done = dhcli("fk", "scara", "--in", "q.csv", "-o", "p.npy")
+    assert done.code == 2
+    assert "p.npy: cannot be written: the disk is full" in done.err
+    assert os.listdir() == ["q.csv"]
+
+
+@pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="memory as Linux tells it")
+@pytest.mark.parametrize("format_", ["csv", "jsonl", "npy"])
+def test_memory_does_not_grow_with_the_rows(tmp_path: Path, format_: str) -> None:
+    """The most that was in use, for five times the rows, is the same but for a fraction of what came out."""
+    most = []
+    for count in (40_000, 200_000):
+        lines = "0.123456789,0.2,0.3\n" * count if format_ == "csv" else "[0.123456789, 0.2, 0.3]\n" * count
+        (tmp_path / "q").write_text(lines)
+        if format_ == "npy":
+            np.save(tmp_path / "q.npy", np.full((count, 3), 0.123456789))
+        path = "q.npy" if format_ == "npy" else "q"
+        code = "import sys\nfrom dhcli.cli.main import main\n"
+        code += f"main(['fk', 'scara', '--in', {path!r}, '-o', 'p.{format_}', '--force'])\n"
+        code += "print(next(line for line in open('/proc/self/status') if line.startswith('VmHWM')).split()[1])"
+        environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+        run = [sys.executable, "-c", code]
+        done = subprocess.run(
+            run, cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=60, check=True
+        )
+        most.append(int(done.stdout))
+        assert f"{count} rows" in done.stderr
+    size = (tmp_path / f"p.{format_}").stat().st_size // 1024
+    assert most[1] - most[0] < size / 5
+    assert size > 20_000
+
+
+def test_a_terminal_sees_a_bar_while_rows_go_to_a_file(tmp_path: Path) -> None:
+    """And what was done; the bar is gone then."""
+    np.save(tmp_path / "q.npy", puma(50_000))
+    with Terminal(tmp_path, "fk", "puma560", "--in", "q.npy", "-o", "p.csv") as terminal:
+        terminal.until(r"[\d,]+ rows")
+        terminal.until(r"wrote p\.csv: 50000 rows")
+        assert terminal.end() == 0
+
+
+def test_a_terminal_is_spared_bytes(tmp_path: Path) -> None:
+    """It is told what to do instead."""
+    np.save(tmp_path / "q.npy", puma(1))
+    with Terminal(tmp_path, "fk", "puma560", "--in", "q.npy", "--format", "npy") as terminal:
+        terminal.until("npy is not for a terminal")
+        assert terminal.end() == 2
+
+
+def started(folder: Path, *words: str) -> subprocess.Popen[str]:
+    """A command that reads rows from a pipe."""
+    return subprocess.Popen(
+        [sys.executable, "-m", "dhcli", *words],
+        cwd=folder,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )

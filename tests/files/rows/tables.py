@@ -1,0 +1,47 @@
+"""Tables in memory, read as if they came from a file or a pipe."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterator
+
+import numpy as np
+
+from dhcli import load_robot
+from dhcli.files.rows.reading import Rows, rows_of
+from dhcli.files.rows.source import Source
+
+
+class Drops(io.BytesIO):
+    """A pipe that gives a few bytes at a time."""
+
+    def read1(self, size: int | None = -1, /) -> bytes:
+        """Seven bytes, whatever is asked for."""
+        return super().read1(7 if size is None or size < 0 else min(7, size))
+
+
+def rows(
+    content: str | bytes, robot: str = "scara", *, path: str = "q.csv", drops: bool = False, degrees: bool = False
+) -> Rows:
+    """The reader of some content."""
+    content = content.encode() if isinstance(content, str) else content
+    stream = (Drops if drops else io.BytesIO)(content)
+    return rows_of(Source(path, stream), load_robot(robot), degrees=degrees)
+
+
+def read(
+    content: str | bytes, robot: str = "scara", *, path: str = "q.csv", drops: bool = False, degrees: bool = False
+) -> np.ndarray:
+    """The joint values of the good rows, shape (N, n)."""
+    blocks = [block.q for block in rows(content, robot, path=path, drops=drops, degrees=degrees).blocks()]
+    return np.concatenate(blocks) if blocks else np.empty((0, 3))
+
+
+def bad(content: str | bytes, robot: str = "scara", *, path: str = "q.csv") -> list[str]:
+    """What is wrong with the bad rows, each on one line."""
+    return list(_said(content, robot, path))
+
+
+def _said(content: str | bytes, robot: str, path: str) -> Iterator[str]:
+    for block in rows(content, robot, path=path).blocks():
+        yield from map(str, block.bad)

@@ -1,0 +1,214 @@
+"""Joint values from CSV: headers, units, separators, and cells that are no numbers."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from dhcli.errors import FileError
+from dhcli.files.rows.csvrows import CsvRows
+from tests.files.rows.tables import bad, read, rows
+
+ROW = [0.1, 0.2, 0.3]
+finite = st.floats(allow_nan=False, allow_infinity=False, width=64)
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "theta1,theta2,d3\n0.1,0.2,0.3\n",
+        "theta1,theta2,d3\n0.1,0.2,0.3",  # no line end after the last row
+        "theta1,theta2,d3\r\n0.1,0.2,0.3\r\n",
+        "\ufefftheta1,theta2,d3\n0.1,0.2,0.3\n",
+        "\n\ntheta1,theta2,d3\n\n0.1,0.2,0.3\n\n",
+        "d3,theta1,theta2\n0.3,0.1,0.2\n",
+        "θ1,θ₂,d_3\n0.1,0.2,0.3\n",
+        "\\theta_1,q2,q3\n0.1,0.2,0.3\n",
+        "theta1;theta2;d3\n0.1;0.2;0.3\n",
+        "theta1\ttheta2\td3\n0.1\t0.2\t0.3\n",
+        "theta1 theta2  d3\n0.1  0.2 0.3\n",
+        "# theta1 theta2 d3\n1.0e-01 2.0e-01 3.0e-01\n",  # numpy.savetxt
+        '"theta1","theta2","d3"\n"0.1","0.2","0.3"\n',
+        " theta1 , theta2 , d3 \n 0.1 , 0.2 , 0.3 \n",
+        "theta1[rad],theta2 (rad),d3 [m]\n+.1,2e-1,0.30\n",
+        "0.1,0.2,0.3\n",
+        "0.1 0.2 0.3\n",
+    ],
+)
+@pytest.mark.parametrize("drops", [False, True])
+def test_a_table_is_read_however_it_is_spelled(content: str, drops: bool) -> None:
+    """In any order, under any name of a joint, in one piece or in drops."""
+    assert read(content, drops=drops).tolist() == [ROW]
+
+
+@pytest.mark.parametrize(
+    ("content", "degrees", "expected"),
+    [
+        ("theta1[deg],theta2[°],d3[mm]\n180,90,250\n", False, [math.pi, math.pi / 2, 0.25]),
+        ("theta1[deg] theta2 [deg] d3 [cm]\n180 90 25\n", False, [math.pi, math.pi / 2, 0.25]),
+        ("theta1,theta2[rad],d3[in]\n180,1.5,10\n", True, [math.pi, 1.5, 0.254]),
+        ("180,90,0.25\n", True, [math.pi, math.pi / 2, 0.25]),
+        ("theta1,theta2,d3\n180,90,0.25\n", True, [math.pi, math.pi / 2, 0.25]),
+    ],
+)
+def test_units_stand_in_the_header(content: str, degrees: bool, expected: list[float]) -> None:
+    """Bare columns are radians and metres, or degrees with `--deg`, which never turns a length."""
+    assert read(content, degrees=degrees)[0] == pytest.approx(expected, rel=1e-15)
+
+
+@pytest.mark.parametrize("content", ["theta1,theta2,d3\n", "theta1,theta2,d3", "\ntheta1,theta2,d3\n\n\n"])
+def test_a_header_alone_is_a_table_of_no_rows(content: str) -> None:
+    """And no error."""
+    assert len(read(content)) == 0
+
+
+@pytest.mark.parametrize("content", ["", "\n\n", "  \n"])
+def test_nothing_at_all_is_no_table(content: str) -> None:
+    """The program before in the pipe has failed, most likely."""
+    with pytest.raises(FileError, match="is empty"):
+        read(content)
+
+
+@pytest.mark.parametrize(
+    ("header", "said"),
+    [
+        ("theta1,theta2", ["q.csv:1: no column for d3 (wanted: theta1[rad], theta2[rad], d3[m])"]),
+        (
+            "tetha1,theta2,d33",
+            [
+                "q.csv:1:1: scara has no joint tetha1 (did you mean theta1 or theta2?)",
+                "q.csv:1:15: scara has no joint d33 (did you mean d3?)",
+                "q.csv:1: no column for theta1, d3 (wanted: theta1[rad], theta2[rad], d3[m])",
+            ],
+        ),
+        ("theta1,theta2,d3,q1", ["q.csv:1:18: theta1 has two columns (keep one of them)"]),
+        (
+            ",theta1,theta2,d3",
+            ["q.csv:1:1: a column has no name (a column of row numbers? pandas leaves it out with index=False)"],
+        ),
+        (
+            "theta1[mm],theta2,d3[deg]",
+            [
+                "q.csv:1:1: mm is a unit of length, and theta1 turns (write theta1[deg])",
+                "q.csv:1:19: deg is a unit of angle, and d3 slides (write d3[mm])",
+            ],
+        ),
+        ("theta1[grad],theta2,d3", ["q.csv:1:1: grad is no unit (did you mean rad?)"]),
+        (
+            "theta1[deg,theta2,d3",
+            [
+                "q.csv:1:1: 'theta1[deg' is not read as a column (write theta1 or theta1[deg])",
+                "q.csv:1: no column for theta1 (wanted: theta1[rad], theta2[rad], d3[m])",
+            ],
+        ),
+    ],
+)
+def test_everything_wrong_with_a_header_is_told_at_once(header: str, said: list[str]) -> None:
+    """With the column of each name and the nearest that is right."""
+    with pytest.raises(FileError) as caught:
+        read(f"{header}\n1,2,3\n")
+    assert [str(problem) for problem in caught.value.problems] == said
+
+
+@pytest.mark.parametrize(
+    ("row", "said"),
+    [
+        ("0.1,abc,0.3", ["q.csv:3:5: theta2 'abc' is not a number (a cell is a plain number, such as -0.25 or 1e-3)"]),
+        ("0.1, ,0.3", ["q.csv:3:6: theta2 is empty"]),
+        (
+            "nan,0.2,-inf",
+            ["q.csv:3:1: theta1 'nan' is not a finite number", "q.csv:3:9: d3 '-inf' is not a finite number"],
+        ),
+        ("0.1,1e999,0.3", ["q.csv:3:5: theta2 '1e999' is too large"]),
+        (
+            "0.1,30deg,0.3",
+            ["q.csv:3:5: theta2 '30deg' is not a number (the unit stands once, in the header: [deg])"],
+        ),
+        (
+            "0.1,1_000,0.3",
+            ["q.csv:3:5: theta2 '1_000' is not a number (a cell is a plain number, such as -0.25 or 1e-3)"],
+        ),
+        ("0.1,١,0.3", ["q.csv:3:5: theta2 '١' is not a number (a cell is a plain number, such as -0.25 or 1e-3)"]),
+        (
+            "0.1,pi/2,0.3",
+            ["q.csv:3:5: theta2 'pi/2' is not a number (a cell is a plain number, such as -0.25 or 1e-3)"],
+        ),
+        ('0.1,"0,2",0.3', ["q.csv:3:6: theta2 '0,2' is not a number (write 0.2, with a point)"]),
+        ('"' + "1" * 140_000, ["q.csv:3: 1 cell where there are 3 columns"]),
+        ("0.1,0.2", ["q.csv:3: 2 cells where there are 3 columns"]),
+        ("0.1,0.2,0.3,", ["q.csv:3: 4 cells where there are 3 columns"]),
+    ],
+)
+def test_a_bad_cell_is_named_by_line_column_and_joint(row: str, said: list[str]) -> None:
+    """The rows around it are read."""
+    content = f"theta1,theta2,d3\n1,2,3\n{row}\n4,5,6\n"
+    assert bad(content) == said
+    assert read(content).tolist() == [[1, 2, 3], [4, 5, 6]]
+
+
+def test_no_header_is_made_of_a_row_with_a_bad_cell() -> None:
+    """A name is never a number, and a row has at least one."""
+    assert bad("0.1,abc,0.3\n1,2,3\n") == [
+        "q.csv:1:5: theta2 'abc' is not a number (a cell is a plain number, such as -0.25 or 1e-3)"
+    ]
+
+
+def test_of_many_bad_cells_the_first_twenty_are_told() -> None:
+    """But all rows are counted."""
+    [block] = rows("theta1,theta2,d3\n" + "x,y,z\n" * 1000).blocks()
+    assert (len(block.bad), block.bad_rows) == (20, 1000)
+
+
+def test_lines_are_counted_across_blocks() -> None:
+    """Blank lines too."""
+    content = "theta1,theta2,d3\n" + "1,2,3\n\n" * 200_000 + "1,x,3\n"
+    assert bad(content) == [
+        "q.csv:400002:3: theta2 'x' is not a number (a cell is a plain number, such as -0.25 or 1e-3)"
+    ]
+
+
+@given(st.lists(st.tuples(finite, finite, finite), min_size=1, max_size=8))
+def test_what_repr_writes_is_read_to_the_last_bit(values: list[tuple[float, ...]]) -> None:
+    """At once, or cell by cell where a bad row stands beside them."""
+    lines = "".join(",".join(map(repr, row)) + "\n" for row in values)
+    assert read(lines).tolist() == [list(row) for row in values]
+    assert read(lines + "1,2\n").tolist() == [list(row) for row in values]
+
+
+@given(st.lists(st.text('0123456789+-.eE, ;\t"x_naif\n', max_size=12), min_size=1, max_size=6))
+def test_a_block_is_read_at_once_only_as_it_would_be_line_by_line(lines: list[str]) -> None:
+    """The quick way and the careful way are one."""
+    text = "\n".join(lines) + "\n"
+    reader = rows("0,0,0\n")
+    assert isinstance(reader, CsvRows)
+    columns, _ = reader._columns("0,0,0", 1)
+    quick, careful = reader._block(1, text, columns), reader._line_by_line(1, text, columns)
+    assert quick.q.tolist() == careful.q.tolist()
+    assert list(quick.rows) == list(careful.rows)
+    assert (quick.bad, quick.bad_rows) == (careful.bad, careful.bad_rows)
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        ("théta1,theta2,d3\n".encode("latin-1"), "q.csv:1:3: is not UTF-8: byte 3 is 0xE9"),
+        (b"theta1,theta2,d3\n1,2,3\n1,\xb02,3\n", "q.csv:3:3: is not UTF-8: byte 26 is 0xB0"),
+        ("theta1,theta2,d3\n".encode("utf-16"), "is written in UTF-16"),
+        (b"PK\x03\x04\0\0\0", "is not a text file: byte 5 is NUL"),
+        (b"1" * 3_000_000, "q.csv: line 1: is longer than 262,144 bytes"),
+    ],
+)
+def test_what_is_no_text_is_refused(content: bytes, said: str) -> None:
+    """A spreadsheet, a table in another encoding, or one endless line."""
+    with pytest.raises(FileError) as caught:
+        read(content)
+    assert said in str(caught.value)
+
+
+def test_a_robot_of_one_joint_has_one_column() -> None:
+    """Without anything between cells."""
+    assert read("theta_i [deg]\n180\n90\n", "dh-link") == pytest.approx(np.array([[math.pi], [math.pi / 2]]))

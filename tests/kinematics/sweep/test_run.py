@@ -1,0 +1,148 @@
+"""What a sweep finds is what a look at every single pose finds."""
+
+from __future__ import annotations
+
+from itertools import product
+from math import hypot
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from dhcli import forward, load_robot
+from dhcli.errors import RobotError
+from dhcli.kinematics.sweep import run
+from dhcli.kinematics.sweep.extremes import SLACK, Highest
+from dhcli.kinematics.sweep.grid import Axis, Grid
+from dhcli.kinematics.sweep.plan import plan
+from dhcli.kinematics.sweep.ranges import read_over
+from dhcli.kinematics.sweep.run import positions, sweep
+from dhcli.kinematics.sweep.target import Target, target_of
+from dhcli.kinematics.validity import in_floats
+from dhcli.kinematics.values import joint_values, parameter_values
+from dhcli.notation.tree import ZERO, number
+
+CASES = {
+    "planar-2r": ("theta1=-180°..180° n 9", "theta2=-180°..180° n 9"),
+    "scara": ("theta1=-90°..90° step 30°", "theta2=0..2 n 5", "d3=0..0.2 n 3"),
+    "puma560": ("theta1=-160°..160° n 5", "theta2=-225°..45° n 5", "theta3=-225°..45° n 5", "theta5=0..1 n 3"),
+    "stanford": ("theta2=0..90° n 4", "d3=0.1..0.5 n 4"),
+    "panda": ("theta2=-1..1 n 4", "theta4=-3..-0.1 n 5", "theta6=0..3 n 3"),
+}
+
+
+def _asked(name: str, point: str = "", start: str | None = None, end: str | None = None) -> tuple[Target, Grid]:
+    robot = load_robot(name)
+    coordinates = tuple(number(part) for part in map(int, point.split(","))) if point else None
+    target = target_of(robot, start, end, parameter_values(robot, {}), coordinates)  # type: ignore[arg-type]
+    return target, plan(target, [read_over(robot, text) for text in CASES[name]], {})
+
+
+def _seen(target: Target, q: tuple[float, ...]) -> tuple[float, ...]:
+    pose = forward(target.robot, q, start=target.start, end=target.end)
+    return tuple(float(value) for value in pose @ target.coordinates)
+
+
+@pytest.mark.parametrize(
+    ("name", "point", "start", "end"),
+    [
+        *((name, "", None, None) for name in CASES),
+        ("puma560", "1,-2,3", None, None),
+        ("puma560", "", "1", "4"),
+        ("scara", "0,1,0", "3", "0"),
+    ],
+)
+def test_the_extremes_are_those_of_all_poses_one_by_one(
+    monkeypatch: pytest.MonkeyPatch, name: str, point: str, start: str | None, end: str | None
+) -> None:
+    """The first pose of each extreme, but for rounding, with its joint values and its position."""
+    monkeypatch.setattr(run, "BLOCK", 17)
+    target, grid = _asked(name, point, start, end)
+    found = sweep(target, grid)
+    seen = [_seen(target, q) for q in product(*(axis.floats() for axis in grid.axes))]
+    heights = {"farthest": [hypot(*place) for place in seen], "nearest": [-hypot(*place) for place in seen]}
+    for k, axis in enumerate("xyz"):
+        heights[f"{axis}_min"] = [-place[k] for place in seen]
+        heights[f"{axis}_max"] = [place[k] for place in seen]
+    for what, values in heights.items():
+        extreme = found.sides.get(what) or getattr(found, what)
+        first = next(i for i, value in enumerate(values) if value >= max(values) - SLACK * max(1, abs(max(values))))
+        assert extreme.index == first, what
+        assert extreme.position == pytest.approx(seen[first], abs=1e-12)
+        assert target.at(extreme.q) == extreme.position
+
+
+def test_the_rows_hold_joint_values_and_positions() -> None:
+    """Of every pose, in the order of the grid."""
+    target, grid = _asked("scara", "0,1,0")
+    rows = np.concatenate(list(positions(target, grid)))
+    assert rows.shape == (grid.count, 6)
+    for index in (0, 17, grid.count - 1):
+        q = tuple(map(in_floats, grid.at(index).values()))
+        assert rows[index] == pytest.approx((*q, *_seen(target, q)), abs=1e-14)
+
+
+def test_every_block_is_handed_on() -> None:
+    """Once, in order."""
+    target, grid = _asked("planar-2r")
+    taken: list[np.ndarray] = []
+    sweep(target, grid, taken.append)
+    assert np.array_equal(np.concatenate(taken), np.concatenate(list(positions(target, grid))))
+
+
+def test_exact_angles_give_exact_positions() -> None:
+    """The arm stretched along y is at x = 0, not at 4e-17."""
+    found = sweep(*_asked("planar-2r"))
+    assert found.sides["y_max"].position == (0.0, 0.7, 0.0)
+    assert found.box == ((-0.7, 0.7), (-0.7, 0.7), (0.0, 0.0))
+
+
+def test_a_position_beyond_all_floats_is_refused() -> None:
+    """Not handed on as infinity."""
+    robot = load_robot("cartesian")
+    target = target_of(robot, None, None, parameter_values(robot, {}))
+    axes = tuple(Axis(name, ZERO, number(10**300), 3) for name in robot.variables)
+    with pytest.raises(RobotError, match="too large"):
+        sweep(target, Grid(axes))
+
+
+heights = st.lists(
+    st.one_of(st.floats(-5, 5), st.sampled_from([1.0, 2.0]).flatmap(lambda x: st.floats(x - 2e-9, x + 2e-9))),
+    min_size=1,
+)
+
+
+@given(heights, st.integers(1, 7))
+def test_the_highest_is_the_first_within_rounding_of_the_maximum(values: list[float], block: int) -> None:
+    """However the numbers are cut into blocks."""
+    highest = Highest()
+    for first in range(0, len(values), block):
+        highest.take(np.array(values[first : first + block]), first)
+    top = max(values)
+    assert highest.index == next(i for i, v in enumerate(values) if v >= top - SLACK * max(1, abs(top)))
+
+
+@pytest.mark.parametrize(
+    ("name", "point", "end", "expected"),
+    [
+        ("puma560", (0, 0, 0), None, "theta1 theta2 theta3"),
+        ("puma560", (0, 0, 1), None, "theta1 theta2 theta3 theta4 theta5"),
+        ("puma560", (1, 0, 0), None, "theta1 theta2 theta3 theta4 theta5 theta6"),
+        ("puma560", (0, 0, 0), "3", "theta1 theta2"),
+        ("scara", (0, 0, 0), None, "theta1 theta2 d3"),
+        ("planar-2r", (0, 0, 0), "0", ""),
+    ],
+)
+def test_the_joints_that_move_a_point_are_known(
+    name: str, point: tuple[int, int, int], end: str | None, expected: str
+) -> None:
+    """From the formula of its position; a wrist does not move its own centre."""
+    robot = load_robot(name)
+    x, y, z = map(number, point)
+    target = target_of(robot, None, end, parameter_values(robot, {}), (x, y, z))
+    assert target.movers() == set(expected.split())
+    q = joint_values(robot, [0.3] * len(robot.variables))
+    for name_ in robot.variables:  # moving an idle joint changes nothing, moving another does
+        moved = target.at({**q, **joint_values(robot, {name_: 0.7})})
+        assert (moved != pytest.approx(target.at(q), abs=1e-12)) == (name_ in target.movers())
