@@ -6,20 +6,18 @@ from collections.abc import Iterable, Sequence
 
 from dhcli.kinematics.pose import Pose
 from dhcli.render.code import variable
-from dhcli.render.rows import HERE, Group, Layout
+from dhcli.render.rows import Group, Layout
 
 _AXES = "xyz"
 _MATRIX = tuple(head for i in range(3) for head in (*(f"r{i + 1}{k}" for k in (1, 2, 3)), f"p_{_AXES[i]}"))
-_ROW = f"[{', '.join([HERE] * 4)}]"
+_ROW = "[%r, %r, %r, %r]"
 
 GROUPS = {
     "matrix": Group("matrix", _MATRIX, f"[{_ROW}, {_ROW}, {_ROW}, [0.0, 0.0, 0.0, 1.0]]"),
     "position": Group.listed("position", ("p_x", "p_y", "p_z")),
     "rpy": Group.named("rpy", {name: name for name in ("roll", "pitch", "yaw")}),
     "quaternion": Group.named("quaternion", {name: f"q_{name}" for name in "wxyz"}),
-    "axis-angle": Group(
-        "axis-angle", ("axis_x", "axis_y", "axis_z", "angle"), f'{{"axis": [{HERE}, {HERE}, {HERE}], "angle": {HERE}}}'
-    ),
+    "axis-angle": Group("axis-angle", ("axis_x", "axis_y", "axis_z", "angle"), '{"axis": [%r, %r, %r], "angle": %r}'),
 }
 """The numbers of each way to say a pose; JSON nests them as `--format json` does for one pose. Angles in radians."""
 

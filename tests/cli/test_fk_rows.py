@@ -266,29 +266,6 @@ def test_a_reader_that_goes_away_ends_the_work_in_silence(process: Run) -> None:
 
 
 @POSIX
-def test_a_reader_of_bytes_that_goes_away_is_no_error(process: Run, tmp_path: Path) -> None:
-    """As one of text is not."""
-    np.save(tmp_path / "q.npy", puma(20_000))
-    words = "fk puma560 --in q.npy --format npy"
-    done = process(script=f'"$0" -m dhcli {words} | true; echo "${{PIPESTATUS[0]}}"')
-    assert (done.out, done.err) == ("0\n", "")
-
-
-def test_rows_left_out_of_an_array_are_counted_as_rows(dhcli: Run) -> None:
-    """However many of their numbers are bad."""
-    q = puma(40)
-    q[:30, :2] = np.nan
-    np.save("q.npy", q)
-    lines = dhcli("fk", "puma560", "--in", "q.npy", "-o", "p.csv", "--skip-bad").err.splitlines()
-    assert lines[:3] == [
-        "wrote p.csv: 10 rows",
-        "dhcli: warning: left out 30 of 40 rows:",
-        "  q.npy[0]: theta1 is nan, not a finite number",
-    ]
-    assert lines[-1] == "  and 20 rows more"
-
-
-@POSIX
 def test_rows_show_as_they_come(tmp_path: Path) -> None:
     """A pose is there before the next row is typed; Ctrl-C then ends with 130."""
     with started(tmp_path, "fk", "scara", "--in", "-", "--as", "position") as running:
