@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+import os
 import statistics
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Generic, TypeVar
 
@@ -121,6 +123,20 @@ def seconds(work: Callable[[], object], often: int) -> float:
     for _ in range(often):
         work()
     return (time.perf_counter() - start) / often
+
+
+@contextmanager
+def one_core() -> Iterator[None]:
+    """Keep this thread, and the threads and processes that it starts, on one core, where the system can."""
+    if not hasattr(os, "sched_setaffinity"):
+        yield
+        return
+    allowed = os.sched_getaffinity(0)
+    os.sched_setaffinity(0, {max(allowed)})
+    try:
+        yield
+    finally:
+        os.sched_setaffinity(0, allowed)
 
 
 def table(rows: list[Row]) -> str:

@@ -157,8 +157,8 @@ class Peer:
     Attributes:
         name: What it is called in the table.
         package: The package that must be installed.
-        build: From one of our robots to a function of joint values.
-        stacks: Whether that function takes many poses at once; else it is called in a loop.
+        build: From one of our robots to a function from joint values, shape (n,), to a pose, shape (4, 4).
+        stacks: Whether that function takes many, shape (N, n), at once; else it is called in a loop.
     """
 
     name: str
@@ -173,10 +173,6 @@ class Peer:
             return version(self.package)
         except PackageNotFoundError:
             return ""
-
-    def one(self, robot: Robot) -> Callable[[Array], Array]:
-        """A function from joint values, shape (n,), to a pose, shape (4, 4)."""
-        return self.build(robot)
 
     def many(self, robot: Robot) -> Callable[[Array], Array]:
         """A function from joint values, shape (N, n), to poses, shape (N, 4, 4)."""
