@@ -43,9 +43,11 @@ def rows(rounds: int, robots: tuple[str, ...] = ROBOTS, end: int = END) -> Itera
 
 
 def binary(expr: sympy.Expr) -> int:
-    """+ - * / of a sympy expression, counted as ours are: functions and signs cost nothing."""
-    counted = sympy.count_ops(expr, visual=True)
-    return sum(int(counted.coeff(sympy.Symbol(name))) for name in ("ADD", "SUB", "MUL", "DIV"))
+    """+ - * / and powers of a sympy expression, counted as ours are: sin(theta1 + theta2) is a name like s12."""
+    named = expr.replace(sympy.cos, lambda angle: sympy.Symbol(f"cos {angle}"))
+    named = named.replace(sympy.sin, lambda angle: sympy.Symbol(f"sin {angle}"))
+    counted = sympy.count_ops(named, visual=True)
+    return sum(int(counted.coeff(sympy.Symbol(name))) for name in ("ADD", "SUB", "MUL", "DIV", "POW"))
 
 
 def multiplied(robot: Robot, end: int) -> sympy.Matrix:
