@@ -57,7 +57,7 @@ def test_a_peer_that_says_something_else_stops_the_program(monkeypatch: pytest.M
 
     wrong = replace(peers.PEERS[0], name="wrong", build=lambda robot: lambda q: peers.by_numpy(robot)(q + 1e-9))
     monkeypatch.setattr(poses, "PEERS", (wrong,))
-    for group in (poses.one(1), poses.batch(1, sizes=(5,)), poses.joints(1, size=5)):
+    for group in (poses.one(1), poses.batch(1, sizes=(5,)), poses.growth(1, sizes=(), size=5)):
         with pytest.raises(SystemExit, match="wrong do not say the same"):
             next(group)
 
@@ -70,7 +70,7 @@ def test_a_peer_that_is_not_installed_is_listed_as_such(monkeypatch: pytest.Monk
 
     absent = replace(peers.PEERS[0], name="nobody's", package="dhcli-no-such-package")
     monkeypatch.setattr(poses, "PEERS", (absent,))
-    rows = [*poses.one(1, robots=("puma560",)), *poses.batch(1, sizes=(5,)), *poses.joints(1, size=5)]
+    rows = [*poses.one(1, robots=("puma560",)), *poses.batch(1, sizes=(5,)), *poses.growth(1, sizes=(), size=5)]
     assert len(rows) == 8
     assert not any(row.pairs for row in rows)
     assert measure.table(rows[:1]).splitlines() == [
@@ -86,10 +86,13 @@ def test_batches_say_what_a_pose_and_a_joint_cost(monkeypatch: pytest.MonkeyPatc
     import poses
 
     monkeypatch.setattr(poses, "PEERS", peers.PEERS[:1])
-    rows = [*poses.batch(1, sizes=(50,)), *poses.joints(1, size=50)]
-    assert [row.work for row in rows] == ["5e1 poses of puma560", *(f"5e1 poses of {n} joints" for n in range(2, 8))]
-    assert "ns a pose" in rows[0].note
-    assert all("ns a joint" in row.note for row in rows[1:])
+    rows = [*poses.batch(1, sizes=(50,)), *poses.growth(1, sizes=(50,), size=50)]
+    assert [row.work for row in rows] == [
+        *["5e1 poses of puma560"] * 2,
+        *(f"5e1 poses of {n} joints" for n in range(2, 8)),
+    ]
+    assert all("ns a pose" in row.note for row in rows)
+    assert all("ns a joint" in row.note for row in rows[2:])
 
 
 def test_a_row_has_medians_of_the_pairs_and_the_spread_of_their_ratios() -> None:

@@ -32,7 +32,7 @@ GROUPS: dict[str, Callable[[int], Iterator[Row]]] = {
     "start-up": startup.rows,
     "pose": poses.one,
     "batch": poses.batch,
-    "joints": poses.joints,
+    "growth": poses.growth,
     "symbols": symbols.rows,
     "parsing": marking.parsing,
     "marking": marking.rows,

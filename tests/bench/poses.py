@@ -13,7 +13,7 @@ from dhcli import Robot, forward, forward_batch, load_robot
 
 PUMA, PANDA = "puma560", "panda"
 SIZES = (10_000, 100_000, 1_000_000, 10_000_000)
-MANY = 1_000_000
+MANY = 100_000
 LOOPS = 100_000
 """A peer that takes one pose at a time is run for at most so many."""
 
@@ -21,7 +21,7 @@ CLOSE = 1e-12
 PART = 100_000
 
 
-def one(rounds: int, robots: tuple[str, ...] = (PUMA, PANDA)) -> Iterator[Row]:
+def one(rounds: int, robots: tuple[str, ...] = (PUMA,)) -> Iterator[Row]:
     """One pose, beside each peer."""
     for robot in map(load_robot, robots):
         q = joint_values(robot, 1)[0]
@@ -33,7 +33,7 @@ def one(rounds: int, robots: tuple[str, ...] = (PUMA, PANDA)) -> Iterator[Row]:
 
 
 def batch(rounds: int, sizes: tuple[int, ...] = SIZES) -> Iterator[Row]:
-    """Batches of PUMA 560: the time of a pose stays what it is as the batch grows."""
+    """Batches of PUMA 560, beside each peer, all into new memory."""
     robot = load_robot(PUMA)
     for size in sizes:
         for peer in PEERS:
@@ -41,32 +41,43 @@ def batch(rounds: int, sizes: tuple[int, ...] = SIZES) -> Iterator[Row]:
                 yield of_many(robot, size, peer, rounds)
 
 
-def joints(rounds: int, size: int = MANY) -> Iterator[Row]:
-    """Batches of Panda up to joint 2, 3, ... 7: the time of a pose grows by about the same with each joint."""
-    panda = load_robot(PANDA)
+def growth(rounds: int, sizes: tuple[int, ...] = SIZES, size: int = MANY) -> Iterator[Row]:
+    """The time of a pose over the number of poses, without and with new memory, and over the number of joints."""
+    puma, panda = load_robot(PUMA), load_robot(PANDA)
+    for count in sizes:
+        yield into_place(puma, count, rounds)
     for count in range(2, len(panda.variables) + 1):
-        arm = replace(
-            panda,
-            name=f"{count} joints",
-            variables=panda.variables[:count],
-            links=panda.links[:count],
-            limits={},
-            poses={},
-        )
+        variables, links = panda.variables[:count], panda.links[:count]
+        arm = replace(panda, name=f"{count} joints", variables=variables, links=links, limits={}, poses={})
         row = of_many(arm, size, PEERS[0], rounds)
-        if row.pairs:
-            row = replace(row, note=f"{row.note}, {number(row.seconds / size / count * 1e9)} ns a joint")
-        yield row
+        yield replace(row, note=f"{row.note}, {nanoseconds(row, size * count)} a joint") if row.pairs else row
 
 
 def of_many(robot: Robot, size: int, peer: Peer, rounds: int) -> Row:
     """One row of a batch."""
     q = joint_values(robot, size)
     ours = Task("forward_batch(robot, Q)", lambda: forward_batch(robot, q))
-    row = beside(
-        f"{size:.0e} poses of {robot.name}".replace("e+0", "e"), ours, peer, lambda: peer.many(robot), q, rounds
-    )
-    return replace(row, note=f"{number(row.seconds / size * 1e9)} ns a pose") if row.pairs else row
+    row = beside(many(size, robot), ours, peer, lambda: peer.many(robot), q, rounds)
+    return replace(row, note=f"{nanoseconds(row, size)} a pose") if row.pairs else row
+
+
+def into_place(robot: Robot, size: int, rounds: int) -> Row:
+    """A batch into memory that is there already, beside one into new memory, which the system must hand out first."""
+    q, poses = joint_values(robot, size), np.zeros((size, 4, 4))
+    ours = Task("forward_batch(..., out=T)", lambda: forward_batch(robot, q, out=poses))
+    peer = Task("forward_batch(robot, Q)", lambda: forward_batch(robot, q))
+    row = side_by_side(many(size, robot), ours, peer, equal, rounds=rounds)
+    return replace(row, note=f"{nanoseconds(row, size)} a pose")
+
+
+def many(size: int, robot: Robot) -> str:
+    """The work of a batch: `1e5 poses of puma560`."""
+    return f"{size:.0e} poses of {robot.name}".replace("e+0", "e")
+
+
+def nanoseconds(row: Row, count: int) -> str:
+    """Our time for one of so many [ns]."""
+    return f"{number(row.seconds / count * 1e9)} ns"
 
 
 def beside(
