@@ -54,6 +54,8 @@ def main(arguments: list[str] | None = None) -> None:
     )
     parser.add_argument("--rounds", type=int, default=5, help="pairs that are counted (default: 5)")
     asked = parser.parse_args(arguments)
+    if asked.rounds < 1:
+        parser.error("--rounds takes 1 or more")
     print(machine())
     print(f"Medians of {asked.rounds} pairs, all on one core but {ALL_CORES}; peer/dhcli above 1: dhcli is faster.")
     for name in asked.groups or GROUPS:
