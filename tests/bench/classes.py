@@ -10,7 +10,7 @@ from itertools import cycle, islice
 from pathlib import Path
 from textwrap import indent
 
-from measure import Row, side_by_side
+from measure import Row, Task, number, side_by_side
 
 from dhcli import load_exercise
 from dhcli.checking.exercise import Exercise
@@ -32,8 +32,8 @@ PATIENCE = 60.0
 def rows(_rounds: int) -> Iterator[Row]:
     """One pair only: it takes a minute."""
     with tempfile.TemporaryDirectory() as folder:
-        for number, text in enumerate(islice(cycle(_texts()), SHEETS)):
-            path = Path(folder, f"student-{number}", "sheet.yaml")
+        for k, text in enumerate(islice(cycle(_texts()), SHEETS)):
+            path = Path(folder, f"student-{k}", "sheet.yaml")
             path.parent.mkdir()
             path.write_text(text, "utf-8")
         sheets = find_sheets(folder).submissions
@@ -42,11 +42,22 @@ def rows(_rounds: int) -> Iterator[Row]:
         def graded(processes: int) -> tuple[Graded, ...]:
             return grade_all(sheets, jobs=processes, timeout=PATIENCE)
 
-        failed = sum(bool(row.problems) for row in graded(jobs))
-        ours = (f"grade_all, jobs={jobs}", lambda: graded(jobs))
-        row = side_by_side("grading a class", ours, ("grade_all, jobs=1", lambda: graded(1)), rounds=1)
-        rates = " and ".join(f"{SHEETS / taken:.0f}" for taken in (row.seconds, row.peer_seconds or 1.0))
-        yield replace(row, note=f"{SHEETS} sheets, {failed} of them broken; {rates} a second")
+        broken = 0
+
+        def same(ours: tuple[Graded, ...], theirs: tuple[Graded, ...]) -> bool:
+            nonlocal broken
+            broken = sum(bool(sheet.problems) for sheet in ours)
+            return ours == theirs
+
+        row = side_by_side(
+            "grading a class",
+            Task(f"grade_all, jobs={jobs}", lambda: graded(jobs)),
+            Task("grade_all, jobs=1", lambda: graded(1)),
+            same,
+            rounds=1,
+        )
+        rates = " and ".join(number(SHEETS / taken) for taken in (row.seconds, row.peer_seconds))
+        yield replace(row, note=f"{SHEETS} sheets, {broken} of them broken; {rates} a second")
 
 
 def _texts() -> Iterator[str]:

@@ -1,4 +1,4 @@
-"""Many poses: `dhcli fk --in` beside numpy's own way to read, compute and write the same file at once."""
+"""Poses of rows in files: `dhcli fk --in` beside numpy's own way to read, compute and write the same file at once."""
 
 from __future__ import annotations
 
@@ -8,63 +8,93 @@ import os
 import tempfile
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
-from measure import Row, side_by_side
+from measure import Row, Task, side_by_side
 
 from dhcli import forward_batch, load_robot
 from dhcli.cli.main import main
 
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
 POSES = 200_000
-NAMES = [f"theta{i}" for i in range(1, 7)]
+ROBOT = load_robot("puma560")
+WIDTH = 12
+"""Numbers of a pose in text: the upper three rows of the matrix."""
 
 
 def rows(rounds: int) -> Iterator[Row]:
-    """PUMA 560, a million numbers in and more than twice as many out."""
-    robot, here = load_robot("puma560"), Path.cwd()
-    q = np.random.default_rng(1).uniform(-1, 0.7, (POSES, 6))
-    with tempfile.TemporaryDirectory() as folder:
-        os.chdir(folder)
-        try:
-            np.save("q.npy", q)
-            np.savetxt("q.csv", q, fmt="%.17g", delimiter=",", header=",".join(NAMES), comments="")
-            Path("q.jsonl").write_text(
-                "".join(f"{json.dumps(dict(zip(NAMES, row, strict=True)))}\n" for row in q.tolist())
+    """PUMA 560, a million numbers in and twice as many out, in each format."""
+    with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
+        _write_joint_values(np.random.default_rng(1).uniform(-1, 0.7, (POSES, 6)))
+        for kind, (peer, work) in PEERS.items():
+            row = side_by_side(
+                f"{POSES} rows of {kind}",
+                Task(f"dhcli fk --in q.{kind}", partial(_dhcli, kind)),
+                Task(peer, work),
+                _same,
+                rounds=rounds,
             )
-
-            def csv() -> None:
-                table = np.loadtxt("q.csv", delimiter=",", skiprows=1)
-                np.savetxt("p.csv", forward_batch(robot, table)[:, :3].reshape(-1, 12), fmt="%.17g", delimiter=",")
-
-            def jsonl() -> None:
-                with open("q.jsonl") as lines:  # noqa: PTH123  as the peer would be written
-                    table = [[row[name] for name in NAMES] for row in map(json.loads, lines)]
-                poses = forward_batch(robot, table).tolist()
-                Path("p.jsonl").write_text("".join(json.dumps({"matrix": pose}) + "\n" for pose in poses))
-
-            def npy() -> None:
-                np.save("p.npy", forward_batch(robot, np.load("q.npy")))
-
-            peers: dict[str, tuple[str, Callable[[], None]]] = {
-                "npy": ("numpy.load, save", npy),
-                "csv": ("numpy.loadtxt, savetxt", csv),
-                "jsonl": ("json.loads, dumps", jsonl),
-            }
-            for kind, peer in peers.items():
-                row = side_by_side(f"poses, {kind}", (f"dhcli fk --in q.{kind}", _fk(kind)), peer, rounds=rounds)
-                yield replace(row, note=f"{POSES} rows; {POSES / row.seconds:.0f} a second")
-        finally:
-            os.chdir(here)
+            yield replace(row, note=f"{POSES / row.seconds:,.0f} rows a second")
 
 
-def _fk(kind: str) -> Callable[[], None]:
-    """What a user types, in this process."""
+def _write_joint_values(q: NDArray[np.float64]) -> None:
+    """The same joint values in each format."""
+    np.save("q.npy", q)
+    np.savetxt("q.csv", q, fmt="%.17g", delimiter=",", header=",".join(ROBOT.variables), comments="")
+    lines = (json.dumps(dict(zip(ROBOT.variables, row, strict=True))) for row in q.tolist())
+    Path("q.jsonl").write_text("\n".join(lines), encoding="utf-8")
 
-    def run() -> None:
-        with open(os.devnull, "w", encoding="utf-8") as nowhere, contextlib.redirect_stderr(nowhere):  # noqa: PTH123
-            code = main(["fk", "puma560", "--in", f"q.{kind}", "-o", f"p.{kind}", "--force"])
-        if code:
-            raise RuntimeError(code)
 
-    return run
+def _dhcli(kind: str) -> NDArray[np.float64]:
+    """What a user types, in this process; what stands in the file then, shape (N, 3, 4)."""
+    with open(os.devnull, "w", encoding="utf-8") as nowhere, contextlib.redirect_stderr(nowhere):  # noqa: PTH123
+        if main(["fk", ROBOT.name, "--in", f"q.{kind}", "-o", f"p.{kind}", "--force"]):
+            raise SystemExit(f"dhcli fk --in q.{kind} does not work")
+    return _last(kind, "p")
+
+
+def _last(kind: str, name: str) -> NDArray[np.float64]:
+    """The last pose of a file, shape (12,): enough to see that rows, columns and their order are right."""
+    if kind == "npy":
+        return np.asarray(np.load(f"{name}.npy", mmap_mode="r")[-1, :3]).ravel()
+    with open(f"{name}.{kind}", "rb") as file:  # noqa: PTH123
+        file.seek(-2000, os.SEEK_END)
+        line = file.read().decode().splitlines()[-1]
+    return np.array(json.loads(line)["matrix"] if kind == "jsonl" else line.split(","), dtype=np.float64).ravel()[
+        :WIDTH
+    ]
+
+
+def _csv() -> NDArray[np.float64]:
+    table = np.loadtxt("q.csv", delimiter=",", skiprows=1)
+    np.savetxt("peer.csv", forward_batch(ROBOT, table)[:, :3].reshape(-1, WIDTH), fmt="%.17g", delimiter=",")
+    return _last("csv", "peer")
+
+
+def _jsonl() -> NDArray[np.float64]:
+    with open("q.jsonl", encoding="utf-8") as lines:  # noqa: PTH123
+        table = [[row[name] for name in ROBOT.variables] for row in map(json.loads, lines)]
+    text = "\n".join(json.dumps({"matrix": pose}) for pose in forward_batch(ROBOT, table).tolist())
+    Path("peer.jsonl").write_text(text, encoding="utf-8")
+    return _last("jsonl", "peer")
+
+
+def _npy() -> NDArray[np.float64]:
+    np.save("peer.npy", forward_batch(ROBOT, np.load("q.npy")))
+    return _last("npy", "peer")
+
+
+def _same(ours: NDArray[np.float64], theirs: NDArray[np.float64]) -> bool:
+    return bool(np.allclose(ours, theirs, rtol=0, atol=1e-15))
+
+
+PEERS: dict[str, tuple[str, Callable[[], NDArray[np.float64]]]] = {
+    "npy": ("numpy.load, save", _npy),
+    "csv": ("numpy.loadtxt, savetxt", _csv),
+    "jsonl": ("json.loads, dumps", _jsonl),
+}
