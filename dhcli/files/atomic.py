@@ -81,9 +81,8 @@ def _mode_of(path: Path) -> int | None:
 def _beside(path: Path, mode: int | None) -> Iterator[BinaryIO]:
     """A new file beside the target, where a rename is one step, and that step."""
     temporary = path.with_name(f".dhcli-{os.urandom(6).hex()}.tmp")
-    descriptor = os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o666)
-    try:
-        with open(descriptor, "wb") as stream:
+    try:  # opening is a part of it: Ctrl-C may come as soon as the file is there
+        with open(temporary, "xb") as stream:
             yield stream
             stream.flush()
             os.fsync(stream.fileno())

@@ -1,19 +1,13 @@
-"""`dhcli fk --in`: a pose for each row of a file; streams, files, bad rows, and what happens when somebody stops it."""
+"""`dhcli fk --in`: a pose for each row of a file; files, forms, frames, and bad rows."""
 
 from __future__ import annotations
 
-import contextlib
 import csv
-import errno
 import io
 import json
 import math
 import os
-import signal
-import subprocess
-import sys
 from pathlib import Path
-from time import monotonic
 
 import numpy as np
 import pytest
@@ -21,9 +15,7 @@ import pytest
 from dhcli import forward, load_robot
 from dhcli.kinematics.orientation import quaternion, roll_pitch_yaw
 from tests.cli.running import Run
-from tests.cli.terminal import PATIENCE, Terminal
 
-ROOT = Path(__file__).parents[2]
 POSIX = pytest.mark.skipif(os.name != "posix", reason="streams and signals as POSIX has them")
 MATRIX = "r11,r12,r13,p_x,r21,r22,r23,p_y,r31,r32,r33,p_z"
 GOOD = "theta1,theta2,d3\n0.3,0.5,0.1\n-0.2,1.5,0\n"
@@ -254,137 +246,15 @@ def test_where_roll_and_yaw_are_one_is_said_once(dhcli: Run) -> None:
     assert done.err.startswith("dhcli: warning: pitch is ±90° in 2 of 3 rows")
 
 
-@POSIX
-def test_a_reader_that_goes_away_ends_the_work_in_silence(process: Run) -> None:
-    """The rows never end; the exit code is that of the work."""
-    words = "fk scara --in - --as position"
-    done = process(script=f'yes 0.1,0.2,0.3 | {{ "$0" -m dhcli {words}; echo $? >code; }} | head -2; cat code')
-    head, row, code = done.out.split()
-    assert (head, code) == ("p_x,p_y,p_z", "0")
-    assert len(row.split(",")) == 3
-    assert done.err == ""
-
-
-@POSIX
-def test_rows_show_as_they_come(tmp_path: Path) -> None:
-    """A pose is there before the next row is typed; Ctrl-C then ends with 130."""
-    with started(tmp_path, "fk", "scara", "--in", "-", "--as", "position") as running:
-        assert running.stdin is not None
-        assert running.stdout is not None
-        for _ in range(2):
-            running.stdin.write("0.1,0.2,0.3\n")
-            running.stdin.flush()
-            while running.stdout.readline().startswith("p_x"):
-                pass
-        running.send_signal(signal.SIGINT)
-        out, err = running.communicate(timeout=PATIENCE)
-    assert (running.returncode, out) == (130, "")
-    assert "Traceback" not in err
-
-
-@POSIX
-@pytest.mark.parametrize("suffix", ["csv", "jsonl", "npy"])
-@pytest.mark.parametrize("there_before", [False, True])
-def test_ctrl_c_leaves_nothing_that_looks_complete(tmp_path: Path, suffix: str, there_before: bool) -> None:
-    """No new file, or the old one; nothing beside it."""
-    target = tmp_path / f"poses.{suffix}"
-    if there_before:
-        target.write_text("old")
-    with started(tmp_path, "fk", "scara", "--in", "-", "-o", target.name, "--force") as running:
-        assert running.stdin is not None
-        running.stdin.write("0.1,0.2,0.3\n")
-        running.stdin.flush()
-        last = monotonic() + PATIENCE
-        while not list(tmp_path.glob(".dhcli-*")) and monotonic() < last:
-            with contextlib.suppress(subprocess.TimeoutExpired):
-                running.wait(timeout=0.02)
-        running.send_signal(signal.SIGINT)
-        _, err = running.communicate(timeout=PATIENCE)
-    assert running.returncode == 130
-    assert "Traceback" not in err
-    assert [path.read_text() for path in tmp_path.iterdir()] == (["old"] if there_before else [])
-
-
-@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
-@pytest.mark.parametrize("format_", ["csv", "jsonl", "npy"])
-def test_a_full_disk_is_told(process: Run, tmp_path: Path, format_: str) -> None:
-    """On stdout, and for a file."""
-    (tmp_path / "q.csv").write_text(GOOD)
-    words = f"fk scara --in q.csv --format {format_}"
-    done = process(script=f'"$0" -m dhcli {words} > /dev/full')
-    assert done.code == 2
-    assert "standard output: cannot be written" in done.err
-    done = process(*words.split(), "-o", "/dev/full", "--force")
-    assert done.code == 2
-    assert "/dev/full: cannot be written: the disk is full" in done.err
-    assert "Traceback" not in done.err
-
-
-def test_a_disk_that_fills_up_leaves_no_file(dhcli: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Nor half of one."""
-    Path("q.csv").write_text(GOOD, "utf-8")
-
-    def fail(_: int) -> None:
-        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
-
-    monkeypatch.setattr(os, "fsync", fail)
-    done = dhcli("fk", "scara", "--in", "q.csv", "-o", "p.npy")
-    assert done.code == 2
-    assert "p.npy: cannot be written: the disk is full" in done.err
-    assert os.listdir() == ["q.csv"]
-
-
-@pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="memory as Linux tells it")
-@pytest.mark.parametrize("format_", ["csv", "jsonl", "npy"])
-def test_memory_does_not_grow_with_the_rows(tmp_path: Path, format_: str) -> None:
-    """The most that was in use, for five times the rows, is the same but for a fraction of what came out."""
-    most = []
-    for count in (40_000, 200_000):
-        lines = "0.123456789,0.2,0.3\n" * count if format_ == "csv" else "[0.123456789, 0.2, 0.3]\n" * count
-        (tmp_path / "q").write_text(lines)
-        if format_ == "npy":
-            np.save(tmp_path / "q.npy", np.full((count, 3), 0.123456789))
-        path = "q.npy" if format_ == "npy" else "q"
-        code = "import sys\nfrom dhcli.cli.main import main\n"
-        code += f"main(['fk', 'scara', '--in', {path!r}, '-o', 'p.{format_}', '--force'])\n"
-        code += "print(next(line for line in open('/proc/self/status') if line.startswith('VmHWM')).split()[1])"
-        environment = {**os.environ, "PYTHONPATH": str(ROOT)}
-        run = [sys.executable, "-c", code]
-        done = subprocess.run(
-            run, cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=60, check=True
-        )
-        most.append(int(done.stdout))
-        assert f"{count} rows" in done.stderr
-    size = (tmp_path / f"p.{format_}").stat().st_size // 1024
-    assert most[1] - most[0] < size / 5
-    assert size > 20_000
-
-
-def test_a_terminal_sees_a_bar_while_rows_go_to_a_file(tmp_path: Path) -> None:
-    """And what was done; the bar is gone then."""
-    np.save(tmp_path / "q.npy", puma(50_000))
-    with Terminal(tmp_path, "fk", "puma560", "--in", "q.npy", "-o", "p.csv") as terminal:
-        terminal.until(r"[\d,]+ rows")
-        terminal.until(r"wrote p\.csv: 50000 rows")
-        assert terminal.end() == 0
-
-
-def test_a_terminal_is_spared_bytes(tmp_path: Path) -> None:
-    """It is told what to do instead."""
-    np.save(tmp_path / "q.npy", puma(1))
-    with Terminal(tmp_path, "fk", "puma560", "--in", "q.npy", "--format", "npy") as terminal:
-        terminal.until("npy is not for a terminal")
-        assert terminal.end() == 2
-
-
-def started(folder: Path, *words: str) -> subprocess.Popen[str]:
-    """A command that reads rows from a pipe."""
-    return subprocess.Popen(
-        [sys.executable, "-m", "dhcli", *words],
-        cwd=folder,
-        env={**os.environ, "PYTHONPATH": str(ROOT)},
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    )
+def test_rows_left_out_of_an_array_are_counted_as_rows(dhcli: Run) -> None:
+    """However many of their numbers are bad."""
+    q = puma(40)
+    q[:30, :2] = np.nan
+    np.save("q.npy", q)
+    lines = dhcli("fk", "puma560", "--in", "q.npy", "-o", "p.csv", "--skip-bad").err.splitlines()
+    assert lines[:3] == [
+        "wrote p.csv: 10 rows",
+        "dhcli: warning: left out 30 of 40 rows:",
+        "  q.npy[0]: theta1 is nan, not a finite number",
+    ]
+    assert lines[-1] == "  and 20 rows more"

@@ -124,6 +124,23 @@ def test_an_interrupt_leaves_the_folder_as_it_was(tmp_path: Path, monkeypatch: p
     assert os.listdir(tmp_path) == []
 
 
+def test_an_interrupt_as_soon_as_the_file_is_there_leaves_the_folder_as_it_was(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Between the moment when the system has made it and the first thing that is done with it."""
+
+    def interrupted(path: Path, mode: str) -> None:
+        path.touch(exist_ok=False)
+        assert os.listdir(tmp_path) != []
+        raise KeyboardInterrupt(mode)
+
+    with monkeypatch.context() as patched:
+        patched.setattr("builtins.open", interrupted)
+        with pytest.raises(KeyboardInterrupt):
+            write_whole(tmp_path / "a", "new", overwrite=False)
+    assert os.listdir(tmp_path) == []
+
+
 def test_a_missing_folder_is_named(tmp_path: Path) -> None:
     """It is not made on the way: it may be a slip."""
     said = problem_of(tmp_path / "nowhere" / "a")
@@ -138,7 +155,11 @@ def test_a_file_is_no_folder(tmp_path: Path) -> None:
 
 def test_a_folder_without_permission_says_so(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Simulated, because the tests may run as root, who may write everywhere."""
-    fail_with(monkeypatch, "open", errno.EACCES)
+
+    def refuse(*_: object) -> None:
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+
+    monkeypatch.setattr("builtins.open", refuse)
     assert problem_of(tmp_path / "a") == "a: cannot be written: no permission"
 
 
