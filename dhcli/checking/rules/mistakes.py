@@ -38,7 +38,8 @@ def findings(exercise: Exercise) -> Iterator[Finding]:
             continue
         names = ", ".join(slip.name for slip in unseen[:MOST_NAMED]) + (", ..." if len(unseen) > MOST_NAMED else "")
         blind = len(unseen) > len(slips(exercise, part))
-        message = f"{part.id}: this pose does not show {len(unseen)} mistakes: {names}"
+        what = "a mistake" if len(unseen) == 1 else f"{len(unseen)} mistakes"
+        message = f"{part.id}: this pose does not show {what}: {names}"
         yield Finding(("parts", index), message, _better(exercise, part), is_warning=not blind)
 
 
