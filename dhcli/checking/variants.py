@@ -18,6 +18,7 @@ from dhcli.errors import DhcliError
 from dhcli.kinematics.robot import Value
 
 if TYPE_CHECKING:
+    from dhcli.checking.diagnosis.draws import Unclear
     from dhcli.checking.exercise import Exercise
 
 MOST_DRAWS = 1000
@@ -86,6 +87,25 @@ def variant_of(exercise: Exercise, asked: str | None, written: str = "", sheet: 
     return exercise if seed is None else vary(exercise, seed)
 
 
+def hidden_by_numbers(drawn: Exercise, exercise: Exercise) -> Unclear:
+    """The mistakes that a draw does not show though others do.
+
+    Args:
+        drawn: A draw of the exercise.
+        exercise: The exercise with the numbers of its file.
+
+    Returns:
+        Each as the name of a part and that of a slip; not those that the question hides whatever the numbers are.
+    """
+    if not exercise.numeric:
+        return frozenset()
+    from dhcli.checking.diagnosis.draws import draws_of
+
+    draws = draws_of(exercise)
+    unclear = draws.unclear(drawn)
+    return unclear and unclear - draws.always(islice(_fair(exercise, REFERENCE), MOST_LOOKED_AT))
+
+
 def _fair(exercise: Exercise, seed: str) -> Iterator[Exercise]:
     """The draws of a seed in their order, without those that a rule forbids."""
     from dhcli.checking.degenerate import flaw  # few sheets have a variant
@@ -98,20 +118,13 @@ def _fair(exercise: Exercise, seed: str) -> Iterator[Exercise]:
 
 def _plainest(exercise: Exercise, fair: Iterator[Exercise]) -> Exercise | None:
     """The first draw that shows every mistake that can be shown, or else the first of those that show most."""
-    if not exercise.numeric:
-        return next(fair, None)
-    from dhcli.checking.diagnosis.draws import draws_of
-
-    draws = draws_of(exercise)
     best: tuple[int, Exercise] | None = None
     for drawn in islice(fair, MOST_LOOKED_AT):
-        unclear = draws.unclear(drawn)
-        if unclear:
-            unclear -= draws.always(islice(_fair(exercise, REFERENCE), MOST_LOOKED_AT))
-        if not unclear:
+        count = len(hidden_by_numbers(drawn, exercise))
+        if not count:
             return drawn
-        if best is None or len(unclear) < best[0]:
-            best = len(unclear), drawn
+        if best is None or count < best[0]:
+            best = count, drawn
     return best and best[1]
 
 
