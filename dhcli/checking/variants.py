@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import hashlib
 import unicodedata
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from itertools import islice
 from typing import TYPE_CHECKING, NoReturn
@@ -119,7 +119,11 @@ def _fair(exercise: Exercise, seed: str) -> Iterator[Exercise]:
 def _plainest(exercise: Exercise, fair: Iterator[Exercise]) -> Exercise | None:
     """The first draw that shows every mistake that can be shown, or else the first of those that show most."""
     best: tuple[int, Exercise] | None = None
+    seen: list[Mapping[str, Value]] = []
     for drawn in islice(fair, MOST_LOOKED_AT):
+        if drawn.given in seen:
+            continue
+        seen.append(drawn.given)
         count = len(hidden_by_numbers(drawn, exercise))
         if not count:
             return drawn

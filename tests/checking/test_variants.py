@@ -3,6 +3,7 @@
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
+from itertools import islice
 
 import numpy as np
 import pytest
@@ -201,17 +202,17 @@ def test_where_every_draw_hides_something_the_one_that_hides_least_is_taken() ->
     assert {given_of(vary(exercise, seed))["theta2"] for seed in FIFTY} == {"55"}
 
 
-def test_a_draw_is_looked_at_a_counted_number_of_times(monkeypatch: pytest.MonkeyPatch) -> None:
-    """However much every draw hides."""
+def test_a_counted_number_of_draws_is_looked_at(monkeypatch: pytest.MonkeyPatch) -> None:
+    """However much each of them hides; the same numbers are looked at once."""
     planar = load_exercise("yim/planar-in-numbers")
-    exercise = replace(planar, tolerance=replace(planar.tolerance, position=0.05))
-    looked: list[Exercise] = []
-    draws = draws_of(exercise)
-    unclear = draws.unclear
-    monkeypatch.setattr(type(draws), "unclear", lambda _, drawn: looked.append(drawn) or unclear(drawn) | {("t", "x")})
-    monkeypatch.setattr(type(draws), "always", lambda *_: frozenset())
-    vary(exercise, "alice")
-    assert len(looked) == drawing.MOST_LOOKED_AT
+    looked: list[dict[str, str]] = []
+    monkeypatch.setattr(
+        drawing, "hidden_by_numbers", lambda drawn, _: looked.append(given_of(drawn)) or {("tip", "transposed")}
+    )
+    taken = vary(planar, "alice")
+    fair = [given_of(drawn) for drawn in islice(drawing._fair(planar, "alice"), drawing.MOST_LOOKED_AT)]
+    assert looked == [one for k, one in enumerate(fair) if one not in fair[:k]]
+    assert given_of(taken) == fair[0]
 
 
 @varied

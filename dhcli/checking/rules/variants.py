@@ -80,8 +80,8 @@ def _seeds(exercise: Exercise) -> Iterator[Finding]:
         tried.append(drawn.given)
         if not blind and (hidden := hidden_by_numbers(drawn, exercise)):
             blind = True
-            part, name = min(hidden)
-            message = f"variant {seed}: no pose was found that shows every mistake; at this one {part} hides {name}"
+            where, name = min(hidden)
+            message = f"variant {seed}: no pose was found that shows every mistake; at this one {where} hides {name}"
             yield Finding(("variants",), message, "widen the ranges, or narrow the tolerance", is_warning=True)
         for part in drawn.parts:
             verdict = _own_verdict(drawn, part.id)

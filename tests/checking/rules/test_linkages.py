@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-import pytest
-
-from dhcli.checking.rules import linkages
-from dhcli.files.library import Kind, entries, find
-from dhcli.files.linkages import load_linkage
+from dhcli.files.library import Kind, find
 from tests.checking.rules.linting import Broken, assert_told, cases, findings
+
+if TYPE_CHECKING:
+    import pytest
 
 CLEAN = """\
 format: 1
@@ -35,12 +35,6 @@ WRITE = "write what belongs there"
 def test_a_text_that_is_not_finished_is_told(broken: Broken, tmp_path: Path) -> None:
     """Wherever it stands."""
     assert_told(tmp_path, CLEAN, broken)
-
-
-@pytest.mark.parametrize("name", [entry.name for entry in entries(Kind.LINKAGES)])
-def test_the_linkages_of_the_library_are_clean(name: str) -> None:
-    """The geometry decides the mobility of each."""
-    assert list(linkages.findings(load_linkage(name))) == []
 
 
 def test_a_geometry_that_cannot_be_is_told(tmp_path: Path) -> None:

@@ -6,9 +6,6 @@ from pathlib import Path
 
 import pytest
 
-from dhcli.checking.rules import robots
-from dhcli.files.library import Kind, entries
-from dhcli.files.robots import load_robot
 from tests.checking.rules.linting import Broken, assert_told, cases, findings
 
 CLEAN = """\
@@ -132,9 +129,3 @@ def test_a_name_that_cannot_be_typed_is_told(tmp_path: Path) -> None:
     (found,) = findings(tmp_path, CLEAN, "my arm.yaml")
     assert (found.at, found.hint) == ("1:1", "letters, digits, - and _, such as my-arm.yaml")
     assert found.message == "the file name 'my arm' is the name of the robot, and cannot be typed"
-
-
-@pytest.mark.parametrize("name", [entry.name for entry in entries(Kind.ROBOTS)])
-def test_the_robots_of_the_library_are_clean(name: str) -> None:
-    """Without a warning."""
-    assert list(robots.findings(load_robot(name))) == []

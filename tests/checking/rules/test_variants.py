@@ -13,7 +13,6 @@ from dhcli.checking.rules import variants
 from dhcli.checking.variants import Range, vary
 from dhcli.checking.verdicts import Verdict
 from dhcli.files.exercises import load_exercise, read_exercise
-from dhcli.files.library import Kind, entries
 from dhcli.notation.angle import Angle
 from tests.checking.rules.linting import Broken, assert_told, cases, findings
 
@@ -151,9 +150,3 @@ def test_an_exercise_without_variants_breaks_none_of_these_rules() -> None:
     text = CLEAN.replace("variants:\n  theta1: 20°..70° step 5°\n  theta2: 20°..70° step 5°\n", "")
     text = text.replace("Find the end.", "At theta1 = 35°.")
     assert list(variants.findings(read_exercise(text, "own.yaml", "own"))) == []
-
-
-@pytest.mark.parametrize("name", [entry.name for entry in entries(Kind.EXERCISES)])
-def test_the_variants_of_the_library_are_clean(name: str) -> None:
-    """All two hundred of each."""
-    assert list(variants.findings(load_exercise(name))) == []
