@@ -14,7 +14,7 @@ from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import value_text
 
-POSES = ((25, 40, 65, 35, 70, 20), (35, 20, 50, 65, 25, 55), (20, 65, 35, 50, 40, 25))
+POSES = ((25, 40, 70, 35, 60, 15), (35, 20, 50, 65, 30, 80), (20, 65, 35, 50, 80, 60))
 """Angles in degrees, none at a right angle or half of one, no two that add up to one: they hide little."""
 
 
