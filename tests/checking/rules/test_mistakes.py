@@ -63,11 +63,11 @@ def test_one_mistake_is_a_mistake_and_two_are_two() -> None:
     assert not many.is_warning
 
 
-def test_where_no_pose_shows_more_there_is_nothing_to_do() -> None:
-    """As where no joint stands at a value that could be another."""
-    head = TEXT[: TEXT.index("tests:")].replace("robot: planar-2r", "numeric: true")
-    product = head.replace("pose 0..2,", """'product "Rot(z, 45°) Trans(1, 0, 0)"',""")
-    (found,) = findings(read_exercise(product, "f", "c/n"))
+def test_where_no_other_angles_show_more_there_is_nothing_to_do() -> None:
+    """As where no joint turns."""
+    robot = load_robot("cartesian")
+    (found,) = findings(question_about(robot, "0", "3", numeric=True, given=joint_values(robot, "0.1, 0.2, 0")))
+    assert "d-sign 3" in found.message
     assert found.hint == "nothing to do if it is meant so"
 
 
