@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 import random
+from array import array
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 
@@ -65,6 +66,7 @@ class Search:
         self.truth = tuple(bench.entries(self.right) for bench in self.benches)
         self.tolerance = (exercise.tolerance.rotation, exercise.tolerance.position or 1e-3 * self._size())
         self.of_values = {one.slips[0].name: one for one in candidates(self.right, self.setting, among=OF_VALUES)}
+        self._given: dict[str, list[array[float]]] = {}
         self.singles: tuple[Candidate, ...]
         if like and like.of_values.keys() == self.of_values.keys():
             self.singles = tuple(self.of_values.get(one.slips[0].name, one) for one in like.singles)
@@ -119,12 +121,26 @@ class Search:
             slack: What each entry may be off.
         """
         for stage in ("singles", "pairs"):
-            found = [one for one in getattr(self, stage) if self._gives(one, typed, slack)]
+            likely = self._likely(stage, typed[0], slack)
+            found = [one for one in likely if self._gives(one, typed, slack)]
             if found:
                 plainest = min(sum(slip.rank for slip in one.slips) for one in found)
                 plain = (one for one in found if sum(slip.rank for slip in one.slips) == plainest)
                 return tuple(self._different(plain))[:MOST_CAUSES]
         return ()
+
+    def _likely(self, stage: str, typed: Entries, slack: Entries) -> Iterator[Candidate]:
+        """The candidates that give an answer at the first point; what each gives there is kept for the next answer."""
+        every: tuple[Candidate, ...] = getattr(self, stage)
+        if stage not in self._given:
+            self._given[stage] = [_flat(self.entries(one.work)) for one in every]
+        wanted = [(a - limit, a + limit) for a, limit in zip(_flat(typed), _flat(slack), strict=True)]
+        for one, given in zip(every, self._given[stage], strict=True):
+            for (low, high), value in zip(wanted, given, strict=True):
+                if not low - SAME <= value <= high + SAME:
+                    break
+            else:
+                yield one
 
     def _gives(self, one: Candidate, typed: Sequence[Entries], slack: Entries) -> bool:
         """Whether a candidate gives an answer at every point, and not what is right too."""
@@ -188,6 +204,11 @@ def point(free: frozenset[str], known: dict[str, Value], seed: int) -> Floats:
     draw = random.Random(seed)  # noqa: S311
     drawn: dict[str, Angle | float] = {name: draw.uniform(0.2, 1.3) for name in sorted(free)}
     return Floats({**drawn, **numbers(known)})
+
+
+def _flat(entries: Entries) -> array[float]:
+    """All entries in a row, in little memory: there are thousands of pairs."""
+    return array("d", (entry for row in entries for entry in row))
 
 
 def same(first: Entries, second: Entries) -> bool:
