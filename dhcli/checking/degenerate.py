@@ -122,7 +122,10 @@ def _pivots(columns: list[list[float]]) -> list[float]:
     """Lengths that columns have across those taken before, longest first: as many as the rank."""
     left, found = columns, []
     while left:
-        longest = max(left, key=_length)
+        most = max(map(_length, left))
+        longest = next(
+            column for column in left if _length(column) >= most * (1 - VANISHED)
+        )  # alike: the first, always
         size = _length(longest)
         if size < VANISHED:
             break

@@ -98,6 +98,7 @@ class Exercise:
         variants: What may be drawn by a seed, by name.
         variant: The seed that `given` was drawn by; empty for the numbers of the file.
         truths: Right answers computed so far, by question.
+        forms: Answers in symbols computed so far, by question; copies with other values share them.
     """
 
     id: str
@@ -117,6 +118,7 @@ class Exercise:
     variants: Mapping[str, Range] = field(default_factory=dict)
     variant: str = ""
     truths: dict[object, object] = field(default_factory=dict, init=False, repr=False, compare=False)
+    forms: dict[object, object] = field(default_factory=dict, repr=False, compare=False)
 
     def part(self, name: str) -> Part:
         """A part by its name.

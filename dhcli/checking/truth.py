@@ -12,8 +12,10 @@ from dhcli.algebra.terms import TERMS
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.questions import Composed, MatrixQuestion, ScalarQuestion, Span
 from dhcli.errors import RobotError
+from dhcli.kinematics.fold import fold
 from dhcli.kinematics.forward import put_in, textbook_form
 from dhcli.kinematics.frames import between, frame
+from dhcli.kinematics.merge import merge
 from dhcli.kinematics.moves import Chain, expressions, inverse, names
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import numbers
@@ -62,19 +64,23 @@ def truth_of(question: MatrixQuestion, exercise: Exercise, robot: Robot | None =
 def _compute(question: MatrixQuestion, exercise: Exercise, robot: Robot | None) -> Truth:
     chain = chain_of(question, robot or exercise.robot)
     values = dict(exercise.values)
-    rows = piece_of(textbook_form(chain), question, TERMS)
+    rows = _in_symbols(chain, question, exercise)
     named = names(chain) | _point_names(question)
     structural = _structural(question, rows, is_constant=not named)
     if named - values.keys():
         return Truth(rows, None, 0.0, structural)
     over = Floats(numbers(values))
-    exact = piece_of(textbook_form(put_in(chain, values)), question, TERMS)
-    return Truth(
-        rows,
-        tuple(tuple(over.value(entry) for entry in row) for row in exact),
-        _size(chain, question, exercise, values),
-        structural,
-    )
+    matrix = fold(merge(put_in(chain, values)), over)  # merged, so that angles which add up to 60° give exactly 1/2
+    return Truth(rows, piece_of(matrix, question, over), _size(chain, question, exercise, values), structural)
+
+
+def _in_symbols(chain: Chain, question: MatrixQuestion, exercise: Exercise) -> tuple[tuple[Expr, ...], ...]:
+    """The answer in textbook form, for which the values given do not matter; variants of an exercise share it."""
+    known = exercise.forms.get(question)
+    if not isinstance(known, tuple) or known[0] != chain:
+        known = exercise.forms[question] = chain, piece_of(textbook_form(chain), question, TERMS)
+    rows: tuple[tuple[Expr, ...], ...] = known[1]
+    return rows
 
 
 def chain_of(question: MatrixQuestion, robot: Robot | None) -> Chain:

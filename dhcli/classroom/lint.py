@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from dhcli.classroom.names import Names
@@ -64,7 +64,7 @@ def lint(paths: Sequence[str]) -> Linted:
         paths: Files and folders; `./robots` and `./exercises` if there are none.
 
     Raises:
-        FileError: A path leads nowhere, or to nothing that can be read; all of them.
+        FileError: Paths lead nowhere or to folders without a file to read; all of them are told.
     """
     files = list(_files(paths or _usual()))
     told: list[Told] = []
@@ -88,18 +88,30 @@ def _files(paths: Iterable[str]) -> Iterator[str]:
     problems: list[Problem] = []
     found: dict[str, str] = {}
     for path in paths:
-        if Path(path).is_dir():
-            for inner in sorted(_in_folder(Path(path), problems)):
-                found.setdefault(os.path.realpath(inner), str(inner))
-            continue
-        try:
-            read_text(path)
-        except FileError as error:
-            problems += error.problems
-        found.setdefault(os.path.realpath(path), path)
+        inner = sorted(_in_folder(Path(path), problems)) if Path(path).is_dir() else [Path(path)]
+        if not inner:
+            problems.append(Problem("holds no YAML file", Place(path), "name a folder with robots or exercises"))
+        elif path == "-":
+            problems.append(
+                Problem("lint reads files, not standard input", hint="save it first: a file name is a name")
+            )
+        elif not os.path.lexists(path):
+            problems.append(_missing(path))
+        for one in inner:
+            found.setdefault(os.path.realpath(one), str(one))
     if problems:
         raise FileError(problems)
     yield from found.values()
+
+
+def _missing(path: str) -> Problem:
+    """Why a path leads nowhere, as reading it tells; a name of the library is not a path."""
+    try:
+        read_text(path)
+    except FileError as error:
+        problem = error.problems[0]
+        return replace(problem, hint=problem.hint or "lint takes files and folders, such as robots/my-arm.yaml")
+    return Problem("has just appeared", Place(path), "try again")  # between two looks at the disk
 
 
 def _in_folder(folder: Path, problems: list[Problem]) -> Iterator[Path]:
@@ -117,6 +129,9 @@ def _in_folder(folder: Path, problems: list[Problem]) -> Iterator[Path]:
 
 def _of_file(path: str, names: Names) -> Iterator[Told]:
     """The findings of one file: what keeps it from loading, or else every broken rule, in the order of its lines."""
+    if path.lower().endswith(SHEETS):  # named itself, for in a folder it is passed over
+        problem = Problem("is an answer sheet", Place(path), f"dhcli check EXERCISE {path} judges it")
+        return iter([Told(problem)])
     try:
         root = read_yaml(read_text(path), path)
         found = [
@@ -125,7 +140,7 @@ def _of_file(path: str, names: Names) -> Iterator[Told]:
         ]
     except DhcliError as error:
         found = [Told(_placed(problem, path)) for problem in error.problems]
-    yield from sorted(found, key=lambda one: _line(one.problem))
+    return iter(sorted(found, key=lambda one: _line(one.problem)))
 
 
 def _rules(path: str) -> Iterator[Finding]:

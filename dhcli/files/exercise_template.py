@@ -2,12 +2,26 @@
 
 from __future__ import annotations
 
+import math
+from itertools import cycle
+
+from dhcli.checking.diagnosis.slips import slips
+from dhcli.checking.exercise import question_about
 from dhcli.errors import DhcliError
 from dhcli.files.templates import check_name
 from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.validity import in_floats
 
 FEWEST_FRAMES = 4
 """base, two numbered frames, tool: the frames of a robot with one link."""
+
+ANGLES = ("25°", "40°", "70°", "35°", "60°", "15°")
+LENGTHS = ("0.12 m", "0.2 m", "0.31 m")
+"""No two alike, and no two angles that add up to a right one: values at which mistakes show."""
+
+TURNED = (math.radians(20), math.radians(70), "20°..70° step 1°")
+MOVED = (0.1, 0.3, "0.1 m..0.3 m step 0.01 m")
+"""The lowest and the highest value of a range, and the range."""
 
 
 def exercise_template(name: str, robot: Robot) -> str:
@@ -63,7 +77,7 @@ parts:                          # ask: link 1 | pose 0..3 | position of pose 0..
 # Submissions the exercise tests itself with: one that is right, and mistakes that must not pass.
 tests:
   - {{part: tip, answer: "", verdict: RIGHT}}
-  - {{part: t{start}{end}, mistake: transposed, verdict: WRONG}}
+  - {{part: t{start}{end}, mistake: {_mistake(robot, start, end)}, verdict: WRONG}}
   - {{part: tip, answer: "0, 0, 0.001", verdict: WRONG}}
 
 # Numbers instead of letters: take the # away; then every student gets numbers of their own with --variant NAME.
@@ -75,11 +89,37 @@ tests:
 """
 
 
+def _mistake(robot: Robot, start: str, end: str) -> str:
+    """A mistake that shows in the pose; in that of a SCARA, whose rotation is symmetric, the usual one does not."""
+    exercise = question_about(robot, start, end, numeric=False, given={})
+    names = [slip.name for slip in slips(exercise, exercise.parts[0])]
+    return "transposed" if "transposed" in names else names[0]
+
+
 def _given(robot: Robot) -> str:
-    values = (f"{j.name}: {'35°' if j.kind == 'revolute' else '0.12 m'}" for j in robot.joints)
-    return ", ".join(values)
+    """A value for every joint, and for every length and angle of the table that has none."""
+    turned, moved = cycle(ANGLES), cycle(LENGTHS)
+    open_ = [name for name, value in robot.parameters.items() if value is None]
+    return ", ".join(
+        f"{_key(name)}: {next(turned if name in robot.angles else moved)}" for name in (*robot.variables, *open_)
+    )
 
 
 def _ranges(robot: Robot) -> str:
-    joint = robot.joints[0]
-    return f"{joint.name}: " + ("20°..70° step 5°" if joint.kind == "revolute" else "0.1 m..0.3 m step 0.05 m")
+    """What every joint may take that can be there."""
+    ranges = {joint.name: (TURNED if joint.kind == "revolute" else MOVED) for joint in robot.joints}
+    free = {name: range_ for name, range_ in ranges.items() if _is_within(robot, name, *range_[:2])}
+    return ", ".join(f"{_key(name)}: {text}" for name, (*_, text) in (free or ranges).items())
+
+
+def _is_within(robot: Robot, name: str, lowest: float, highest: float) -> bool:
+    """Whether a joint can take all values of a range [rad or m]."""
+    if name not in robot.limits:
+        return True
+    low, high = (in_floats(limit) for limit in robot.limits[name])
+    return low <= lowest and highest <= high
+
+
+def _key(name: str) -> str:
+    """A name as a key between braces; one that holds braces itself is quoted."""
+    return f'"{name}"' if "{" in name else name

@@ -2,25 +2,38 @@
 
 from dataclasses import replace
 from fractions import Fraction
+from functools import cache
+from itertools import islice
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from dhcli.checking import variants as drawing
 from dhcli.checking.degenerate import flaw
+from dhcli.checking.diagnosis.draws import draws_of
+from dhcli.checking.diagnosis.search import Search, search_of
+from dhcli.checking.diagnosis.slips import hidden
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.marking import expected, mark
+from dhcli.checking.questions import MatrixQuestion
 from dhcli.checking.variants import Range, vary
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import DhcliError
-from dhcli.files.exercises import load_exercise, read_exercise
+from dhcli.files.exercises import load_exercise as load_anew
+from dhcli.files.exercises import read_exercise
 from dhcli.files.library import Kind, entries
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Number
 
 VARIED = ("yim/planar-in-numbers", "yim/scara-in-numbers", "yim/stanford-in-numbers", "zhou/three-r-arm-tip-in-numbers")
 SEEDS = [str(number) for number in range(1, 41)]
+
+FIFTY = [str(number) for number in range(1, 51)]
+
+load_exercise = cache(load_anew)
+"""Once for all tests: what the draws of an exercise share is worked out when the first is drawn."""
 
 varied = pytest.mark.parametrize("name", VARIED)
 
@@ -42,6 +55,11 @@ def given_of(exercise: Exercise) -> dict[str, str]:
         for name, value in exercise.given.items()
         if isinstance(value, Angle | Number)
     }
+
+
+def hides(exercise: Exercise) -> frozenset[tuple[str, str]]:
+    """The mistakes that an exercise hides, each by its part and its name."""
+    return frozenset((part.id, slip.name) for part in exercise.parts for slip in hidden(exercise, part))
 
 
 def test_a_seed_always_gives_the_same_numbers() -> None:
@@ -141,6 +159,81 @@ def test_joints_that_add_up_to_a_right_angle_are_never_drawn() -> None:
     assert flaw(replace(drawn, given={"theta1": Angle.in_degrees(115), "theta2": Angle.in_degrees(25)})) == (
         "theta1 and theta2 differ by a multiple of 90°"
     )
+
+
+@varied
+def test_no_mistake_hides_behind_a_draw(name: str) -> None:
+    """Every mistake that some student of fifty could be caught at, all of them can."""
+    exercise = load_exercise(name)
+    found = [hides(vary(exercise, seed)) for seed in FIFTY]
+    assert set(found) == {frozenset.intersection(*found)}
+
+
+def test_the_rules_alone_would_let_mistakes_hide() -> None:
+    """So that the draws are looked at one by one: variant 6 of the SCARA is not the first that breaks no rule."""
+    scara = load_exercise("yim/scara-in-numbers")
+    first = [next(drawing._fair(scara, seed)) for seed in FIFTY]
+    hiding = [drawn for drawn in first if hides(drawn)]
+    assert 0 < len(hiding) < len(first) / 4
+    for drawn in hiding:
+        assert vary(scara, drawn.variant).given != drawn.given
+    assert any(vary(scara, drawn.variant).given == drawn.given for drawn in first)
+
+
+def test_what_the_question_itself_hides_stops_no_draw() -> None:
+    """Joint 2 stands at a right angle for everybody: the first draw is as good as any other."""
+    planar = load_exercise("yim/planar-in-numbers")
+    fixed = {**planar.given, "theta2": Angle.in_degrees(90)}
+    exercise = replace(planar, given=fixed, variants={"theta1": angles(*range(20, 45, 4))})
+    found = [hides(vary(exercise, seed)) for seed in FIFTY]
+    assert found[0]
+    assert set(found) == {frozenset.intersection(*found)}
+    assert vary(exercise, "alice").given == next(drawing._fair(exercise, "alice")).given
+
+
+def test_where_every_draw_hides_something_the_one_that_hides_least_is_taken() -> None:
+    """At a tolerance of 20 mm, one of two poses hides one mistake and the other two."""
+    planar = load_exercise("yim/planar-in-numbers")
+    coarse = replace(planar, tolerance=replace(planar.tolerance, position=0.02))
+    exercise = replace(coarse, variants={"theta1": angles(30), "theta2": angles(20, 55)})
+    poses = [replace(exercise, given={"theta1": Angle.in_degrees(30), "theta2": Angle.in_degrees(q)}) for q in (20, 55)]
+    worse, better = (draws_of(exercise).unclear(pose) for pose in poses)
+    assert (len(worse), len(better), len(worse & better)) == (2, 1, 0)
+    assert {given_of(vary(exercise, seed))["theta2"] for seed in FIFTY} == {"55"}
+
+
+def test_a_counted_number_of_draws_is_looked_at(monkeypatch: pytest.MonkeyPatch) -> None:
+    """However much each of them hides; the same numbers are looked at once."""
+    planar = load_exercise("yim/planar-in-numbers")
+    looked: list[dict[str, str]] = []
+    monkeypatch.setattr(
+        drawing, "hidden_by_numbers", lambda drawn, _: looked.append(given_of(drawn)) or {("tip", "transposed")}
+    )
+    taken = vary(planar, "alice")
+    fair = [given_of(drawn) for drawn in islice(drawing._fair(planar, "alice"), drawing.MOST_LOOKED_AT)]
+    assert looked == [one for k, one in enumerate(fair) if one not in fair[:k]]
+    assert given_of(taken) == fair[0]
+
+
+@varied
+def test_a_search_that_is_moved_to_a_draw_is_that_of_the_draw(name: str) -> None:
+    """The same mistakes, and each leads to the same numbers, whether or not most of the work was done before."""
+    exercise = load_exercise(name)
+    for seed in SEEDS[:5]:
+        drawn = vary(exercise, seed)
+        for question in {part.question for part in drawn.parts if isinstance(part.question, MatrixQuestion)}:
+            afresh, moved = Search(drawn, question), Search(drawn, question, search_of(exercise, question))
+            assert [one.slips for one in moved.singles] == [one.slips for one in afresh.singles]
+            assert [moved.entries(one.work) for one in moved.singles] == [
+                afresh.entries(one.work) for one in afresh.singles
+            ]
+
+
+def test_no_arm_is_drawn_near_a_singularity() -> None:
+    """Fifty variants of the arm that has singular poses in its range, by numpy's singular values."""
+    stanford = load_exercise("yim/stanford-in-numbers")
+    weakest = [np.linalg.svd(_jacobian(vary(stanford, seed)), compute_uv=False)[-1] for seed in FIFTY]
+    assert min(weakest) > 0.03
 
 
 @pytest.mark.parametrize(("theta5", "near"), [(1, True), (2, True), (43, False), (67, False)])

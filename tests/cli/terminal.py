@@ -23,12 +23,12 @@ PATIENCE = 30.0
 class Terminal:
     """A command that runs on a terminal of its own."""
 
-    def __init__(self, folder: Path, *words: str) -> None:
-        """Start `dhcli` with these words in a folder."""
+    def __init__(self, folder: Path, *words: str, no_color: str = "1") -> None:
+        """Start `dhcli` with these words in a folder, by default without colour."""
         import pty
 
         self.screen, other = pty.openpty()
-        environment = {**os.environ, "PYTHONPATH": str(ROOT), "COLUMNS": "100", "NO_COLOR": "1"}
+        environment = {**os.environ, "PYTHONPATH": str(ROOT), "COLUMNS": "100", "NO_COLOR": no_color}
         command = [sys.executable, "-m", "dhcli", *words]
         self.running = subprocess.Popen(command, stdin=other, stdout=other, stderr=other, cwd=folder, env=environment)
         os.close(other)

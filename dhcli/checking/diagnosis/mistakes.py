@@ -38,6 +38,7 @@ class Mistake:
         hint: Where to look, without the answer.
         made: Every way to make it in a work.
         rank: How soon it is named.
+        of_values: Whether the values given go into how it is made, not only into what comes of it.
     """
 
     id: str
@@ -46,6 +47,7 @@ class Mistake:
     hint: str
     made: Callable[[Work, Setting], Made]
     rank: Rank = Rank.PLACE
+    of_values: bool = False
 
 
 T, P, M = Level.TABLE, Level.PRODUCT, Level.MATRIX
@@ -187,6 +189,7 @@ MISTAKES = (
         "the joint angle of row {where} is taken in the wrong unit, degrees for radians or the other way round",
         "is your calculator in degrees or in radians?",
         rows.each(rows.theta_unit),
+        of_values=True,
     ),
     Mistake(
         "alpha-unit",
@@ -194,6 +197,7 @@ MISTAKES = (
         "alpha of row {where} is taken in the wrong unit, degrees for radians or the other way round",
         "is your calculator in degrees or in radians?",
         rows.each(rows.alpha_unit),
+        of_values=True,
     ),
     Mistake(
         "angles-unit",
@@ -201,6 +205,7 @@ MISTAKES = (
         "every angle is taken in the wrong unit, degrees for radians or the other way round",
         "is your calculator in degrees or in radians?",
         rows.angles_unit,
+        of_values=True,
     ),
     Mistake(
         "a-in-mm",
@@ -237,6 +242,7 @@ MISTAKES = (
         "the turn in move {where} is taken in the wrong unit, degrees for radians or the other way round",
         "is your calculator in degrees or in radians?",
         moves.turn_unit,
+        of_values=True,
     ),
     Mistake(
         "shift-sign",

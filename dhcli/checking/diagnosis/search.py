@@ -7,13 +7,16 @@ second; two expressions that agree at two general points to nine digits are the 
 
 from __future__ import annotations
 
+import math
 import random
+from array import array
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 
 from dhcli.algebra.floats import Floats
+from dhcli.checking.diagnosis.mistakes import MISTAKES
 from dhcli.checking.diagnosis.slips import Candidate, candidates, setting_of
-from dhcli.checking.diagnosis.work import Bench, Matrix, Work, right_work
+from dhcli.checking.diagnosis.work import Bench, Folds, Matrix, Work, right_work
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.questions import MatrixQuestion
 from dhcli.checking.truth import chain_of, is_length
@@ -27,38 +30,72 @@ SEED = 11
 SAME = 1e-9
 MOST_CAUSES = 12
 
+PLAIN = math.sqrt(2)
+"""Tolerances that a mistake is off by where it shows plainly; no round number, so that no mistake is off by just that,
+one machine rounding up and the other down."""
+
+OF_VALUES = tuple(mistake for mistake in MISTAKES if mistake.of_values)
+
 Entries = Matrix[float]
 
 
 class Search:
     """The mistakes in one question of an exercise, evaluated once for all answers to it."""
 
-    def __init__(self, exercise: Exercise, question: MatrixQuestion) -> None:
-        """Evaluate the right work, and every one with a single mistake."""
+    def __init__(self, exercise: Exercise, question: MatrixQuestion, like: Search | None = None) -> None:
+        """Evaluate the right work, and every one with a single mistake.
+
+        Args:
+            exercise: The exercise.
+            question: One of its questions.
+            like: The search for the same question where only the joints stand at other values, if there is one: most
+                of its work need not be done again.
+        """
         self.setting = setting_of(exercise)
-        self.right = right_work(question, exercise.robot)
+        self.right: Work = like.right if like else right_work(question, exercise.robot)
         needed = names(chain_of(question, exercise.robot)).union(*(symbols(e) for e in question.point))
         known = dict(exercise.values)
         self.is_known = exercise.numeric and needed <= known.keys()
         self.names = needed.union(known, exercise.scope.names)
         held = {name: v for name, v in known.items() if not (exercise.robot and name in exercise.robot.variables)}
-        self.general = Bench(self.right, point(self.names, held, SEED))
+        self.general: Bench = like.general if like else Bench(self.right, point(self.names, held, SEED))
         seeds = (0,) if self.is_known else (SEED + 1, SEED + 2)
         self.points = tuple(point(self.names, known, seed) for seed in seeds)
-        self.benches = tuple(Bench(self.right, over) for over in self.points)
+        folds = like.folds if like else None
+        self.benches = tuple(Bench(self.right, over, folds) for over in self.points)
         self.truth = tuple(bench.entries(self.right) for bench in self.benches)
         self.tolerance = (exercise.tolerance.rotation, exercise.tolerance.position or 1e-3 * self._size())
-        self.singles = self._distinct(candidates(self.right, self.setting))
+        self.of_values = {one.slips[0].name: one for one in candidates(self.right, self.setting, among=OF_VALUES)}
+        self._given: dict[str, list[array[float]]] = {}
+        self.singles: tuple[Candidate, ...]
+        if like and like.of_values.keys() == self.of_values.keys():
+            self.singles = tuple(self.of_values.get(one.slips[0].name, one) for one in like.singles)
+        else:
+            self.singles = self._distinct(candidates(self.right, self.setting))
+
+    @cached_property
+    def folds(self) -> Folds:
+        """The factors of all single mistakes that are made the same way whatever the values are."""
+        lasting = (one.work for one in self.singles if one.slips[0].name not in self.of_values)
+        return Folds(step for work in (self.right, *lasting) for step in work.steps)
 
     @cached_property
     def visible(self) -> tuple[Candidate, ...]:
         """Single mistakes whose answer here is not the right one."""
-        return tuple(one for one in self.singles if not self._is_right(one))
+        limits = self._limits()
+        return tuple(one for one in self.singles if not self._is_right(one, limits))
 
     @cached_property
     def hidden(self) -> tuple[Candidate, ...]:
         """Single mistakes whose answer here is right, though at other joint values it is not."""
-        return tuple(one for one in self.singles if self._is_right(one))
+        limits = self._limits()
+        return tuple(one for one in self.singles if self._is_right(one, limits))
+
+    @cached_property
+    def unclear(self) -> tuple[Candidate, ...]:
+        """Single mistakes whose answer here is right, or so near that it is hardly wrong."""
+        limits = self._limits(PLAIN)
+        return tuple(one for one in self.singles if self._is_right(one, limits))
 
     @cached_property
     def pairs(self) -> tuple[Candidate, ...]:
@@ -84,12 +121,26 @@ class Search:
             slack: What each entry may be off.
         """
         for stage in ("singles", "pairs"):
-            found = [one for one in getattr(self, stage) if self._gives(one, typed, slack)]
+            likely = self._likely(stage, typed[0], slack)
+            found = [one for one in likely if self._gives(one, typed, slack)]
             if found:
                 plainest = min(sum(slip.rank for slip in one.slips) for one in found)
                 plain = (one for one in found if sum(slip.rank for slip in one.slips) == plainest)
                 return tuple(self._different(plain))[:MOST_CAUSES]
         return ()
+
+    def _likely(self, stage: str, typed: Entries, slack: Entries) -> Iterator[Candidate]:
+        """The candidates that give an answer at the first point; what each gives there is kept for the next answer."""
+        every: tuple[Candidate, ...] = getattr(self, stage)
+        if stage not in self._given:
+            self._given[stage] = [_flat(self.entries(one.work)) for one in every]
+        wanted = [(a - limit, a + limit) for a, limit in zip(_flat(typed), _flat(slack), strict=True)]
+        for one, given in zip(every, self._given[stage], strict=True):
+            for (low, high), value in zip(wanted, given, strict=True):
+                if not low - SAME <= value <= high + SAME:
+                    break
+            else:
+                yield one
 
     def _gives(self, one: Candidate, typed: Sequence[Entries], slack: Entries) -> bool:
         """Whether a candidate gives an answer at every point, and not what is right too."""
@@ -97,14 +148,17 @@ class Search:
             matches(answer, bench.entries(one.work), slack) for answer, bench in zip(typed, self.benches, strict=True)
         ) and not all(matches(r, b.entries(one.work), slack) for r, b in zip(self.truth, self.benches, strict=True))
 
-    def _is_right(self, one: Candidate) -> bool:
-        """Whether the answer of a candidate counts as right at every point."""
-        rotation, position = self.tolerance if self.is_known else (SAME, SAME)
-        limits = tuple(
+    def _is_right(self, one: Candidate, within: Entries) -> bool:
+        """Whether the answer of a candidate counts as right at every point, if entries may be off so much."""
+        return all(matches(t, b.entries(one.work), within) for t, b in zip(self.truth, self.benches, strict=True))
+
+    def _limits(self, times: float = 1.0) -> Entries:
+        """So many tolerances of each entry."""
+        rotation, position = (times * limit for limit in (self.tolerance if self.is_known else (SAME, SAME)))
+        return tuple(
             tuple(position if is_length(self.right.question, r, c) else rotation for c in range(len(row)))
             for r, row in enumerate(self.truth[0])
         )
-        return all(matches(t, b.entries(one.work), limits) for t, b in zip(self.truth, self.benches, strict=True))
 
     def _distinct(self, found: Iterator[Candidate]) -> tuple[Candidate, ...]:
         """Mistakes that change something, each of those that are the same everywhere under its first name."""
@@ -112,11 +166,13 @@ class Search:
         known = [self.general.matrix(self.right)]
         right = self.general.entries(self.right)
         for one in found:
+            if same(self.general.entries(one.work), right):
+                continue
             if one.work.question is not self.right.question:  # another piece of the same matrix
                 kept.append(one)
                 continue
             matrix = self.general.matrix(one.work)
-            if not any(same(matrix, other) for other in known) and not same(self.general.entries(one.work), right):
+            if not any(same(matrix, other) for other in known):
                 kept.append(one)
                 known.append(matrix)
         return tuple(kept)
@@ -150,11 +206,18 @@ def point(free: frozenset[str], known: dict[str, Value], seed: int) -> Floats:
     return Floats({**drawn, **numbers(known)})
 
 
+def _flat(entries: Entries) -> array[float]:
+    """All entries in a row, in little memory: there are thousands of pairs."""
+    return array("d", (entry for row in entries for entry in row))
+
+
 def same(first: Entries, second: Entries) -> bool:
     """Whether two matrices are the same but for rounding."""
-    return all(
-        abs(a - b) <= SAME * (1 + abs(b)) for r, s in zip(first, second, strict=True) for a, b in zip(r, s, strict=True)
-    )
+    for row, other in zip(first, second, strict=True):
+        for a, b in zip(row, other, strict=True):
+            if not abs(a - b) <= SAME * (1 + abs(b)):
+                return False
+    return True
 
 
 def matches(first: Entries, second: Entries, slack: Entries) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from dhcli.checking.diagnosis.mistakes import MISTAKES, Level, Mistake
@@ -96,9 +96,11 @@ def setting_of(exercise: Exercise) -> Setting:
     )
 
 
-def candidates(work: Work, setting: Setting, earlier: Candidate | None = None) -> Iterator[Candidate]:
-    """Every single mistake in a work; behind another one, those of its level or a later one."""
-    for mistake in MISTAKES:
+def candidates(
+    work: Work, setting: Setting, earlier: Candidate | None = None, among: Sequence[Mistake] = MISTAKES
+) -> Iterator[Candidate]:
+    """Every single mistake in a work, of all kinds or some; behind another one, those of its level or a later one."""
+    for mistake in among:
         if earlier is not None and mistake.level < earlier.mistake.level:
             continue
         for where, changed in mistake.made(work, setting):

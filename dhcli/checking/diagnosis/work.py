@@ -6,7 +6,7 @@ compare them with an answer, and over terms to write an answer that holds the mi
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from fractions import Fraction
@@ -22,7 +22,7 @@ from dhcli.kinematics.conventions import Convention, Row
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.forward import put_in, textbook_form
 from dhcli.kinematics.frames import frame
-from dhcli.kinematics.moves import Chain
+from dhcli.kinematics.moves import Chain, names
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values
 from dhcli.notation.tree import Expr
@@ -120,14 +120,34 @@ def right_work(question: MatrixQuestion, robot: Robot | None) -> Work:
     return Work(question, steps, inverted=question.inverse is not (first > last))
 
 
+class Folds:
+    """The matrices of some factors at all points seen so far; a factor depends on few names, so that many are alike."""
+
+    def __init__(self, steps: Iterable[Step]) -> None:
+        """Take the factors."""
+        self._names = {step: tuple(sorted(names(step.chain))) for step in steps}
+        self._known: dict[tuple[Step, tuple[float, ...]], Matrix[float]] = {}
+
+    def at(self, over: Floats) -> dict[Step, Matrix[float]]:
+        """The matrix of each factor at a point."""
+        values = {name: over.symbol(name) for held in self._names.values() for name in held}
+        found = {}
+        for step, held in self._names.items():
+            key = step, tuple(values[name] for name in held)
+            if key not in self._known:
+                self._known[key] = fold(step.chain, over)
+            found[step] = self._known[key]
+        return found
+
+
 class Bench:
     """Evaluates works at one point, in floats; what they share with the right one is multiplied once."""
 
-    def __init__(self, right: Work, over: Floats) -> None:
-        """Take the work that most others resemble, and the values of the names."""
+    def __init__(self, right: Work, over: Floats, folds: Folds | None = None) -> None:
+        """Take the work that most others resemble, the values of the names, and factors that other points share."""
         self._over = over
         self._base = right.steps
-        self._known: dict[Step, Matrix[float]] = {}
+        self._known = folds.at(over) if folds else {}
         self._heads: list[Matrix[float]] = [_UNIT]
         self._tails: list[Matrix[float]] = [_UNIT]
         for step in self._base:

@@ -14,7 +14,7 @@ from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import value_text
 
-POSES = ((25, 40, 65, 35, 70, 20), (35, 20, 50, 65, 25, 55), (20, 65, 35, 50, 40, 25))
+POSES = ((25, 40, 70, 35, 60, 15), (35, 20, 50, 65, 30, 80), (20, 65, 35, 50, 80, 60))
 """Angles in degrees, none at a right angle or half of one, no two that add up to one: they hide little."""
 
 
@@ -38,7 +38,8 @@ def findings(exercise: Exercise) -> Iterator[Finding]:
             continue
         names = ", ".join(slip.name for slip in unseen[:MOST_NAMED]) + (", ..." if len(unseen) > MOST_NAMED else "")
         blind = len(unseen) > len(slips(exercise, part))
-        message = f"{part.id}: this pose does not show {len(unseen)} mistakes: {names}"
+        what = "a mistake" if len(unseen) == 1 else f"{len(unseen)} mistakes"
+        message = f"{part.id}: this pose does not show {what}: {names}"
         yield Finding(("parts", index), message, _better(exercise, part), is_warning=not blind)
 
 

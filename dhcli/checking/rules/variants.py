@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.marking import expected, mark
-from dhcli.checking.variants import vary
+from dhcli.checking.variants import hidden_by_numbers, vary
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import DhcliError
+from dhcli.kinematics.robot import Value
 from dhcli.kinematics.validity import Finding, in_floats
 from dhcli.notation.names import canonical
 from dhcli.notation.quantity import value_text
@@ -62,8 +63,12 @@ def _texts(exercise: Exercise) -> Iterator[Finding]:
 
 
 def _seeds(exercise: Exercise) -> Iterator[Finding]:
-    """The first seed that draws nothing, and the first whose solution is not right; the same numbers are tried once."""
-    tried = []
+    """The first seed that draws nothing, whose pose hides a mistake, or whose solution is not right.
+
+    The same numbers are tried once.
+    """
+    tried: list[Mapping[str, Value]] = []
+    blind = False
     for seed in SEEDS:
         try:
             drawn = vary(exercise, seed)
@@ -73,6 +78,11 @@ def _seeds(exercise: Exercise) -> Iterator[Finding]:
         if drawn.given in tried:
             continue
         tried.append(drawn.given)
+        if not blind and (hidden := hidden_by_numbers(drawn, exercise)):
+            blind = True
+            where, name = min(hidden)
+            message = f"variant {seed}: no pose was found that shows every mistake; at this one {where} hides {name}"
+            yield Finding(("variants",), message, "widen the ranges, or narrow the tolerance", is_warning=True)
         for part in drawn.parts:
             verdict = _own_verdict(drawn, part.id)
             if verdict is not Verdict.RIGHT and verdict is not None:

@@ -1,7 +1,10 @@
+import re
+from itertools import combinations
+
 from dhcli import load_exercise, load_robot
 from dhcli.checking.exercise import question_about
 from dhcli.checking.rules.exercises import findings as rules
-from dhcli.checking.rules.mistakes import findings
+from dhcli.checking.rules.mistakes import POSES, findings
 from dhcli.files.exercises import read_exercise
 from dhcli.kinematics.values import joint_values
 
@@ -38,6 +41,34 @@ def test_a_pose_that_hides_mistakes_is_told_with_one_that_shows_them() -> None:
     (found,) = findings(at_zero)
     assert "does not show" in found.message
     assert found.hint.endswith("leaves 0")
+
+
+def test_the_poses_proposed_break_no_rule() -> None:
+    """No angle is a right one or half of one, and no two differ by one or add up to it."""
+    for pose in POSES:
+        assert all(angle % 45 for angle in pose)
+        assert all((a + b) % 90 and (a - b) % 90 for a, b in combinations(pose, 2))
+
+
+def test_one_mistake_is_a_mistake_and_two_are_two() -> None:
+    """At 45° sine and cosine agree; where most is hidden it is an error, not a warning."""
+    robot = load_robot("planar-2r")
+    (one,) = findings(question_about(robot, "0", "2", numeric=True, given=joint_values(robot, "25°,45°")))
+    assert one.message == "pose: this pose does not show a mistake: sin-cos 2"
+    assert (one.where, one.is_warning) == (("parts", 0), True)
+    assert one.hint == "given: {theta1: 25°, theta2: 40°} leaves 0"
+    head = TEXT[: TEXT.index("tests:")].replace("task:", "numeric: true\ngiven: {theta1: 0, theta2: 0}\ntask:")
+    (many,) = findings(read_exercise(head.replace("ask: pose 0..2", "ask: entry 2 1 of pose 0..2"), "f", "c/n"))
+    assert re.fullmatch(r"t02: this pose does not show 12 mistakes: [^,]+, [^,]+, [^,]+, \.\.\.", many.message)
+    assert not many.is_warning
+
+
+def test_where_no_other_angles_show_more_there_is_nothing_to_do() -> None:
+    """As where no joint turns."""
+    robot = load_robot("cartesian")
+    (found,) = findings(question_about(robot, "0", "3", numeric=True, given=joint_values(robot, "0.1, 0.2, 0")))
+    assert "d-sign 3" in found.message
+    assert found.hint == "nothing to do if it is meant so"
 
 
 def test_an_exercise_in_symbols_hides_nothing() -> None:
