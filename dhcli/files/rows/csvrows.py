@@ -88,7 +88,8 @@ class CsvRows:
         if text.encode().translate(None, PLAIN + self._separator.encode()) or text.isspace():
             return None
         try:
-            table = np.loadtxt(io.StringIO(text), delimiter=self._separator.strip() or None, comments=None, ndmin=2)
+            separator = None if self._separator == " " else self._separator
+            table = np.loadtxt(io.StringIO(text), delimiter=separator, comments=None, ndmin=2)
         except ValueError:
             return None
         return table if table.shape == (count, width) and np.isfinite(table).all() else None
@@ -122,10 +123,17 @@ class CsvRows:
         """The cells of a line with the columns where they begin, from 1."""
         if self._separator == " ":
             return [(match.start() + 1, match[0]) for match in _BETWEEN_BLANKS.finditer(line)]
-        texts = next(csv.reader([line], delimiter=self._separator)) if '"' in line else line.split(self._separator)
+        texts = self._unquoted(line) if '"' in line else line.split(self._separator)
         found, end = [], 0
         for text in texts:
             start = max(line.find(text, end), end)
             found.append((start + 1 + len(text) - len(text.lstrip()), text))
             end = start + len(text) + 1
         return found
+
+    def _unquoted(self, line: str) -> list[str]:
+        """The cells of a line with quotes."""
+        try:
+            return next(csv.reader([line], delimiter=self._separator))
+        except csv.Error:  # a cell longer than any number
+            return [line]

@@ -64,9 +64,8 @@ class NpyRows:
             return Block(columns.values(table), range(first, first + len(table)), columns.in_radians)
         bad = []
         for row, k in np.argwhere(~finite)[:MOST]:
-            place = Place(f"{self._source.name}[{first + row}, {k}]")
             error = CellError(f"is {table[row, k]}, not a finite number")
-            bad.append(cell_problem(self._robot.variables[k], error, place))
+            bad.append(cell_problem(self._robot.variables[k], error, self.place_of(first + row)))
         rows = (first + np.flatnonzero(good)).tolist()
         return Block(columns.values(table[good]), rows, columns.in_radians, tuple(bad), int((~good).sum()))
 

@@ -100,13 +100,13 @@ def test_no_rows_and_one_row_in_either_order_of_memory() -> None:
 
 
 def test_numbers_that_are_not_finite_are_named_as_numpy_counts() -> None:
-    """Row and column from 0; the good rows know where they stand."""
+    """Rows from 0; the good ones know where they stand."""
     table = Q.copy()
     table[1, 2], table[3, 0] = np.nan, -np.inf
     [block] = rows(saved(table), path="q.npy").blocks()
     assert [str(problem) for problem in block.bad] == [
-        "q.npy[1, 2]: d3 is nan, not a finite number",
-        "q.npy[3, 0]: theta1 is -inf, not a finite number",
+        "q.npy[1]: d3 is nan, not a finite number",
+        "q.npy[3]: theta1 is -inf, not a finite number",
     ]
     assert (block.bad_rows, list(block.rows)) == (2, [0, 2, 4])
     assert block.q.tolist() == Q[[0, 2, 4]].tolist()
