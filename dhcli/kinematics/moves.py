@@ -10,7 +10,7 @@ from dhcli.errors import Place
 from dhcli.notation.angle import Angle
 from dhcli.notation.factors import AXES, Axis, Factor, parse_factors
 from dhcli.notation.scope import OPEN, Scope
-from dhcli.notation.tree import ZERO, Expr, add, multiply, negate
+from dhcli.notation.tree import ZERO, Expr, Number, add, multiply, negate
 from dhcli.notation.walk import substitute, symbols
 
 
@@ -131,4 +131,4 @@ def angle_names(chain: Iterable[Move]) -> frozenset[str]:
 
 def names(chain: Chain) -> frozenset[str]:
     """Every name that a chain needs a value for."""
-    return angle_names(chain).union(*(symbols(expr) for expr in expressions(chain)))
+    return angle_names(chain).union(*(symbols(expr) for expr in expressions(chain) if type(expr) is not Number))

@@ -86,6 +86,8 @@ class Angle:
         """The same sum with some names replaced by their angles."""
         if not any(name in values for name, _ in self.terms):
             return self
+        if len(self.terms) == 1 and self.terms[0][1] == 1 and not self.degrees and not self.radians:
+            return values[self.terms[0][0]]  # a joint by itself, as most are
         total = Angle((), self.degrees, self.radians)
         for name, factor in self.terms:
             value = values.get(name)

@@ -31,6 +31,8 @@ def walk(expr: Expr) -> Iterator[Expr]:
 
 def symbols(expr: Expr) -> frozenset[str]:
     """All names, those inside angles too."""
+    if type(expr) is Symbol:
+        return frozenset((expr.name,))
     found: set[str] = set()
     for node in walk(expr):
         if type(node) is Symbol:
