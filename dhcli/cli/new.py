@@ -24,16 +24,21 @@ def robot(
     joints: Annotated[str, typer.Option(metavar="LETTERS", help="R revolute, P prismatic, such as RRP.")] = "RRP",
     output: Annotated[
         str | None,
-        typer.Option("-o", "--output", metavar="FILE", help="Where to write; ./robots/NAME.yaml by default."),
+        typer.Option(
+            "-o", "--output", metavar="FILE", help="Where to write; ./robots/NAME.yaml by default, - is stdout."
+        ),
     ] = None,
     force: Force = False,
 ) -> None:
     """Write a commented robot file that loads, for you to change."""
-    from dhcli.cli.console import say
+    from dhcli.cli.console import say, write_out
     from dhcli.cli.delivery import make_folder, write_file
     from dhcli.files.templates import robot_template
 
     text = robot_template(name, convention, joints)
+    if output == "-":
+        write_out(text)
+        return
     path = Path(output or f"robots/{name}.yaml")
     if output is None:
         make_folder(path.parent)
@@ -48,17 +53,25 @@ def exercise(
     robot_name: Annotated[str, typer.Option("--robot", metavar="ROBOT", help="The robot it asks about.")],
     output: Annotated[
         str | None,
-        typer.Option("-o", "--output", metavar="FILE", help="Where to write; ./exercises/COURSE/NAME.yaml by default."),
+        typer.Option(
+            "-o",
+            "--output",
+            metavar="FILE",
+            help="Where to write; ./exercises/COURSE/NAME.yaml by default, - is stdout.",
+        ),
     ] = None,
     force: Force = False,
 ) -> None:
     """Write a commented exercise file with blanks that lint points at, for you to fill in."""
-    from dhcli.cli.console import say
+    from dhcli.cli.console import say, write_out
     from dhcli.cli.delivery import make_folder, write_file
     from dhcli.files.exercise_template import exercise_template
     from dhcli.files.robots import load_robot
 
     text = exercise_template(name, load_robot(robot_name))
+    if output == "-":
+        write_out(text)
+        return
     path = Path(output or f"exercises/{name}.yaml")
     if output is None:
         make_folder(path.parent.parent)

@@ -65,6 +65,7 @@ Output: TypeAlias = Annotated[
         "-o",
         "--output",
         metavar="FILE",
+        callback=lambda path: None if path == "-" else path,  # standard output, as - is standard input
         help="Write to a file; .json .tex .m .py .csv .txt choose the format.",
         rich_help_panel="Output",
     ),

@@ -174,6 +174,25 @@ def test_a_new_robot_is_written_where_it_is_asked_for(dhcli: Run, tmp_path: Path
     assert dhcli("fk", "elsewhere.yaml", "-s").code == 0
 
 
+@pytest.mark.parametrize(
+    "words",
+    [
+        "fk scara --q 0,0,0 -o - --format csv",
+        "transform Rot(z,90°) -o - --format csv",
+        "show scara -o - --format csv",
+        "new robot arm -o -",
+        "new exercise mine/first --robot planar-2r -o -",
+        "start planar-two-links -o -",
+    ],
+)
+def test_a_dash_is_standard_output(dhcli: Run, tmp_path: Path, words: str) -> None:
+    """As it is standard input elsewhere; no file of that name appears."""
+    done = dhcli(*words.split())
+    assert (done.code, done.err) == (0, "")
+    assert done.out
+    assert not list(tmp_path.glob("**/-"))
+
+
 def test_everything_listed_can_be_shown_and_asked(dhcli: Run) -> None:
     """Every robot that comes with dhcli, in symbols and on its page."""
     names = [e["name"] for e in dhcli("list", "robots", "--format", "json").data["entries"]]
