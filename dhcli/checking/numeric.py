@@ -12,7 +12,15 @@ from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.questions import MatrixQuestion
 from dhcli.checking.reading import Entry
 from dhcli.checking.symbolic import has_decimals, same
-from dhcli.checking.tolerance import ZERO, Tolerance, is_rounding_of, judge, typed_decimals, without_unit
+from dhcli.checking.tolerance import (
+    LEAST_DECIMALS,
+    ZERO,
+    Tolerance,
+    is_rounding_of,
+    judge,
+    typed_decimals,
+    without_unit,
+)
 from dhcli.checking.truth import Truth, is_length
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
 from dhcli.kinematics.pose import rounded
@@ -27,6 +35,9 @@ ORDER = (Verdict.WRONG, Verdict.CLOSE, Verdict.ROUNDED, Verdict.EQUIVALENT, Verd
 
 LEAST_SLACK = 4e-3
 """What is allowed where entries were typed exactly: four times the tolerance of an entry."""
+
+TOO_FEW = "right as far as it was typed, which is too little to judge: three decimals will do"
+"""What is said of 0.4 for 0.449."""
 
 AXIS_KNOWN = 1e-2
 """Sine below which a turn has no axis to speak of, and how near to a coordinate axis it is called that."""
@@ -72,6 +83,10 @@ def mark_numbers(
         remarks: tuple[str, ...] = ("right to the digits typed; more digits are wanted",)
     else:
         remarks = _remarks(question, truth.numbers, typed, verdict, _slack(entries), exercise.unit)
+        if verdict is not Verdict.RIGHT and _is_rounded(
+            question, truth, entries, typed, limits, float(exercise.metres), least=0
+        ):
+            remarks = (TOO_FEW, *remarks)
     if tolerance.exact and verdict is Verdict.RIGHT and not _is_exact(truth, entries, exercise):
         verdict, remarks = Verdict.ROUNDED, ("this task wants exact values, such as sqrt(2)/2 for 0.7071", *remarks)
     return Mark(verdict, cells=cells, remarks=remarks, earned=_earned(question, cells, typed, verdict))
@@ -147,23 +162,24 @@ def _check_units(
             raise UnreadableError(f"right in {other}; this sheet is in {exercise.unit}")
 
 
-def _is_rounded(
+def _is_rounded(  # noqa: PLR0913, PLR0917  everything that digits are judged by
     question: MatrixQuestion,
     truth: Truth,
     entries: tuple[tuple[Entry, ...], ...],
     typed: list[list[float]],
     limits: list[list[float]],
     unit: float,
+    least: int = LEAST_DECIMALS,
 ) -> bool:
-    """Whether every entry that is not right is the truth with fewer decimals, and at least two."""
+    """Whether every entry that is not right is the truth with fewer decimals, and so many at least."""
     assert truth.numbers is not None  # noqa: S101
     for r, row in enumerate(typed):
         for c, value in enumerate(row):
             right = truth.numbers[r][c]
-            if judge(value, right, limits[r][c] * 1e-3) is Verdict.RIGHT:
+            if judge(value, right, limits[r][c]) is Verdict.RIGHT:
                 continue
             number, scale = without_unit(entries[r][c].typed, unit if is_length(question, r, c) else 1.0)
-            if truth.is_structural(r, c) or not is_rounding_of(number, right / scale):
+            if truth.is_structural(r, c) or not is_rounding_of(number, right / scale, least):
                 return False
     return True
 
