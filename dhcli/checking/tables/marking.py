@@ -9,6 +9,7 @@ from dhcli.checking.exercise import Exercise
 from dhcli.checking.questions import TableQuestion
 from dhcli.checking.tables.answer import TableAnswer, ends_on_axis, rows_of, worst
 from dhcli.checking.tables.cells import table_text
+from dhcli.checking.tables.differences import end_rows, first_difference
 from dhcli.checking.tables.freedoms import end_freedoms
 from dhcli.checking.tables.motions import Outcome
 from dhcli.checking.tables.reading import read_table
@@ -16,7 +17,6 @@ from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
 from dhcli.errors import Place, RobotError
 from dhcli.kinematics.conventions import NAMES, Convention
-from dhcli.kinematics.robot import Robot
 from dhcli.notation.tree import ZERO
 
 OTHERS = {Convention.STANDARD: Convention.MODIFIED, Convention.MODIFIED: Convention.STANDARD}
@@ -166,8 +166,10 @@ def _why(answer: TableAnswer, cells: tuple[CellMark, ...], outcome: Outcome) -> 
     free = robot.judged(end_free=True)
     if free.verdict is Verdict.RIGHT and free.match is not None:
         end = end_freedoms("end", free.match.tool, robot.slack(free)) or ("your end frame is another",)
-        return f"all joints are right; {end[0]}", *_notes(cells)
-    return _first_difference(answer.robot, outcome.joints), *_notes(cells)
+        is_along = abs(free.match.tool.offset[2]) > robot.slack(free).length
+        rows = end_rows(robot, free, is_along=is_along)
+        return f"all joints are right; {end[0]}", f"look at {rows}", *_notes(cells)
+    return *first_difference(robot, outcome), *_notes(cells)
 
 
 def _starts_like(answer: TableAnswer, convention: Convention) -> bool:
@@ -177,17 +179,6 @@ def _starts_like(answer: TableAnswer, convention: Convention) -> bool:
     """
     outer = answer.plain[0 if convention is Convention.MODIFIED else -1]
     return len(answer.robot.variables) > 1 and outer.a == ZERO and outer.alpha.is_zero
-
-
-def _first_difference(robot: Robot, agreed: int) -> str:
-    names = [str(robot.first + k) for k in range(agreed)]
-    if agreed >= len(robot.variables):
-        return f"the first difference is behind joint {names[-1]}"
-    if agreed > 1:
-        right = f"joints {', '.join(names[:-1])} and {names[-1]} are right; "
-    else:
-        right = f"joint {names[0]} is right; " if agreed else ""
-    return f"{right}the first difference is at joint {robot.first + agreed}"
 
 
 def _notes(cells: Sequence[CellMark]) -> tuple[str, ...]:

@@ -12,7 +12,7 @@ from dhcli.algebra.floats import Floats
 from dhcli.algebra.residues import Residues
 from dhcli.checking.symbolic import has_decimals
 from dhcli.checking.tables.fits import Limits
-from dhcli.checking.tables.same_robot import MOST_LEAVES, Match, Registration, error_of, identity
+from dhcli.checking.tables.same_robot import MOST_LEAVES, Match, Miss, Registration, error_of, identity
 from dhcli.checking.tables.screws import Arm, Point
 from dhcli.checking.tolerance import CLOSE_FACTOR, SLACK, Tolerance
 from dhcli.checking.verdicts import Verdict
@@ -54,6 +54,7 @@ class Outcome:
         point: Values at which the match was found.
         size: Sum of all lengths there [m].
         rounded: Whether tolerances were needed.
+        miss: What keeps the next joint from agreeing.
     """
 
     verdict: Verdict
@@ -62,6 +63,7 @@ class Outcome:
     point: Point
     size: float
     rounded: bool = False
+    miss: Miss = Miss.MOTION
 
 
 def same_motion(truth: Arm, other: Arm, values: Values, tolerance: Tolerance) -> Outcome:
@@ -126,7 +128,7 @@ def _exact(truth: Arm, other: Arm, point: Point, most: int, *, end_free: bool) -
         turn, shift = error_of(match, truth, other, point, size)
         if turn <= EXACT and shift <= EXACT * size:
             return Outcome(Verdict.RIGHT, match, len(truth.variables), point, size)
-    return Outcome(Verdict.WRONG, None, search.deepest, point, size)
+    return Outcome(Verdict.WRONG, None, search.deepest, point, size, miss=search.miss)
 
 
 def _about(truth: Arm, other: Arm, point: Point, tolerance: Tolerance, *, end_free: bool) -> Outcome:
@@ -142,7 +144,7 @@ def _about(truth: Arm, other: Arm, point: Point, tolerance: Tolerance, *, end_fr
             best = verdict, match
     strict = Registration(truth, other, point, Limits.rounded(tolerance.rotation, shift, 2), end_free=end_free)
     list(islice(strict.matches(), 1))
-    return Outcome(*best, strict.deepest, point, size, rounded=True)
+    return Outcome(*best, strict.deepest, point, size, rounded=True, miss=strict.miss)
 
 
 def _verdict(match: Match, truth: Arm, other: Arm, point: Point, tolerance: Tolerance) -> Verdict:

@@ -14,6 +14,7 @@ import math
 import random
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from enum import Enum
 
 from dhcli.checking.tables.fits import Fit, Limits, held_by, released, slid, within
 from dhcli.checking.tables.screws import Arm, Point, Rigid, length, plus, scaled
@@ -42,11 +43,20 @@ class Match:
     maps: tuple[Rigid, ...]
 
 
+class Miss(Enum):
+    """What keeps the first axis that differs from agreeing."""
+
+    MOTION = "it turns where the other slides, or moves by another amount"
+    DIRECTION = "it points another way"
+    PLACE = "it lies elsewhere"
+
+
 class Registration:
     """The search for the maps between two robots at one point.
 
     Attributes:
         deepest: How many joints from the first one agree.
+        miss: What keeps the next one from agreeing.
     """
 
     def __init__(self, truth: Arm, other: Arm, point: Point, limits: Limits, *, end_free: bool = False) -> None:
@@ -56,6 +66,7 @@ class Registration:
         self.limits = limits
         self.end_free = end_free
         self.deepest = 0
+        self.miss = Miss.MOTION
 
     def matches(self) -> Iterator[Match]:
         """Every way to register the two, senses unchanged first."""
@@ -65,7 +76,8 @@ class Registration:
 
     def _search(self, fit: Fit, trail: tuple[Fit, ...], senses: tuple[int, ...]) -> Iterator[Match]:
         index = len(trail)
-        self.deepest = max(self.deepest, index)
+        if index > self.deepest:
+            self.deepest, self.miss = index, Miss.MOTION
         if index == len(self.truth):
             ended = self._ended(fit)
             if ended is not None:
@@ -75,9 +87,13 @@ class Registration:
         if one.turns is not other.turns or abs(one.rate - other.rate) > RATE * one.rate or not one.rate:
             return
         for sense in (1, -1):
-            held = held_by(fit, one, replace(other, direction=scaled(other.direction, sense)), self.limits)
+            aim = scaled(other.direction, sense)
+            held = held_by(fit, one, replace(other, direction=aim), self.limits)
             if held is not None:
                 yield from self._search(released(held, other), (*trail, held), (*senses, sense))
+            elif index == self.deepest and self.miss is not Miss.PLACE:
+                aimed = held_by(fit, replace(one, turns=False), replace(other, direction=aim), self.limits)
+                self.miss = Miss.DIRECTION if aimed is None else Miss.PLACE
 
     def _ended(self, fit: Fit) -> Fit | None:
         """The map that also brings the end frames together, as far as may be."""

@@ -11,7 +11,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from dhcli.checking.exercise import Exercise
+from dhcli import check
+from dhcli.checking.diagnosis.slips import answer_with, slips
+from dhcli.checking.exercise import Exercise, question_about_table
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.questions import TableQuestion
 from dhcli.checking.tables.cells import table_text
@@ -315,6 +317,7 @@ def test_the_other_convention_is_not_blamed_for_an_accident() -> None:
     """[a1, a1] read as modified drops the last length; nobody meant that."""
     assert marked("planar-2r", "[a1 0 0 θ1; a1 0 0 θ2]").remarks == (
         "all joints are right; your end frame is shifted along x",
+        "look at row 2",
     )
     assert "right for modified DH" in marked("planar-2r", "[0 0 0 θ1; a1 0 0 θ2]").remarks[0]
 
@@ -322,13 +325,33 @@ def test_the_other_convention_is_not_blamed_for_an_accident() -> None:
 def test_the_first_wrong_joint_is_named() -> None:
     """Joints have the numbers of the robot."""
     turned = marked("puma560", changed(PUMA, "-90  a3", "90 a3"))  # axis 4 is the same line; the wrist lies behind it
-    assert turned.remarks == ("joints 1, 2, 3 and 4 are right; the first difference is at joint 5",)
+    assert turned.remarks == (
+        "joints 1, 2, 3 and 4 are right; the axis of joint 5 lies elsewhere",
+        "look at the signs of alpha, a and d in rows 3 and 4",  # d3 or d4 the other way is the same arm as this one
+    )
     wrong = marked("puma560", changed(PUMA, "0    a2", "0    a3"))
-    assert wrong.remarks == ("joints 1 and 2 are right; the first difference is at joint 3",)
+    assert wrong.remarks == (
+        "joints 1 and 2 are right; the axis of joint 3 lies elsewhere",
+        "look at row 3, and at d in row 2",
+    )
     assert wrong.verdict is Verdict.WRONG
     assert 0.9 < wrong.earned < 1
     wrist = marked("spherical-wrist", "[0 -60 0 θ4; 0 90 0 θ5; 0 0 d6 θ6]")
-    assert wrist.remarks == ("joint 4 is right; the first difference is at joint 5",)
+    assert wrist.remarks == ("joint 4 is right; the axis of joint 5 points another way", "look at alpha in row 4")
+
+
+@pytest.mark.parametrize("name", ["puma560", "puma560-standard", "stanford", "scara-yim", "zhou-3r", "zhou-6r"])
+def test_the_row_that_holds_a_slip_is_among_those_to_look_at(name: str) -> None:
+    """In standard DH the axis of joint k + 1 is placed by row k, in modified by row k + 1."""
+    task = question_about_table(robot(name), robot(name).convention)
+    seen = 0
+    for slip in slips(task, task.parts[0]):
+        mark = check(task, "table", answer_with(task, task.parts[0], slip.name))
+        if mark.verdict is Verdict.WRONG and "stands under" not in mark.remarks[0]:
+            look = next(remark for remark in mark.remarks if remark.startswith("look at"))
+            assert slip.name.split()[1] in look.replace(",", "").split(), (slip.name, mark.remarks)
+            seen += 1
+    assert seen > 3
 
 
 def test_a_forgotten_last_length_is_found_unless_the_end_frame_is_free() -> None:
@@ -336,7 +359,7 @@ def test_a_forgotten_last_length_is_found_unless_the_end_frame_is_free() -> None
     text = "[0 -90 0 θ4; 0 90 0 θ5; 0 0 0 θ6]"
     mark = marked("spherical-wrist", text)
     assert mark.verdict is Verdict.WRONG
-    assert mark.remarks == ("all joints are right; your end frame is shifted along z",)
+    assert mark.remarks == ("all joints are right; your end frame is shifted along z", "look at row 6")
     free = marked("spherical-wrist", text, end_free=True)
     assert free.verdict is Verdict.RIGHT
     assert free.remarks == ("your frame 6 sits elsewhere along z6",)
@@ -396,7 +419,7 @@ def test_a_robot_given_as_products_has_a_table_too() -> None:
     assert mark_table(question, task, right).verdict is Verdict.RIGHT
     assert mark_table(question, task, right, "same-motion").verdict is Verdict.RIGHT
     forgotten = mark_table(question, task, changed(right, "-90", "0"))
-    assert forgotten.remarks == ("all joints are right; your end frame is turned by +90° about z",)
+    assert forgotten.remarks == ("all joints are right; your end frame is turned by +90° about z", "look at row 3")
     with pytest.raises(RobotError, match="has no table in standard DH"):
         write_table(task, STANDARD)
     with pytest.raises(RobotError, match="to compare cells with"):

@@ -1,0 +1,131 @@
+"""Where a wrong table first leaves the robot: at which axis, and in which rows of the table that axis is placed.
+
+The axis of joint k + 1 is placed by row k of a standard table, by row k + 1 of a modified one; how far along the axis
+of joint k it lies is the d of row k in both. What is said comes from the motion, so that right rows drawn with other
+frames are never blamed.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from dhcli.checking.tables.answer import TableAnswer
+from dhcli.checking.tables.motions import Outcome
+from dhcli.checking.tables.reading import variable_of
+from dhcli.checking.tables.same_robot import Miss
+from dhcli.checking.tables.screws import cross, length
+from dhcli.kinematics.conventions import Convention
+from dhcli.notation.tree import negate
+from dhcli.notation.walk import symbols
+
+PARALLEL = 1e-6
+"""Sine below which two axes of the right robot count as parallel."""
+
+
+def first_difference(answer: TableAnswer, outcome: Outcome) -> tuple[str, ...]:
+    """Which joints are right and how the next axis differs; then the rows that place it."""
+    agreed, variables = outcome.joints, answer.robot.variables
+    right = _agreed([str(answer.robot.first + k) for k in range(min(agreed, len(variables)))])
+    if agreed >= len(variables):
+        return f"{right}the end frame lies elsewhere", f"look at {end_rows(answer, outcome, is_along=True)}"
+    number = answer.robot.first + agreed
+    if outcome.miss is Miss.MOTION or not agreed:
+        row = _named([_row_of(answer, agreed)], answer)
+        return f"{right}joint {number} does not move by {variables[agreed]} as it should", f"look at {row}"
+    if outcome.miss is Miss.DIRECTION:
+        return f"{right}the axis of joint {number} points another way", f"look at {_turning_rows(answer, outcome)}"
+    return f"{right}the axis of joint {number} lies elsewhere", f"look at {_placing_rows(answer, outcome)}"
+
+
+def end_rows(answer: TableAnswer, outcome: Outcome, *, is_along: bool) -> str:
+    """The rows that place the end frame on the last axis.
+
+    Args:
+        answer: The table.
+        outcome: What came out of its comparison.
+        is_along: Whether the end frame is off along an axis, so that shifts along axes parallel to it count.
+    """
+    agreed = len(answer.robot.variables)
+    last = len(answer.plain)
+    start = _row_of(answer, agreed - 1)
+    rows = _named(list(range(start, last)), answer)
+    if answer.convention is Convention.MODIFIED and last == start + 1:
+        rows = f"d and theta in {rows}"
+    return rows + (_along_parallels(answer, outcome, agreed) if is_along else "")
+
+
+def _agreed(names: list[str]) -> str:
+    if not names:
+        return ""
+    if len(names) == 1:
+        return f"joint {names[0]} is right; "
+    return f"joints {', '.join(names[:-1])} and {names[-1]} are right; "
+
+
+def _turning_rows(answer: TableAnswer, outcome: Outcome) -> str:
+    """The rows that set the angle between an axis and the one before it."""
+    before, here = _row_of(answer, outcome.joints - 1), _row_of(answer, outcome.joints)
+    turns = answer.truth.screws(outcome.point)[0][outcome.joints - 1].turns
+    rows = _between(answer, before, here)
+    if turns and len(rows) == 1:  # the zero of a turning joint is free, so that only the twist is left
+        return f"alpha in {_named(rows, answer)}"
+    if not turns and before not in rows:  # where the axis is turned about a slide is a constant theta
+        return f"{_named(rows, answer)}, and at theta in {_named([before], answer)}"
+    return _named(rows, answer)
+
+
+def _placing_rows(answer: TableAnswer, outcome: Outcome) -> str:
+    """The rows that set how far an axis is from the last one whose place matters, and where along it."""
+    screws = answer.truth.screws(outcome.point)[0]
+    last = max((k for k in range(outcome.joints) if screws[k].turns), default=0)  # of a slide only the direction counts
+    before, here = _row_of(answer, last), _row_of(answer, outcome.joints)
+    signs = _mending_signs(answer, outcome, here)
+    if signs:
+        return f"the signs of alpha, a and d in {_named(signs, answer)}"
+    rows = _between(answer, before, here)
+    if before not in rows:
+        return f"{_named(rows, answer)}, and at d in {_named([before], answer)}"
+    return _named(rows, answer) + _along_parallels(answer, outcome, last + 1)
+
+
+def _between(answer: TableAnswer, before: int, here: int) -> list[int]:
+    """The rows whose a and alpha lie between two joints."""
+    return list(range(before, here)) if answer.convention is Convention.STANDARD else list(range(before + 1, here + 1))
+
+
+def _mending_signs(answer: TableAnswer, outcome: Outcome, here: int) -> list[int]:
+    """The rows in which the next axis comes right by turning round one sign."""
+    rows = answer.plain
+    found = []
+    for index in range(here + 1):
+        row = rows[index]
+        changed = (replace(row, alpha=-row.alpha), replace(row, a=negate(row.a)), replace(row, d=negate(row.d)))
+        moved = variable_of(row, answer.robot.variables) in symbols(row.d)
+        for other in changed[: 2 if moved else 3]:
+            if other != row and answer.judged((*rows[:index], other, *rows[index + 1 :])).joints > outcome.joints:
+                found.append(index)
+                break
+    return found
+
+
+def _along_parallels(answer: TableAnswer, outcome: Outcome, joints: int) -> str:
+    """Rows further up whose d adds to the same shift, because the axes in between are parallel."""
+    screws = answer.truth.screws(outcome.point)[0]
+    start = joints - 1
+    while start > 0 and length(cross(screws[start - 1].direction, screws[start].direction)) <= PARALLEL:
+        start -= 1
+    rows = [_row_of(answer, k) for k in range(start, joints - 1)]
+    return f", and at d in {_named(rows, answer)}" if rows else ""
+
+
+def _row_of(answer: TableAnswer, joint: int) -> int:
+    """Index of the row that a joint moves, in the student's table."""
+    name = answer.robot.variables[joint]
+    return next(k for k, row in enumerate(answer.plain) if variable_of(row, answer.robot.variables) == name)
+
+
+def _named(rows: list[int], answer: TableAnswer) -> str:
+    numbers = [str(answer.robot.first + k) for k in rows]
+    if len(numbers) == 1:
+        return f"row {numbers[0]}"
+    return f"rows {', '.join(numbers[:-1])} and {numbers[-1]}"
