@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from dhcli.checking.diagnosis.geometry import geometry
 from dhcli.checking.diagnosis.result import Diagnosis, Slip
 from dhcli.checking.diagnosis.search import matches, point
 from dhcli.checking.diagnosis.slips import count_slips, table_candidates, table_work
@@ -23,6 +24,8 @@ from dhcli.kinematics.moves import names
 MISPRINT = Slip(
     "misprint", "this is what the document prints; it is a misprint", "the document may be wrong: work it out yourself"
 )
+HALVES = ("the rotation is right;", "the position is right;")
+"""How remarks begin that geometry says more precisely."""
 MOTION = 2e-3
 """What two tables of the same motion may differ by, at lengths and angles near 1."""
 
@@ -32,7 +35,21 @@ def diagnosed(exercise: Exercise, part: Part, answer: str, mark: Mark) -> Mark:
     if mark.verdict not in (Verdict.WRONG, Verdict.CLOSE):
         return mark
     found = diagnose(exercise, part, answer, mark)
-    return replace(mark, diagnosis=found) if found.causes else mark
+    return replace(mark, diagnosis=found) if found.causes else _told(exercise, part, answer, mark)
+
+
+def _told(exercise: Exercise, part: Part, answer: str, mark: Mark) -> Mark:
+    """The mark with what geometry says of an answer without a known cause, in the place of which half is right."""
+    question = part.question
+    if not isinstance(question, MatrixQuestion):
+        return mark
+    try:
+        typed = typed_answer(exercise, part, question, answer)
+    except (UnreadableError, DhcliError):
+        return mark
+    words = geometry(exercise, question, typed) if typed is not None else ""
+    others = tuple(remark for remark in mark.remarks if not remark.startswith(HALVES))
+    return replace(mark, remarks=(words, *others)) if words else mark
 
 
 def diagnose(exercise: Exercise, part: Part, answer: str, mark: Mark) -> Diagnosis:

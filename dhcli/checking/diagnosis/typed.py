@@ -31,6 +31,11 @@ class Typed:
     values: tuple[Entries, ...]
     slacks: tuple[Entries, ...]
 
+    @property
+    def is_general(self) -> bool:
+        """Whether the points are general ones; else there is one, at the values of the task."""
+        return not self.search.is_known
+
 
 def typed_answer(exercise: Exercise, part: Part, question: MatrixQuestion, answer: str) -> Typed | None:
     """An answer in numbers; None where it holds a name that has no value.

@@ -1,0 +1,123 @@
+"""What is said of a wrong matrix that no known mistake explains."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import pytest
+
+from dhcli import check, load_robot
+from dhcli.checking.exercise import Exercise, Part, question_about
+from dhcli.checking.marking import expected
+from dhcli.checking.questions import MatrixQuestion, Span
+from dhcli.checking.verdicts import Verdict
+from dhcli.kinematics.values import joint_values
+
+
+def about(name: str, start: str, end: str, q: str = "") -> Exercise:
+    """The pose of a frame of a robot; in numbers where joint values are given."""
+    robot = load_robot(name)
+    return question_about(robot, start, end, numeric=bool(q), given=joint_values(robot, q) if q else {})
+
+
+def said(exercise: Exercise, answer: str) -> tuple[str, ...]:
+    """The remarks on a wrong answer without a known cause."""
+    mark = check(exercise, "pose", answer)
+    assert mark.verdict is Verdict.WRONG
+    assert mark.diagnosis is None
+    return mark.remarks
+
+
+@pytest.mark.parametrize(
+    ("answer", "words"),
+    [
+        (
+            "[c12 -s12 0 a1*c1+2*a2*c12; s12 c12 0 a1*s1+2*a2*s12; 0 0 1 0; 0 0 0 1]",
+            "the rotation is right; the position is off by a2 along x2",
+        ),
+        (
+            "[c12 -s12 0 3*a1*c1+a2*c12; s12 c12 0 3*a1*s1+a2*s12; 0 0 1 0; 0 0 0 1]",
+            "the rotation is right; the position is off by 2*a1 along x1",
+        ),
+        (
+            "[c12 -s12 0 a1*c1+a2*c12; s12 c12 0 a1*s1+a2*s12; 0 0 1 0.25; 0 0 0 1]",
+            "the rotation is right; the position is off by 0.25 m along z0",
+        ),
+        (
+            "[-s12 -c12 0 a1*c1+a2*c12; c12 -s12 0 a1*s1+a2*s12; 0 0 1 0; 0 0 0 1]",
+            "the rotation is off by 90° about z0; the position is right",
+        ),
+        (
+            "[c12 0 s12 a1*c1+a2*c12; s12 0 -c12 a1*s1+a2*s12; 0 1 0 0; 0 0 0 1]",
+            "the rotation is off by 90° about x2; the position is right",
+        ),
+        (
+            "[s12 c12 0 a1*c1+a2*c12; -c12 s12 0 a1*s1+a2*s12; 0 0 1 a2; 0 0 0 1]",
+            "the rotation is off by -90° about z0; the position is off by a2 along z0",
+        ),
+        (
+            "[c1 -s1 0 a1*c1+a2*c12; s1 c1 0 a1*s1+a2*s12; 0 0 1 0; 0 0 0 1]",
+            "the rotation is off by -theta2 about z0; the position is right",
+        ),
+        (
+            "[c12 -s12 0 a1*c1+a2*c12; s12 s12 0 a1*s1+a2*s12; 0 0 1 0; 0 0 0 1]",
+            "this is no rotation: column 2 has not length 1",
+        ),
+    ],
+)
+def test_an_answer_in_expressions_is_turned_and_shifted_in_words(answer: str, words: str) -> None:
+    """By a constant or by a joint's own angle; along the axes of whichever frame says it most plainly."""
+    assert said(about("planar-2r", "0", "2"), answer)[0] == words
+
+
+def test_what_is_no_single_turn_or_shift_is_not_guessed_at() -> None:
+    """Only which half is right is known then."""
+    remarks = said(about("planar-2r", "0", "2"), "[c12 -s12 0 a1*c2*c2; s12 c12 0 a2*s1*s1; 0 0 1 0; 0 0 0 1]")
+    assert remarks == ("the rotation is right; the position is not",)
+
+
+def test_a_sum_of_shifts_along_two_axes_of_one_frame_is_told() -> None:
+    """Each along its own axis."""
+    answer = "[c12 -s12 0 a1*c1+a2*c12+a1; s12 c12 0 a1*s1+a2*s12; 0 0 1 a2; 0 0 0 1]"
+    words = "the rotation is right; the position is off by a1 along x0, a2 along z0"
+    assert said(about("planar-2r", "0", "2"), answer)[0] == words
+
+
+@pytest.mark.parametrize("piece", ["rotation", "position"])
+def test_a_piece_of_a_matrix_is_told_alone(piece: str) -> None:
+    """There is no other half to speak of."""
+    question = MatrixQuestion(Span("0", "2"), piece=piece)
+    exercise = replace(about("planar-2r", "0", "2"), parts=(Part("pose", question),))
+    answers = {
+        "rotation": ("[c12 0 s12; s12 0 -c12; 0 1 0]", "the rotation is off by 90° about x2"),
+        "position": ("[a1*c1+2*a2*c12, a1*s1+2*a2*s12, 0]", "the position is off by a2 along x2"),
+    }
+    answer, words = answers[piece]
+    assert said(exercise, answer)[0] == words
+
+
+def test_a_shift_in_numbers_has_the_name_of_the_length() -> None:
+    """Twice the last link where it stands once: not only by how much the position is off, but what that is."""
+    exercise = about("planar-2r", "0", "2", "30°, 40°")
+    a1, a2 = (float(exercise.values[name].value) for name in ("a1", "a2"))
+    c, s = math.cos(math.radians(70)), math.sin(math.radians(70))
+    x = a1 * math.cos(math.radians(30)) + 2 * a2 * c
+    y = a1 * math.sin(math.radians(30)) + 2 * a2 * s
+    answer = f"[{c:.6f} {-s:.6f} 0 {x:.6f}; {s:.6f} {c:.6f} 0 {y:.6f}; 0 0 1 0; 0 0 0 1]"
+    words = f"the rotation is right; the position is off by {a2:g} m (as much as a2) along x2"
+    assert said(exercise, answer)[0] == words
+
+
+def test_of_a_whole_arm_the_frame_in_between_is_found() -> None:
+    """PUMA 560 with d3 gone along z3 twice too often."""
+    exercise = about("puma560", "0", "6")
+    rows = [row.split(", ") for row in expected(exercise, exercise.parts[0])[2:-2].split("], [")]
+    rows[0][3] += " - 3*d3*s1 + d4"
+    rows[1][3] += " + 3*d3*c1"
+    answer = "[" + ", ".join("[" + ", ".join(row) + "]" for row in rows) + "]"
+    assert said(exercise, answer)[0] == "the rotation is right; the position is not"
+    rows[0][3] = rows[0][3].replace(" - 3*d3*s1 + d4", " - 2*d3*s1")
+    rows[1][3] = rows[1][3].replace(" + 3*d3*c1", " + 2*d3*c1")
+    answer = "[" + ", ".join("[" + ", ".join(row) + "]" for row in rows) + "]"
+    assert said(exercise, answer)[0] == "the rotation is right; the position is off by 2*d3 along z2"
