@@ -1,0 +1,20 @@
+"""The mistakes that dhcli knows, each a record: how it is made, what it is called, and where a student should look.
+
+To add one is to add a record to one of the tuples. In a pair the earlier level is made first. Of two mistakes that are
+the same wherever one looks, such as the transpose of a plain turn and the turn the other way, the earlier has the name.
+Those about counts stand beside what they count, in `mobility.slips`.
+"""
+
+from __future__ import annotations
+
+from dhcli.checking.diagnosis.mistakes.of_matrices import IN_THE_WHOLE, IN_WRITING
+from dhcli.checking.diagnosis.mistakes.of_products import IN_PRODUCTS
+from dhcli.checking.diagnosis.mistakes.of_tables import IN_MOVES, IN_ROWS
+from dhcli.checking.diagnosis.mistakes.record import Level, Mistake
+
+__all__ = ["BY_ID", "MISTAKES", "Level", "Mistake"]
+
+MISTAKES = (*IN_THE_WHOLE, *IN_ROWS, *IN_MOVES, *IN_PRODUCTS, *IN_WRITING)
+"""Every mistake about a matrix or a table, in the order in which they are tried and named."""
+
+BY_ID = {mistake.id: mistake for mistake in MISTAKES}
