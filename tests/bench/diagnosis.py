@@ -2,7 +2,8 @@
 
 PAIRS pairs of slips are drawn for each part (2), and every part is looked at, or each EVERYth. Each mistake that
 changes an answer is made, the answer it leads to is typed, and the diagnosis of that text is held against the mistake.
-Mistakes that give the same text count as one: nobody could tell them apart.
+Mistakes that give the same text count as one. An answer is `alike` if all that is named for it gives the same answer
+at every value of joints and lengths, as where a single entry was asked: the question itself cannot tell them apart.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ import random
 import statistics
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from itertools import islice
 from pathlib import Path
@@ -20,11 +21,11 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 
 from dhcli import load_exercise, load_robot
 from dhcli.checking.diagnosis.diagnosis import diagnose
-from dhcli.checking.diagnosis.search import search_of
+from dhcli.checking.diagnosis.search import same, search_of
 from dhcli.checking.diagnosis.slips import answer_with, slips, typed_text
 from dhcli.checking.exercise import Exercise, Part, question_about
 from dhcli.checking.marking import mark
-from dhcli.checking.questions import MatrixQuestion
+from dhcli.checking.questions import MatrixQuestion, TableQuestion
 from dhcli.checking.verdicts import Verdict
 from dhcli.files.library import Kind, entries
 from dhcli.kinematics.values import joint_values
@@ -39,6 +40,7 @@ class Tally:
     Attributes:
         made: Wrong answers that a mistake leads to.
         unique: Those for which just that mistake is named.
+        alike: Others, for which each mistake named gives the same answer at all values.
         few: Those for which it is named among at most three.
         named: Those for which something is named.
         wrong: Names of mistakes that would give another answer.
@@ -47,6 +49,7 @@ class Tally:
 
     made: int = 0
     unique: int = 0
+    alike: int = 0
     few: int = 0
     named: int = 0
     wrong: int = 0
@@ -56,8 +59,10 @@ class Tally:
         """The row of the table."""
         made = self.made or 1
         median, longest = statistics.median(self.seconds or [0]) * 1000, max(self.seconds or [0]) * 1000
-        shares = f"{self.unique / made:8.1%} {self.few / made:8.1%} {self.named / made:8.1%}"
-        return f"{title:34}{self.made:7} {shares} {self.wrong:6} {median:9.1f} {longest:9.0f}"
+        rest = self.unique / max(1, self.made - self.alike)
+        shares = f"{self.unique / made:8.1%} {self.alike / made:8.1%} {rest:8.1%} "
+        shares += f"{self.few / made:8.1%} {self.named / made:8.1%}"
+        return f"{title:34}{self.made:7} {shares} {self.wrong:6} {median:9.1f} {longest:7.0f}"
 
 
 def parts() -> Iterator[tuple[str, Exercise, Part]]:
@@ -94,7 +99,9 @@ def singles(exercise: Exercise, part: Part, tally: Tally) -> None:
         tally.made += 1
         hit = any(name in makers for name in found.ids)
         tally.named += bool(found.causes)
-        tally.unique += hit and len(found.ids) == 1
+        unique = hit and len(found.ids) == 1
+        tally.unique += unique
+        tally.alike += not unique and any(alike(exercise, part, (maker, *found.ids)) for maker in makers)
         tally.few += hit and len(found.ids) <= 3
         for name in found.ids:
             if name != "misprint" and " + " not in name and name not in makers:
@@ -120,8 +127,24 @@ def pairs(exercise: Exercise, part: Part, tally: Tally, count: int, draw: random
         tally.named += bool(found.causes)
         simpler = bool(found.causes) and len(found.causes[0]) == 1
         hit = wanted in found.ids or simpler  # one slip that gives the same answer is the better explanation
-        tally.unique += hit and len(found.ids) == 1
+        unique = hit and len(found.ids) == 1
+        tally.unique += unique
+        tally.alike += not unique and alike(exercise, part, (wanted, *found.ids))
         tally.few += hit and len(found.ids) <= 3
+
+
+def alike(exercise: Exercise, part: Part, names: Iterable[str]) -> bool:
+    """Whether mistakes, or pairs of them, give one and the same answer at all values; a misprint copied does too."""
+    if not isinstance(part.question, MatrixQuestion):
+        return not isinstance(part.question, TableQuestion)  # the same number or name, which is all there is
+    search = search_of(exercise, part.question)
+    wanted = set(names) - {"misprint"}
+    every = (*search.singles, *search.pairs) if any(" + " in name for name in wanted) else search.singles
+    works = [one.work for one in every if " + ".join(slip.name for slip in one.slips) in wanted]
+    if len(works) != len(wanted):
+        return False
+    first, *others = (search.general.entries(work) for work in works)
+    return all(same(first, other) for other in others)
 
 
 def main() -> None:
@@ -133,13 +156,16 @@ def main() -> None:
     for group, exercise, part in islice(parts(), 0, None, every):
         singles(exercise, part, single.setdefault(group, Tally()))
         pairs(exercise, part, double.setdefault(group, Tally()), count, draw)
-    print(f"{'':34}{'made':>7} {'unique':>8} {'of <= 3':>8} {'named':>8} {'wrong':>6} {'median ms':>9} {'most ms':>9}")
+    heads = ("made", 7), ("unique", 8), ("alike", 8), ("of rest", 8), ("of <= 3", 8), ("named", 8), ("wrong", 6)
+    print(" " * 34 + " ".join(f"{head:>{width}}" for head, width in (*heads, ("median ms", 9), ("most ms", 7))))
     for title, tallies in (("one slip", single), ("two slips", double)):
         for group, tally in tallies.items():
             print(tally.line(f"{title}: {group}"))
     everything = list(single.values())
     made, unique = sum(t.made for t in everything), sum(t.unique for t in everything)
-    print(f"single slips named uniquely: {unique} of {made} ({unique / made:.1%})")
+    alike_ = sum(t.alike for t in everything)
+    print(f"single slips named uniquely: {unique} of {made} ({unique / made:.1%});", end=" ")
+    print(f"of the {made - alike_} that the question can tell apart: {unique / (made - alike_):.1%}")
 
 
 if __name__ == "__main__":

@@ -54,7 +54,7 @@ def _told(exercise: Exercise, part: Part, answer: str, mark: Mark) -> Mark:
 
 def diagnose(exercise: Exercise, part: Part, answer: str, mark: Mark) -> Diagnosis:
     """Every cause that gives just the answer typed, the plainest kind; no cause where none is known."""
-    if any("it is a misprint" in remark for remark in mark.remarks):
+    if _is_misprint(mark):
         return Diagnosis(((MISPRINT,),))
     try:
         match part.question:
@@ -68,6 +68,13 @@ def diagnose(exercise: Exercise, part: Part, answer: str, mark: Mark) -> Diagnos
     except (UnreadableError, DhcliError):
         pass  # what cannot be read has been told already
     return Diagnosis()
+
+
+def _is_misprint(mark: Mark) -> bool:
+    """Whether all that is wrong in an answer is copied from the document."""
+    copied = [remark for remark in mark.remarks if "it is a misprint" in remark]
+    wrong = sum(cell.verdict in (Verdict.WRONG, Verdict.CLOSE) for cell in mark.cells)
+    return bool(copied) and (copied[0].startswith("this is") or len(copied) >= wrong)
 
 
 def _of_matrix(exercise: Exercise, part: Part, question: MatrixQuestion, answer: str) -> tuple[tuple[Slip, ...], ...]:

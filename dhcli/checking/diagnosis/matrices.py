@@ -8,6 +8,8 @@ from itertools import combinations
 from typing import TypeVar
 
 from dhcli.checking.diagnosis.work import Matrix, Rewriting, Setting, Work, inverse
+from dhcli.notation.factors import AXES
+from dhcli.notation.tree import ZERO, negate
 
 N = TypeVar("N")
 
@@ -82,6 +84,27 @@ def entry_sign(work: Work, _setting: Setting) -> Iterator[tuple[str, Work]]:
                 yield where, _rewritten(work, _Negated(row, column))
 
 
+def given_sign(work: Work, _setting: Setting) -> Iterator[tuple[str, Work]]:
+    """One coordinate of the point or vector in the task with the other sign."""
+    for k, coordinate in enumerate(work.question.point):
+        if coordinate != ZERO:
+            point = (*work.question.point[:k], negate(coordinate), *work.question.point[k + 1 :])
+            yield AXES[k], replace(work, question=replace(work.question, point=point))
+
+
+def coordinate_sign(work: Work, _setting: Setting) -> Iterator[tuple[str, Work]]:
+    """One coordinate of the answer with the other sign."""
+    if work.question.piece in ("point", "vector", "axis"):
+        for k, axis in enumerate(AXES):
+            yield axis, _rewritten(work, _Negative((k,)))
+
+
+def direction(work: Work, _setting: Setting) -> Iterator[tuple[str, Work]]:
+    """All coordinates of the answer with the other sign."""
+    if work.question.shape == (3, 1):
+        yield "", _rewritten(work, _Negative((0, 1, 2)))
+
+
 def position_as_row(work: Work, _setting: Setting) -> Iterator[tuple[str, Work]]:
     """The last column written as the last row."""
     if work.question.piece == "pose":
@@ -112,6 +135,19 @@ class _Negated:
         row = list(matrix[self._row])
         row[self._column] = -row[self._column]  # type: ignore[operator]
         return (*matrix[: self._row], tuple(row), *matrix[self._row + 1 :])
+
+
+class _Negative:
+    """Some rows with the other sign, so that whatever is computed from them has it."""
+
+    def __init__(self, rows: tuple[int, ...]) -> None:
+        self._rows = rows
+
+    def __call__(self, matrix: Matrix[N]) -> Matrix[N]:
+        return tuple(
+            tuple(-entry for entry in row) if r in self._rows else row  # type: ignore[operator]
+            for r, row in enumerate(matrix)
+        )
 
 
 def _rewritten(work: Work, rewriting: Rewriting[float]) -> Work:

@@ -168,7 +168,7 @@ class Search:
         for one in found:
             if same(self.general.entries(one.work), right):
                 continue
-            if one.work.question is not self.right.question:  # another piece of the same matrix
+            if one.work.question is not self.right.question or one.work.entry:  # written otherwise, the matrix is right
                 kept.append(one)
                 continue
             matrix = self.general.matrix(one.work)
@@ -180,9 +180,9 @@ class Search:
     def _different(self, found: Iterator[Candidate]) -> Iterator[Candidate]:
         known: list[Entries] = []
         for one in found:
-            matrix = self.general.matrix(one.work)
-            if not any(same(matrix, other) for other in known):
-                known.append(matrix)
+            whole = (*self.general.matrix(one.work), *self.general.entries(one.work))
+            if not any(same(whole, other) for other in known):
+                known.append(whole)
                 yield one
 
     def _size(self) -> float:

@@ -92,6 +92,7 @@ def setting_of(exercise: Exercise) -> Setting:
         variables=robot.variables if robot else (),
         values=exercise.values,
         numeric=exercise.numeric,
+        writing=exercise.writing,
         unit=exercise.metres if exercise.unit != "none" else exercise.metres * 0,
     )
 
@@ -101,7 +102,7 @@ def candidates(
 ) -> Iterator[Candidate]:
     """Every single mistake in a work, of all kinds or some; behind another one, those of its level or a later one."""
     for mistake in among:
-        if earlier is not None and mistake.level < earlier.mistake.level:
+        if earlier is not None and (mistake.level < earlier.mistake.level or mistake.alone or earlier.mistake.alone):
             continue
         for where, changed in mistake.made(work, setting):
             slip = slip_of(mistake, where)
@@ -110,7 +111,8 @@ def candidates(
 
 def slip_of(mistake: Mistake, where: str) -> Slip:
     """A mistake in its place."""
-    place = {"where": where, "row": where.replace(",", " ").split(" ")[0].split(".")[0]}
+    entry, _, term = where.partition(" ")
+    place = {"where": where, "row": entry.split(",")[0].split(".")[0], "entry": entry, "term": term}
     name = f"{mistake.id} {where}".strip()
     return Slip(name, mistake.words.format(**place), mistake.hint.format(**place), mistake.rank)
 
@@ -161,9 +163,14 @@ def typed_text(exercise: Exercise, work: Work) -> str:
         unit = float(exercise.metres)
         entries = search_of(exercise, question).entries(work)
         rows = [
-            [f"{entry / unit if is_length(question, r, c) else entry:.6f}" for c, entry in enumerate(row)]
+            [_six_decimals(entry / unit if is_length(question, r, c) else entry) for c, entry in enumerate(row)]
             for r, row in enumerate(entries)
         ]
     if question.shape == (1, 1):
         return rows[0][0]
     return "[" + ", ".join("[" + ", ".join(row) + "]" for row in rows) + "]"
+
+
+def _six_decimals(value: float) -> str:
+    """A number as people type it, without the minus of a zero."""
+    return f"{round(value, 6) + 0:.6f}"

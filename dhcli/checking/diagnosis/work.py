@@ -25,6 +25,7 @@ from dhcli.kinematics.frames import frame
 from dhcli.kinematics.moves import Chain, names
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values
+from dhcli.notation.styles import THETAS, Joints
 from dhcli.notation.tree import Expr
 
 N = TypeVar("N")
@@ -69,6 +70,7 @@ class Work:
         multiplied: How they are put together.
         inverted: Whether the product is inverted.
         rewritten: What is done to the matrix afterwards, first to last.
+        entry: Row and column of an entry of the answer that is not what comes out, and what stands there.
     """
 
     question: MatrixQuestion
@@ -76,6 +78,7 @@ class Work:
     multiplied: Multiplied = Multiplied.IN_ORDER
     inverted: bool = False
     rewritten: tuple[Rewriting[float] | Rewriting[Expr], ...] = ()
+    entry: tuple[int, int, Expr] | None = None
 
     def with_step(self, index: int, step: Step) -> Work:
         """The same work with another factor in one place."""
@@ -91,6 +94,7 @@ class Setting:
         variables: The joint variables.
         values: Values that the task gives, exact.
         numeric: Whether the answer is in numbers.
+        writing: How joint angles are written.
         unit: Metres in a bare length of the sheet; 0 where there is no unit.
     """
 
@@ -98,6 +102,7 @@ class Setting:
     variables: tuple[str, ...] = ()
     values: Values = field(default_factory=dict)
     numeric: bool = False
+    writing: Joints = THETAS
     unit: Fraction = Fraction(1)
 
 
@@ -157,7 +162,8 @@ class Bench:
 
     def entries(self, work: Work) -> Matrix[float]:
         """What is written down in the end, in the shape of the question."""
-        return piece_of(self.matrix(work), work.question, self._over)
+        rows = piece_of(self.matrix(work), work.question, self._over)
+        return rows if work.entry is None else _with_entry(rows, work.entry, self._over.value(work.entry[2]))
 
     def matrix(self, work: Work) -> Matrix[float]:
         """The finished matrix, shape (4, 4)."""
@@ -194,7 +200,8 @@ def terms(work: Work, values: Values) -> Matrix[Expr]:
         matrix = textbook_form(put_in(chain, values))
     if work.multiplied is Multiplied.UNROTATED:
         matrix = _added(matrix, [textbook_form(put_in(step.chain, values)) for step in work.steps])
-    return piece_of(_finished(work, matrix), work.question, TERMS)
+    rows = piece_of(_finished(work, matrix), work.question, TERMS)
+    return rows if work.entry is None else _with_entry(rows, work.entry, work.entry[2])
 
 
 def product(left: Matrix[N], right: Matrix[N]) -> Matrix[N]:
@@ -224,6 +231,12 @@ def _finished(work: Work, matrix: Matrix[N]) -> Matrix[N]:
     for rewriting in work.rewritten:
         matrix = rewriting(matrix)  # type: ignore[arg-type, assignment]
     return matrix
+
+
+def _with_entry(rows: Matrix[N], place: tuple[int, int, Expr], value: N) -> Matrix[N]:
+    row, column, _ = place
+    line = rows[row]
+    return (*rows[:row], (*line[:column], value, *line[column + 1 :]), *rows[row + 1 :])
 
 
 def _elementwise(matrices: Sequence[Matrix[N]]) -> Matrix[N]:

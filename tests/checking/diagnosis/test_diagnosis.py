@@ -1,3 +1,4 @@
+from dataclasses import replace
 from functools import cache
 
 import pytest
@@ -5,9 +6,10 @@ import pytest
 from dhcli import check, load_exercise, load_robot
 from dhcli.checking.diagnosis.diagnosis import diagnosed
 from dhcli.checking.diagnosis.mistakes import BY_ID, MISTAKES
-from dhcli.checking.diagnosis.slips import answer_with, hidden, slips
-from dhcli.checking.exercise import Exercise, question_about
+from dhcli.checking.diagnosis.slips import answer_with, hidden, slip_of, slips
+from dhcli.checking.exercise import Exercise, Part, question_about
 from dhcli.checking.marking import expected, mark
+from dhcli.checking.questions import read_question
 from dhcli.checking.sheetmark import mark_sheet
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import UnknownNameError
@@ -105,6 +107,61 @@ def test_a_later_part_that_is_wrong_by_itself_earns_what_is_right_in_it() -> Non
     assert marks["t02"].earned < 1
 
 
+@pytest.mark.parametrize(
+    ("old", "new", "slip"),
+    [
+        ("- d3*s1", "+ d3*s1", "term-sign 1,4 d3*s1"),
+        ("- d4*s23) - d3", "+ d4*s23) - d3", "term-sign 1,4 d4*s23"),
+        ("-a2*s2 - a3*s23", "-a2*s2 + a3*s23", "term-sign 3,4 a3*s23"),
+    ],
+)
+def test_the_sign_of_one_term_is_named(old: str, new: str, slip: str) -> None:
+    """At any depth of the entry, with the term in words."""
+    exercise = about("puma560")
+    answer = expected(exercise, exercise.parts[0])
+    assert answer.count(old) == 1
+    found = check(exercise, "pose", answer.replace(old, new)).diagnosis
+    assert found is not None
+    assert found.ids == (slip,)
+    term = slip.split(" ", 2)[2]
+    assert found.names[0].startswith(f"the sign of {term} in entry (")
+    assert term not in found.hints[0]
+
+
+@pytest.mark.parametrize(
+    ("asked", "answer", "slip"),
+    [
+        ("point (1, 2, 5)", "[c12 - 2*s12 + a1*c1 + a2*c12, s12 + 2*c12 + a1*s1 + a2*s12, -5]", "given-sign z"),
+        ("point (1, 2, 5)", "[c12 + 2*s12 + a1*c1 + a2*c12, s12 - 2*c12 + a1*s1 + a2*s12, 5]", "given-sign y"),
+        ("point (1, 2, 5)", "[-(c12 - 2*s12 + a1*c1 + a2*c12), s12 + 2*c12 + a1*s1 + a2*s12, 5]", "coordinate-sign x"),
+        ("vector (1, 2, 0)", "[c12 - 2*s12, -(s12 + 2*c12), 0]", "coordinate-sign y"),
+        ("vector (1, 2, 0)", "[2*s12 - c12, -(s12 + 2*c12), 0]", "direction"),
+        ("position", "[-(a1*c1 + a2*c12), -(a1*s1 + a2*s12), 0]", "direction"),
+    ],
+)
+def test_the_sign_of_a_coordinate_is_named(asked: str, answer: str, slip: str) -> None:
+    """Of what was given, or of what came out."""
+    exercise = about("planar-2r")
+    question = read_question(f"{asked} of pose 0..2", exercise.scope)
+    found = check(replace(exercise, parts=(Part("pose", question),)), "pose", answer).diagnosis
+    assert found is not None
+    assert slip in found.ids
+
+
+def test_a_misprint_is_the_cause_only_of_what_it_explains() -> None:
+    """One entry is copied from the document, another is wrong in its own right."""
+    exercise = load_exercise("three-r-arm-tip")
+    part = exercise.part("t12")
+    assert part.printed is not None
+    copied = "[c2 -s2 0 b*c2; s2 c2 0 b*s2; 0 0 1 0; 0 0 0 1]"
+    found = check(exercise, "t12", copied).diagnosis
+    assert found is not None
+    assert found.ids == ("misprint",)
+    worse = check(exercise, "t12", copied.replace("b*c2", "b*c1"))
+    assert any("misprint" in remark for remark in worse.remarks)
+    assert worse.diagnosis is None or worse.diagnosis.ids != ("misprint",)
+
+
 def test_a_slip_in_a_table_is_named() -> None:
     """By the motion of the table typed."""
     found = check(load_exercise("three-r-arm-tip"), "table", "[a 0 0 θ1; b 90° 0 θ2; 0 0 0 θ3]").diagnosis
@@ -145,9 +202,19 @@ def test_an_unknown_mistake_is_refused_with_the_nearest() -> None:
     assert "alpha-sign 2" in caught.value.problems[0].hint
 
 
+def test_words_say_the_place_as_a_person_would() -> None:
+    """The two halves of a place stand where they belong."""
+    added = slip_of(BY_ID["offset-added"], "2 90°").words
+    assert added == "90° is added to theta of row 2, which has no offset"
+    shift = slip_of(BY_ID["shift-sign"], "1.2 x").words
+    assert shift == "the sign of the shift along x in move 1.2 is turned round"
+
+
 def test_every_record_has_a_name_of_its_own_and_tells_where_to_look() -> None:
     """Words and hint of each can be filled in."""
     assert len(BY_ID) == len(MISTAKES)
     for mistake in MISTAKES:
-        assert mistake.words.format(where="2", row="2")
-        assert mistake.hint.format(where="2", row="2") != mistake.words
+        slip = slip_of(mistake, "1,4 a2*c2")
+        assert slip.words
+        assert slip.hint not in ("", slip.words)
+        assert "{" not in slip.words + slip.hint

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dhcli.checking.diagnosis import matrices
+from dhcli.checking.diagnosis import matrices, terms
 from dhcli.checking.diagnosis.mistakes.record import Level, Mistake
 from dhcli.checking.diagnosis.result import Rank
 
@@ -88,6 +88,37 @@ IN_WRITING = (
         "look at the signs in row {row}",
         matrices.entry_sign,
         Rank.SYMPTOM,
+    ),
+    Mistake(
+        "given-sign",
+        M,
+        "the sign of the {where} coordinate that was given is turned round",
+        "look at the signs of the coordinates that were given",
+        matrices.given_sign,
+    ),
+    Mistake(
+        "coordinate-sign",
+        M,
+        "the sign of the {where} coordinate is turned round",
+        "look at the signs of the coordinates",
+        matrices.coordinate_sign,
+        Rank.SYMPTOM,
+    ),
+    Mistake(
+        "direction",
+        M,
+        "every coordinate has the other sign: it points the other way",
+        "from where to where does it point?",
+        matrices.direction,
+    ),
+    Mistake(
+        "term-sign",
+        M,
+        "the sign of {term} in entry ({entry}) is turned round",
+        "look at the signs of the terms in row {row}",
+        terms.term_sign,
+        Rank.SYMPTOM,
+        alone=True,
     ),
     Mistake(
         "position-as-row",

@@ -46,7 +46,7 @@ IN_ROWS = (
     Mistake(
         "offset-added",
         T,
-        "row {where} is added to theta, which has no offset",
+        "{term} is added to theta of row {entry}, which has no offset",
         "look at where joint {row} is at zero",
         rows.offset_added,
     ),
@@ -173,14 +173,14 @@ IN_MOVES = (
     Mistake(
         "shift-sign",
         T,
-        "the sign of the shift {where} is turned round",
+        "the sign of the shift along {term} in move {entry} is turned round",
         "look at the sense of the shift in move {row}",
         moves.shift_sign,
     ),
     Mistake(
         "shift-in-mm",
         T,
-        "the shift {where} is in another unit than the other lengths, mm for m",
+        "the shift along {term} in move {entry} is in another unit than the other lengths, mm for m",
         "look at the units of the lengths",
         moves.shift_unit,
     ),

@@ -29,11 +29,13 @@ class Mistake:
     Attributes:
         id: The name under which exercises ask for it.
         level: At what stage it is made.
-        words: What has happened, `{where}` for the place.
+        words: What has happened, `{where}` for the place, such as `1,4 a2*c2`; also `{row}`, `{entry}` and `{term}`,
+            its first number, its first word and the rest.
         hint: Where to look, without the answer.
         made: Every way to make it in a work.
         rank: How soon it is named.
         of_values: Whether the values given go into how it is made, not only into what comes of it.
+        alone: Whether it is made in otherwise right work only, never in a pair.
     """
 
     id: str
@@ -43,3 +45,4 @@ class Mistake:
     made: Callable[[Work, Setting], Made]
     rank: Rank = Rank.PLACE
     of_values: bool = False
+    alone: bool = False
