@@ -60,9 +60,12 @@ def read_entries(
     except NotationError as error:
         raise UnreadableError(*(str(problem) for problem in error.problems)) from None
     shaped = _shaped(question, cells)
-    return tuple(
+    entries = tuple(
         tuple(_entry(question, exercise, cell, r, c) for c, cell in enumerate(row)) for r, row in enumerate(shaped)
     )
+    if question.piece == "pose":
+        _check_bottom_row(entries)
+    return entries
 
 
 def check_names(exercise: Exercise, names: frozenset[str]) -> None:
@@ -134,9 +137,22 @@ def _entry(question: MatrixQuestion, exercise: Exercise, cell: Cell, row: int, c
         raise UnreadableError(f"{where} is a direction cosine and has no unit")
     if length and expr == cell.expr and not symbols(expr) and exercise.metres != 1:
         expr = multiply(expr, Number(exercise.metres))
-    if question.piece == "pose" and row == 3 and not _is_about(expr, ONE if column == 3 else ZERO):  # noqa: PLR2004
-        raise UnreadableError("the bottom row of a pose is 0 0 0 1")
     return Entry(expr, cell.text, cell.expr)
+
+
+def _check_bottom_row(entries: tuple[tuple[Entry, ...], ...]) -> None:
+    """Refuse a pose with another bottom row than 0 0 0 1; one that holds the position is a slip that has a name.
+
+    Raises:
+        UnreadableError: It is another one.
+    """
+    last = (ZERO, ZERO, ZERO, ONE)
+    if all(_is_about(entry.expr, right) for entry, right in zip(entries[-1], last, strict=True)):
+        return
+    remark = "the bottom row of a pose is 0 0 0 1"
+    if all(_is_about(row[-1].expr, right) for row, right in zip(entries, last, strict=True)):
+        remark += "; yours holds the position, which belongs in the last column"
+    raise UnreadableError(remark)
 
 
 def _is_about(expr: Expr, wanted: Number) -> bool:

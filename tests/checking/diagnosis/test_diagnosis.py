@@ -43,6 +43,7 @@ def test_each_mistake_applied_to_the_truth_is_named(name: str, *, numeric: bool)
         judged = mark(exercise, part, answer)
         if slip.name == "position-as-row":
             assert judged.verdict is Verdict.CANNOT_READ
+            assert "yours holds the position, which belongs in the last column" in judged.remarks[0]
             continue
         assert judged.verdict in (Verdict.WRONG, Verdict.CLOSE), slip.name
         found = diagnosed(exercise, part, answer, judged).diagnosis
