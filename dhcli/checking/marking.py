@@ -109,11 +109,11 @@ def _judged(exercise: Exercise, part: Part, answer: str, place: Place | None) ->
             row = _link(exercise, link).row
             if row is None:
                 raise RobotError(f"{exercise.id} asks for a cell, and its robot has no table")
-            return _value(_of_table(exercise), getattr(row, column), _without_star(answer), tolerance, place)
+            return mark_cell(exercise, getattr(row, column), answer, tolerance, place)
         case ScalarQuestion(expr):
-            return _value(exercise, _quantity(expr, exercise), answer, tolerance, place)
+            return mark_value(exercise, _quantity(expr, exercise), answer, tolerance, place)
         case FactorsQuestion(link):
-            return _factors(exercise, _link(exercise, link), answer, place)
+            return mark_factors(exercise, _link(exercise, link).moves, answer, place)
         case ChoiceQuestion(options, right):
             return _choice(options, right, answer)
         case CountQuestion():
@@ -132,11 +132,11 @@ def expected(exercise: Exercise, part: Part, style: str = "short") -> str:
             return write_table(exercise, convention)
         case CellQuestion(column, link):
             row = _link(exercise, link).row
-            return _spelled(getattr(row, column), exercise)
+            return spelled_value(getattr(row, column), exercise)
         case ScalarQuestion(expr):
-            return _spelled(_quantity(expr, exercise), exercise)
+            return spelled_value(_quantity(expr, exercise), exercise)
         case FactorsQuestion(link):
-            return " ".join(spelled(move, exercise.writing) for move in _link(exercise, link).moves)
+            return spelled_moves(_link(exercise, link).moves, exercise)
         case ChoiceQuestion(_, right):
             return str(right)
         case CountQuestion():
@@ -165,7 +165,12 @@ def _matrix(
     return replace(judged, reading=reading, remarks=remarks, expected=_matrix_text(rows))
 
 
-def _value(exercise: Exercise, right: Value, answer: str, tolerance: Tolerance, place: Place | None) -> Mark:
+def mark_cell(exercise: Exercise, right: Value, answer: str, tolerance: Tolerance, place: Place | None = None) -> Mark:
+    """Judge one cell of a table; the robot's lengths may be in numbers, and a star may mark a joint variable."""
+    return mark_value(_of_table(exercise), right, _without_star(answer), tolerance, place)
+
+
+def mark_value(exercise: Exercise, right: Value, answer: str, tolerance: Tolerance, place: Place | None = None) -> Mark:
     """Judge a single angle, length or number."""
     text = without_label(answer)
     typed_expr = parse(text, exercise.scope, place or Place("answer"))
@@ -174,7 +179,7 @@ def _value(exercise: Exercise, right: Value, answer: str, tolerance: Tolerance, 
     except DimensionError as error:
         raise UnreadableError(error.message + (f" ({error.hint})" if error.hint else "")) from None
     check_names(exercise, typed.names if isinstance(typed, Angle) else symbols(typed))
-    reading, shown = _spelled(typed, exercise), _spelled(right, exercise)
+    reading, shown = spelled_value(typed, exercise), spelled_value(right, exercise)
     verdict = _verdict_of_value(exercise, typed, right, typed_expr, tolerance)
     if isinstance(right, Angle) and verdict is not Verdict.RIGHT:
         in_radians = to_angle(typed_expr)
@@ -214,21 +219,25 @@ def _constant(value: Value, exercise: Exercise) -> Angle:
     return value.substitute({name: v for name, v in exercise.given.items() if isinstance(v, Angle)})
 
 
-def _factors(exercise: Exercise, link: Link, answer: str, place: Place | None) -> Mark:
+def mark_factors(exercise: Exercise, right: Chain, answer: str, place: Place | None = None) -> Mark:
     """Judge the elementary moves of a link: the same moves in the same order, up to pairs that commute."""
     typed = read_chain(without_label(answer), exercise.scope, place or Place("answer"))
-    reading = " ".join(spelled(move, exercise.writing) for move in typed)
-    shown = " ".join(spelled(move, exercise.writing) for move in link.moves)
-    moving, right = _elementary(typed), _elementary(link.moves)
-    same_moves = sorted(moving) == sorted(right)
+    moving, wanted = _elementary(typed), _elementary(right)
+    same_moves = sorted(moving) == sorted(wanted)
     remarks: tuple[str, ...] = ()
-    verdict = Verdict.RIGHT if same_moves and _same_product(typed, link.moves) else Verdict.WRONG
+    verdict = Verdict.RIGHT if same_moves and _same_product(typed, right) else Verdict.WRONG
     if verdict is Verdict.WRONG and same_moves:
         remarks = ("the moves are right, their order is not",)
     elif verdict is Verdict.WRONG:
-        remarks = (f"{len(set(moving) & set(right))} of {len(set(right))} moves are right",)
+        remarks = (f"{len(set(moving) & set(wanted))} of {len(set(wanted))} moves are right",)
     earned = float(verdict is Verdict.RIGHT)
-    return Mark(verdict, reading, remarks=remarks, earned=earned, expected=shown)
+    shown = spelled_moves(right, exercise)
+    return Mark(verdict, spelled_moves(typed, exercise), remarks=remarks, earned=earned, expected=shown)
+
+
+def spelled_moves(chain: Chain, exercise: Exercise) -> str:
+    """Moves as a person would type them."""
+    return " ".join(spelled(move, exercise.writing) for move in chain)
 
 
 def _elementary(chain: Chain) -> list[str]:
@@ -310,7 +319,8 @@ def _quantity(expr: Expr, exercise: Exercise) -> Value:
     return to_length(expr)
 
 
-def _spelled(value: Value, exercise: Exercise) -> str:
+def spelled_value(value: Value, exercise: Exercise) -> str:
+    """A value as a person would type it."""
     if isinstance(value, Angle):
         return write_angle(value, "short", exercise.writing)
     return write(value, "short", exercise.writing)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from dhcli.checking.diagnosis.asked_again import asked_again
 from dhcli.checking.diagnosis.geometry import geometry
 from dhcli.checking.diagnosis.result import Diagnosis, Slip
 from dhcli.checking.diagnosis.search import matches, point
@@ -12,7 +13,14 @@ from dhcli.checking.diagnosis.typed import typed_answer
 from dhcli.checking.diagnosis.work import Bench
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.pasted import UnreadableError
-from dhcli.checking.questions import CountQuestion, MatrixQuestion, TableQuestion
+from dhcli.checking.questions import (
+    CellQuestion,
+    CountQuestion,
+    FactorsQuestion,
+    MatrixQuestion,
+    ScalarQuestion,
+    TableQuestion,
+)
 from dhcli.checking.tables.cells import own_values, settled
 from dhcli.checking.tables.reading import read_table
 from dhcli.checking.verdicts import Mark, Verdict
@@ -65,6 +73,8 @@ def diagnose(exercise: Exercise, part: Part, answer: str, mark: Mark) -> Diagnos
             case CountQuestion():
                 found = count_slips(part.question)
                 return Diagnosis(tuple((slip,) for slip, value in found if str(value) == mark.reading))
+            case ScalarQuestion() | CellQuestion() | FactorsQuestion():
+                return Diagnosis(tuple((one.slip,) for one in asked_again(exercise, part, answer)))
     except (UnreadableError, DhcliError):
         pass  # what cannot be read has been told already
     return Diagnosis()

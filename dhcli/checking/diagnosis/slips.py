@@ -34,7 +34,7 @@ class Candidate:
 
 
 def slips(exercise: Exercise, part: Part) -> tuple[Slip, ...]:
-    """Every single mistake that changes the right answer to a part; nothing where it is no matrix, table or count."""
+    """Every single mistake that changes the right answer to a part; nothing where one of several is chosen."""
     question = part.question
     if isinstance(question, MatrixQuestion):
         from dhcli.checking.diagnosis.search import search_of
@@ -42,7 +42,11 @@ def slips(exercise: Exercise, part: Part) -> tuple[Slip, ...]:
         return tuple(candidate.slips[0] for candidate in search_of(exercise, question).visible)
     if isinstance(question, TableQuestion):
         return tuple(candidate.slips[0] for candidate in table_candidates(exercise, question))
-    return tuple(slip for slip, _ in count_slips(question)) if isinstance(question, CountQuestion) else ()
+    if isinstance(question, CountQuestion):
+        return tuple(slip for slip, _ in count_slips(question))
+    from dhcli.checking.diagnosis.asked_again import asked_again
+
+    return tuple(one.slip for one in asked_again(exercise, part))
 
 
 def answer_with(exercise: Exercise, part: Part, name: str) -> str:
@@ -70,6 +74,12 @@ def answer_with(exercise: Exercise, part: Part, name: str) -> str:
         for slip, value in count_slips(question):
             if slip.name == name:
                 return str(value)
+    else:
+        from dhcli.checking.diagnosis.asked_again import asked_again
+
+        for one in asked_again(exercise, part):
+            if one.slip.name == name:
+                return one.answer
     known = [slip.name for slip in slips(exercise, part)]
     hint = did_you_mean(name, known) or f"mistakes here: {', '.join(known)}"
     raise UnknownNameError(f"{part.id}: the mistake '{name}' cannot be made here", hint)

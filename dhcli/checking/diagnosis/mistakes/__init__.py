@@ -2,7 +2,8 @@
 
 To add one is to add a record to one of the tuples. In a pair the earlier level is made first. Of two mistakes that are
 the same wherever one looks, such as the transpose of a plain turn and the turn the other way, the earlier has the name.
-Those about counts stand beside what they count, in `mobility.slips`.
+Those in a single value have records of their own, in `of_values`; those about counts stand beside what they count, in
+`mobility.slips`.
 """
 
 from __future__ import annotations
