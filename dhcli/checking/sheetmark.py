@@ -10,6 +10,7 @@ from dhcli.checking.diagnosis.following import follows
 from dhcli.checking.diagnosis.result import Diagnosis
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.marking import mark
+from dhcli.checking.questions import TableQuestion
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import Place, UnknownNameError, did_you_mean
 
@@ -92,17 +93,26 @@ def mark_sheet(
         text = answers.get(part.id, "")
         judged = diagnosed(exercise, part, text, mark(exercise, part, text, places.get(part.id)))
         if judged.verdict in UNSOLVED:
-            wrong = {name: answers[name] for name, one in marks.items() if one.verdict in UNSOLVED}
-            judged = _followed(judged, follows(exercise, part, {**wrong, part.id: text}))
+            own = {name: answers[name] for name, one in marks.items() if _differs(exercise.part(name), one)}
+            used = follows(exercise, part, {**own, part.id: text})
+            judged = _followed(judged, used, is_right=all(marks[name].verdict not in UNSOLVED for name in used))
         marks[part.id] = judged
     return SheetMark(
         exercise, tuple(PartMark(part, marks[part.id]) for part in exercise.parts if only in (None, part.id))
     )
 
 
-def _followed(judged: Mark, parts: tuple[str, ...]) -> Mark:
+def _differs(part: Part, judged: Mark) -> bool:
+    """Whether later parts may follow from an answer otherwise than from the solution: wrong, or a table of its own."""
+    own_table = isinstance(part.question, TableQuestion) and judged.verdict.passed is True and bool(judged.remarks)
+    return judged.verdict in UNSOLVED or own_table
+
+
+def _followed(judged: Mark, parts: tuple[str, ...], *, is_right: bool) -> Mark:
     """A wrong answer that is right from earlier ones: its credit is earned, the slip is where it was made."""
     if not parts:
         return judged
-    remark = f"right from your {' and '.join(parts)}: the slip is there; this part keeps its credit"
+    whose = f"right from your {' and '.join(parts)}"
+    remark = f"{whose}, which has other frames" if is_right else f"{whose}: the slip is there"
+    remark += "; this part keeps its credit"
     return replace(judged, earned=1.0, remarks=(remark,), diagnosis=Diagnosis(follows=parts))

@@ -1,0 +1,94 @@
+"""Parts that are right from a student's own DH table."""
+
+from __future__ import annotations
+
+import pytest
+
+from dhcli import load_exercise, load_robot
+from dhcli.checking.diagnosis.slips import answer_with
+from dhcli.checking.exercise import Exercise, Part
+from dhcli.checking.marking import expected
+from dhcli.checking.questions import read_question
+from dhcli.checking.sheetmark import mark_sheet
+from dhcli.checking.verdicts import Mark, Verdict
+
+ASKED = ("pose 0..6", "pose 3..5", "link 4", "position of pose 0..5", "point (1, 2, 3) of pose 0..6")
+
+
+def puma(asked: str, *, numeric: bool = False) -> Exercise:
+    """The table of PUMA 560, and then something of a pose."""
+    robot = load_robot("puma560")
+    table = Part("table", read_question("table modified", robot.scope))
+    later = Part("pose", read_question(asked, robot.scope), depends=("table",))
+    from dhcli.kinematics.values import joint_values
+
+    given = joint_values(robot, "25°,40°,65°,35°,70°,20°") if numeric else {}
+    return Exercise("e", "", "", "", (table, later), robot, given, numeric=numeric)
+
+
+def second(exercise: Exercise, slip: str, other: str = "") -> Mark:
+    """The judgement of the later part, both answered with the same slip, or the later one with another."""
+    answers = {part.id: answer_with(exercise, part, slip) for part in exercise.parts}
+    if other:
+        answers["pose"] = answer_with(exercise, exercise.part("pose"), other)
+    return next(one.mark for one in mark_sheet(exercise, answers).parts if one.part.id == "pose")
+
+
+@pytest.mark.parametrize("numeric", [False, True])
+@pytest.mark.parametrize(
+    "asked", ["pose 0..6", "pose 3..5", "link 4", "position of pose 0..5", "point (1, 2, 3) of pose 0..6"]
+)
+def test_a_pose_from_a_wrong_table_keeps_its_credit(asked: str, *, numeric: bool) -> None:
+    """The slip is in the table, and said there; everything behind it is worked out rightly."""
+    mark = second(puma(asked, numeric=numeric), "alpha-sign 4")
+    assert mark.verdict is Verdict.WRONG
+    assert mark.earned == 1
+    assert mark.diagnosis is not None
+    assert mark.diagnosis.follows == ("table",)
+    assert mark.remarks == ("right from your table: the slip is there; this part keeps its credit",)
+
+
+def test_a_pose_with_a_slip_of_its_own_is_told_that_slip() -> None:
+    """It follows neither from the solution nor from the student's own table."""
+    mark = second(puma("pose 0..6"), "alpha-sign 4", "d-forgotten 3")
+    assert mark.earned < 1
+    assert mark.diagnosis is not None
+    assert mark.diagnosis.ids == ("d-forgotten 3",)
+
+
+def test_a_pose_from_a_right_table_with_other_frames_keeps_its_credit() -> None:
+    """The table is right, its x1 points the other way; so do the matrices of frame 1."""
+    exercise = puma("pose 0..1")
+    table = answer_with(exercise, exercise.part("table"), "alpha-sign 2").replace(
+        "0, 0, 0, theta1", "0, 0, 0, theta1+180°"
+    )
+    answers = {"table": table, "pose": "[-c1 s1 0 0; -s1 -c1 0 0; 0 0 1 0; 0 0 0 1]"}
+    marks = {one.part.id: one.mark for one in mark_sheet(exercise, answers).parts}
+    assert marks["table"].verdict.passed
+    assert marks["pose"].earned == 1
+    assert marks["pose"].remarks == ("right from your table, which has other frames; this part keeps its credit",)
+
+
+def test_a_cell_that_agrees_with_the_own_table_keeps_its_credit() -> None:
+    """One slip costs once."""
+    exercise = load_exercise("puma560-table")
+    table = expected(exercise, exercise.part("table")).replace(" a2,", " a3,", 1)
+    marks = {one.part.id: one.mark for one in mark_sheet(exercise, {"table": table, "upper": "a3"}).parts}
+    assert marks["table"].verdict is Verdict.WRONG
+    assert marks["upper"].diagnosis is not None
+    assert marks["upper"].diagnosis.follows == ("table",)
+    assert marks["upper"].earned == 1
+    marks = {one.part.id: one.mark for one in mark_sheet(exercise, {"table": table, "upper": "d3"}).parts}
+    assert marks["upper"].earned == 0
+
+
+def test_a_table_that_cannot_be_read_or_has_other_rows_is_followed_by_nothing() -> None:
+    """There are no frames to go through."""
+    exercise = puma("pose 0..6")
+    pose = answer_with(exercise, exercise.part("pose"), "alpha-sign 4")
+    table = answer_with(exercise, exercise.part("table"), "alpha-sign 4")
+    longer = table.replace("[[", "[[0, 0, 0, 0], [", 1)
+    for typed in ("[1 2 3]", longer):
+        marks = {one.part.id: one.mark for one in mark_sheet(exercise, {"table": typed, "pose": pose}).parts}
+        assert marks["pose"].diagnosis is not None
+        assert marks["pose"].diagnosis.follows == ()
