@@ -7,10 +7,9 @@ from dataclasses import replace
 from dhcli.checking.diagnosis.asked_again import asked_again
 from dhcli.checking.diagnosis.geometry import geometry
 from dhcli.checking.diagnosis.result import Diagnosis, Slip
-from dhcli.checking.diagnosis.search import matches, point
-from dhcli.checking.diagnosis.slips import count_slips, table_candidates, table_work
+from dhcli.checking.diagnosis.slips import count_slips
+from dhcli.checking.diagnosis.table_causes import table_causes
 from dhcli.checking.diagnosis.typed import typed_answer
-from dhcli.checking.diagnosis.work import Bench
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.questions import (
@@ -21,21 +20,14 @@ from dhcli.checking.questions import (
     ScalarQuestion,
     TableQuestion,
 )
-from dhcli.checking.tables.cells import own_values, settled
-from dhcli.checking.tables.reading import read_table
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import DhcliError
-from dhcli.kinematics.conventions import moves_of
-from dhcli.kinematics.fold import fold
-from dhcli.kinematics.moves import names
 
 MISPRINT = Slip(
     "misprint", "this is what the document prints; it is a misprint", "the document may be wrong: work it out yourself"
 )
 HALVES = ("the rotation is right;", "the position is right;")
 """How remarks begin that geometry says more precisely."""
-MOTION = 2e-3
-"""What two tables of the same motion may differ by, at lengths and angles near 1."""
 
 
 def diagnosed(exercise: Exercise, part: Part, answer: str, mark: Mark) -> Mark:
@@ -69,7 +61,7 @@ def diagnose(exercise: Exercise, part: Part, answer: str, mark: Mark) -> Diagnos
             case MatrixQuestion():
                 return Diagnosis(_of_matrix(exercise, part, part.question, answer))
             case TableQuestion():
-                return Diagnosis(_of_table(exercise, part, part.question, answer))
+                return Diagnosis(table_causes(exercise, part, part.question, answer))
             case CountQuestion():
                 found = count_slips(part.question)
                 return Diagnosis(tuple((slip,) for slip, value in found if str(value) == mark.reading))
@@ -96,27 +88,3 @@ def _of_matrix(exercise: Exercise, part: Part, question: MatrixQuestion, answer:
         if causes:
             return tuple(cause.slips for cause in causes)
     return ()
-
-
-def _of_table(exercise: Exercise, part: Part, question: TableQuestion, answer: str) -> tuple[tuple[Slip, ...], ...]:
-    """Mistakes in one row of the right table that give the motion of the one typed."""
-    robot = exercise.robot
-    if robot is None:
-        return ()
-    tolerance = part.tolerance or exercise.tolerance
-    rows = [settled(r.row, tolerance) for r in read_table(answer, robot, exercise.scope, robot.columns, exercise.unit)]
-    chain = tuple(move for row in rows for move in moves_of(row, question.convention))
-    right = table_work(robot)
-    free = names(chain) | names(tuple(move for step in right.steps for move in step.chain))
-    known = {name: v for name, v in own_values(exercise).items() if name not in robot.variables}
-    overs = [point(free, known, seed) for seed in (3, 4)]
-    benches = [Bench(right, over) for over in overs]
-    typed = [fold(chain, over) for over in overs]
-    slack = tuple(tuple(MOTION for _ in row) for row in typed[0])
-    found = []
-    for candidate in table_candidates(exercise, question):
-        given = [bench.matrix(candidate.work) for bench in benches]
-        is_right = all(matches(b.matrix(right), m, slack) for b, m in zip(benches, given, strict=True))
-        if not is_right and all(matches(t, m, slack) for t, m in zip(typed, given, strict=True)):
-            found.append(candidate.slips)
-    return tuple(found)

@@ -111,6 +111,15 @@ def same_robot(truth: Arm, other: Arm, values: Values, tolerance: Tolerance, *, 
     return same
 
 
+def may_be_same(truth: Arm, other: Arm, values: Values, *, end_free: bool = False) -> bool:
+    """A first look at one point, cheap enough for many candidates: whether `same_robot` could come out RIGHT at all."""
+    if has_numbers(other.chain) or has_numbers(truth.chain):
+        return True
+    point = next(_points(truth, other, values))
+    limits = Limits.exact(_size(truth, point) + _size(other, point))
+    return next(Registration(truth, other, point, limits, end_free=end_free).matches(), None) is not None
+
+
 def has_numbers(chain: Chain) -> bool:
     """Whether lengths in numbers, or decimals and angles that may be rounded, stand in a chain."""
     if any(has_decimals(expr) for expr in expressions(chain)):

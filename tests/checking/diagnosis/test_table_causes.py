@@ -1,0 +1,61 @@
+"""Slips in a DH table that is drawn with other frames, or whose joints are counted otherwise, than the solution's."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from dhcli import check
+from dhcli.checking.diagnosis.slips import table_candidates
+from dhcli.checking.exercise import question_about_table
+from dhcli.checking.questions import TableQuestion
+from dhcli.checking.tables.cells import table_text
+from dhcli.checking.verdicts import Verdict
+from dhcli.kinematics.conventions import Row
+from dhcli.notation.angle import Angle
+from tests.checking.tables.robots_with_tables import flip_x, flip_z, robot
+
+SLIPS = {
+    "puma560": ("alpha-forgotten 4", "a-forgotten 3", "d-forgotten 4", "a-d-swapped 3", "alpha-sign 4"),
+    "stanford": ("alpha-forgotten 2", "d-sign 6", "d-forgotten 2"),
+    "zhou-3r": ("alpha-forgotten 2", "a-forgotten 1"),
+}
+
+
+def drawn_otherwise(rows: tuple[Row, ...], name: str, how: str) -> tuple[Row, ...]:
+    """The same robot in another drawing."""
+    convention = robot(name).convention
+    if how == "x1 and z2 the other way":
+        return flip_z(flip_x(rows, 0, convention), 1, convention)
+    theta = rows[1].theta
+    turned = -theta if how == "joint 2 counts the other way" else theta + Angle.in_degrees(90)
+    return (rows[0], replace(rows[1], theta=turned), *rows[2:])
+
+
+@pytest.mark.parametrize("name", SLIPS)
+@pytest.mark.parametrize(
+    "how", ["x1 and z2 the other way", "joint 2 counts the other way", "joint 2 counts from elsewhere"]
+)
+def test_a_slip_is_named_whatever_frames_are_drawn(name: str, how: str) -> None:
+    """By the robot that the table describes, not by its cells."""
+    exercise = question_about_table(robot(name), robot(name).convention)
+    question = exercise.parts[0].question
+    assert isinstance(question, TableQuestion)
+    rows = {
+        one.slips[0].name: tuple(step.row for step in one.work.steps if step.row is not None)
+        for one in table_candidates(exercise, question)
+    }
+    for slip in SLIPS[name]:
+        text = table_text(drawn_otherwise(rows[slip], name, how), robot(name).columns, robot(name).writing)
+        mark = check(exercise, "table", text)
+        assert mark.verdict is Verdict.WRONG
+        assert mark.diagnosis is not None, (slip, text)
+        assert slip in mark.diagnosis.ids
+
+
+def test_a_table_of_another_robot_has_no_cause() -> None:
+    """Two twists forgotten are no single slip."""
+    exercise = question_about_table(robot("puma560"), robot("puma560").convention)
+    text = "[0 0 0 θ1; 0 0 0 θ2; 0 a2 d3 θ3; 0 a3 d4 θ4; 90 0 0 θ5; -90 0 0 θ6]"
+    assert check(exercise, "table", text).diagnosis is None
