@@ -21,8 +21,9 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 
 from dhcli import load_exercise, load_robot
 from dhcli.checking.diagnosis.diagnosis import diagnose
-from dhcli.checking.diagnosis.search import same, search_of
+from dhcli.checking.diagnosis.search import matches, same, search_of
 from dhcli.checking.diagnosis.slips import answer_with, slips, typed_text
+from dhcli.checking.diagnosis.typed import typed_answer
 from dhcli.checking.exercise import Exercise, Part, question_about
 from dhcli.checking.marking import mark
 from dhcli.checking.questions import MatrixQuestion, TableQuestion
@@ -43,7 +44,7 @@ class Tally:
         alike: Others, for which each mistake named gives the same answer at all values.
         few: Those for which it is named among at most three.
         named: Those for which something is named.
-        wrong: Names of mistakes that would give another answer.
+        wrong: Names of mistakes that would give the right answer, or another one than that typed.
         seconds: Time of each diagnosis.
     """
 
@@ -105,8 +106,20 @@ def singles(exercise: Exercise, part: Part, tally: Tally) -> None:
         tally.few += hit and len(found.ids) <= 3
         for name in found.ids:
             if name != "misprint" and " + " not in name and name not in makers:
-                other = mark(exercise, part, answer_with(exercise, part, name))
-                tally.wrong += other.verdict.passed is True
+                other = answer_with(exercise, part, name)
+                is_right = mark(exercise, part, other).verdict.passed is True
+                tally.wrong += is_right or not agree(exercise, part, answer, other)
+
+
+def agree(exercise: Exercise, part: Part, answer: str, other: str) -> bool:
+    """Whether two answers say the same: to the digits typed, or as expressions."""
+    if answer == other or not isinstance(part.question, MatrixQuestion):
+        return answer == other or mark(exercise, part, answer).reading == mark(exercise, part, other).reading
+    first, second = (typed_answer(exercise, part, part.question, text) for text in (answer, other))
+    if first is None or second is None:
+        return False
+    slack = tuple(tuple(2 * limit for limit in row) for row in first.slacks[0])  # both have been rounded
+    return all(matches(a, b, slack) for a, b in zip(first.values, second.values, strict=True))
 
 
 def pairs(exercise: Exercise, part: Part, tally: Tally, count: int, draw: random.Random) -> None:
@@ -114,6 +127,7 @@ def pairs(exercise: Exercise, part: Part, tally: Tally, count: int, draw: random
     if not isinstance(part.question, MatrixQuestion):
         return
     every = search_of(exercise, part.question).pairs
+    works = {" + ".join(slip.name for slip in one.slips): one.work for one in every}
     for pair in draw.sample(every, min(count, len(every))):
         answer = typed_text(exercise, pair.work)
         judged = mark(exercise, part, answer)
@@ -130,6 +144,9 @@ def pairs(exercise: Exercise, part: Part, tally: Tally, count: int, draw: random
         unique = hit and len(found.ids) == 1
         tally.unique += unique
         tally.alike += not unique and alike(exercise, part, (wanted, *found.ids))
+        tally.wrong += sum(
+            not agree(exercise, part, answer, typed_text(exercise, works[name])) for name in found.ids if name in works
+        )
         tally.few += hit and len(found.ids) <= 3
 
 
