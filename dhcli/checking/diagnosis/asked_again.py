@@ -18,8 +18,8 @@ from dhcli.checking.diagnosis.slips import candidates, setting_of, table_candida
 from dhcli.checking.diagnosis.work import Multiplied, Step, Work
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.marking import expected, mark, mark_cell, mark_factors, spelled_moves, spelled_value
+from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.questions import CellQuestion, FactorsQuestion, MatrixQuestion, ScalarQuestion, Span, TableQuestion
-from dhcli.checking.reading import UnreadableError
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.kinematics.conventions import Row, moves_of
 from dhcli.kinematics.moves import Chain
@@ -58,25 +58,27 @@ def asked_again(exercise: Exercise, part: Part, answer: str | None = None) -> tu
     """
     match part.question:
         case ScalarQuestion():
-            found = _distinct(exercise, _values(exercise, part, part.question))
+            found = _values(exercise, part, part.question)
         case CellQuestion():
             found = _cells(exercise, part, part.question)
         case FactorsQuestion():
-            found = _distinct(exercise, _factors(exercise, part.question))
+            found = _factors(exercise, part.question)
         case _:
             return ()
     right = expected(exercise, part)
     fitting = (asked for asked in found if answer is None or asked.fits(answer))
-    return tuple(asked for asked in fitting if not asked.fits(right))
+    wrong = (asked for asked in fitting if not asked.fits(right))
+    is_same = not exercise.numeric and not isinstance(part.question, CellQuestion)
+    return tuple(_distinct(wrong)) if is_same else tuple(wrong)
 
 
-def _distinct(exercise: Exercise, found: Iterator[Asked]) -> Iterator[Asked]:
-    """Of mistakes that are the same in symbols the first; in numbers they may only happen to agree."""
-    known: set[str] = set()
+def _distinct(found: Iterator[Asked]) -> Iterator[Asked]:
+    """Of mistakes that are the same in symbols the first; in numbers, and in one cell, they only happen to agree."""
+    known: list[Asked] = []
     for asked in found:
-        if exercise.numeric or asked.answer not in known:
+        if not any(other.fits(asked.answer) for other in known):
+            known.append(asked)
             yield asked
-        known.add(asked.answer)
 
 
 def _values(exercise: Exercise, part: Part, question: ScalarQuestion) -> Iterator[Asked]:

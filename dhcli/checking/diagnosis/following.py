@@ -8,8 +8,8 @@ from dhcli.checking.diagnosis.search import Entries, matches
 from dhcli.checking.diagnosis.typed import Typed, typed_answer
 from dhcli.checking.diagnosis.work import inverse, product
 from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.marking import mark_cell
+from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.questions import CellQuestion, MatrixQuestion, Span, TableQuestion
 from dhcli.checking.tables.cells import settled
 from dhcli.checking.tables.reading import read_table
