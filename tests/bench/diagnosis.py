@@ -181,7 +181,7 @@ def main() -> None:
     everything = list(single.values())
     made, unique = sum(t.made for t in everything), sum(t.unique for t in everything)
     alike_ = sum(t.alike for t in everything)
-    print(f"single slips named uniquely: {unique} of {made} ({unique / made:.1%});", end=" ")
+    print(f"single slips named uniquely: {unique} of {made} ({unique / made:.1%})")
     print(f"of the {made - alike_} that the question can tell apart: {unique / (made - alike_):.1%}")
 
 
