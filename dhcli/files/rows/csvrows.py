@@ -66,7 +66,8 @@ class CsvRows:
 
     def _columns(self, head: str, line: int) -> tuple[Columns, bool]:
         """What the first line says of the columns, and whether it is a header."""
-        self._separator = next((sign for sign in ",;\t" if sign in head), " " if " " in head.strip() else ",")
+        # Commas last: between semicolons or tabs they are decimal ones, which are refused cell by cell.
+        self._separator = next((sign for sign in ";\t," if sign in head), " " if " " in head.strip() else ",")
         if head.startswith("#"):  # numpy.savetxt writes headers like this
             head = " " + head[1:]
         cells = self._cells(head)

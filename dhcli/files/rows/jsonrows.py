@@ -13,7 +13,7 @@ import numpy as np
 
 from dhcli.errors import FileError, Place, Problem
 from dhcli.files.rows.blocks import Block, Sieve, cell_problem
-from dhcli.files.rows.cells import CellError, is_number, shown
+from dhcli.files.rows.cells import NUMBER, CellError, shown
 from dhcli.files.rows.columns import Columns, columns_of, in_joint_order
 from dhcli.files.rows.source import Source, text_blocks
 from dhcli.kinematics.robot import Robot
@@ -167,7 +167,7 @@ def _number(value: object) -> float:
     """
     if isinstance(value, bool) or not isinstance(value, int | float):
         spelled = shown(value) if isinstance(value, str) else _WORDS.get(repr(value), "a list or an object")
-        hint = "write it without quotes" if isinstance(value, str) and is_number(value) else ""
+        hint = "write it without quotes" if isinstance(value, str) and NUMBER.fullmatch(value) else ""
         raise CellError(f"is {spelled}, not a number", hint)
     try:
         number = float(value)

@@ -150,6 +150,19 @@ def test_a_bad_cell_is_named_by_line_column_and_joint(row: str, said: list[str])
     assert read(content).tolist() == [[1, 2, 3], [4, 5, 6]]
 
 
+@pytest.mark.parametrize("separator", [";", "\t"])
+@pytest.mark.parametrize("header", ["", "theta1;theta2;d3\n"])
+def test_decimal_commas_are_refused_cell_by_cell(separator: str, header: str) -> None:
+    """As spreadsheets write them in half of Europe: the comma is not what stands between the cells."""
+    line = 2 if header else 1
+    content = f"{header}0,1;0,2;0,3\n".replace(";", separator)
+    assert bad(content) == [
+        f"q.csv:{line}:1: theta1 '0,1' is not a number (write 0.1, with a point)",
+        f"q.csv:{line}:5: theta2 '0,2' is not a number (write 0.2, with a point)",
+        f"q.csv:{line}:9: d3 '0,3' is not a number (write 0.3, with a point)",
+    ]
+
+
 def test_no_header_is_made_of_a_row_with_a_bad_cell() -> None:
     """A name is never a number, and a row has at least one."""
     assert bad("0.1,abc,0.3\n1,2,3\n") == [
