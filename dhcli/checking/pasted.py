@@ -11,7 +11,7 @@ _CONTINUED = re.compile(r"\.\.\.[^\S\n]*(?=\n)")
 _SCREEN = re.compile(r"[⎡⎢⎣][^\n⎡⎢⎣⎤⎥⎦]*[⎤⎥⎦]")
 _DECLARED = re.compile(r"^[^\S\n]*syms\b[^\n]*$", re.MULTILINE)
 _ENTRY = re.compile(r"(?:^|[\n,;])[^\S\n]*([rRnoapP])_?\{?([1-3]{2}|[xyz])\}?\s*=\s*")
-"""What stands before an entry in a list of them; each begins in a line or behind a sign, so that no blank is tried twice."""
+"""What stands before an entry in a list of them; no blank lines, or each would be gone through from all before it."""
 _POSE, _ROTATION, _VECTOR = (4, 4), (3, 3), (3, 1)
 
 
