@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, BinaryIO
 
 from dhcli.cli.console import raw_out, say, somebody_reads, write_out
 from dhcli.cli.delivery import check_free
-from dhcli.errors import DhcliError, UnknownNameError, did_you_mean
+from dhcli.errors import DhcliError, UnknownNameError, did_you_mean, plural
 from dhcli.render.rows import FORMATS, Layout, RowText
 
 if TYPE_CHECKING:
@@ -107,7 +107,7 @@ class RowDelivery:
             _sink(name, layout, stream) as sink,
         ):
             yield sink
-        say(f"wrote {self.output}: {sink.count} row{'s' * (sink.count != 1)}\n")
+        say(f"wrote {self.output}: {plural(sink.count, 'row')}\n")
 
 
 @contextmanager

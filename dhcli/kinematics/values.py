@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import TypeAlias
 
-from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean
+from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean, plural
 from dhcli.kinematics.moves import Chain, names
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.validity import in_floats
@@ -257,8 +257,7 @@ def _parameter(robot: Robot, name: str, place: Place | None) -> str:
 def _check_count(robot: Robot, count: int, place: Place | None) -> None:
     wanted = len(robot.variables)
     if count != wanted:
-        joints = f"{wanted} joint{'s' * (wanted != 1)}"
-        message = f"{robot.name} has {joints}, {count} value{'s' * (count != 1)} given"
+        message = f"{robot.name} has {plural(wanted, 'joint')}, {plural(count, 'value')} given"
         raise RobotError(Problem(message, place, _joints_hint(robot)))
 
 

@@ -11,7 +11,7 @@ from typing import Any, NoReturn
 
 import numpy as np
 
-from dhcli.errors import FileError, Place, Problem
+from dhcli.errors import FileError, Place, Problem, plural
 from dhcli.files.rows.blocks import Block, Sieve, cell_problem
 from dhcli.files.rows.cells import NUMBER, CellError, shown
 from dhcli.files.rows.columns import Columns, columns_of, in_joint_order
@@ -118,8 +118,8 @@ class JsonRows:
         elif isinstance(row, list) and not any(isinstance(value, list | _Object) for value in row):
             values, columns = row, self._in_order
             if len(values) != (wanted := len(columns.order)):
-                count = f"{len(values)} number{'s' * (len(values) != 1)}"
-                raise FileError(Problem(f"{count} where {self._robot.name} has {wanted} joints", place))
+                message = f"{plural(len(values), 'number')} where {self._robot.name} has {plural(wanted, 'joint')}"
+                raise FileError(Problem(message, place))
         else:
             raise FileError(Problem("is no row", place, _ONE_A_LINE))
         numbers, problems = [0.0] * len(values), []

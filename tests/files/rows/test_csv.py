@@ -138,9 +138,9 @@ def test_everything_wrong_with_a_header_is_told_at_once(header: str, said: list[
             ["q.csv:3:5: theta2 'pi/2' is not a number (a cell is a plain number, such as -0.25 or 1e-3)"],
         ),
         ('0.1,"0,2",0.3', ["q.csv:3:6: theta2 '0,2' is not a number (write 0.2, with a point)"]),
-        ('"' + "1" * 140_000, ["q.csv:3: 1 cell where there are 3 columns"]),
-        ("0.1,0.2", ["q.csv:3: 2 cells where there are 3 columns"]),
-        ("0.1,0.2,0.3,", ["q.csv:3: 4 cells where there are 3 columns"]),
+        ('"' + "1" * 140_000, ["q.csv:3: 1 cell in a table of 3 columns"]),
+        ("0.1,0.2", ["q.csv:3: 2 cells in a table of 3 columns"]),
+        ("0.1,0.2,0.3,", ["q.csv:3: 4 cells in a table of 3 columns"]),
     ],
 )
 def test_a_bad_cell_is_named_by_line_column_and_joint(row: str, said: list[str]) -> None:
