@@ -100,6 +100,11 @@ class UnknownNameError(DhcliError):
     """A robot, frame, joint or format that is not known; the hint lists what is."""
 
 
+def plural(count: int, noun: str) -> str:
+    """`1 row`, `3 rows`."""
+    return f"{count} {noun}{'s' * (count != 1)}"
+
+
 def nearest(name: str, known: Iterable[str], most: int = 3) -> tuple[str, ...]:
     """The known names most like a mistyped one, best first.
 

@@ -47,7 +47,7 @@ def given_text(exercise: Exercise) -> str:
 
 def coordinates(question: MatrixQuestion, exercise: Exercise) -> str:
     """The point or the vector of a question, in the unit of the sheet: `20, -30, 50`."""
-    scale = number(1 / exercise.metres) if exercise.numeric and question.piece == "point" else ONE
+    scale = number(1 / exercise.metres) if exercise.numeric else ONE
     shown = [multiply(scale, value) if isinstance(value, Number) else value for value in question.point]
     return ", ".join(write(value, "short", exercise.writing) for value in shown)
 

@@ -10,7 +10,8 @@ _NAMED_MATRIX = re.compile(r"[^=\n]{1,60}=\s*(?=\[|\\begin|\\left|array|np\.|Mat
 _CONTINUED = re.compile(r"\.\.\.[^\S\n]*(?=\n)")
 _SCREEN = re.compile(r"[⎡⎢⎣][^\n⎡⎢⎣⎤⎥⎦]*[⎤⎥⎦]")
 _DECLARED = re.compile(r"^[^\S\n]*syms\b[^\n]*$", re.MULTILINE)
-_ENTRY = re.compile(r"(?:^|[\n,;])\s*([rRnoapP])_?\{?([1-3]{2}|[xyz])\}?\s*=\s*")
+_ENTRY = re.compile(r"(?:^|[\n,;])[^\S\n]*([rRnoapP])_?\{?([1-3]{2}|[xyz])\}?\s*=\s*")
+"""What stands before an entry in a list of them; no blank lines, or each would be gone through from all before it."""
 _POSE, _ROTATION, _VECTOR = (4, 4), (3, 3), (3, 1)
 
 

@@ -101,11 +101,14 @@ class _Worker:
             return Lost.DIED
 
     def end(self) -> None:
-        """Stop it, whatever it does."""
-        self.process.kill()
-        self.process.join()
-        self.process.close()
-        self.pipe.close()
+        """Stop it, whatever it does; only once, for Ctrl-C may come just after and stop everything again."""
+        with _without_interrupts():  # a process that is waited for, but not known to be gone, could never be closed
+            if self.pipe.closed:
+                return
+            self.process.kill()
+            self.process.join()
+            self.process.close()
+            self.pipe.close()
 
 
 def _serve(pipe: Connection, work: Callable[[Any], object]) -> None:
@@ -124,7 +127,7 @@ def _patience(team: Sequence[_Worker]) -> float | None:
 
 @contextmanager
 def _without_interrupts() -> Iterator[None]:
-    """Ctrl-C goes to every process of a terminal; one that starts here inherits that it does not hear it."""
+    """Do not hear Ctrl-C for a moment; a process that starts meanwhile, to which it goes too, never does."""
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return

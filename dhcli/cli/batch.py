@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from dhcli.cli.console import say
 from dhcli.cli.given import forms_of, settings_of
 from dhcli.cli.rows import RowDelivery
-from dhcli.errors import DhcliError, FileError, Place, Problem
+from dhcli.errors import DhcliError, FileError, Place, Problem, plural
 from dhcli.files.reading import source_of
 from dhcli.files.robots import load_robot
 from dhcli.files.rows.blocks import MOST, Block
@@ -132,7 +132,7 @@ class BadRows:
         self.count += count
         self.problems += problems[: MOST - len(self.problems)]
         if count and not self.skip:
-            raise self.error(f"{_rows(count)} cannot be read", "--skip-bad goes on without them")
+            raise self.error(f"{plural(count, 'row')} cannot be read", "--skip-bad goes on without them")
 
     def error(self, message: str, hint: str) -> FileError:
         """All that is known of them, and a last word."""
@@ -143,11 +143,11 @@ class BadRows:
         if not self.count:
             return
         paper = Paper.of(sys.stderr)
-        lines = [warning_line(f"left out {self.count} of {_rows(good + self.count)}:", paper)]
+        lines = [warning_line(f"left out {self.count} of {plural(good + self.count, 'row')}:", paper)]
         lines += [f"  {paper.spell(f'{problem.place}: {problem.message}')}\n" for problem in self.problems]
         listed = len({(problem.place.source, problem.place.line) for problem in self.problems if problem.place})
         if self.count > listed:
-            lines.append(f"  and {_rows(self.count - listed)} more\n")
+            lines.append(f"  and {plural(self.count - listed, 'row')} more\n")
         say("".join(lines))
 
 
@@ -162,7 +162,3 @@ def _real(
     message = "the pose has an entry that is not a real number"
     bad.take([Problem(message, rows.place_of(block.rows[i])) for i in where[:MOST]], len(where))
     return block.q[real], poses[real]
-
-
-def _rows(count: int) -> str:
-    return f"{count} row{'s' * (count != 1)}"

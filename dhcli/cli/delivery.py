@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -64,15 +64,10 @@ class Delivery:
         """
         if self.style is not None and self.style not in STYLES:
             raise UnknownNameError(f"there is no style {self.style}", did_you_mean(self.style, STYLES) or "short, full")
-        if self.force and not self.output:
-            raise DhcliError("--force needs a file to overwrite", "name it with -o FILE")
+        check_force(self.output, force=self.force)
         name = self.format
         if name is None and self.output is not None:
-            suffix = Path(self.output).suffix.lower()
-            if suffix not in SUFFIXES:
-                hint = f"known suffixes: {' '.join(SUFFIXES)}; or say --format"
-                raise UnknownNameError(f"{self.output} does not say which format it should have", hint)
-            name = SUFFIXES[suffix]
+            name = format_by_suffix(self.output, SUFFIXES)
         check_format(kind, name or "table")
         if self.style is not None and name not in (None, "table", "json"):
             raise DhcliError(f"--style is for tables; {name} has its own spelling", "leave one of the two out")
@@ -100,6 +95,35 @@ class Delivery:
 
             paper = Paper.of(sys.stderr)
             say("".join(warning_line(message, paper) for message in warned))
+
+
+def check_force(output: str | None, *, force: bool) -> None:
+    """Make sure that there is a file where one may be overwritten.
+
+    Raises:
+        DhcliError: `--force` has none.
+    """
+    if force and not output:
+        raise DhcliError("--force needs a file to overwrite", "name it with -o FILE")
+
+
+def format_by_suffix(output: str, suffixes: Mapping[str, str], of: str = "", more: str = "or say --format") -> str:
+    """The format that the suffix of a file stands for.
+
+    Args:
+        output: The file.
+        suffixes: The format of each suffix that is known.
+        of: What these are the suffixes of, for the hint.
+        more: What else helps.
+
+    Raises:
+        UnknownNameError: The suffix is not one of them.
+    """
+    suffix = Path(output).suffix.lower()
+    if suffix not in suffixes:
+        hint = f"known suffixes{of}: {' '.join(suffixes)}; {more}"
+        raise UnknownNameError(f"{output} does not say which format it should have", hint)
+    return suffixes[suffix]
 
 
 def make_folder(path: Path) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean
+from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean, plural
 from dhcli.kinematics.question import Point
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import given_parameters, joint_values, parameter_values
@@ -70,7 +70,7 @@ def point_of(text: str, option: str, scope: Scope = OPEN) -> Point:
     pieces = list(split(text))
     place = Place(option, text=text)
     if len(pieces) != 3:  # noqa: PLR2004
-        count = f"{len(pieces)} coordinate{'s' * (len(pieces) != 1)}"
+        count = plural(len(pieces), "coordinate")
         raise DhcliError(
             Problem(f"a point has three coordinates, {text!r} has {count}", place, f"write {option} 0,0,0.1")
         )

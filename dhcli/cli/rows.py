@@ -6,12 +6,11 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, BinaryIO
 
 from dhcli.cli.console import raw_out, say, somebody_reads, write_out
-from dhcli.cli.delivery import check_free
-from dhcli.errors import DhcliError, UnknownNameError, did_you_mean
+from dhcli.cli.delivery import check_force, check_free, format_by_suffix
+from dhcli.errors import DhcliError, UnknownNameError, did_you_mean, plural
 from dhcli.render.rows import FORMATS, Layout, RowText
 
 if TYPE_CHECKING:
@@ -72,16 +71,11 @@ class RowDelivery:
             DhcliError: A terminal would show bytes, or `--force` has no file.
             FileError: The file exists already.
         """
-        if self.force and not self.output:
-            raise DhcliError("--force needs a file to overwrite", "name it with -o FILE")
+        check_force(self.output, force=self.force)
         if self.format is not None and self.format not in FORMATS:
             hint = "jsonl has one object a row" if self.format == "json" else did_you_mean(self.format, FORMATS)
             raise UnknownNameError(f"there is no format {self.format} for rows", hint)
-        suffix = Path(self.output or "stdout.csv").suffix.lower()
-        if self.format is None and suffix not in SUFFIXES:
-            hint = f"known suffixes of rows: {' '.join(SUFFIXES)}; or say --format"
-            raise UnknownNameError(f"{self.output} does not say which format it should have", hint)
-        name = self.format or SUFFIXES[suffix]
+        name = self.format or format_by_suffix(self.output or "stdout.csv", SUFFIXES, " of rows")
         if self.output is not None:
             check_free(self.output, force=self.force)
         elif name == "npy" and sys.stdout.isatty():
@@ -107,7 +101,7 @@ class RowDelivery:
             _sink(name, layout, stream) as sink,
         ):
             yield sink
-        say(f"wrote {self.output}: {sink.count} row{'s' * (sink.count != 1)}\n")
+        say(f"wrote {self.output}: {plural(sink.count, 'row')}\n")
 
 
 @contextmanager

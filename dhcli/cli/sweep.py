@@ -5,7 +5,6 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -104,12 +103,11 @@ def _points(output: str | None, *, force: bool) -> RowDelivery | None:
     """Where the points go, once it is known that they can; None if nobody wants them."""
     if output is None and not force:
         return None
+    from dhcli.cli.delivery import format_by_suffix
     from dhcli.cli.rows import SUFFIXES, RowDelivery
-    from dhcli.errors import UnknownNameError
 
-    if output is not None and Path(output).suffix.lower() not in SUFFIXES:
-        hint = f"known suffixes of points: {' '.join(SUFFIXES)}; the summary is on standard output, see --format"
-        raise UnknownNameError(f"{output} does not say which format its points should have", hint)
+    if output is not None:
+        format_by_suffix(output, SUFFIXES, " of points", "the summary is on standard output, see --format")
     delivery = RowDelivery(None, output, force)
     delivery.chosen()
     return delivery

@@ -10,7 +10,7 @@ from dhcli.checking.exercise import question_about
 from dhcli.errors import DhcliError
 from dhcli.files.templates import check_name
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.validity import in_floats
+from dhcli.kinematics.values import is_within_limits
 
 FEWEST_FRAMES = 4
 """base, two numbered frames, tool: the frames of a robot with one link."""
@@ -108,16 +108,10 @@ def _given(robot: Robot) -> str:
 def _ranges(robot: Robot) -> str:
     """What every joint may take that can be there."""
     ranges = {joint.name: (TURNED if joint.kind == "revolute" else MOVED) for joint in robot.joints}
-    free = {name: range_ for name, range_ in ranges.items() if _is_within(robot, name, *range_[:2])}
+    free = {
+        name: range_ for name, range_ in ranges.items() if all(is_within_limits(robot, name, end) for end in range_[:2])
+    }
     return ", ".join(f"{_key(name)}: {text}" for name, (*_, text) in (free or ranges).items())
-
-
-def _is_within(robot: Robot, name: str, lowest: float, highest: float) -> bool:
-    """Whether a joint can take all values of a range [rad or m]."""
-    if name not in robot.limits:
-        return True
-    low, high = (in_floats(limit) for limit in robot.limits[name])
-    return low <= lowest and highest <= high
 
 
 def _key(name: str) -> str:

@@ -56,14 +56,17 @@ def forward_batch(
         out: Where to put the result, shape (N, 4, 4).
 
     Returns:
-        The poses, shape (N, 4, 4), translation in metres; NaN where a joint value is no finite number.
+        The poses, shape (N, 4, 4), translation in metres; NaN or infinite where a joint value is.
 
     Raises:
-        RobotError: Q or `out` has another shape, or a length has no value.
+        RobotError: Q or `out` has another shape, Q holds something else than numbers, or a length has no value.
         UnknownNameError: The robot has no such frame or length.
     """
-    q = np.asarray(Q, dtype=np.float64)
     wanted = len(robot.variables)
+    try:
+        q = np.asarray(Q, dtype=np.float64)
+    except (ValueError, TypeError) as error:
+        raise RobotError(f"Q is no array of numbers: {error}", f"wanted: {wanted} numbers in each row") from None
     if q.ndim != 2 or q.shape[1] != wanted:  # noqa: PLR2004  rows and columns
         raise RobotError(f"{robot.name} has {wanted} joints; Q has the shape {q.shape}, not (N, {wanted})")
     poses = np.empty((len(q), 4, 4)) if out is None else out
@@ -76,7 +79,7 @@ def forward_batch(
     columns: dict[tuple[bool, int], Columns] = {}
     for first in range(0, len(q), BLOCK):
         block = q[first : first + BLOCK]
-        kind = bool(np.abs(block).max() <= MODEST), len(block)
+        kind = bool(np.abs(block).max(initial=0.0) <= MODEST), len(block)
         if kind not in columns:
             columns[kind] = Columns(recorded(chain, robot.variables, values, merged=kind[0]), len(block))
         poses[first : first + BLOCK] = columns[kind].play(block.T).reshape(4, 4, -1).transpose(2, 0, 1)

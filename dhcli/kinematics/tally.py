@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from dhcli.errors import plural
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import SLACK
@@ -57,18 +58,14 @@ class Tally:
     def warnings(self) -> Iterator[str]:
         """One sentence for each thing to know."""
         if turning := _listed(self._turning):
-            yield f"more than a turn: {turning} of {_rows(self.rows)}; did you mean degrees, --deg?"
+            yield f"more than a turn: {turning} of {plural(self.rows, 'row')}; did you mean degrees, --deg?"
         if outside := _listed(self._outside):
-            yield f"{self._any_outside} of {_rows(self.rows)} outside the limits of a joint: {outside}"
+            yield f"{self._any_outside} of {plural(self.rows, 'row')} outside the limits of a joint: {outside}"
         if self._locked:
-            many = f"{self._locked} of {_rows(self.rows)}"
+            many = f"{self._locked} of {plural(self.rows, 'row')}"
             yield f"pitch is ±90° in {many}, where roll and yaw turn about one axis: roll is 0 there"
 
 
 def _listed(counts: Counter[str]) -> str:
     """`theta1 in 3, theta2 in 5`."""
     return ", ".join(f"{name} in {count}" for name, count in counts.items() if count)
-
-
-def _rows(count: int) -> str:
-    return f"{count} row{'s' * (count != 1)}"

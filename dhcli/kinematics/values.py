@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import TypeAlias
 
-from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean
+from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean, plural
 from dhcli.kinematics.moves import Chain, names
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.validity import in_floats
@@ -27,6 +27,7 @@ JointInput: TypeAlias = str | Sequence[float | str | Angle] | Mapping[str, float
 """What a caller may give for the joints: text, a list in joint order, a mapping by name, or nothing."""
 
 SLACK = 1e-9
+"""By how much a value may be beyond a limit and still be at it [rad or m]: limits in degrees are no floats."""
 
 _ONE_VALUE = re.compile(r"([^\s=,;]+=)?[-+−–]?(\d|\.|√|π|pi|\()[^\s;]*(?<!,)")  # noqa: RUF001
 """A value without a blank in it, or a name with one."""
@@ -112,9 +113,17 @@ def warnings(robot: Robot, values: Values) -> Iterator[str]:
         if joint.name in robot.limits and not symbols_of(value):
             low, high = (in_floats(limit) for limit in robot.limits[joint.name])
             number = in_floats(value)
-            if not low - SLACK <= number <= high + SLACK:
+            if not is_within_limits(robot, joint.name, number):
                 shown, bounds = _shown(number, joint.kind), f"{_shown(low, joint.kind)} to {_shown(high, joint.kind)}"
                 yield f"{joint.name} = {shown} is outside its limits, {bounds}"
+
+
+def is_within_limits(robot: Robot, name: str, number: float) -> bool:
+    """Whether a joint can stand at a value [rad or m]; where it has no limits, at any."""
+    if name not in robot.limits:
+        return True
+    low, high = map(in_floats, robot.limits[name])
+    return low - SLACK <= number <= high + SLACK
 
 
 def symbols_of(value: Value) -> frozenset[str]:
@@ -257,8 +266,7 @@ def _parameter(robot: Robot, name: str, place: Place | None) -> str:
 def _check_count(robot: Robot, count: int, place: Place | None) -> None:
     wanted = len(robot.variables)
     if count != wanted:
-        joints = f"{wanted} joint{'s' * (wanted != 1)}"
-        message = f"{robot.name} has {joints}, {count} value{'s' * (count != 1)} given"
+        message = f"{robot.name} has {plural(wanted, 'joint')}, {plural(count, 'value')} given"
         raise RobotError(Problem(message, place, _joints_hint(robot)))
 
 

@@ -12,6 +12,9 @@ from dhcli.notation.trig import cosine, sine
 
 LONGEST_WORD = 200
 
+MOST_READ = 10_000
+"""Words whose readings are remembered: a scope may live as long as the answers of a whole class are marked."""
+
 
 @dataclass(frozen=True, slots=True)
 class Scope:
@@ -55,6 +58,8 @@ class Scope:
     def readings(self, word: str) -> tuple[Expr, ...]:
         """What a word may stand for: a name, or the cosine or sine of an angle; empty if nothing."""
         if word not in self._read:
+            if len(self._read) >= MOST_READ:
+                self._read.clear()
             self._read[word] = self._readings(word)
         return self._read[word]
 

@@ -9,6 +9,7 @@ from textwrap import wrap
 from dhcli.checking.verdicts import Verdict
 from dhcli.classroom.grading import Graded
 from dhcli.classroom.report import STEPS, ClassReport, PartFigures
+from dhcli.errors import plural
 from dhcli.render.look import Look
 from dhcli.render.marks import plain
 from dhcli.render.paper import Paper
@@ -28,7 +29,9 @@ def class_table(report: ClassReport, look: Look) -> str:
     sections = [_summary(report, paper)]
     for exercise, figures in groupby(report.parts, key=lambda one: one.exercise):
         parts = list(figures)
-        sections.append(_head(f"{exercise} · {_sheets(sum(parts[0].verdicts.values()))}", paper) + _parts(parts, paper))
+        sections.append(
+            _head(f"{exercise} · {plural(sum(parts[0].verdicts.values()), 'sheet')}", paper) + _parts(parts, paper)
+        )
         if any(part.slips for part in parts):
             sections.append(_head("Commonest slips", paper) + _slips(parts, paper))
     if report.mean is not None:
@@ -43,7 +46,7 @@ def class_table(report: ClassReport, look: Look) -> str:
 
 
 def _summary(report: ClassReport, paper: Paper) -> str:
-    text = f"{report.folder.path}: {_sheets(len(report.rows))}, {len(report.graded)} graded"
+    text = f"{report.folder.path}: {plural(len(report.rows), 'sheet')}, {len(report.graded)} graded"
     if report.failed:
         text += f", {len(report.failed)} not"
     return f"{paper.ink(paper.spell(text), 'bold')}\n"
@@ -110,10 +113,6 @@ def _reason(row: Graded) -> str:
     more = f" (and {len(row.problems) - 1} more)" if len(row.problems) > 1 else ""
     hint = f"; {first.hint}" if first.hint else ""
     return f"{where}{': ' if where else ''}{first.message}{hint}{more}"
-
-
-def _sheets(count: int) -> str:
-    return f"{count} sheet{'s' * (count != 1)}"
 
 
 def _percent(share: float) -> str:

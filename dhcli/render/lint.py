@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from dhcli.classroom.lint import Linted, Told
+from dhcli.errors import plural
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
 from dhcli.render.problems import marked
@@ -14,8 +15,8 @@ from dhcli.render.problems import marked
 def lint_table(linted: Linted, look: Look) -> str:
     """Every finding, and the sum."""
     lines = [line for told in linted.told for line in _lines(told, look.paper)]
-    found = f"{_count(linted.errors, 'error')}, {_count(linted.warnings, 'warning')}"
-    total = f"{_count(len(linted.files), 'file')}: {found if linted.told else 'nothing to mend'}"
+    found = f"{plural(linted.errors, 'error')}, {plural(linted.warnings, 'warning')}"
+    total = f"{plural(len(linted.files), 'file')}: {found if linted.told else 'nothing to mend'}"
     return "\n".join([*lines, total]) + "\n"
 
 
@@ -43,7 +44,3 @@ def _content(told: Told) -> dict[str, Any]:
     from dhcli.render.envelope import problem_content
 
     return problem_content(told.problem, "warning" if told.is_warning else "error")
-
-
-def _count(number: int, word: str) -> str:
-    return f"{number} {word}{'s' * (number != 1)}"

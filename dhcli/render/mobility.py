@@ -6,6 +6,7 @@ import textwrap
 from collections.abc import Iterable
 from typing import Any
 
+from dhcli.errors import plural
 from dhcli.mobility.counting import Counts
 from dhcli.mobility.linkage import Joint, Linkage
 from dhcli.mobility.result import Mobility
@@ -125,7 +126,7 @@ def _head(found: Mobility, paper: Paper) -> str:
     facts = [str(counts.space) if counts.space.name else "", f"λ = {counts.space.lambda_}"]
     facts += [f"n = {write(counts.n)} links with the ground", f"j = {write(counts.j)} joints"]
     if linkage and linkage.loops:
-        facts.append(f"{linkage.loops} loop{'s' * (linkage.loops != 1)}")
+        facts.append(plural(linkage.loops, "loop"))
     lines = paper.ink(paper.spell(title), "bold") + "\n" + _folded(" · ".join(filter(None, facts)), paper, indent="")
     if counts.reading:
         lines += _folded(f"read as: {counts.reading}", paper, indent="")
@@ -191,7 +192,7 @@ def _details(found: Mobility, paper: Paper) -> str:
     if found.instantaneous is not None:
         rows.append(("at this instant", str(found.instantaneous)))
     if found.redundant:
-        many = f"{abs(found.redundant)} constraint{'s' * (abs(found.redundant) != 1)}"
+        many = plural(abs(found.redundant), "constraint")
         rows.append(
             (
                 "redundant",
@@ -230,7 +231,7 @@ def _mobility(found: Mobility) -> str:
 def _motion(motion: str) -> str:
     """`2T1R: 2 translations, 1 rotation`."""
     numbers = ((int(motion[0]), "translation"), (int(motion[2]), "rotation"))
-    words = [f"{count} {noun}{'s' * (count != 1)}" for count, noun in numbers if count]
+    words = [plural(count, noun) for count, noun in numbers if count]
     return f"{motion}: {', '.join(words) or 'none'}"
 
 

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import TextIO
+from typing import TYPE_CHECKING, TextIO
 
 from dhcli.render.paper import Paper
+
+if TYPE_CHECKING:
+    from rich.progress import Progress, ProgressColumn
 
 
 @contextmanager
@@ -25,12 +28,10 @@ def progress(what: str, total: int, stream: TextIO) -> Iterator[Callable[[], Non
     if not paper.terminal:
         yield lambda: None
         return
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+    from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeRemainingColumn
 
-    console = Console(file=stream, width=paper.width, no_color=not paper.colour, legacy_windows=False)
     columns = (TextColumn("{task.description}", markup=False), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=console, transient=True) as bar:
+    with _bar(paper, stream, *columns) as bar:
         task = bar.add_task(paper.spell(what), total=total)
         yield lambda: bar.advance(task)
 
@@ -50,16 +51,22 @@ def row_progress(stream: TextIO, *, wanted: bool = True) -> Iterator[Callable[[i
     if not paper.terminal or not wanted:
         yield lambda _rows, _share: None
         return
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+    from rich.progress import BarColumn, TextColumn, TimeRemainingColumn
 
-    console = Console(file=stream, width=paper.width, no_color=not paper.colour, legacy_windows=False)
     columns = (BarColumn(), TextColumn("{task.description}", markup=False), TimeRemainingColumn())
-    # rich would put itself before both streams; the rows go their own way
-    with Progress(*columns, console=console, transient=True, redirect_stdout=False, redirect_stderr=False) as bar:
+    with _bar(paper, stream, *columns) as bar:
         task = bar.add_task("0 rows", total=None)
 
         def tell(rows: int, share: float | None) -> None:
             bar.update(task, description=f"{rows:,} rows", total=None if share is None else 1.0, completed=share or 0.0)
 
         yield tell
+
+
+def _bar(paper: Paper, stream: TextIO, *columns: ProgressColumn) -> Progress:
+    """A bar that is taken away in the end; rich would put itself before both streams, but results go their own way."""
+    from rich.console import Console
+    from rich.progress import Progress
+
+    console = Console(file=stream, width=paper.width, no_color=not paper.colour, legacy_windows=False)
+    return Progress(*columns, console=console, transient=True, redirect_stdout=False, redirect_stderr=False)

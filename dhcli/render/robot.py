@@ -6,6 +6,7 @@ import textwrap
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+from dhcli.errors import plural
 from dhcli.kinematics.conventions import NAMES, ORDER, Convention
 from dhcli.kinematics.forward import spelled
 from dhcli.kinematics.moves import Chain
@@ -38,7 +39,7 @@ def heads(robot: Robot) -> tuple[str, ...]:
 def robot_table(robot: Robot, look: Look) -> str:
     """A page about a robot."""
     paper = look.paper
-    count = f"{len(robot.joints)} joint{'s' * (len(robot.joints) != 1)}" + f" {robot.pattern}" * bool(robot.joints)
+    count = plural(len(robot.joints), "joint") + f" {robot.pattern}" * bool(robot.joints)
     facts = f"{robot.name} · {NAMES[robot.convention]} · {count}"
     blocks = [
         f"{paper.ink(paper.spell(robot.title), 'bold')}\n{paper.ink(paper.spell(facts), 'dim')}\n",

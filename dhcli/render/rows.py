@@ -32,11 +32,6 @@ class Group:
     body: str
 
     @classmethod
-    def number(cls, key: str) -> Group:
-        """One number by itself."""
-        return cls(key, (key,), "%r")
-
-    @classmethod
     def listed(cls, key: str, heads: Iterable[str]) -> Group:
         """Numbers in a list: `[0.1, 0.2, 0.3]`."""
         heads = tuple(heads)

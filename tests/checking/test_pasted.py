@@ -7,6 +7,7 @@ import pytest
 from dhcli import load_robot
 from dhcli.checking.exercise import Exercise, question_about
 from dhcli.checking.marking import mark
+from dhcli.checking.reading import LARGEST
 from dhcli.checking.verdicts import Verdict
 from dhcli.cli.main import main
 
@@ -54,6 +55,13 @@ def test_what_dhcli_prints_is_an_answer(format_: str, joints: str, capsys: pytes
 def test_entries_by_name_make_the_matrix(pose: Exercise, answer: str) -> None:
     """In any order, on lines of their own or not, broken over lines; n, o and a are the columns of the rotation."""
     assert remarks(pose, answer) == (Verdict.RIGHT, ())
+
+
+@pytest.mark.parametrize("filler", ["\n", " ", ",", "\n ", ",x", "r11 = ", "syms ", "... "])
+def test_a_long_answer_of_nothing_is_gone_through_once(pose: Exercise, filler: str) -> None:
+    """As long as an answer may be; where blanks were tried again from each of them, this took many minutes."""
+    verdict, _ = remarks(pose, filler * (LARGEST // len(filler)))
+    assert verdict in (Verdict.CANNOT_READ, Verdict.SKIPPED)
 
 
 @pytest.mark.parametrize(

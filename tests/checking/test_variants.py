@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from dhcli.checking import variants as drawing
 from dhcli.checking.degenerate import flaw
+from dhcli.checking.diagnosis import work
 from dhcli.checking.diagnosis.draws import draws_of
 from dhcli.checking.diagnosis.search import Search, search_of
 from dhcli.checking.diagnosis.slips import hidden
@@ -227,6 +228,21 @@ def test_a_search_that_is_moved_to_a_draw_is_that_of_the_draw(name: str) -> None
             assert [moved.entries(one.work) for one in moved.singles] == [
                 afresh.entries(one.work) for one in afresh.singles
             ]
+
+
+def test_what_draws_share_stays_in_its_bounds(monkeypatch: pytest.MonkeyPatch) -> None:
+    """However many values the ranges of a class have; what was forgotten is worked out again."""
+    monkeypatch.setattr(work, "MOST_KNOWN", 7)
+    exercise = load_anew("yim/planar-in-numbers")
+    question = next(part.question for part in exercise.parts if isinstance(part.question, MatrixQuestion))
+    shared = search_of(exercise, question)
+    for seed in SEEDS[:5]:
+        drawn = vary(exercise, seed)
+        afresh, moved = Search(drawn, question), Search(drawn, question, shared)
+        assert len(shared.folds._known) <= 7
+        assert [moved.entries(one.work) for one in moved.singles] == [
+            afresh.entries(one.work) for one in afresh.singles
+        ]
 
 
 def test_no_arm_is_drawn_near_a_singularity() -> None:

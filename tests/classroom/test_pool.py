@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
-from dhcli.classroom.pool import Lost, spread
+import os
+import signal
+
+import pytest
+
+from dhcli.classroom.pool import Lost, _Worker, spread
 from tests.classroom.workers import halved
 
 
@@ -16,3 +21,22 @@ def test_every_task_has_one_outcome() -> None:
 def test_no_task_needs_no_process() -> None:
     """Nothing to do, nothing done."""
     assert list(spread(halved, [], jobs=3, timeout=60)) == []
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals as Unix knows them")
+def test_ctrl_c_while_a_process_ends_leaves_it_ended(monkeypatch: pytest.MonkeyPatch) -> None:
+    """At the worst moment: the system has told that the process is gone, and tells it once; nobody wrote it down."""
+    worker = _Worker(halved)
+    wait = os.waitpid
+
+    def interrupted(process: int, options: int) -> tuple[int, int]:
+        told = wait(process, options)
+        signal.raise_signal(signal.SIGINT)
+        return told
+
+    with monkeypatch.context() as patched:
+        patched.setattr(os, "waitpid", interrupted)
+        with pytest.raises(KeyboardInterrupt):
+            worker.end()
+    worker.end()  # as `spread` does on its way out
+    assert worker.pipe.closed

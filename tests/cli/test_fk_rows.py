@@ -178,7 +178,7 @@ def test_bad_rows_are_told_and_nothing_is_written(dhcli: Run) -> None:
         "  0.1,abc,0.3\n"
         "      ^\n"
         "  hint: a cell is a plain number, such as -0.25 or 1e-3\n"
-        "dhcli: q.csv:3: 2 cells where there are 3 columns\n"
+        "dhcli: q.csv:3: 2 cells in a table of 3 columns\n"
         "  1,2\n"
         "dhcli: q.csv: 2 rows cannot be read\n"
         "  hint: --skip-bad goes on without them\n"

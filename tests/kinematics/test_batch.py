@@ -6,9 +6,13 @@ from dhcli import forward, forward_batch, load_robot
 from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
 from dhcli.kinematics.batch import BLOCK
+from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.frames import between
+from dhcli.kinematics.moves import Trans
+from dhcli.kinematics.robot import Link, Robot
 from dhcli.kinematics.values import numbers, parameter_values
+from dhcli.notation.tree import ONE, ZERO
 
 
 @pytest.mark.parametrize("name", ["scara", "puma560", "stanford", "panda"])
@@ -75,6 +79,19 @@ def test_no_pose_and_poses_that_are_no_numbers() -> None:
     given = forward_batch(robot, [[0.1] * 6, [np.inf] * 6, [np.nan] * 6])
     assert np.isfinite(given[0]).all()
     assert np.isnan(given[1:, 0, 0]).all()
+
+
+@pytest.mark.parametrize("rows", [[[0.1, 0.2, 0.3], [0.1]], [["a", "b", "c"]], [[1j, 0, 0]]])
+def test_what_is_no_array_of_numbers_is_refused(rows: list[list[complex]]) -> None:
+    """Rows of different lengths, text, complex numbers."""
+    with pytest.raises(RobotError, match="no array of numbers"):
+        forward_batch(load_robot("scara"), rows)
+
+
+def test_a_robot_without_joints_stands_where_it_stands() -> None:
+    """One pose for each empty row."""
+    still = Robot("still", "", "", Convention.PRODUCT, (), (Link(1, (Trans(ZERO, ZERO, ONE),)),))
+    assert forward_batch(still, np.empty((2, 0)))[:, 2, 3].tolist() == [1.0, 1.0]
 
 
 def test_an_out_of_another_shape_is_refused() -> None:

@@ -17,7 +17,7 @@ from dhcli.notation.factors import parse_factors
 from dhcli.notation.matrix import parse_matrix
 from dhcli.notation.operators import DEEPEST
 from dhcli.notation.parser import parse
-from dhcli.notation.scope import OPEN, Scope
+from dhcli.notation.scope import MOST_READ, OPEN, Scope
 from dhcli.notation.styles import STYLES
 from dhcli.notation.tree import ONE, Expr, Unit, add
 from dhcli.notation.walk import walk
@@ -226,3 +226,12 @@ def test_no_door_to_code_exists() -> None:
     assert found == []
     assert doors.search("x = eval(text)")
     assert doors.search("from ast import literal_eval")
+
+
+def test_a_scope_remembers_a_counted_number_of_words() -> None:
+    """It lives while the answers of a whole class are marked, and every long run of names has thousands of pieces."""
+    scope = Scope(lengths=("a", "b"))
+    for k in range(2 * MOST_READ):
+        assert scope.readings(f"a{k}") == ()
+        assert scope.readings("a") != ()
+    assert len(scope._read) <= MOST_READ

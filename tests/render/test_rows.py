@@ -18,14 +18,14 @@ finite = st.floats(allow_nan=False, allow_infinity=False)
 
 def test_csv_has_a_head_for_each_number() -> None:
     """In the order of the groups."""
-    text = RowText(Layout((Group.number("k"), POSITION)), "csv")
+    text = RowText(Layout((Group("k", ("k",), "%r"), POSITION)), "csv")
     assert text.heading == "k,p_x,p_y,p_z\n"
     assert text.lines(np.array([[1, 0.5, -0.0, 1e-300]])) == "1.0,0.5,0.0,1e-300\n"
 
 
 def test_json_lines_nest_what_belongs_together() -> None:
     """A list, an object, and groups under one key."""
-    text = RowText(Layout((Group.number("k"), Group.within("T_01", (POSITION, RPY)))), "jsonl")
+    text = RowText(Layout((Group("k", ("k",), "%r"), Group.within("T_01", (POSITION, RPY)))), "jsonl")
     assert text.heading == ""
     assert text.lines(np.arange(6.0)[None]) == (
         '{"k": 0.0, "T_01": {"position": [1.0, 2.0, 3.0], "rpy": {"roll": 4.0, "yaw": 5.0}}}\n'
@@ -53,7 +53,7 @@ def test_what_is_read_back_is_what_was_written(format_: str, rows: list[tuple[fl
 @pytest.mark.parametrize("key", ["100%", 'a"b', "a,b", "%r"])
 def test_a_name_may_hold_any_letter(key: str) -> None:
     """Also those that steer a template or a format."""
-    layout = Layout((Group.number(key),))
+    layout = Layout((Group(key, (key,), "%r"),))
     assert json.loads(RowText(layout, "jsonl").lines(np.array([[1.5]]))) == {key: 1.5}
     heading = RowText(layout, "csv").heading
     assert next(csv.reader(io.StringIO(heading))) == [key]

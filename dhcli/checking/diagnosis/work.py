@@ -125,8 +125,12 @@ def right_work(question: MatrixQuestion, robot: Robot | None) -> Work:
     return Work(question, steps, inverted=question.inverse is not (first > last))
 
 
+MOST_KNOWN = 10_000
+"""Matrices of factors that are kept, some ten megabytes: where ranges are fine, hardly two of a class are alike."""
+
+
 class Folds:
-    """The matrices of some factors at all points seen so far; a factor depends on few names, so that many are alike."""
+    """The matrices of some factors at points seen before; a factor depends on few names, so that many are alike."""
 
     def __init__(self, steps: Iterable[Step]) -> None:
         """Take the factors."""
@@ -140,6 +144,8 @@ class Folds:
         for step, held in self._names.items():
             key = step, tuple(values[name] for name in held)
             if key not in self._known:
+                if len(self._known) >= MOST_KNOWN:
+                    self._known.clear()
                 self._known[key] = fold(step.chain, over)
             found[step] = self._known[key]
         return found

@@ -17,6 +17,9 @@ from dhcli.notation.quantity import value_text
 POSES = ((25, 40, 70, 35, 60, 15), (35, 20, 50, 65, 30, 80), (20, 65, 35, 50, 80, 60))
 """Angles in degrees, none at a right angle or half of one, no two that add up to one: they hide little."""
 
+MOST_NAMED = 3
+"""Mistakes that a finding names; of more, it tells how many."""
+
 
 def typed(exercise: Exercise, trial: Trial) -> str:
     """The answer of a test: as typed, or as its mistake leads to.
@@ -41,9 +44,6 @@ def findings(exercise: Exercise) -> Iterator[Finding]:
         what = "a mistake" if len(unseen) == 1 else f"{len(unseen)} mistakes"
         message = f"{part.id}: this pose does not show {what}: {names}"
         yield Finding(("parts", index), message, _better(exercise, part), is_warning=not blind)
-
-
-MOST_NAMED = 3
 
 
 def _better(exercise: Exercise, part: Part) -> str:

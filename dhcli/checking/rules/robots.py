@@ -10,6 +10,7 @@ from dhcli.checking.rules.wording import unfinished
 from dhcli.kinematics.moves import names
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.validity import Finding, in_floats
+from dhcli.kinematics.values import is_within_limits, symbols_of
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import value_text
 from dhcli.notation.tree import Expr
@@ -20,7 +21,6 @@ LONGEST = 10.0
 
 FULL_TURN = 360
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
-SLACK = 1e-9
 
 
 def findings(robot: Robot) -> Iterator[Finding]:
@@ -77,12 +77,11 @@ def _rows(robot: Robot) -> Iterator[Finding]:
 def _poses(robot: Robot) -> Iterator[Finding]:
     for pose, values in robot.poses.items():
         for name, value in zip(robot.variables, values, strict=True):
-            if name not in robot.limits or (isinstance(value, Expr) and symbols(value)):
+            if symbols_of(value) or is_within_limits(robot, name, in_floats(value)):
                 continue
             low, high = robot.limits[name]
-            if not in_floats(low) - SLACK <= in_floats(value) <= in_floats(high) + SLACK:
-                message = f"{pose}: {name} = {value_text(value)} is outside its limits"
-                yield Finding(("poses", pose), message, f"{value_text(low)} to {value_text(high)}")
+            message = f"{pose}: {name} = {value_text(value)} is outside its limits"
+            yield Finding(("poses", pose), message, f"{value_text(low)} to {value_text(high)}")
 
 
 def _is_zero(value: Value) -> bool:

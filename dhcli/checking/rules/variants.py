@@ -12,13 +12,13 @@ from dhcli.checking.verdicts import Verdict
 from dhcli.errors import DhcliError
 from dhcli.kinematics.robot import Value
 from dhcli.kinematics.validity import Finding, in_floats
+from dhcli.kinematics.values import is_within_limits
 from dhcli.notation.names import canonical
 from dhcli.notation.quantity import value_text
 
 SEEDS = tuple(str(number) for number in range(1, 201))
 """So many students are tried."""
 
-SLACK = 1e-9
 _ASSIGNED = re.compile(r"(?<!\w)(\\?[^\W\d_]+_?\{?\d*\}?)\s*=\s*[-−]?\d")  # noqa: RUF001  the sign of a document
 
 
@@ -32,14 +32,13 @@ def findings(exercise: Exercise) -> Iterator[Finding]:
 
 
 def _within_limits(exercise: Exercise) -> Iterator[Finding]:
-    limits = exercise.robot.limits if exercise.robot else {}
+    robot = exercise.robot
+    if robot is None:
+        return
     for name, range_ in exercise.variants.items():
-        if name not in limits:
-            continue
-        low, high = (in_floats(limit) for limit in limits[name])
-        outside = [v for v in range_.values if not low - SLACK <= in_floats(v) <= high + SLACK]
+        outside = [value for value in range_.values if not is_within_limits(robot, name, in_floats(value))]
         if outside:
-            shown = f"{value_text(limits[name][0])} to {value_text(limits[name][1])}"
+            shown = " to ".join(map(value_text, robot.limits[name]))
             message = f"{name}: {value_text(outside[0])} is outside its limits, {shown}"
             yield Finding(("variants", name), message, "narrow the range")
 

@@ -47,8 +47,9 @@ def read_cell(text: str) -> float:
 
 
 def is_number(text: str) -> bool:
-    """Whether a cell is meant for a number: also one that no joint can have."""
-    return NUMBER.fullmatch(text) is not None or text.strip().lower() in _NO_NUMBERS
+    """Whether a cell is meant for a number: also one that no joint can have, or one with a decimal comma."""
+    bare = text.strip()
+    return any(pattern.fullmatch(bare) for pattern in (NUMBER, _COMMA)) or bare.lower() in _NO_NUMBERS
 
 
 def shown(text: str) -> str:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhcli.errors import FileError, Place, Problem
+from dhcli.errors import FileError, Place, Problem, plural
 from dhcli.files.rows.blocks import Block, Sieve, cell_problem
 from dhcli.files.rows.cells import PLAIN, CellError, is_number, read_cell
 from dhcli.files.rows.columns import Columns, columns_of, in_joint_order
@@ -66,7 +66,8 @@ class CsvRows:
 
     def _columns(self, head: str, line: int) -> tuple[Columns, bool]:
         """What the first line says of the columns, and whether it is a header."""
-        self._separator = next((sign for sign in ",;\t" if sign in head), " " if " " in head.strip() else ",")
+        # Commas last: between semicolons or tabs they are decimal ones, which are refused cell by cell.
+        self._separator = next((sign for sign in ";\t," if sign in head), " " if " " in head.strip() else ",")
         if head.startswith("#"):  # numpy.savetxt writes headers like this
             head = " " + head[1:]
         cells = self._cells(head)
@@ -103,7 +104,7 @@ class CsvRows:
                 continue
             cells = self._cells(line)
             if len(cells) != width:
-                message = f"{len(cells)} cell{'s' * (len(cells) != 1)} where there are {width} columns"
+                message = f"{plural(len(cells), 'cell')} in a table of {plural(width, 'column')}"
                 sieve.refuse([Problem(message, Place(self._source.name, row, None, line))])
                 continue
             values, problems = [], []

@@ -11,9 +11,9 @@ from typing import Any, NoReturn
 
 import numpy as np
 
-from dhcli.errors import FileError, Place, Problem
+from dhcli.errors import FileError, Place, Problem, plural
 from dhcli.files.rows.blocks import Block, Sieve, cell_problem
-from dhcli.files.rows.cells import CellError, is_number, shown
+from dhcli.files.rows.cells import NUMBER, CellError, shown
 from dhcli.files.rows.columns import Columns, columns_of, in_joint_order
 from dhcli.files.rows.source import Source, text_blocks
 from dhcli.kinematics.robot import Robot
@@ -118,8 +118,8 @@ class JsonRows:
         elif isinstance(row, list) and not any(isinstance(value, list | _Object) for value in row):
             values, columns = row, self._in_order
             if len(values) != (wanted := len(columns.order)):
-                count = f"{len(values)} number{'s' * (len(values) != 1)}"
-                raise FileError(Problem(f"{count} where {self._robot.name} has {wanted} joints", place))
+                message = f"{plural(len(values), 'number')} where {self._robot.name} has {plural(wanted, 'joint')}"
+                raise FileError(Problem(message, place))
         else:
             raise FileError(Problem("is no row", place, _ONE_A_LINE))
         numbers, problems = [0.0] * len(values), []
@@ -167,7 +167,7 @@ def _number(value: object) -> float:
     """
     if isinstance(value, bool) or not isinstance(value, int | float):
         spelled = shown(value) if isinstance(value, str) else _WORDS.get(repr(value), "a list or an object")
-        hint = "write it without quotes" if isinstance(value, str) and is_number(value) else ""
+        hint = "write it without quotes" if isinstance(value, str) and NUMBER.fullmatch(value) else ""
         raise CellError(f"is {spelled}, not a number", hint)
     try:
         number = float(value)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 from collections.abc import Iterator
+from tokenize import TokenError
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -77,6 +78,8 @@ class NpyRows:
             message = f"has the shape {shape}, and {self._robot.name} has {joints} joints: (N, {joints}) is wanted"
             hint = "one pose is Q.reshape(1, -1)" if shape == (joints,) else ""
             raise FileError(Problem(message, place, hint))
+        if shape[0] < 0:
+            raise FileError(Problem(f"promises {shape[0]} rows", place, _SAVE))
         if kind.kind not in "fiu":
             message = f"holds {kind.name if kind.names is None else 'records'}, not real numbers"
             raise FileError(Problem(message, place, _SAVE))
@@ -91,7 +94,8 @@ class NpyRows:
             version = np.lib.format.read_magic(stream)
             read = {(1, 0): np.lib.format.read_array_header_1_0, (2, 0): np.lib.format.read_array_header_2_0}[version]
             described = read(stream)
-        except (ValueError, KeyError, EOFError):
+        except (ValueError, KeyError, EOFError, SyntaxError, TypeError, RecursionError, TokenError):
+            # numpy promises the first only, and lets through what Python says of a literal that is none.
             raise FileError(Problem("is no .npy file that can be read", Place(self._source.name), _SAVE)) from None
         self._bytes(stream.tell())
         return described

@@ -10,7 +10,7 @@ from dhcli.files.rows.blocks import Block
 from dhcli.files.rows.csvrows import CsvRows
 from dhcli.files.rows.jsonrows import JsonRows
 from dhcli.files.rows.npyrows import MAGIC, NpyRows
-from dhcli.files.rows.source import Source
+from dhcli.files.rows.source import PIECE, Source
 from dhcli.kinematics.robot import Robot
 
 
@@ -35,7 +35,7 @@ def rows_of(source: Source, robot: Robot, *, degrees: bool = False) -> Rows:
     Raises:
         FileError: It is called .npy and is something else.
     """
-    beginning = source.peek(len(MAGIC))  # no more: a row may be all there is for a while
+    beginning = _beginning(source)
     if beginning.startswith(MAGIC):
         return NpyRows(source, robot, degrees=degrees)
     if source.path.lower().endswith(".npy"):
@@ -43,3 +43,11 @@ def rows_of(source: Source, robot: Robot, *, degrees: bool = False) -> Rows:
     is_json = beginning.removeprefix(b"\xef\xbb\xbf").lstrip()[:1] in (b"{", b"[")
     is_named_json = source.path.lower().endswith((".jsonl", ".ndjson"))
     return (JsonRows if is_json or is_named_json else CsvRows)(source, robot, degrees=degrees)
+
+
+def _beginning(source: Source) -> bytes:
+    """The first bytes, until one is not blank; no more, for a row may be all there is for a while."""
+    count = len(MAGIC)
+    while (beginning := source.peek(count)).isspace() and len(beginning) == count < PIECE:
+        count *= 2
+    return beginning

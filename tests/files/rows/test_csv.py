@@ -138,9 +138,9 @@ def test_everything_wrong_with_a_header_is_told_at_once(header: str, said: list[
             ["q.csv:3:5: theta2 'pi/2' is not a number (a cell is a plain number, such as -0.25 or 1e-3)"],
         ),
         ('0.1,"0,2",0.3', ["q.csv:3:6: theta2 '0,2' is not a number (write 0.2, with a point)"]),
-        ('"' + "1" * 140_000, ["q.csv:3: 1 cell where there are 3 columns"]),
-        ("0.1,0.2", ["q.csv:3: 2 cells where there are 3 columns"]),
-        ("0.1,0.2,0.3,", ["q.csv:3: 4 cells where there are 3 columns"]),
+        ('"' + "1" * 140_000, ["q.csv:3: 1 cell in a table of 3 columns"]),
+        ("0.1,0.2", ["q.csv:3: 2 cells in a table of 3 columns"]),
+        ("0.1,0.2,0.3,", ["q.csv:3: 4 cells in a table of 3 columns"]),
     ],
 )
 def test_a_bad_cell_is_named_by_line_column_and_joint(row: str, said: list[str]) -> None:
@@ -148,6 +148,19 @@ def test_a_bad_cell_is_named_by_line_column_and_joint(row: str, said: list[str])
     content = f"theta1,theta2,d3\n1,2,3\n{row}\n4,5,6\n"
     assert bad(content) == said
     assert read(content).tolist() == [[1, 2, 3], [4, 5, 6]]
+
+
+@pytest.mark.parametrize("separator", [";", "\t"])
+@pytest.mark.parametrize("header", ["", "theta1;theta2;d3\n"])
+def test_decimal_commas_are_refused_cell_by_cell(separator: str, header: str) -> None:
+    """As spreadsheets write them in half of Europe: the comma is not what stands between the cells."""
+    line = 2 if header else 1
+    content = f"{header}0,1;0,2;0,3\n".replace(";", separator)
+    assert bad(content) == [
+        f"q.csv:{line}:1: theta1 '0,1' is not a number (write 0.1, with a point)",
+        f"q.csv:{line}:5: theta2 '0,2' is not a number (write 0.2, with a point)",
+        f"q.csv:{line}:9: d3 '0,3' is not a number (write 0.3, with a point)",
+    ]
 
 
 def test_no_header_is_made_of_a_row_with_a_bad_cell() -> None:

@@ -34,6 +34,7 @@ json_values = st.recursive(
         '{"theta1": 0.1, "theta2": 0.2, "d3[mm]": 300}\n',
         "[0.1, 0.2, 0.3]\n",
         "\n  [0.1, 2e-1, 0.30]  \n\n",
+        "\n" * 100 + "[0.1, 0.2, 0.3]\n",
     ],
 )
 @pytest.mark.parametrize("drops", [False, True])

@@ -68,6 +68,11 @@ def saved(array: object, version: tuple[int, int] | None = None) -> bytes:
     return stream.getvalue()
 
 
+def headed(header: str) -> bytes:
+    """An array whose header says this."""
+    return b"\x93NUMPY\x01\x00" + len(header).to_bytes(2, "little") + header.encode() + bytes(72)
+
+
 Q = np.random.default_rng(2).normal(size=(5, 3))
 
 
@@ -127,6 +132,11 @@ def test_numbers_that_are_not_finite_are_named_as_numpy_counts() -> None:
         (saved(Q)[:-1], "is cut off: it holds 4 of the 5 rows that it promises"),
         (saved(Q)[:40], "is no .npy file that can be read"),
         (b"\x93NUMPY\x09\x00", "is no .npy file that can be read"),
+        (headed("{'descr': ("), "is no .npy file that can be read"),
+        (headed("{[]: 1}"), "is no .npy file that can be read"),
+        (headed("-" * 5000 + "1"), "is no .npy file that can be read"),
+        (headed("{'descr': '<,8', 'fortran_order': False, 'shape': (3, 3)}"), "is no .npy file that can be read"),
+        (headed("{'descr': '<f8', 'fortran_order': False, 'shape': (-1, 3)}"), "promises -1 rows"),
         (b"0.1,0.2,0.3\n", "is no .npy file"),
         (b"", "is no .npy file"),
     ],
