@@ -98,9 +98,8 @@ def text_blocks(source: Source) -> Iterator[tuple[int, str]]:
     while piece := source.read():
         whole, newline, rest = (rest + piece).rpartition(b"\n")
         if len(rest) > PIECE:
-            raise FileError(
-                Problem(f"is longer than {PIECE:,} bytes", Place(f"{source.name}: line {line}"), "a row is a line")
-            )
+            message = f"this line is longer than {PIECE:,} bytes"
+            raise FileError(Problem(message, Place(source.name, line), "a row is a line"))
         if newline:
             text = decode(whole + newline, source.name, before=(begun, line - 1))
             yield line, text

@@ -212,7 +212,7 @@ def test_a_block_is_read_at_once_only_as_it_would_be_line_by_line(lines: list[st
         (b"theta1,theta2,d3\n1,2,3\n1,\xb02,3\n", "q.csv:3:3: is not UTF-8: byte 26 is 0xB0"),
         ("theta1,theta2,d3\n".encode("utf-16"), "is written in UTF-16"),
         (b"PK\x03\x04\0\0\0", "is not a text file: byte 5 is NUL"),
-        (b"1" * 3_000_000, "q.csv: line 1: is longer than 262,144 bytes"),
+        (b"1" * 3_000_000, "q.csv:1: this line is longer than 262,144 bytes"),
     ],
 )
 def test_what_is_no_text_is_refused(content: bytes, said: str) -> None:
