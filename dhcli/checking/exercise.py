@@ -97,7 +97,7 @@ class Exercise:
         shows_expected: Whether feedback may show the right entry.
         variants: What may be drawn by a seed, by name.
         variant: The seed that `given` was drawn by; empty for the numbers of the file.
-        truths: Right answers computed so far, by question.
+        truths: What was worked out so far and need not be again: right answers, searches for mistakes, draws.
         forms: Answers in symbols computed so far, by question; copies with other values share them.
     """
 

@@ -47,22 +47,24 @@ class Truth:
         return self.structural[row][column]
 
 
-def truth_of(question: MatrixQuestion, exercise: Exercise, robot: Robot | None = None) -> Truth:
+def truth_of(question: MatrixQuestion, exercise: Exercise) -> Truth:
     """The right answer to a question about a matrix, computed once for each exercise.
 
     Args:
         question: The question.
-        exercise: The exercise it belongs to, for the values given.
-        robot: The robot to compute it for; the exercise's own by default.
+        exercise: The exercise it belongs to, for its robot and the values given.
+
+    Raises:
+        RobotError: The question needs a robot and the exercise has none.
     """
-    known = exercise.truths.get((question, robot and robot.name))
+    known = exercise.truths.get(question)
     if not isinstance(known, Truth):
-        known = exercise.truths[question, robot and robot.name] = _compute(question, exercise, robot)
+        known = exercise.truths[question] = _compute(question, exercise)
     return known
 
 
-def _compute(question: MatrixQuestion, exercise: Exercise, robot: Robot | None) -> Truth:
-    chain = chain_of(question, robot or exercise.robot)
+def _compute(question: MatrixQuestion, exercise: Exercise) -> Truth:
+    chain = chain_of(question, exercise.robot)
     values = dict(exercise.values)
     rows = _in_symbols(chain, question, exercise)
     named = names(chain) | _point_names(question)
