@@ -2,8 +2,9 @@
 
 Let `e^{iθ}` go to a random unit z of F_p, then cos θ = (z + 1/z)/2 and sin θ = (z - 1/z)/(2i). With p = 1 mod 720
 the field holds i, √2, √3, √5 and a consistent cosine for every multiple of half a degree, so every identity of
-trigonometry holds for residues too. Unequal residues prove two expressions unequal; equal ones of degree d may be
-an accident with probability at most d/p, far below 2^-100 for a random prime of 127 bits.
+trigonometry holds for residues too; with p = 1 mod 7, 11 ... 31 it holds the roots of these primes besides. Unequal
+residues prove two expressions unequal; equal ones of degree d may be an accident with probability at most d/p, far
+below 2^-100 for a random prime of 127 bits.
 Source: the idea of `testeq`, G. Gonnet, Determining equivalence of expressions in random polynomial time, 1984.
 """
 
@@ -11,7 +12,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 from functools import lru_cache
 
@@ -23,10 +24,13 @@ from dhcli.notation.walk import walk
 STEPS = 720
 """Steps of a full turn that the field holds: multiples of half a degree."""
 
+ROOTED = (7, 11, 13, 17, 19, 23, 29, 31)
+"""Primes whose square roots the field holds besides those of 2, 3 and 5, which are combinations of cosines."""
+
 LARGEST_RADICAND = 10**12
 """Roots are taken of small integers; a larger residue is the image of some expression."""
 
-_SQUARES = {
+_SQUARES: Mapping[int, Callable[[Field], int]] = {
     2: lambda field: field.two_cosines(STEPS // 8),
     3: lambda field: field.two_cosines(STEPS // 12),
     5: lambda field: (2 * field.two_cosines(STEPS // 5) + 1) % field.prime,
@@ -62,7 +66,7 @@ class Field:
         return (self.root_of_unity(steps) + self.root_of_unity(-steps)) % self.prime
 
     def square_root(self, value: Fraction) -> int:
-        """The root of a rational whose prime factors are among 2, 3 and 5, with any square.
+        """The root of a rational whose prime factors are at most 31, with any square.
 
         Raises:
             CannotHoldError: Another prime stands under the root.
@@ -70,17 +74,28 @@ class Field:
         inside, outside, root = value.numerator * value.denominator, 1, 1
         if inside < 0:
             inside, root = -inside, self.i
-        for prime in (2, 3, 5):
+        for prime in (*_SQUARES, *ROOTED):
             while inside % (prime * prime) == 0:
                 inside //= prime * prime
                 outside *= prime
             if inside % prime == 0:
                 inside //= prime
-                root = root * _SQUARES[prime](self) % self.prime
+                root = root * self._root_of(prime) % self.prime
         whole = math.isqrt(inside)
         if whole * whole != inside:
             raise CannotHoldError
         return outside * whole * root * self.inverse(value.denominator) % self.prime
+
+    def _root_of(self, prime: int) -> int:
+        """√2, √3, √5 by cosines; √q by Gauss's sum of e^{2πi k²/q}, which is √q, or i√q where q = 3 mod 4."""
+        if prime in _SQUARES:
+            return _SQUARES[prime](self)
+        if (self.prime - 1) % prime:
+            raise CannotHoldError
+        powers = (pow(candidate, (self.prime - 1) // prime, self.prime) for candidate in range(2, 1000))
+        unit = next(power for power in powers if power != 1)
+        total = sum(pow(unit, k * k % prime, self.prime) for k in range(prime)) % self.prime
+        return total if prime % 4 == 1 else total * self.inverse(self.i) % self.prime
 
     def _primitive(self) -> int:
         for candidate in range(2, 1000):
@@ -93,8 +108,9 @@ class Field:
 @lru_cache(maxsize=1)
 def field_of_the_day() -> Field:
     """A field with a random 127-bit prime, drawn once in a process."""
+    step = math.prod(ROOTED) * STEPS
     while True:
-        prime = (random_below(1 << 118) | 1 << 117) * STEPS + 1
+        prime = (random_below(1 << 84) | 1 << 84) * step + 1
         if is_prime(prime):
             return Field(prime)
 
