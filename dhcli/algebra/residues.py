@@ -43,7 +43,7 @@ class Field:
 
     def __init__(self, prime: int) -> None:
         """Find a primitive 720th root of unity."""
-        self.prime = prime
+        self.prime: int = prime
         self._unit = self._primitive()
         self.i = self.root_of_unity(STEPS // 4)
 
