@@ -8,8 +8,10 @@ bounded: characters, nodes, depth and exponents are capped.
 from __future__ import annotations
 
 import re
+from fractions import Fraction
 
 from dhcli.errors import NotationError, Place, did_you_mean
+from dhcli.notation.glued import in_degrees, is_factor, unglued
 from dhcli.notation.names import GREEK_NAMES, canonical, parts
 from dhcli.notation.operators import OPENING, Operators
 from dhcli.notation.quantity import ANGLE_UNITS, DimensionError, to_angle
@@ -110,7 +112,9 @@ class Parser(Operators):
         return self.scope.is_open and parts(word)[0] in GREEK_NAMES
 
     def _joined(self, token: Token) -> Expr:
-        """A word that is no single name: `cosθ1`, `a1c1`, or unknown."""
+        """A word that is no single name: `cosθ1`, `cos30` before its degrees, `a1c1`, or unknown."""
+        if self._unglue():
+            return self._operand()
         with_functions = self._with_functions(token)
         if with_functions:
             return self._build(token, multiply, *with_functions)
@@ -121,10 +125,28 @@ class Parser(Operators):
             raise self._question(token, [" * ".join(map(trig_name, way)) for way in ways])
         return self._resolve(token.text, token)
 
+    def _unglue(self) -> bool:
+        """Put the tokens of `cos30°`, `sqrt3` or `a2cos(...)` in the place of the word that was just taken."""
+        start = self.position - 1
+        pieces, replaced = unglued(self.tokens, start, self.scope)
+        if not pieces:
+            return False
+        name, number = pieces[-2].text, pieces[-1].text
+        if pieces[-1].kind == "number" and name != "sqrt" and not in_degrees(self.tokens, start + replaced):
+            hint = f"write {name}({number}°) for degrees, {name}({number}) for radians"
+            if self.scope.readings(name[0] + number):
+                hint += f", {name[0]}{number} for a joint angle"
+            raise self.error(f"{name}{number} does not say what {number} is", hint, pieces[-2])
+        self.tokens[start : start + replaced] = pieces
+        self.position = start
+        return True
+
     def _with_functions(self, token: Token) -> tuple[Expr, ...]:
         """The factors of `a1cosθ1sinθ12`; none if a piece of it means nothing, or two things."""
         head, *rest = _FUNCTION.split(token.text)
         ways: list[tuple[Expr, ...]] = self.scope.split(head) if head else [()]
+        if rest and not ways and self.scope.is_open and is_factor(head, self.scope):
+            ways = [(self._resolve(head, token),)]
         if not rest or len(ways) != 1:
             return ()
         factors = list(ways[0])
@@ -161,6 +183,9 @@ class Parser(Operators):
         return self.error(f"{token.text} could be " + " or ".join(readings), "write it out", token)
 
     def _fraction(self, token: Token) -> Expr:
+        if self.token.kind == "number" and len(self.token.text) == 2 and self.token.text.isdecimal():  # noqa: PLR2004
+            over, under = map(Fraction, self.advance().text)  # \frac12 as TeX reads it
+            return self._build(token, lambda: Number(over / under))
         self.expect("{", "after \\frac")
         above = self.expression()
         self.expect("}", "after the numerator")
@@ -196,6 +221,8 @@ class Parser(Operators):
         operand = self._operand()
         self._depth -= 1
         if isinstance(operand, Number):
+            if self.at("^") and in_degrees(self.tokens, self.position):  # LaTeX writes \cos 30^\circ
+                return self._power(operand, self.advance())
             if self._is_unit():
                 return multiply(operand, self._implicit())
             if self.token.kind == "word" and self._names_angle(self.token.text):

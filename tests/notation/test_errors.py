@@ -52,7 +52,7 @@ def refused(text: str, scope: Scope = ROBOT, place: Place | None = None) -> str:
         ("a1^65", "3: an exponent beyond 64 is not read"),
         ("2^(1/65)", "2: an exponent beyond 64 is not read"),
         ("\\frac{1}{0}", "1: a division by zero"),
-        ("\\frac12", "6: '12' where { was expected after \\frac"),
+        ("\\frac123", "6: '123' where { was expected after \\frac"),
         ("a1 \\", "4: a backslash at the end (remove it, or write a LaTeX command such as \\theta)"),
         ("a_", "2: _ (Low Line) means nothing here"),
         ("0.5.a1", "4: . (Full Stop) means nothing here"),

@@ -47,6 +47,11 @@ ROBOT = Scope(
         ("cos(θ1 + 390°)", "c(theta1+30°)"), ("cos(30 deg)", "sqrt(3)/2"), ("cosd(60)", "1/2"), ("sind(θ1)", "s1"),
         ("cos(0.3)", "cos(0.3)"), ("tan 45°", "1"), ("tan(θ1)", "s1/c1"), ("sqrt(b^2)", "sqrt(b^2)"),
         ("atan2(a1, a2)", "atan2(a1, a2)"), ("arctan2(a1, a2)", "atan2(a1, a2)"), ("arccos(b)", "acos(b)"),
+        # a function without brackets or blanks, as on paper
+        ("14cos30°-6sin30°", "7*sqrt(3) - 3"), ("2cos45°", "sqrt(2)"), ("cos22.5°", "cos(22.5°)"), ("sin30 deg", "1/2"),
+        ("cos30^\\circ", "sqrt(3)/2"), ("\\cos 60^{\\circ}", "1/2"), ("a1cos60°", "a1/2"), ("sqrt3", "sqrt(3)"),
+        ("2sqrt3/3", "2*sqrt(3)/3"), ("\\sqrt3", "sqrt(3)"), ("\\frac12", "1/2"), ("\\frac12 a1", "a1/2"),
+        ("a1cosθ_1 + a2cos(θ_1+θ_2)", "a1*c1 + a2*c12"), ("a1bsin^2(θ1)", "a1*b*s1^2"),
         # shorthand
         ("c1", "c1"), ("s1", "s1"), ("C1", "c1"), ("S2", "s2"), ("c12", "c12"), ("s23", "s23"), ("c123", "c123"),
         ("c_1", "c1"), ("c_{12}", "c12"), ("c_12", "c12"), ("cθ1", "c1"), ("cθ_1", "c1"), ("c\\theta_1", "c1"),
@@ -76,6 +81,7 @@ def test_a_spelling_is_read_as_it_is_meant(text: str, read: str) -> None:
         ("x y", "x*y"), ("θ1θ2", "theta1*theta2"), ("c(φ)", "cos(phi)"), ("shoulder", "shoulder"),
         ("c12 + c", "c12 + c"),
         ("c_ij", "c_ij"), ("q1", "q1"), ("θ12", "theta12"), ("cθ12", "cos(theta12)"),
+        ("a1cosθ_1", "a1*c1"), ("a2cos(2φ)", "a2*cos(2*phi)"), ("basin(2)", "2*basin"),
     ],
 )  # fmt: skip
 def test_without_a_robot_names_stand_for_themselves(text: str, read: str) -> None:
@@ -164,6 +170,10 @@ def test_an_angle_called_like_a_length_is_known_by_its_list() -> None:
         ("a/b s2", "what is divided by a product without a sign can be read in two ways"),
         ("abd", "abd could be a * b * d or a * bd"),
         ("sin^-1(0.5)", "sin to a negative power can be read in two ways"),
+        ("cos30", "cos30 does not say what 30 is"),
+        ("a cos1", "cos1 does not say what 1 is"),
+        ("b/a cos30°", "what is divided by a product without a sign can be read in two ways"),
+        ("b/acos30°", "what is divided by a product without a sign can be read in two ways"),
     ],
 )
 def test_what_can_be_read_in_two_ways_is_a_question(text: str, message: str) -> None:

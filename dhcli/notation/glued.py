@@ -1,0 +1,60 @@
+"""Functions that stand in one run of letters with what is before or behind them: `cos30°`, `sqrt3`, `a2cos(...)`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from dhcli.notation.names import GREEK_NAMES, canonical
+from dhcli.notation.quantity import ANGLE_UNITS
+from dhcli.notation.scope import Scope
+from dhcli.notation.tokens import Token
+
+_GLUED = re.compile(r"(?P<head>.*?)(?P<function>cos|sin|tan|sqrt)(?P<digits>\d*)")
+_NAMES = re.compile(r"[^\W\d_]|(?:[^\W\d_](?:[0-9]+|_\{[^{}]*\}|_[0-9]+))+")
+"""What nobody doubts where any name stands for itself: a letter, or letters each with an index."""
+
+
+def unglued(tokens: Sequence[Token], at: int, scope: Scope) -> tuple[tuple[Token, ...], int]:
+    """The tokens that a word of several is meant as, and how many it replaces; none if it is no such word.
+
+    Args:
+        tokens: The tokens of the text.
+        at: Index of the word.
+        scope: The names it may use; a factor before the function must be one, or a product of some.
+    """
+    word = tokens[at]
+    match = _GLUED.fullmatch(word.text)
+    if match is None:
+        return (), 0
+    head, function, digits = match["head"], match["function"], match["digits"]
+    if (head and not is_factor(head, scope)) or not (digits or (head and _called(tokens[at + 1]))):
+        return (), 0
+    middle, behind = word.end - len(digits), tokens[at + 1]
+    begin = middle - len(function)
+    pieces = [Token("word", head, word.start, begin, word.spaced)] if head else []
+    pieces.append(Token("word", function, begin, middle, spaced=not head and word.spaced))
+    if not digits:
+        return tuple(pieces), 1
+    fraction = behind.kind == "number" and behind.text.startswith(".") and not behind.spaced  # cos22.5° is cos22 and .5
+    end = behind.end if fraction else word.end
+    pieces.append(Token("number", digits + (behind.text if fraction else ""), middle, end, spaced=False))
+    return tuple(pieces), 1 + fraction
+
+
+def in_degrees(tokens: Sequence[Token], at: int) -> bool:
+    r"""Whether a unit of angle stands here, or LaTeX's `^\circ`."""
+    if tokens[at].text == "^":
+        return any(token.text == "°" for token in tokens[at + 1 : at + 3])
+    return tokens[at].text == "°" or tokens[at].text in ANGLE_UNITS
+
+
+def is_factor(head: str, scope: Scope) -> bool:
+    """Whether what stands before a function is a name, or a product of names, in one way only."""
+    if len(scope.readings(head)) == 1 or len(scope.split(head)) == 1:
+        return True
+    return scope.is_open and (bool(_NAMES.fullmatch(head)) or canonical(head).rstrip("0123456789") in GREEK_NAMES)
+
+
+def _called(token: Token) -> bool:
+    return token.kind == "sign" and token.text in ("(", "^")
