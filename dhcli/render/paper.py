@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 import shutil
 import unicodedata
 from dataclasses import dataclass
@@ -14,14 +13,12 @@ from dhcli.notation.names import GREEK
 WIDE = 100
 """Columns of a pipe or a file: fixed, so that what a program reads never depends on a window."""
 
-_BETWEEN = re.compile(r"(?<=\S)·(?=\S)")
-"""A dot that multiplies; one with blanks around it separates."""
 _NEEDED = "⎡θ°─"
 _INKS = {"bold": "1", "dim": "2", "underline": "4", "red": "31", "green": "32", "yellow": "33", "cyan": "36"}
 _IN_ASCII = str.maketrans(
     GREEK
     | dict(zip("₀₁₂₃₄₅₆₇₈₉", "0123456789", strict=True))
-    | {"°": "deg", "π": "pi", "√": "sqrt", "−": "-", "–": "-", "—": "-", "·": ",", "…": "...", "×": "x", "′": "'"}  # noqa: RUF001
+    | {"°": "deg", "π": "pi", "√": "sqrt", "−": "-", "–": "-", "—": "-", "·": "*", "…": "...", "×": "x", "′": "'"}  # noqa: RUF001
     | {"⎡": "[", "⎢": "[", "⎣": "[", "⎤": "]", "⎥": "]", "⎦": "]", "±": "+-", "Σ": "sum ", "²": "^2", "→": "->"}
     | {"─": "-", "━": "-", "│": "|", "┼": "+", "╷": " ", "╵": " ", "“": '"', "”": '"', "‘": "'", "’": "'"}  # noqa: RUF001
     | {
@@ -81,7 +78,7 @@ class Paper:
 
 def in_ascii(text: str) -> str:
     """A text in ASCII: Greek letters by name, brackets and lines by what looks like them, accents left out."""
-    text = text.replace(" · ", ", ").translate(_IN_ASCII)
+    text = text.replace(" · ", ", ").translate(_IN_ASCII)  # between blanks a dot separates, else it multiplies
     if not text.isascii():
         text = unicodedata.normalize("NFKD", text)
         text = "".join(letter for letter in text if not unicodedata.combining(letter))
