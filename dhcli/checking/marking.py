@@ -11,7 +11,7 @@ from dhcli.checking.counts import mark_count, right_count
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.misprints import misprint_remarks
 from dhcli.checking.numeric import mark_numbers
-from dhcli.checking.pasted import UnreadableError, without_label
+from dhcli.checking.pasted import UnreadableError, refuse_blanks, without_label
 from dhcli.checking.questions import (
     CellQuestion,
     ChoiceQuestion,
@@ -96,6 +96,7 @@ def check(exercise: Exercise, part: str, answer: str) -> Mark:
 
 
 def _judged(exercise: Exercise, part: Part, answer: str, place: Place | None) -> Mark:
+    refuse_blanks(answer)
     question = part.question
     tolerance = part.tolerance or exercise.tolerance
     match question:

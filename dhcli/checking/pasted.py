@@ -5,8 +5,9 @@ from __future__ import annotations
 import json
 import re
 
-_LABEL = re.compile(r"\s*[^\s=\[\](){},;]{1,30}\s*=\s*(?=[\[({\\a-zA-Z0-9.√−-])")  # noqa: RUF001
+_LABEL = re.compile(r"\s*[^\s=\[\](){},;]{1,30}\s*=\s*(?=[^\s=])")
 _NAMED_MATRIX = re.compile(r"[^=\n]{1,60}=\s*(?=\[|\\begin|\\left|array|np\.|Matrix|matrix)")
+_UNFILLED = re.compile(r"(?<![\w}])_(?![\w{])")
 _CONTINUED = re.compile(r"\.\.\.[^\S\n]*(?=\n)")
 _SCREEN = re.compile(r"[⎡⎢⎣][^\n⎡⎢⎣⎤⎥⎦]*[⎤⎥⎦]")
 _DECLARED = re.compile(r"^[^\S\n]*syms\b[^\n]*$", re.MULTILINE)
@@ -26,6 +27,16 @@ class UnreadableError(Exception):
         """Say what would be read."""
         super().__init__("; ".join(remarks))
         self.remarks = remarks
+
+
+def refuse_blanks(text: str) -> None:
+    """Make sure that nothing is still to be filled in.
+
+    Raises:
+        UnreadableError: A `_` of the sheet stands alone somewhere.
+    """
+    if _UNFILLED.search(text):
+        raise UnreadableError("some entries are still blank: fill in every _")
 
 
 def without_label(text: str) -> str:

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 
 from dhcli.algebra.floats import Floats
+from dhcli.checking.commas import comma_remark, with_points
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.pasted import UnreadableError, rows_of, without_label
+from dhcli.checking.pasted import UnreadableError, refuse_blanks, rows_of, without_label
 from dhcli.checking.questions import MatrixQuestion
 from dhcli.checking.truth import is_length, names_of
 from dhcli.checking.vectors import as_column
-from dhcli.errors import NotationError, Place, did_you_mean
+from dhcli.errors import NotationError, Place
 from dhcli.notation.matrix import Cell, parse_matrix
+from dhcli.notation.names import suggestion
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_length
 from dhcli.notation.tree import ONE, ZERO, Expr, Number, multiply, number
@@ -21,8 +22,6 @@ from dhcli.notation.walk import symbols
 LARGEST = 256_000
 LEAST = 1e-12
 """What floating point leaves where an exact 0 or 1 was meant."""
-
-_UNFILLED = re.compile(r"(?<![\w}])_(?![\w{])")
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,10 +44,9 @@ def read_entries(
     if len(text) > LARGEST:
         raise UnreadableError(f"the answer has {len(text)} characters, more than the {LARGEST} that are read")
     body = without_label(rows_of(text, question.shape))
-    if _UNFILLED.search(body):
-        raise UnreadableError("some entries are still blank: fill in every _")
+    refuse_blanks(body)
     if question.shape == (3, 1):
-        body = as_column(body, exercise.scope, is_axis=question.piece == "axis")
+        body = as_column(with_points(body), exercise.scope, is_axis=question.piece == "axis")
     elif not body.lstrip().startswith(("[", "(", "{", "\\", "|")):
         body = f"[{body}]" if question.piece == "rotation" else body
     try:
@@ -58,8 +56,9 @@ def read_entries(
             return ((_entry(question, exercise, Cell(expr, body.strip(), 0), 0, 0),),)
         cells = parse_matrix(body, exercise.scope, place or Place("answer"))
     except NotationError as error:
-        raise UnreadableError(*(str(problem) for problem in error.problems)) from None
-    shaped = _shaped(question, cells)
+        remarks = (*(str(problem) for problem in error.problems), comma_remark(text))
+        raise UnreadableError(*filter(None, remarks)) from None
+    shaped = _shaped(question, cells, text)
     entries = tuple(
         tuple(_entry(question, exercise, cell, r, c) for c, cell in enumerate(row)) for r, row in enumerate(shaped)
     )
@@ -78,7 +77,7 @@ def check_names(exercise: Exercise, names: frozenset[str]) -> None:
         return
     known = names_of(exercise)
     for name in sorted(names - known):
-        hint = did_you_mean(name, sorted(known))
+        hint = suggestion(name, sorted(known))
         raise UnreadableError(f"{name} is not a name that is known here" + (f" ({hint})" if hint else ""))
 
 
@@ -93,7 +92,7 @@ def _refuse_matrix(text: str, exercise: Exercise) -> None:
             raise UnreadableError(f"this is a matrix, {len(cells)}x{len(cells[0])}; one number was asked")
 
 
-def _shaped(question: MatrixQuestion, cells: tuple[tuple[Cell, ...], ...]) -> tuple[tuple[Cell, ...], ...]:
+def _shaped(question: MatrixQuestion, cells: tuple[tuple[Cell, ...], ...], text: str) -> tuple[tuple[Cell, ...], ...]:
     """The cells in the shape of the answer; a column may be typed as a row, and a point with its final 1."""
     wanted = question.shape
     shape = (len(cells), len(cells[0]))
@@ -106,12 +105,17 @@ def _shaped(question: MatrixQuestion, cells: tuple[tuple[Cell, ...], ...]) -> tu
             return tuple((cell,) for cell in flat)
     if shape == wanted:
         return cells
-    raise UnreadableError(_shape_remark(question, shape))
+    raise UnreadableError(*filter(None, (_shape_remark(question, shape), comma_remark(text))))
 
 
 def _shape_remark(question: MatrixQuestion, shape: tuple[int, int]) -> str:
     rows, columns = question.shape
-    asked = f"{rows}x{columns}" if columns > 1 else f"{rows} numbers" if rows > 1 else "one number"
+    if columns == 1 < rows and 1 in shape:
+        count = max(shape)
+        given = "1 number is given" if count == 1 else f"{count} numbers are given"
+        missing = ": is z missing?" if count == rows - 1 else ""
+        return f"{given}, {rows} were asked{missing}"
+    asked = f"a {rows}x{columns} matrix" if columns > 1 else f"a column of {rows}" if rows > 1 else "one number"
     if question.piece == "pose" and shape == (3, 3):
         return "this is a rotation, 3x3; a pose was asked: add the position as fourth column and the row 0 0 0 1"
     if question.piece == "pose" and shape == (3, 4):

@@ -58,7 +58,7 @@ def _one_a_row(text: str) -> str:
             rows = inside.split(separator)
             plain = not set(inside) & set("[]{}|&,\\")
             wide = all(_WIDE.search(row) for row in rows)
-            return "[" + ", ".join(rows) + "]" if plain and len(rows) in LENGTHS and not wide else ""
+            return "[" + ", ".join(rows) + "]" if plain and len(rows) <= max(LENGTHS) and not wide else ""
     return ""
 
 

@@ -76,8 +76,8 @@ def read_matrix(source: Source, tokens: Sequence[Token], scope: Scope) -> tuple[
         shown = " | ".join(_text(source, cell) for cell in rows[odd])
         raise source.error(
             rows[odd][0][0].start,
-            f"row {odd + 1} has {widths[odd]} cells where others have {usual}: {shown}",
-            "c1 -s1 is two cells, c1 - s1 is one; commas settle it",
+            f"row {odd + 1} has {widths[odd]} cell{'s'[: widths[odd] != 1]} where others have {usual}: {shown}",
+            "c1 -s1 and a1 c1 are two cells, c1 - s1 and a1*c1 are one; commas settle it",
         )
     return tuple(tuple(_cell(source, cell, scope) for cell in row) for row in rows)
 

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Iterable
 from functools import lru_cache
+
+from dhcli.errors import did_you_mean
 
 GREEK = {
     "α": "alpha",
@@ -35,9 +38,11 @@ GREEK = {
 """Greek letters and their names; `π` is a number and not here."""
 
 GREEK_NAMES = frozenset(GREEK.values()) | {"vartheta", "varphi", "varepsilon"}
+MOST_SUGGESTIONS = 3
 _VARIANTS = {"vartheta": "theta", "varphi": "phi", "varepsilon": "epsilon"}
 _SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _SPLIT = re.compile(r"(\D*)(\d*)")
+_TRIG = re.compile(rf"(?:cos|sin|[cs])(?={'|'.join(sorted(GREEK_NAMES))})")
 _STEM = re.compile(r"(?P<stem>[A-Za-z]+)(?P<index>\d*)(?:_(?P<letters>.+))?")
 
 
@@ -72,6 +77,17 @@ def parts(name: str) -> tuple[str, str]:
         return name, ""
     letters = (match["letters"] or "").strip("{}")
     return match["stem"], match["index"] + letters
+
+
+def suggestion(word: str, known: Iterable[str]) -> str:
+    """A hint at the names that a word may have meant: those that only lack an index first, `theta_i` before theta1."""
+    known = tuple(known)
+    stem, index = parts(_TRIG.sub("", canonical(word)))
+    alike = [name for name in known if parts(name)[0] == stem]
+    if index or not alike:
+        return did_you_mean(word, known)
+    alike.sort(key=lambda name: (any(letter.isdigit() for letter in name), natural_key(name)))
+    return "did you mean " + " or ".join(alike[:MOST_SUGGESTIONS]) + "?"
 
 
 def foreign_letter(letter: str) -> str | None:

@@ -10,9 +10,9 @@ from __future__ import annotations
 import re
 from fractions import Fraction
 
-from dhcli.errors import NotationError, Place, did_you_mean
+from dhcli.errors import NotationError, Place
 from dhcli.notation.glued import in_degrees, is_factor, unglued
-from dhcli.notation.names import GREEK_NAMES, canonical, parts
+from dhcli.notation.names import GREEK_NAMES, canonical, parts, suggestion
 from dhcli.notation.operators import OPENING, Operators
 from dhcli.notation.quantity import ANGLE_UNITS, DimensionError, to_angle
 from dhcli.notation.scope import OPEN, Scope, trig_name
@@ -176,7 +176,7 @@ class Parser(Operators):
             return Symbol(canonical(word))
         if word.lower() in ("nan", "inf", "infinity"):
             raise self.error(f"{word} is no number that a robot can have", "", token)
-        hint = did_you_mean(word, self.scope.names)
+        hint = suggestion(word, self.scope.names)
         raise self.error(f"{word} is not a name that is known here", hint, token)
 
     def _question(self, token: Token, readings: list[str]) -> NotationError:

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from dhcli import load_robot
-from dhcli.checking.exercise import Exercise, question_about
-from dhcli.checking.marking import mark
+from dhcli.checking.exercise import Exercise, Part, question_about
+from dhcli.checking.marking import check, mark
+from dhcli.checking.questions import MatrixQuestion, Span
 from dhcli.checking.reading import LARGEST
 from dhcli.checking.verdicts import Verdict
 from dhcli.cli.main import main
+from dhcli.files.exercises import load_exercise
+from dhcli.notation.angle import Angle
 
 NAMED = """r11 = c12
 r12 = -s12
@@ -26,6 +31,14 @@ p_z = 0"""
 def pose() -> Exercise:
     """The pose of the planar arm, in symbols."""
     return question_about(load_robot("planar-2r"), "0", "2", numeric=False, given={})
+
+
+@pytest.fixture
+def position() -> Exercise:
+    """The position of the planar arm with links of 0.4 m and 0.3 m, in numbers."""
+    values = {"theta1": Angle(), "theta2": Angle()}
+    asked = question_about(load_robot("planar-2r"), "0", "2", numeric=True, given=values)
+    return replace(asked, parts=(Part("tip", MatrixQuestion(Span("0", "2"), piece="position")),))
 
 
 def remarks(exercise: Exercise, answer: str) -> tuple[Verdict, tuple[str, ...]]:
@@ -62,6 +75,65 @@ def test_a_long_answer_of_nothing_is_gone_through_once(pose: Exercise, filler: s
     """As long as an answer may be; where blanks were tried again from each of them, this took many minutes."""
     verdict, _ = remarks(pose, filler * (LARGEST // len(filler)))
     assert verdict in (Verdict.CANNOT_READ, Verdict.SKIPPED)
+
+
+@pytest.mark.parametrize(
+    "answer",
+    ["0,5; -0,25; 0", "0,5 -0,25 0", "[0,5; -0,25; 0]", "(0,5; -0,25; 0)", "0,5\n-0,25\n0", "50,0 cm; -25,0 cm; 0"],
+)
+def test_decimal_commas_are_read_where_they_can_separate_nothing(position: Exercise, answer: str) -> None:
+    """Three pieces between semicolons, blanks or line ends, and the commas inside them."""
+    judged = mark(position, position.parts[0], answer)
+    assert [float(cell.typed.removesuffix(" cm")) for cell in judged.cells] in ([0.5, -0.25, 0], [50, -25, 0])
+
+
+@pytest.mark.parametrize(
+    ("answer", "remark"),
+    [
+        ("a1 c1 + a2 c12; a1 s1 + a2 s12", "2 numbers are given, 3 were asked: is z missing?"),
+        ("a1*c1, a1*s1", "2 numbers are given, 3 were asked: is z missing?"),
+        ("a1", "1 number is given, 3 were asked"),
+        ("1, 2, 3, 4, 5", "5 numbers are given, 3 were asked"),
+        ("1; 2; 3, 4", "row 3 has 2 cells where others have 1"),
+        ("0,449, 0,4819, 0", "if 0,449 is one number, write 0.449: decimals take a point"),
+        ("0,449; 0,4819", "if 0,449 is one number, write 0.449: decimals take a point"),
+        ("a1*c1; a1*s1; _", "some entries are still blank: fill in every _"),
+    ],
+)
+def test_a_vector_that_is_none_is_told_what_is_missing(position: Exercise, answer: str, remark: str) -> None:
+    """How many numbers are there and how many were asked; decimal commas that may separate are not guessed at."""
+    judged = mark(position, position.parts[0], answer)
+    assert judged.verdict is Verdict.CANNOT_READ
+    assert remark in "; ".join(judged.remarks)
+
+
+@pytest.mark.parametrize(
+    ("part", "answer"), [("gruebler", "F = λ(n-1-j)+ j f"), ("gruebler", "λ = λ(n-1-j)+ jf"), ("links", "n = +7")]
+)
+def test_a_label_may_stand_before_one_value(part: str, answer: str) -> None:
+    """Whatever its first character is."""
+    assert check(load_exercise("counting-freedoms"), part, answer).verdict is Verdict.RIGHT
+
+
+@pytest.mark.parametrize(
+    ("exercise", "part", "answer", "hint"),
+    [
+        ("dh-rules", "cosine", "cosα", "did you mean alpha_i?"),
+        ("wpi/puma560-table", "general", "cos(theta) 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1", "did you mean theta_i or"),
+        ("planar-two-links", "a1", "a*c1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1", "did you mean a1 or a2?"),
+    ],
+)
+def test_a_name_without_its_index_is_suggested_with_it(exercise: str, part: str, answer: str, hint: str) -> None:
+    """Suggested, not guessed; the general one before those of single joints."""
+    judged = check(load_exercise(exercise), part, answer)
+    assert judged.verdict is Verdict.CANNOT_READ
+    assert hint in judged.remarks[0]
+
+
+def test_a_table_that_is_half_filled_in_says_so() -> None:
+    """As a matrix does."""
+    judged = check(load_exercise("planar-two-links"), "table", "a1 0 0 θ1\na2 0 0 _")
+    assert judged.remarks == ("some entries are still blank: fill in every _",)
 
 
 @pytest.mark.parametrize(

@@ -127,7 +127,7 @@ def test_a_cell_knows_its_text_and_its_place() -> None:
             "[c1 -s1 0; s1 - c1 0; 0 0 1]",
             (
                 "matrix:12: row 2 has 2 cells where others have 3: s1 - c1 | 0"
-                " (c1 -s1 is two cells, c1 - s1 is one; commas settle it)"
+                " (c1 -s1 and a1 c1 are two cells, c1 - s1 and a1*c1 are one; commas settle it)"
             ),
         ),
         ("[1, 2; 3, x]", "matrix:11: x is not a name that is known here"),

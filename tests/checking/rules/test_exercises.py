@@ -85,7 +85,7 @@ def test_a_part_without_help_or_worth_is_told(broken: Broken, tmp_path: Path) ->
         'tip: "0.5, 0.475, 0"',
         'tip: "0.5, 0.475"',
         "25:8",
-        "printed: tip: is judged CAN'T READ (the answer is 1x2; 3 numbers was asked)",
+        "printed: tip: is judged CAN'T READ (2 numbers are given, 3 were asked: is z missing?)",
         "write it as a student would",
     ),
     Broken(
