@@ -70,6 +70,6 @@ def _matrix(question: MatrixQuestion, exercise: Exercise) -> str:
         "entry": f"entry ({row + 1},{column + 1}) of {whole}",
         "axis": f"the {'xyz'[row]} axis of {whole}: three direction cosines",
         "point": f"the point ({point}) through {whole}: three lengths",
-        "vector": f"the vector ({point}) turned by {whole}: three lengths",
+        "vector": f"the vector ({point}) turned by {whole}: three numbers",
     }
     return pieces[question.piece]

@@ -31,6 +31,7 @@ def hint(
     from dhcli.files.exercises import load_exercise
     from dhcli.files.progress import Try, read_progress, record_hint
     from dhcli.render.paper import Paper
+    from dhcli.render.prose import prose_lines
 
     exercise = variant_of(load_exercise(name), variant)
     progress, message = read_progress()
@@ -41,8 +42,8 @@ def hint(
         write_out(f"{meant.id}: there is no hint for this part\n")
         return
     number = min(shown, len(meant.hints) - 1)
-    text = Paper.of(sys.stdout).spell(meant.hints[number])
-    write_out(f"{meant.id}, hint {number + 1} of {len(meant.hints)}: {text}\n")
+    text = f"{meant.id}, hint {number + 1} of {len(meant.hints)}: {meant.hints[number]}"
+    write_out("".join(f"{line}\n" for line in prose_lines(text, Paper.of(sys.stdout))))
     message = message or record_hint(exercise.id, meant.id)
     if message:
         say(f"dhcli: {message}\n")

@@ -85,6 +85,7 @@ def _draw(exercise: Exercise, path: str, variant: str | None, hints: int) -> Non
     from dhcli.render.look import Look, render
     from dhcli.render.paper import Paper
     from dhcli.render.problems import problems_text
+    from dhcli.render.prose import prose_lines
 
     paper = Paper.of(sys.stdout)
     try:
@@ -104,7 +105,7 @@ def _draw(exercise: Exercise, path: str, variant: str | None, hints: int) -> Non
     if hints:
         part = first_open(exercise, {p.part.id: p.mark.verdict.word for p in marked.parts})
         shown = part.hints[min(hints, len(part.hints)) - 1] if part.hints else "there is no hint for this part"
-        text += f"\nhint for {part.id}: {paper.spell(shown)}\n"
+        text += "".join(f"\n{line}" for line in prose_lines(f"hint for {part.id}: {shown}", paper)) + "\n"
     at = time.strftime("%H:%M:%S")
     write_out(f"{CLEAR}{text}\n{paper.ink(f'{path}, checked at {at} · {KEYS}', 'dim')}\n")
     sys.stdout.flush()

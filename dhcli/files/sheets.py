@@ -9,21 +9,32 @@ from pathlib import Path
 
 from dhcli.checking.describe import describe, given_text
 from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.questions import ChoiceQuestion, MatrixQuestion, TableQuestion
+from dhcli.checking.questions import (
+    ChoiceQuestion,
+    CountQuestion,
+    FactorsQuestion,
+    MatrixQuestion,
+    Question,
+    ScalarQuestion,
+    TableQuestion,
+)
 from dhcli.errors import FileError, Place, Problem
 from dhcli.files.fields import Problems
 from dhcli.files.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
+from dhcli.files.prose import folded
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.robots import load_robot
 from dhcli.kinematics.conventions import COLUMNS, Convention
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import Expr
-from dhcli.notation.walk import substitute
+from dhcli.notation.tree import Expr, Trig
+from dhcli.notation.walk import substitute, walk
 from dhcli.notation.writer import write, write_angle
 
 KEYS = ("exercise", "answers", "variant", "name")
 BLANK = "_"
+WIDEST = 88
+"""Columns of a comment."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,15 +119,17 @@ def read_table(path: Path | str, reference: Robot) -> Table:
 
 def write_sheet(exercise: Exercise) -> str:
     """A blank sheet, with comments that show how each kind of answer is written."""
+    given = f"\n\nGiven: {given_text(exercise)}" if exercise.given else ""
+    fill = f"Fill in each {BLANK} and save; leave a part as it is to skip it. Then:"
     lines = [
-        f"# {exercise.title}",
-        f"# {exercise.source}",
+        *_comment(exercise.title),
+        *_comment(exercise.source),
         "#",
-        *(f"# {line}".rstrip() for line in exercise.task.strip().splitlines()),
-        *(["#", f"# Given: {given_text(exercise)}"] if exercise.given else []),
+        *_comment(exercise.task.strip() + given),
         "#",
-        f"# Fill in each {BLANK} and save; leave a part as it is to skip it. Then: dhcli check {exercise.id} THIS_FILE",
-        f"# {_units(exercise)}",
+        *_comment(fill),
+        f"#   dhcli check {exercise.id} THIS_FILE",  # whole, to be copied
+        *(line for text in _units(exercise) for line in _comment(text)),
         "format: 1",
         f"exercise: {exercise.id}",
         *([f"variant: {_scalar(exercise.variant)}"] if exercise.variant else []),
@@ -132,24 +145,45 @@ def _scalar(text: str) -> str:
     return text if re.fullmatch("[A-Za-z][A-Za-z0-9_-]*", text) else "'" + text.replace("'", "''") + "'"
 
 
-def _units(exercise: Exercise) -> str:
-    if exercise.numeric and exercise.unit == "none":
-        return "Numbers without a unit; 0.7071 or sqrt(2)/2 are both fine."
+def _comment(text: str, first: str = "# ", rest: str = "# ") -> list[str]:
+    """Comment lines, folded."""
+    return [line.rstrip() or "#" for line in folded(text, WIDEST, first, rest)]
+
+
+def _units(exercise: Exercise) -> Iterator[str]:
+    """How numbers, or symbols, are written in the answers that this sheet asks for."""
+    questions = [part.question for part in exercise.parts]
+    in_rows = any(isinstance(question, MatrixQuestion) and question.shape[1] > 1 for question in questions)
+    if all(isinstance(question, ChoiceQuestion | CountQuestion) for question in questions):
+        return
     if exercise.numeric:
-        return f"Numbers: lengths in {exercise.unit} unless a unit stands with them; 0.7071 or sqrt(2)/2 are both fine."
-    return "Symbols: c1 for cos(theta1), s23 for sin(theta2 + theta3), or written out; a1*c1 or a1 c1."
+        has_unit = exercise.unit != "none"
+        unit = f": lengths in {exercise.unit} unless a unit stands with them" if has_unit else " without a unit"
+        yield f"Numbers{unit}; 0.7071 or sqrt(2)/2 are both fine."
+    elif any(map(_holds_cosines, questions)):
+        yield "Symbols: c1 for cos(theta1), s23 for sin(theta2 + theta3), or written out."
+        rows = "; in a row of a matrix, where a blank begins the next cell, a1*c1 or a1c1" if in_rows else ""
+        yield f"Products: a1*c1, a1c1 or a1 c1{rows}."
+
+
+def _holds_cosines(question: Question) -> bool:
+    """Whether an answer in symbols may have cosines and sines in it."""
+    if isinstance(question, ScalarQuestion):
+        return any(isinstance(node, Trig) for node in walk(question.expr))
+    return isinstance(question, MatrixQuestion | FactorsQuestion)
 
 
 def _part_lines(exercise: Exercise, part: Part) -> Iterator[str]:
     question = part.question
     yield ""
-    for line in part.prompt.strip().splitlines():
-        yield f"  # {line}"
-    yield f"  # {describe(question, exercise)}"
+    if part.prompt.strip():
+        yield from _comment(part.prompt.strip(), "  # ", "  # ")
+    yield from _comment(describe(question, exercise), "  # ", "  # ")
     if isinstance(question, TableQuestion) and exercise.robot is not None:
         yield "  # columns: " + "  ".join(exercise.robot.columns) + "; angles in degrees"
     if isinstance(question, ChoiceQuestion):
-        yield from (f"  #   {number}: {option}" for number, option in enumerate(question.options, 1))
+        for number, option in enumerate(question.options, 1):
+            yield from _comment(option, f"  #   {number}: ", "  #      ")
     yield f"  {part.id}: |"
     yield from (f"    {line}" for line in _blank(exercise, part))
 

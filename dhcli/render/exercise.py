@@ -9,6 +9,7 @@ from dhcli.checking.describe import describe, given_text
 from dhcli.checking.exercise import Exercise
 from dhcli.render.look import Look
 from dhcli.render.marks import question_text
+from dhcli.render.prose import prose_lines
 from dhcli.render.quantities import in_units
 
 
@@ -17,14 +18,15 @@ def exercise_table(exercise: Exercise, look: Look) -> str:
     paper = look.paper
     robot = f" · robot {exercise.robot.name}" if exercise.robot else ""
     variant = f" · variant {exercise.variant}" if exercise.variant else ""
+    about = f"{exercise.id} · {exercise.source}{robot}{variant}"
     lines = [
-        paper.ink(paper.spell(exercise.title), "bold"),
-        paper.ink(paper.spell(f"{exercise.id} · {exercise.source}{robot}{variant}"), "dim"),
+        *(paper.ink(line, "bold") for line in prose_lines(exercise.title, paper)),
+        *(paper.ink(line, "dim") for line in prose_lines(about, paper)),
         "",
-        *(paper.spell(line) for line in exercise.task.strip().splitlines()),
+        *prose_lines(exercise.task.strip(), paper),
     ]
     if exercise.given:
-        lines += ["", paper.spell(f"given: {given_text(exercise)}")]
+        lines += ["", *prose_lines(f"given: {given_text(exercise)}", paper)]
     for part in exercise.parts:
         lines += ["", question_text(exercise, part, paper).rstrip("\n")]
     option = f" --variant {shlex.quote(exercise.variant)}" if exercise.variant else ""

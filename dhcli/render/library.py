@@ -7,8 +7,10 @@ from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
 from dhcli.files.catalogue import Listed
+from dhcli.files.library import BUILT_IN
 from dhcli.render.code import csv_line
 from dhcli.render.look import Look
+from dhcli.render.paper import WIDE
 from dhcli.render.table import table_text
 
 if TYPE_CHECKING:
@@ -21,8 +23,11 @@ def library_table(listed: Sequence[Listed], look: Look) -> str:
     for kind, group in groupby(listed, key=lambda one: one.kind):
         listed_here = list(group)
         solved = ["solved"] if any(one.solved for one in listed_here) else []
-        rows = [_row(one, look, with_solved=bool(solved)) for one in listed_here]
-        heads = [kind.value, "joints", *solved, "title", "from"]
+        # In a narrow window what is the same in every row leaves its place to the titles.
+        is_narrow = look.paper.terminal and look.paper.width < WIDE
+        origin = [] if is_narrow and all(one.entry.origin == BUILT_IN for one in listed_here) else ["from"]
+        rows = [_row(one, look, with_solved=bool(solved), with_origin=bool(origin)) for one in listed_here]
+        heads = [kind.value, "joints", *solved, "title", *origin]
         tables.append(table_text(heads, rows, look.paper, cut="title"))
     return "\n".join(tables)
 
@@ -56,7 +61,7 @@ def library_content(listed: Sequence[Listed], _look: Look) -> dict[str, Any]:
     }
 
 
-def _row(one: Listed, look: Look, *, with_solved: bool) -> list[str | Text]:
+def _row(one: Listed, look: Look, *, with_solved: bool, with_origin: bool) -> list[str | Text]:
     from rich.text import Text
 
     paper = look.paper
@@ -75,5 +80,5 @@ def _row(one: Listed, look: Look, *, with_solved: bool) -> list[str | Text]:
         one.joints or "-",
         *([one.solved or "-"] if with_solved else []),
         title,
-        Text(paper.spell(one.entry.origin), style="dim"),
+        *([Text(paper.spell(one.entry.origin), style="dim")] if with_origin else []),
     ]

@@ -15,6 +15,7 @@ from dhcli.checking.verdicts import CellMark, Mark, Verdict
 from dhcli.render.code import csv_line
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
+from dhcli.render.prose import prose_lines
 
 _INKS = {
     Verdict.RIGHT: ("green",),
@@ -27,6 +28,7 @@ _INKS = {
 }
 _ASCII_SIGNS = {"✓": "+", "≡": "=", "≈": "~", "✗": "x", "–": "-"}  # noqa: RUF001
 MOST_HINTS = 2
+_INDENT = " " * 4
 _LONGEST = 60
 """Longest entry that a table of entries shows; longer ones get a line each."""
 
@@ -82,10 +84,12 @@ def marks_content(marked: SheetMark, _look: Look) -> dict[str, Any]:
 
 def question_text(exercise: Exercise, part: Part, paper: Paper) -> str:
     """What a part asks, for a person who is about to answer."""
-    lines = [paper.ink(f"{part.id}: {paper.spell(describe(part.question, exercise))}", "bold")]
-    lines += [paper.spell(line) for line in part.prompt.strip().splitlines()]
+    asked = prose_lines(f"{part.id}: {describe(part.question, exercise)}", paper)
+    lines = [paper.ink(line, "bold") for line in asked]
+    lines += prose_lines(part.prompt.strip(), paper)
     if isinstance(part.question, ChoiceQuestion):
-        lines += [f"  {n}: {paper.spell(option)}" for n, option in enumerate(part.question.options, 1)]
+        for n, option in enumerate(part.question.options, 1):
+            lines += prose_lines(option, paper, f"  {n}: ", "     ")
     return "\n".join(lines) + "\n"
 
 
@@ -95,7 +99,7 @@ def solution_text(exercise: Exercise, part: Part, paper: Paper) -> str:
 
     lines = [question_text(exercise, part, paper).rstrip("\n")]
     for step in solution(exercise, part):
-        lines += ["", *map(paper.spell, step.text.splitlines())]
+        lines += ["", *prose_lines(step.text, paper)]
         if step.rows:
             lines += matrix_lines(step.rows, exercise.writing, Look(paper=paper))
     return "\n".join(lines) + "\n"
@@ -127,14 +131,20 @@ def _part_lines(marked: SheetMark, one: PartMark, look: Look) -> Iterator[str]:
     if mark.reading and verdict not in (Verdict.RIGHT, Verdict.CANNOT_READ):
         yield from _reading(mark, paper)
     for remark in mark.remarks:
-        yield f"    {paper.spell(remark)}"
+        yield from _lines_below(remark, paper)
     yield from (f"    {line}" for line in _cells(mark, paper))
     if exercise.shows_expected and verdict.passed is not True and mark.expected:
-        yield f"    right: {paper.spell(mark.expected)}"
+        yield from _lines_below(f"right: {mark.expected}", paper)
     if mark.diagnosis is not None:
-        yield from (f"    {paper.spell(line)}" for line in _why(mark.diagnosis, named=marked.why))
+        for line in _why(mark.diagnosis, named=marked.why):
+            yield from _lines_below(line, paper)
     if verdict in (Verdict.WRONG, Verdict.CLOSE) and one.part.hints and "/" in exercise.id:
         yield paper.ink(f"    a hint: dhcli hint {exercise.id} --part {one.part.id}", "dim")
+
+
+def _lines_below(text: str, paper: Paper) -> list[str]:
+    """What is said about an answer, below its verdict; line ends that were typed are blanks here."""
+    return prose_lines(paper.spell(text), paper, _INDENT, _INDENT)
 
 
 def _why(found: Diagnosis, *, named: bool) -> Iterator[str]:
@@ -153,7 +163,7 @@ def _why(found: Diagnosis, *, named: bool) -> Iterator[str]:
 def _reading(mark: Mark, paper: Paper) -> Iterator[str]:
     """The echo of what was read, where the entries are not shown anyway."""
     if not (len(mark.cells) > 1 and _fits(mark.cells)):
-        yield f"    I read this as: {paper.spell(mark.reading)}"
+        yield from _lines_below(f"I read this as: {mark.reading}", paper)
 
 
 def _fits(cells: Sequence[CellMark]) -> bool:

@@ -13,9 +13,9 @@ if TYPE_CHECKING:
     from rich.text import Text
 
 _UNFOLDED = 10_000
-_GAP = 4
+_GAP = 3
 _LEAST = 12
-"""Columns between two cells with their padding, and the fewest that a cell is cut to."""
+"""Columns between two cells, and the fewest that a cell is cut to."""
 _COLOURS = re.compile(r"\x1b\[[0-9;]*m")
 _ASCII_BOX = "    \n    \n -- \n    \n    \n    \n    \n    \n"
 
@@ -39,7 +39,7 @@ def table_text(heads: Sequence[str], rows: Iterable[Sequence[str | Text]], paper
     )
     table.border_style = "dim"
     cells = [[Text(paper.spell(cell)) if isinstance(cell, str) else cell for cell in row] for row in rows]
-    needed = 0
+    needed = 2 - _GAP  # a blank at either edge, and gaps between the cells only
     for i, head in enumerate(heads):
         # Only a column that might wrap gives way when the table is too wide; its cells are cut, they do not wrap.
         table.add_column(Text(paper.spell(head)), no_wrap=head != cut, overflow="ellipsis")
@@ -49,10 +49,11 @@ def table_text(heads: Sequence[str], rows: Iterable[Sequence[str | Text]], paper
             text.no_wrap = True
     for row in cells:
         table.add_row(*row)
+    room = paper.width if paper.unicode else paper.width - 2  # where ASCII writes an ellipsis as three dots
     drawn = io.StringIO()
     console = Console(
         file=drawn,
-        width=max(paper.width, needed) if cut and paper.terminal else _UNFOLDED,
+        width=max(room, needed) if cut and paper.terminal else _UNFOLDED,
         force_terminal=paper.colour,
         color_system="standard" if paper.colour else None,
         no_color=not paper.colour,

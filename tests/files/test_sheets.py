@@ -10,8 +10,9 @@ from dhcli.checking.marking import mark
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import FileError
 from dhcli.files.exercises import load_exercise
+from dhcli.files.library import Kind, entries
 from dhcli.files.robots import load_robot
-from dhcli.files.sheets import Sheet, read_sheet, read_table, write_sheet
+from dhcli.files.sheets import WIDEST, Sheet, read_sheet, read_table, write_sheet
 from dhcli.kinematics.conventions import Convention
 
 ROOT = Path(__file__).parents[2]
@@ -45,13 +46,37 @@ def test_a_blank_sheet_shows_the_task_and_how_to_answer() -> None:
     assert lines[0] == f"# {exercise.title}"
     assert f"dhcli check {exercise.id} THIS_FILE" in text
     assert "c1 for cos(theta1)" in text
-    for line in exercise.task.strip().splitlines():
-        assert f"# {line}".rstrip() in lines
+    comments = " ".join(line.lstrip(" #") for line in lines)
+    assert " ".join(exercise.task.split()) in comments
+    assert "a1*c1 or a1c1" in comments
     for part in exercise.parts:
         assert f"  {part.id}: |" in lines
     assert "angles in degrees" in text
     option = "the upper index names the frame that is described, the lower index the frame it is seen from"
-    assert f"  #   1: {option}" in lines
+    assert f"#   1: {option}" in text.replace("\n  #      ", " ")
+    assert all(len(line) <= WIDEST for line in lines)
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("bajd/order-of-displacements", "Numbers"),
+        ("yim/dh-rules", "Symbols"),
+        ("zhou/standard-or-modified", ""),
+        ("yim/counting-freedoms", ""),
+    ],
+)
+def test_a_blank_sheet_explains_only_what_it_needs(name: str, said: str) -> None:
+    """Where every answer is a choice or a count, neither cosines nor decimals."""
+    text = write_sheet(load_exercise(name))
+    assert [word for word in ("Numbers", "Symbols") if f"# {word}" in text] == ([said] if said else [])
+
+
+def test_every_blank_sheet_is_as_narrow_as_its_words_allow() -> None:
+    """Only the command to be copied and single words may be wider."""
+    for entry in entries(Kind.EXERCISES):
+        for line in write_sheet(load_exercise(entry.name)).splitlines():
+            assert len(line) <= WIDEST or "dhcli check" in line, line
 
 
 @pytest.mark.parametrize(("name", "unit"), [("yim/planar-in-numbers", "m"), ("bajd/scara-pose-in-mm", "mm")])

@@ -1,11 +1,25 @@
 """The list of what there is."""
 
+import pytest
+
 from dhcli.checking.verdicts import Verdict
 from dhcli.files.catalogue import catalogue
 from dhcli.files.library import Kind
 from dhcli.files.progress import record
 from dhcli.render.library import library_table
 from dhcli.render.look import Look
+from dhcli.render.paper import Paper, in_ascii
+
+
+@pytest.mark.parametrize("unicode", [True, False])
+def test_the_list_fits_eighty_columns(*, unicode: bool) -> None:
+    """Every row is a line; what is the same in all of them gives way."""
+    record("yim/planar-two-links", {"a1": Verdict.RIGHT})
+    paper = Paper(80, terminal=True, unicode=unicode)
+    table = library_table(catalogue(list(Kind)), Look(paper=paper))
+    lines = (table if unicode else in_ascii(table)).splitlines()
+    assert max(map(len, lines)) <= 80
+    assert not any("built-in" in line for line in lines)
 
 
 def test_exercises_show_how_many_parts_are_solved() -> None:

@@ -1,6 +1,6 @@
 """Tables: what gives way on a narrow terminal, and what never does."""
 
-from dhcli.render.paper import Paper
+from dhcli.render.paper import Paper, in_ascii
 from dhcli.render.table import table_text
 
 NAME, TITLE = "a-name-that-somebody-has-to-type", "A title that goes on and on " * 4
@@ -14,6 +14,14 @@ def test_on_a_narrow_terminal_titles_are_cut_and_names_are_not() -> None:
     assert NAME in line
     assert "…" in line
     assert line.endswith("built-in")
+
+
+def test_three_dots_of_ascii_fit_too() -> None:
+    """They are wider than the sign that they stand for."""
+    paper = Paper(80, terminal=True, unicode=False)
+    text = table_text(["name", "title", "from"], [[NAME, TITLE, "built-in"]], paper, cut="title")
+    assert "..." in in_ascii(text)
+    assert max(map(len, in_ascii(text).split("\n"))) <= 80
 
 
 def test_on_a_terminal_too_narrow_for_the_names_lines_are_longer_than_it() -> None:
