@@ -17,6 +17,10 @@ from pathlib import Path
 from dhcli.errors import UnknownNameError, did_you_mean
 
 BUILT_IN = "built-in"
+MOST_BEGUN = 4
+"""Names that are suggested for the beginning of one."""
+LEAST_TYPED = 3
+"""Letters by which names are found that hold them anywhere."""
 _SUFFIXES = (".yaml", ".yml")
 _PACKAGE = Path(__file__).parent.parent
 
@@ -104,14 +108,27 @@ def _is_path(kind: Kind, name: str) -> bool:
 
 def _hint(kind: Kind, name: str, known: tuple[Entry, ...]) -> str:
     """What to type instead of an unknown name."""
-    hints = [did_you_mean(name, [entry.name for entry in known])]
+    begun = _begun(name, known)
+    hints = [begun or did_you_mean(name, [entry.name for entry in known])]
     for other in Kind:
         if other is not kind and any(entry.name == name for entry in entries(other)):
-            hints = [f"'{name}' is the name of a{'n' if other is Kind.EXERCISES else ''} {other.noun}"]
+            hints = [f"'{name}' is the name of a{'n' if other is Kind.EXERCISES else ''} {other.noun}", begun]
     for path in (name, *(name + suffix for suffix in _SUFFIXES)):
         if os.path.isfile(path):
             hints = [f"for the file in this folder type ./{path}"]
     return "; ".join(hint for hint in (*hints, f"dhcli list {kind.value} shows what there is") if hint)
+
+
+def _begun(name: str, known: tuple[Entry, ...]) -> str:
+    """A hint at the names that begin with what was typed, else at those that hold it; empty if there are none."""
+    typed = name.lower()
+    last = {entry.name: entry.name.lower().split("/")[-1] for entry in known if not entry.shadowed}
+    begin = [full for full, short in last.items() if short.startswith(typed)]
+    found = begin or [full for full, short in last.items() if len(typed) >= LEAST_TYPED and typed in short]
+    if not found or not typed:
+        return ""
+    more = f" (and {len(found) - MOST_BEGUN} more)" if len(found) > MOST_BEGUN else ""
+    return "did you mean " + " or ".join(found[:MOST_BEGUN]) + f"{more}?"
 
 
 def _folders(kind: Kind) -> Iterator[tuple[Path, str]]:

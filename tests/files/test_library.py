@@ -183,12 +183,31 @@ def test_a_slash_makes_a_path_of_a_robot_and_an_id_of_an_exercise(home: Path) ->
 
 
 @pytest.mark.parametrize(
+    ("name", "hint"),
+    [
+        ("arm", "did you mean yim/arm-1 or yim/arm-2?"),
+        ("rm-2", "did you mean yim/arm-2?"),
+        ("m", "known: "),
+        ("scara", "'scara' is the name of a robot; did you mean bajd/scara-a or "),
+    ],
+)
+def test_the_beginning_of_a_name_or_a_piece_of_it_suggests_what_has_it(home: Path, name: str, hint: str) -> None:
+    """At most four of them; a piece has three letters at least."""
+    for exercise in ("yim/arm-1", "yim/arm-2", *(f"bajd/scara-{letter}" for letter in "abcdef")):
+        write(home / "package/_data/exercises", exercise)
+    said = hint_for(Kind.EXERCISES, name)
+    assert said.startswith(hint)
+    assert ("(and 2 more)" in said) is (name == "scara")
+
+
+@pytest.mark.parametrize(
     ("kind", "name", "hint"),
     [
         (Kind.ROBOTS, "SCRA", "did you mean scara?; dhcli list robots shows what there is"),
         (Kind.ROBOTS, "xyz", "known: puma560, scara; dhcli list robots shows what there is"),
         (Kind.ROBOTS, "four-bar", "'four-bar' is the name of a linkage; dhcli list robots shows what there is"),
         (Kind.LINKAGES, "scara", "'scara' is the name of a robot; dhcli list linkages shows what there is"),
+        (Kind.EXERCISES, "fk", "did you mean wpi/fk-1?; dhcli list exercises shows what there is"),
         (Kind.EXERCISES, "wpi/fk1", "did you mean wpi/fk-1?; dhcli list exercises shows what there is"),
         (Kind.EXERCISES, "scara", "'scara' is the name of a robot; dhcli list exercises shows what there is"),
     ],
