@@ -42,6 +42,9 @@ TOO_FEW = "right as far as it was typed, which is too little to judge: three dec
 AXIS_KNOWN = 1e-2
 """Sine below which a turn has no axis to speak of, and how near to a coordinate axis it is called that."""
 
+LEAST_TURN = 0.1
+"""Turn below which entries that are wrong have too few digits and no wrong direction [deg]."""
+
 RELATIVE = 1e-3
 """Tolerance of a length where none is declared, as a share of the robot's size."""
 
@@ -82,11 +85,11 @@ def mark_numbers(
         cells = tuple(replace(c, verdict=Verdict.ROUNDED) if c.verdict is not Verdict.RIGHT else c for c in cells)
         remarks: tuple[str, ...] = ("right to the digits typed; more digits are wanted",)
     else:
-        remarks = _remarks(question, truth.numbers, typed, verdict, _slack(entries), exercise.unit)
+        remarks = _remarks(question, truth.numbers, typed, cells, _slack(entries), exercise.unit)
         if verdict is not Verdict.RIGHT and _is_rounded(
             question, truth, entries, typed, limits, float(exercise.metres), least=0
         ):
-            remarks = (TOO_FEW, *remarks)
+            remarks = (TOO_FEW,)  # no more is wrong: no angle, no distance
     if tolerance.exact and verdict is Verdict.RIGHT and not _is_exact(truth, entries, exercise):
         verdict, remarks = Verdict.ROUNDED, ("this task wants exact values, such as sqrt(2)/2 for 0.7071", *remarks)
     return Mark(verdict, cells=cells, remarks=remarks, earned=_earned(question, cells, typed, verdict))
@@ -222,28 +225,33 @@ def _slack(entries: tuple[tuple[Entry, ...], ...]) -> float:
 
 
 def _remarks(
-    question: MatrixQuestion, right: Matrix, typed: Matrix, verdict: Verdict, slack: float, unit: str
+    question: MatrixQuestion, right: Matrix, typed: Matrix, cells: tuple[CellMark, ...], slack: float, unit: str
 ) -> tuple[str, ...]:
     """What geometry says: not a rotation, transposed, inverse, or by which angle the orientation is off."""
-    if verdict is Verdict.RIGHT or question.piece not in ("pose", "rotation"):
+    wrong = [cell for cell in cells if cell.verdict is not Verdict.RIGHT]
+    if not wrong or question.piece not in ("pose", "rotation"):
         return ()
     rotation = [row[:3] for row in typed[:3]]
     fault = not_orthonormal(rotation, slack)
     if fault:
         return (fault,)
     truth = [row[:3] for row in right[:3]]
-    if not _near(rotation, truth):
+    if not _near(rotation, truth) and math.degrees(angle_between(rotation, truth)) >= LEAST_TURN:
         if not _near(_transposed(rotation), truth):
             return (_turned(rotation, truth),)
         if question.piece == "pose" and _is_inverse(typed, right):
             return ("this is the inverse: it shows the reference from the frame",)
         return ("the rotation is transposed: its columns, not its rows, are the axes of the frame described",)
-    if question.piece == "rotation":
-        return ()
+    unsharp = any(not is_length(question, cell.row, cell.column) for cell in wrong)
+    said = ("the axes point the right way, but their direction cosines need more digits",) if unsharp else ()
+    if not any(is_length(question, cell.row, cell.column) for cell in wrong):
+        return said
     scale, name_of_unit = (1.0, "") if unit == "none" else (1000.0, " mm")
     offsets = [(name, rounded((typed[k][3] - right[k][3]) * scale, 2)) for k, name in enumerate("xyz")]
     off = ", ".join(f"{offset}{name_of_unit} along {name}" for name, offset in offsets if offset != "0")
-    return (f"the rotation is right; the position is off by {off}",) if off else ()
+    if not off:
+        return said
+    return (*said, f"{'' if said else 'the rotation is right; '}the position is off by {off}")
 
 
 def not_orthonormal(rotation: Matrix, slack: float = LEAST_SLACK) -> str:

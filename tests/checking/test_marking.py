@@ -207,6 +207,24 @@ def test_digits_that_are_right_but_too_few_are_told_as_such(answer: str, verdict
 # ------------------------------------------------------------------------------------------------------ geometry
 
 
+@pytest.mark.parametrize(
+    ("shift", "verdict", "said"),
+    [
+        ("0.2121", Verdict.CLOSE, ()),
+        ("0.2", Verdict.WRONG, ("the position is off by -12.13 mm along x, -12.13 mm along y",)),
+    ],
+)
+@pytest.mark.parametrize("digits", ["0.7", "0.7058"])
+def test_too_few_digits_are_no_turned_orientation(
+    digits: str, shift: str, verdict: Verdict, said: tuple[str, ...]
+) -> None:
+    """No angle of 0° is told; the position is spoken of where it is wrong, too."""
+    answer = f"{digits} -{digits} 0 {shift}; {digits} {digits} 0 {shift}; 0 0 1 0; 0 0 0 1"
+    judged = check(load_exercise("planar-in-numbers"), "a2", answer)
+    few = "the axes point the right way, but their direction cosines need more digits"
+    assert (judged.verdict, judged.remarks) == (verdict, (few, *said))
+
+
 @given(st.floats(-math.pi, math.pi), st.floats(-math.pi, math.pi))
 def test_the_angle_between_two_orientations_is_that_of_the_turn_between_them(first: float, second: float) -> None:
     """Small angles keep their digits."""
