@@ -244,11 +244,10 @@ def _remarks(
         return ("the rotation is transposed: its columns, not its rows, are the axes of the frame described",)
     unsharp = any(not is_length(question, cell.row, cell.column) for cell in wrong)
     said = ("the axes point the right way, but their direction cosines need more digits",) if unsharp else ()
-    if not any(is_length(question, cell.row, cell.column) for cell in wrong):
-        return said
+    displaced = [cell.row for cell in wrong if is_length(question, cell.row, cell.column)]
     scale, name_of_unit = (1.0, "") if unit == "none" else (1000.0, " mm")
-    offsets = [(name, rounded((typed[k][3] - right[k][3]) * scale, 2)) for k, name in enumerate("xyz")]
-    off = ", ".join(f"{offset}{name_of_unit} along {name}" for name, offset in offsets if offset != "0")
+    offsets = [(k, rounded((typed[k][3] - right[k][3]) * scale, 2)) for k in displaced]
+    off = ", ".join(f"{offset}{name_of_unit} along {'xyz'[k]}" for k, offset in offsets if offset != "0")
     if not off:
         return said
     return (*said, f"{'' if said else 'the rotation is right; '}the position is off by {off}")

@@ -29,6 +29,8 @@ _INKS = {
 _ASCII_SIGNS = {"✓": "+", "≡": "=", "≈": "~", "✗": "x", "–": "-"}  # noqa: RUF001
 MOST_HINTS = 2
 _INDENT = " " * 4
+_UNDER_ASKED = " " * 14
+"""What stands below an answer, and below what is asked behind its verdict."""
 _LONGEST = 60
 """Longest entry that a table of entries shows; longer ones get a line each."""
 
@@ -125,14 +127,18 @@ def _part_lines(marked: SheetMark, one: PartMark, look: Look) -> Iterator[str]:
     verdict = mark.verdict
     sign = verdict.sign if paper.unicode else _ASCII_SIGNS.get(verdict.sign, verdict.sign)
     word = paper.ink(f"{sign} {verdict.word:<10}", "bold", *_INKS[verdict])
-    yield f"{word}  {one.part.id}: {paper.spell(describe(one.part.question, exercise))}"
+    credit = _partial_credit(one) if len(marked.parts) > 1 else ""
+    asked = f"{one.part.id}: {describe(one.part.question, exercise)}{credit}"
+    first, *rest = prose_lines(paper.spell(asked), paper, _UNDER_ASKED, _UNDER_ASKED)
+    yield f"{word}  {first.removeprefix(_UNDER_ASKED)}"
+    yield from rest
     if verdict is Verdict.SKIPPED:
         return
     if mark.reading and verdict not in (Verdict.RIGHT, Verdict.CANNOT_READ):
         yield from _reading(mark, paper)
     for remark in mark.remarks:
         yield from _lines_below(remark, paper)
-    yield from (f"    {line}" for line in _cells(mark, paper))
+    yield from _cells(mark, paper)
     if exercise.shows_expected and verdict.passed is not True and mark.expected:
         yield from _lines_below(f"right: {mark.expected}", paper)
     if mark.diagnosis is not None:
@@ -140,6 +146,17 @@ def _part_lines(marked: SheetMark, one: PartMark, look: Look) -> Iterator[str]:
             yield from _lines_below(line, paper)
     if verdict in (Verdict.WRONG, Verdict.CLOSE) and one.part.hints and "/" in exercise.id:
         yield paper.ink(f"    a hint: dhcli hint {exercise.id} --part {one.part.id}", "dim")
+
+
+def _partial_credit(one: PartMark) -> str:
+    """The credit of a part that is not solved and earned some all the same; so the sum below can be followed."""
+    share, credit = one.mark.earned, one.part.credit
+    if one.mark.verdict.passed is True or not share or not credit:
+        return ""
+    if share == 1:
+        kept = "full credit" if one.mark.verdict is Verdict.ROUNDED else "credit kept"
+        return f" ({kept}: {plain(credit)})"
+    return f" ({plain(share * credit)} of {plain(credit)} credits)"
 
 
 def _lines_below(text: str, paper: Paper) -> list[str]:
@@ -176,13 +193,13 @@ def _cells(mark: Mark, paper: Paper) -> Iterator[str]:
     if not bad:
         return
     if len(mark.cells) > 1 and _fits(mark.cells):
-        yield from _signed(mark.cells, paper)
+        yield from (f"{_INDENT}{line}" for line in _signed(mark.cells, paper))
     elif len(mark.cells) > 1:
         places = ", ".join(f"({cell.row + 1},{cell.column + 1})" for cell in bad)
-        yield f"not right: {places}"
+        yield from _lines_below(f"not right: {places}", paper)
     for cell in [cell for cell in bad if cell.note][:1]:
         where = f"entry ({cell.row + 1},{cell.column + 1}): " if len(mark.cells) > 1 else ""
-        yield paper.spell(where + cell.note)
+        yield from _lines_below(where + cell.note, paper)
 
 
 def _signed(cells: Sequence[CellMark], paper: Paper) -> Iterator[str]:

@@ -119,6 +119,27 @@ def test_a_sheet_is_judged_part_by_part(dhcli: Run, tmp_path: Path) -> None:
     assert "1 of 8 parts solved, 2 of 13 credits" in done.out
 
 
+def test_a_sheet_says_what_earned_a_part_of_its_credit(dhcli: Run, tmp_path: Path) -> None:
+    """A part of it, and all of it where the slip was made before; what is solved or earned nothing says nothing."""
+    wrong = "c12 -s12 0 a1*c1+a2*c12; s12 c12 0 a1*s1-a2*s12; 0 0 1 0; 0 0 0 1"
+    answers = f"  a1: '{A1}'\n  t02: '{wrong}'\n  d02: 'a1*c1+a2*c12; a1*s1-a2*s12; 0'\n  x2: '0 0 1'\n"
+    lines = dhcli("check", PLANAR, sheet(tmp_path, answers)).out.splitlines()
+    heads = {part: line for line in lines for part in ("a1", "t02", "d02", "x2") if f"  {part}: " in line}
+    assert heads["t02"].endswith("(2.5 of 3 credits)")
+    assert heads["d02"].endswith("(credit kept: 1)")
+    assert "credit" not in heads["a1"] + heads["x2"]
+    assert lines[-1] == "1 of 8 parts solved, 5.5 of 13 credits"
+
+
+def test_a_rounded_answer_of_a_sheet_says_that_it_earned_all(dhcli: Run, tmp_path: Path) -> None:
+    """It is not counted as solved, so that the sum would be a riddle."""
+    text = "  a1: '0.866 -0.5 0 0.346; 0.5 0.866 0 0.2; 0 0 1 0; 0 0 0 1'\n"
+    path = tmp_path / "numbers.yaml"
+    path.write_text(f"format: 1\nexercise: yim/planar-in-numbers\nanswers:\n{text}", "utf-8")
+    done = dhcli("check", "planar-in-numbers", str(path))
+    assert done.out.splitlines()[0].endswith("(full credit: 2)")
+
+
 def test_a_sheet_comes_from_standard_input_too(process: Run) -> None:
     """As `-`."""
     text = f"format: 1\nexercise: {PLANAR}\nanswers:\n  a1: '{A1}'\n"
