@@ -39,10 +39,15 @@ def marks_table(marked: SheetMark, look: Look) -> str:
     """Every part with its verdict, and the sum."""
     lines = [line for part in marked.parts for line in _part_lines(marked, part, look)]
     if len(marked.parts) > 1:
-        solved = sum(part.mark.verdict.passed is True for part in marked.parts)
-        credit = f"{plain(marked.earned)} of {plain(marked.credit)} credits"
-        lines += ["", f"{solved} of {len(marked.parts)} parts solved, {credit}"]
+        lines += ["", sum_line(marked)]
     return "\n".join(lines) + "\n"
+
+
+def sum_line(marked: SheetMark) -> str:
+    """How many parts are solved, and the credit they earned."""
+    solved = sum(part.mark.verdict.passed is True for part in marked.parts)
+    credit = f"{plain(marked.earned)} of {plain(marked.credit)} credits"
+    return f"{solved} of {len(marked.parts)} parts solved, {credit}"
 
 
 def marks_csv(marked: SheetMark, _look: Look) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 from pathlib import Path
 
 import pytest
@@ -398,12 +399,65 @@ def test_on_a_terminal_the_parts_are_asked_one_by_one(tmp_path: Path) -> None:
         screen.type("\n")
         assert "RIGHT" in screen.until("a1> ")
         screen.type(f"{MISPRINT}\n")
-        assert "misprint" in screen.until("a2> ")
+        assert "misprint" in screen.until("a1> ")
+        screen.type("\n")
+        screen.until("a2> ")
         screen.type("\n")
         assert "SKIPPED" in screen.until("blocks> ")
         screen.type("\x04")
         assert screen.end() == 1
+        assert "1 of 8 parts solved, 3.67 of 13 credits" in screen.seen
     assert read_progress()[0][PLANAR] == {"table": Try("RIGHT", 1), "a1": Try("WRONG", 1)}
+
+
+@terminal
+def test_a_wrong_answer_may_be_tried_again(tmp_path: Path) -> None:
+    """As often as one likes, one that cannot be read too; an empty line goes on, and a right answer does."""
+    with Terminal(tmp_path, "check", "counting-freedoms") as screen:
+        screen.until("constraint> ")
+        screen.type("lambda + f\n")
+        assert "WRONG" in screen.until("Try again, or go on with an empty line")
+        screen.until("constraint> ")
+        screen.type("lambda - x\n")
+        assert "CAN'T READ" in screen.until("constraint> ")
+        screen.type("λ - f\n")
+        assert "RIGHT" in screen.until("gruebler> ")
+        screen.type("1\n")
+        screen.until("Try again")
+        screen.type("\n")
+        assert "SKIPPED" not in screen.until("constrained> ")
+        screen.type("\x04")
+        assert screen.end() == 1
+        assert re.search(r"\n1 of \d+ parts solved, 1 of \d+ credits\n", screen.seen)
+    assert read_progress()[0]["yim/counting-freedoms"] == {"constraint": Try("RIGHT", 3), "gruebler": Try("WRONG", 1)}
+
+
+@terminal
+@pytest.mark.parametrize(
+    ("exercise", "part", "lines", "verdict"),
+    [
+        ("counting-freedoms", "gruebler", ["λ(n - j - 1) + jf"], "RIGHT"),
+        ("counting-freedoms", "gruebler", ["λ(n - j -", "1) +", "j f"], "RIGHT"),
+        ("counting-freedoms", "gruebler", ["λ(n - j - 1)) + j"], "CAN'T READ"),
+        ("counting-freedoms", "links", ["6 + 1"], "RIGHT"),
+        (PLANAR, "d02", ["a1 c1 + a2 c12, a1 s1 + a2 s12, 0"], "RIGHT"),
+        (PLANAR, "d02", ["a1 c1 + a2 c12;", "a1 s1 + a2 s12;", "0"], "RIGHT"),
+        (PLANAR, "a1", ["c1 -s1 0 a1*c1", "s1 c1 0 a1*s1", "0 0 1 0", "0 0 0 1", ""], "RIGHT"),
+        (PLANAR, "a1", ["c1, -s1, 0, a1*c1;", "s1, c1, 0, a1*s1;", "0, 0, 1, 0;", "0, 0, 0, 1"], "RIGHT"),
+        (PLANAR, "table", ["a1,0,0,theta1", "a2,0,0,theta2", ""], "RIGHT"),
+    ],
+)
+def test_an_answer_is_judged_as_soon_as_it_is_whole(
+    tmp_path: Path, exercise: str, part: str, lines: list[str], verdict: str
+) -> None:
+    """One value with its line, a matrix or a table with an empty one, unless its brackets or its rows say it before."""
+    with Terminal(tmp_path, "check", exercise, "--part", part) as screen:
+        screen.until(f"{part}> ")
+        for line in lines[:-1]:
+            screen.type(f"{line}\n")
+            screen.until(r"\.\.\. ")
+        screen.type(f"{lines[-1]}\n")
+        assert re.search(rf"^. {verdict} ", screen.until(rf"{verdict} +{part}:"), re.MULTILINE)
 
 
 @terminal
