@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TypeAlias
 
 from dhcli.algebra.terms import TERMS
 from dhcli.checking.describe import coordinates
 from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.marking import expected
 from dhcli.checking.questions import (
     CellQuestion,
     ChoiceQuestion,
@@ -21,7 +19,9 @@ from dhcli.checking.questions import (
     Span,
     TableQuestion,
 )
+from dhcli.checking.tables.answer import rows_of
 from dhcli.checking.truth import chain_of
+from dhcli.checking.workings import Rows, answer_text, product_lines, table_lines
 from dhcli.kinematics.conventions import COLUMNS, ORDER, Convention
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.forward import in_numbers, put_in, spelled, textbook_form
@@ -30,9 +30,6 @@ from dhcli.kinematics.moves import Chain, names
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.names import natural_key
 from dhcli.notation.quantity import value_text
-from dhcli.notation.tree import Expr
-
-Rows: TypeAlias = tuple[tuple[Expr | float, ...], ...]
 
 MEANINGS = {
     Convention.STANDARD: (
@@ -66,12 +63,12 @@ class Step:
 
 def solution(exercise: Exercise, part: Part) -> tuple[Step, ...]:
     """The steps that lead to the right answer; the last one holds it as it may be typed."""
-    answer = expected(exercise, part)
+    answer = answer_text(exercise, part)
     match part.question:
         case MatrixQuestion():
             steps = tuple(_matrix(exercise, part.question))
         case TableQuestion(convention):
-            steps = (Step("Each row leads from one frame to the next:\n" + "\n".join(MEANINGS[convention])),)
+            steps = tuple(_table(exercise, convention))
         case CellQuestion(column, _) if exercise.robot is not None and exercise.robot.convention in MEANINGS:
             meanings = MEANINGS[exercise.robot.convention]
             steps = (Step(f"What is measured is {meanings[COLUMNS.index(column)]}"),)
@@ -109,6 +106,20 @@ def _matrix(exercise: Exercise, question: MatrixQuestion) -> Iterator[Step]:
     }
     if question.piece in pieces:
         yield Step(pieces[question.piece])
+    if question.piece in ("point", "vector"):
+        rows = _product(exercise, chain_of(question, exercise.robot))
+        yield Step("\n".join(("The matrix times this column:", *product_lines(question, rows, exercise))))
+
+
+def _table(exercise: Exercise, convention: Convention) -> Iterator[Step]:
+    """What the four parameters measure, then the rows."""
+    yield Step("Each row leads from one frame to the next:\n" + "\n".join(MEANINGS[convention]))
+    robots = (exercise.robot, exercise.also and exercise.also[0])
+    for robot in robots:
+        if robot is not None and exercise.robot is not None and robot.convention is convention:
+            lines = table_lines(rows_of(robot), exercise.robot.columns, robot.first, exercise)
+            yield Step("Row by row:\n" + "\n".join(lines))
+            return
 
 
 def _links(exercise: Exercise, robot: Robot, span: Span) -> Iterator[Step]:

@@ -106,7 +106,7 @@ def solution_text(exercise: Exercise, part: Part, paper: Paper) -> str:
 
     lines = [question_text(exercise, part, paper).rstrip("\n")]
     for step in solution(exercise, part):
-        lines += ["", *prose_lines(step.text, paper)]
+        lines += ["", *(line for text in step.text.splitlines() for line in prose_lines(text, paper))]
         if step.rows:
             lines += matrix_lines(step.rows, exercise.writing, Look(paper=paper))
     return "\n".join(lines) + "\n"

@@ -77,7 +77,7 @@ def test_show_hint_and_solution_follow(dhcli: Run) -> None:
     assert "dhcli solution yim/planar-in-numbers --variant alice --part a1" in done.err
     solution = dhcli("solution", PLANAR, "--part", "a1", "--variant", "alice", "--yes").out
     assert "theta1 = 35°" in solution
-    assert "So the answer is [[0.8191520443, -0.5735764364" in solution
+    assert "So the answer is [[0.819152, -0.573576" in solution
 
 
 def test_json_has_the_numbers(dhcli: Run) -> None:
