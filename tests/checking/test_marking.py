@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from dhcli.checking.describe import describe
 from dhcli.checking.exercise import Exercise, Part, question_about
 from dhcli.checking.marking import check, expected, mark
-from dhcli.checking.numeric import angle_between, not_orthonormal
+from dhcli.checking.numeric import TOO_FEW, angle_between, not_orthonormal
 from dhcli.checking.questions import TableQuestion
 from dhcli.checking.sheetmark import SheetMark, mark_sheet
 from dhcli.checking.tolerance import is_rounding_of, judge, typed_decimals
@@ -207,22 +207,25 @@ def test_digits_that_are_right_but_too_few_are_told_as_such(answer: str, verdict
 # ------------------------------------------------------------------------------------------------------ geometry
 
 
+NOT_SHARP = "the axes point the right way, but their direction cosines need more digits"
+
+
 @pytest.mark.parametrize(
-    ("shift", "verdict", "said"),
+    ("digits", "shift", "verdict", "remarks"),
     [
-        ("0.2121", Verdict.CLOSE, ()),
-        ("0.2", Verdict.WRONG, ("the position is off by -12.13 mm along x, -12.13 mm along y",)),
+        ("0.7058", "0.2121", Verdict.CLOSE, (NOT_SHARP,)),
+        ("0.7058", "0.2", Verdict.WRONG, (NOT_SHARP, "the position is off by -12.13 mm along x, -12.13 mm along y")),
+        ("0.7", "0.3", Verdict.WRONG, (NOT_SHARP, "the position is off by 87.87 mm along x, 87.87 mm along y")),
+        ("0.7", "0.2", Verdict.WRONG, (TOO_FEW,)),
     ],
 )
-@pytest.mark.parametrize("digits", ["0.7", "0.7058"])
 def test_too_few_digits_are_no_turned_orientation(
-    digits: str, shift: str, verdict: Verdict, said: tuple[str, ...]
+    digits: str, shift: str, verdict: Verdict, remarks: tuple[str, ...]
 ) -> None:
     """No angle of 0° is told; the position is spoken of where it is wrong, too."""
     answer = f"{digits} -{digits} 0 {shift}; {digits} {digits} 0 {shift}; 0 0 1 0; 0 0 0 1"
     judged = check(load_exercise("planar-in-numbers"), "a2", answer)
-    few = "the axes point the right way, but their direction cosines need more digits"
-    assert (judged.verdict, judged.remarks) == (verdict, (few, *said))
+    assert (judged.verdict, judged.remarks) == (verdict, remarks)
 
 
 @given(st.floats(-math.pi, math.pi), st.floats(-math.pi, math.pi))
