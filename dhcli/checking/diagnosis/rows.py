@@ -64,6 +64,11 @@ def offset_forgotten(row: Row, setting: Setting) -> Row:
     return replace(row, d=_parts(row.d, setting)[0])
 
 
+def theta_forgotten(row: Row, setting: Setting) -> Row | None:
+    """No turn in a row whose theta stands still; an angle that moves would be missed."""
+    return None if row.theta.names & set(setting.variables) else replace(row, theta=Angle())
+
+
 def offset_sign(row: Row, setting: Setting) -> Row | None:
     """The offset taken away instead of added; half a turn has no sense."""
     if row.theta.names & set(setting.variables):
