@@ -45,6 +45,22 @@ IN_THE_WHOLE = (
 
 IN_WRITING = (
     Mistake(
+        "other-axis",
+        M,
+        "this is the {where} axis",
+        "which axis of the frame was asked?",
+        matrices.other_axis,
+        Rank.WHOLE,
+    ),
+    Mistake(
+        "point-forgotten",
+        M,
+        "this is the position of the frame; the point in it is not taken into account",
+        "where in the frame does the point lie?",
+        matrices.point_forgotten,
+        Rank.WHOLE,
+    ),
+    Mistake(
         "point-as-vector",
         M,
         "the point is only turned: the position of the frame is not added",
