@@ -39,6 +39,10 @@ LEAST_SLACK = 4e-3
 TOO_FEW = "right as far as it was typed, which is too little to judge: three decimals will do"
 """What is said of 0.4 for 0.449."""
 
+INVERSE = "this is the inverse: it shows the reference from the frame"
+TRANSPOSED = "the rotation is transposed: its columns, not its rows, are the axes of the frame described"
+"""What is seen without a search; where the slip is found it has its name there."""
+
 AXIS_KNOWN = 1e-2
 """Sine below which a turn has no axis to speak of, and how near to a coordinate axis it is called that."""
 
@@ -236,8 +240,8 @@ def _remarks(
         if not _near(_transposed(rotation), truth):
             return (_turned(rotation, truth),)
         if question.piece == "pose" and _is_inverse(typed, right):
-            return ("this is the inverse: it shows the reference from the frame",)
-        return ("the rotation is transposed: its columns, not its rows, are the axes of the frame described",)
+            return (INVERSE,)
+        return (TRANSPOSED,)
     if question.piece == "rotation":
         return ()
     scale, name_of_unit = (1.0, "") if unit == "none" else (1000.0, " mm")

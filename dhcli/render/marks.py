@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from dhcli.checking.describe import describe
+from dhcli.checking.diagnosis.diagnosis import MISPRINT, is_diagnosed
 from dhcli.checking.diagnosis.result import Diagnosis
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.questions import ChoiceQuestion
@@ -27,6 +28,7 @@ _INKS = {
 }
 _ASCII_SIGNS = {"✓": "+", "≡": "=", "≈": "~", "✗": "x", "–": "-"}  # noqa: RUF001
 MOST_HINTS = 2
+NO_SLIP = "why: no slip that dhcli knows gives this answer"
 _LONGEST = 60
 """Longest entry that a table of entries shows; longer ones get a line each."""
 
@@ -131,15 +133,19 @@ def _part_lines(marked: SheetMark, one: PartMark, look: Look) -> Iterator[str]:
     yield from (f"    {line}" for line in _cells(mark, paper))
     if exercise.shows_expected and verdict.passed is not True and mark.expected:
         yield f"    right: {paper.spell(mark.expected)}"
-    if mark.diagnosis is not None:
-        yield from (f"    {paper.spell(line)}" for line in _why(mark.diagnosis, named=marked.why))
+    yield from (f"    {paper.spell(line)}" for line in _why(one, named=marked.why))
     if verdict in (Verdict.WRONG, Verdict.CLOSE) and one.part.hints and "/" in exercise.id:
         yield paper.ink(f"    a hint: dhcli hint {exercise.id} --part {one.part.id}", "dim")
 
 
-def _why(found: Diagnosis, *, named: bool) -> Iterator[str]:
-    """Where to look; by name where a person has asked."""
+def _why(one: PartMark, *, named: bool) -> Iterator[str]:
+    """Where to look; by name where a person has asked, who is told so where there is none."""
+    found = one.mark.diagnosis or Diagnosis()
+    if found.causes == ((MISPRINT,),):  # a remark has told which entry
+        return
     if not found.causes:
+        if named and is_diagnosed(one.part, one.mark) and not found.follows:
+            yield NO_SLIP
         return
     if not named:
         more = f"; and {len(found.hints) - MOST_HINTS} more" if len(found.hints) > MOST_HINTS else ""

@@ -11,10 +11,11 @@ from dhcli.checking.diagnosis.slips import count_slips
 from dhcli.checking.diagnosis.table_causes import table_causes
 from dhcli.checking.diagnosis.typed import Typed, typed_answer
 from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.numeric import TOO_FEW
+from dhcli.checking.numeric import INVERSE, TOO_FEW, TRANSPOSED
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.questions import (
     CellQuestion,
+    ChoiceQuestion,
     CountQuestion,
     FactorsQuestion,
     MatrixQuestion,
@@ -35,10 +36,19 @@ HALVES = ("the rotation is right;", "the position is right;")
 
 def diagnosed(exercise: Exercise, part: Part, answer: str, mark: Mark) -> Mark:
     """A mark with its diagnosis, where the answer is wrong or only close."""
-    if mark.verdict not in (Verdict.WRONG, Verdict.CLOSE) or TOO_FEW in mark.remarks:
+    if not is_diagnosed(part, mark):
         return mark
     found = diagnose(exercise, part, answer, mark)
-    return replace(mark, diagnosis=found) if found.causes else _told(exercise, part, answer, mark)
+    if not found.causes:
+        return _told(exercise, part, answer, mark)
+    return replace(mark, diagnosis=found, remarks=tuple(r for r in mark.remarks if r not in {INVERSE, TRANSPOSED}))
+
+
+def is_diagnosed(part: Part, mark: Mark) -> bool:
+    """Whether a slip is looked for behind an answer: not behind a choice, nor behind what is only typed too short."""
+    if isinstance(part.question, ChoiceQuestion) or TOO_FEW in mark.remarks:
+        return False
+    return mark.verdict in (Verdict.WRONG, Verdict.CLOSE)
 
 
 def _told(exercise: Exercise, part: Part, answer: str, mark: Mark) -> Mark:

@@ -18,7 +18,13 @@ _WITH_POSITION = ("pose", "position", "point", "entry")
 
 def transposed(work: Work, _setting: Setting) -> Iterator[tuple[str, Work]]:
     """Rows and columns of the rotation have changed places."""
-    if work.question.piece != "position":
+    if work.question.piece not in ("position", "point", "vector"):
+        yield "", _rewritten(work, _transposed)
+
+
+def turned_back(work: Work, _setting: Setting) -> Iterator[tuple[str, Work]]:
+    """A point or a vector turned the other way, which is by the transposed rotation."""
+    if work.question.piece in ("point", "vector"):
         yield "", _rewritten(work, _transposed)
 
 

@@ -143,6 +143,8 @@ def thetas_swapped(work: Work, setting: Setting) -> Iterator[tuple[str, Work]]:
         if step.row is not None and step.row.theta.names & set(setting.variables)
     ]
     for (k, one), (m, two) in combinations(turning, 2):
+        if setting.numeric and _moved(one, setting) == _moved(two, setting):  # nobody could see it
+            continue
         first, second = (replace(row.theta, terms=()) for row in (one, two))
         changed = work
         for index, theta in ((k, first + (two.theta - second)), (m, second + (one.theta - first))):
@@ -206,11 +208,20 @@ def other_unit(angle: Angle, setting: Setting) -> Angle | None:
     """A known angle with its number in the other unit; None where that changes nothing, or it is no number."""
     if not setting.numeric:
         return None
-    known = {name: value for name, value in setting.values.items() if isinstance(value, Angle)}
-    value = angle.substitute(known)
+    value = _value(angle, setting)
     if value.terms or bool(value.degrees) is bool(value.radians):
         return None
     return Angle(degrees=value.radians, radians=value.degrees)
+
+
+def _moved(row: Row, setting: Setting) -> Angle:
+    """What the joint of a row adds to theta."""
+    return _value(row.theta - replace(row.theta, terms=()), setting)
+
+
+def _value(angle: Angle, setting: Setting) -> Angle:
+    """An angle with the values that the task gives."""
+    return angle.substitute({name: value for name, value in setting.values.items() if isinstance(value, Angle)})
 
 
 def scale_of(setting: Setting) -> Expr | None:

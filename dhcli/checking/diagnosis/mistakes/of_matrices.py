@@ -18,6 +18,14 @@ IN_THE_WHOLE = (
         Rank.WHOLE,
     ),
     Mistake(
+        "turned-back",
+        M,
+        "it is turned the other way",
+        "which way is a positive turn?",
+        matrices.turned_back,
+        Rank.WHOLE,
+    ),
+    Mistake(
         "inverse",
         M,
         "this is the inverse: it shows the reference from the frame",

@@ -151,6 +151,7 @@ IN_ROWS = (
         "the joint angles of rows {where} have changed places",
         "which joint angle belongs to which row?",
         rows.thetas_swapped,
+        of_values=True,
         alone=True,
     ),
     Mistake(
