@@ -39,6 +39,10 @@ LEAST_SLACK = 4e-3
 TOO_FEW = "right as far as it was typed, which is too little to judge: three decimals will do"
 """What is said of 0.4 for 0.449."""
 
+INVERSE = "this is the inverse: it shows the reference from the frame"
+TRANSPOSED = "the rotation is transposed: its columns, not its rows, are the axes of the frame described"
+"""What is seen without a search; where the slip is found it has its name there."""
+
 AXIS_KNOWN = 1e-2
 """Sine below which a turn has no axis to speak of, and how near to a coordinate axis it is called that."""
 
@@ -240,8 +244,8 @@ def _remarks(
         if not _near(_transposed(rotation), truth):
             return (_turned(rotation, truth),)
         if question.piece == "pose" and _is_inverse(typed, right):
-            return ("this is the inverse: it shows the reference from the frame",)
-        return ("the rotation is transposed: its columns, not its rows, are the axes of the frame described",)
+            return (INVERSE,)
+        return (TRANSPOSED,)
     unsharp = any(not is_length(question, cell.row, cell.column) for cell in wrong)
     said = ("the axes point the right way, but their direction cosines need more digits",) if unsharp else ()
     displaced = [cell.row for cell in wrong if is_length(question, cell.row, cell.column)]

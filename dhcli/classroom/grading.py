@@ -22,6 +22,8 @@ TIMEOUT = 10.0
 """Seconds that one sheet may take; an honest one takes a hundredth of one."""
 _LONGEST = 120
 """Longest name of a student, an exercise or a variant that is kept."""
+_HINTS = 2
+"""Places to look that a student is told of."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,8 +36,8 @@ class PartGrade:
         earned: Credit earned.
         credit: Credit there was to earn.
         reading: The answer as it was read.
-        remarks: What the student should know.
-        slips: Names of the mistakes that explain the answer.
+        remarks: What the student should know, and where to look.
+        slips: Names of the mistakes that explain the answer, each by itself, the likeliest first.
     """
 
     part: str
@@ -188,7 +190,8 @@ def _loaded(name: str) -> Exercise:
 def _part_grade(one: PartMark) -> PartGrade:
     mark, credit = one.mark, one.part.credit
     note = next((cell.note for cell in mark.cells if cell.note), "")
-    remarks = (*mark.remarks, note) if note else mark.remarks
+    hints = mark.diagnosis.hints[:_HINTS] if mark.diagnosis else ()
+    remarks = (*mark.remarks, *((note,) if note else ()), *hints)
     return PartGrade(one.part.id, mark.verdict, mark.earned * credit, credit, mark.reading, remarks, _slips(mark))
 
 
@@ -196,7 +199,7 @@ def _slips(mark: Mark) -> tuple[str, ...]:
     """Names of the mistakes that explain an answer; what was remarked of it where none is known."""
     if mark.verdict.passed:
         return ()
-    return mark.diagnosis.names[:1] if mark.diagnosis and mark.diagnosis.names else mark.remarks[:1]
+    return mark.diagnosis.names if mark.diagnosis and mark.diagnosis.names else mark.remarks[:1]
 
 
 def _short(text: str) -> str:

@@ -26,7 +26,7 @@ class PartFigures:
         credit: Credit there was to earn.
         mean: Credit earned on average.
         verdicts: How many sheets got each verdict; those that nobody got are not in it.
-        slips: Mistakes with how many sheets have them, the commonest first.
+        slips: Mistakes with how many sheets they explain, the commonest first, then as sheets name them.
     """
 
     exercise: str
@@ -92,5 +92,5 @@ def _figures(exercise: str, part: str, grades: Sequence[PartGrade]) -> PartFigur
         grades[0].credit,
         fmean(grade.earned for grade in grades),
         {verdict: verdicts[verdict] for verdict in Verdict if verdict in verdicts},
-        tuple(sorted(slips.items(), key=lambda slip: (-slip[1], slip[0]))),
+        tuple(slips.most_common()),
     )

@@ -49,7 +49,7 @@ def count(what: str, linkage: Linkage | Counts | str) -> int:
 
 
 def slips(what: str, linkage: Linkage | Counts | str) -> dict[str, int]:
-    """Wrong values of a count by the slip that gives them, without those that happen to be right.
+    """Wrong values of a count by the slip that gives them, the likeliest first, without those that happen to be right.
 
     Args:
         what: One of `QUANTITIES`.
@@ -87,26 +87,27 @@ def _slips(what: str, linkage: Linkage | Counts) -> Iterator[tuple[str, int]]:
             yield wrong_space, other * j - sum_f
         case _:
             formula = lambda_ * (n - j - 1) + sum_f
+            if what == "mobility":
+                yield "the formula is believed", formula
             yield "the ground is not counted", formula - lambda_
             yield "joints counted as links", lambda_ * (j - j - 1) + sum_f
             yield wrong_space, other * (n - j - 1) + sum_f
             yield "constraints C taken for freedoms f", lambda_ * (n - j - 1) + sum_c
             yield "freedoms f taken for constraints C", lambda_ * (n - 1) - sum_f
             yield "the 1 of n - j - 1 is forgotten", formula + lambda_
-            yield "a pin of several links counted once", lambda_ * (n - pins - 1) + sum_f - (j - pins)
+            if pins != j:
+                yield "a pin of several links counted once", lambda_ * (n - pins - 1) + sum_f - (j - pins)
             if (
                 isinstance(linkage, Linkage)
                 and (closed := other_reading(linkage)) is not None
                 and closed.gruebler is not None
             ):
                 yield f"read as {closed.reading}", closed.gruebler
-            yield from _about_truth(what, linkage, formula)
+            yield from _about_truth(what, linkage)
 
 
-def _about_truth(what: str, linkage: Linkage | Counts, formula: int) -> Iterator[tuple[str, int]]:
-    """Slips that take the formula for the truth, and the other way round."""
-    if what == "mobility":
-        yield "the formula is believed", formula
+def _about_truth(what: str, linkage: Linkage | Counts) -> Iterator[tuple[str, int]]:
+    """Slips that take the truth for the formula, or know it only in part."""
     found = analyse(linkage)
     if found.idle and found.mobility is not None:
         yield "idle freedoms are left out", found.mobility - len(found.idle)

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from dhcli.checking.describe import describe
+from dhcli.checking.diagnosis.diagnosis import MISPRINT, is_diagnosed
 from dhcli.checking.diagnosis.result import Diagnosis
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.questions import ChoiceQuestion
@@ -28,6 +29,7 @@ _INKS = {
 }
 _ASCII_SIGNS = {"✓": "+", "≡": "=", "≈": "~", "✗": "x", "–": "-"}  # noqa: RUF001
 MOST_HINTS = 2
+NO_SLIP = "why: no slip that dhcli knows gives this answer"
 _INDENT = " " * 4
 _UNDER_ASKED = " " * 14
 """What stands below an answer, and below what is asked behind its verdict."""
@@ -146,9 +148,8 @@ def _part_lines(marked: SheetMark, one: PartMark, look: Look) -> Iterator[str]:
     yield from _cells(mark, paper)
     if exercise.shows_expected and verdict.passed is not True and mark.expected:
         yield from _lines_below(f"right: {mark.expected}", paper)
-    if mark.diagnosis is not None:
-        for line in _why(mark.diagnosis, named=marked.why):
-            yield from _lines_below(line, paper)
+    for line in _why(one, named=marked.why):
+        yield from _lines_below(line, paper)
     if verdict in (Verdict.WRONG, Verdict.CLOSE) and one.part.hints and "/" in exercise.id:
         yield paper.ink(f"    a hint: dhcli hint {exercise.id} --part {one.part.id}", "dim")
 
@@ -169,9 +170,14 @@ def _lines_below(text: str, paper: Paper) -> list[str]:
     return prose_lines(paper.spell(text), paper, _INDENT, _INDENT)
 
 
-def _why(found: Diagnosis, *, named: bool) -> Iterator[str]:
-    """Where to look; by name where a person has asked."""
+def _why(one: PartMark, *, named: bool) -> Iterator[str]:
+    """Where to look; by name where a person has asked, who is told so where there is none."""
+    found = one.mark.diagnosis or Diagnosis()
+    if found.causes == ((MISPRINT,),):  # a remark has told which entry
+        return
     if not found.causes:
+        if named and is_diagnosed(one.part, one.mark) and not found.follows:
+            yield NO_SLIP
         return
     if not named:
         more = f"; and {len(found.hints) - MOST_HINTS} more" if len(found.hints) > MOST_HINTS else ""

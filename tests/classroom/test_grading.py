@@ -35,6 +35,14 @@ def test_a_sheet_is_graded_against_its_exercise(tmp_path: Path) -> None:
     assert row.credit == sum(part.credit for part in row.parts) > row.earned > 1
 
 
+def test_every_slip_that_explains_an_answer_is_counted(tmp_path: Path) -> None:
+    """The likeliest first; the student is told where to look."""
+    row = graded(tmp_path, "format: 1\nexercise: yim/counting-exceptions\nanswers:\n  bennetttrue: -2\n")
+    (part,) = [one for one in row.parts if one.part == "bennetttrue"]
+    assert part.slips == ("the formula is believed", "joints counted as links")
+    assert part.remarks == ("go through what was counted: links with the ground, joints, and the freedoms of each",)
+
+
 def test_the_name_on_the_sheet_comes_first(tmp_path: Path) -> None:
     """Cut where nobody's name is so long."""
     assert graded(tmp_path, sheet({}, name="no. 17") + "  d02: _\n").student == "no. 17"

@@ -30,7 +30,7 @@ CLASS = (
 
 
 def test_the_figures_of_a_small_class_are_those_counted_by_hand() -> None:
-    """Each exercise has parts of its own; a slip counts once a sheet, the commonest first, then by name."""
+    """Each exercise has parts of its own; a slip counts once a sheet, the commonest first, then as sheets name them."""
     report = report_on(FOLDER, CLASS)
     other, a, b = report.parts
     assert (other.exercise, other.part, other.verdicts, other.mean) == ("another/one", "a", {R: 1}, 1)
@@ -38,7 +38,7 @@ def test_the_figures_of_a_small_class_are_those_counted_by_hand() -> None:
     assert (a.verdicts, a.mean) == ({R: 2, W: 2}, pytest.approx(5 / 4))
     assert a.slips == (("sign", 2), ("order", 1))
     assert (b.verdicts, b.mean) == ({R: 1, W: 2, S: 1}, pytest.approx(5 / 4))
-    assert b.slips == (("order", 1), ("unit", 1))
+    assert b.slips == (("unit", 1), ("order", 1))
     assert (len(report.graded), [one.student for one in report.failed]) == (5, ["5"])
 
 

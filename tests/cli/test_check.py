@@ -101,6 +101,50 @@ def test_csv_has_a_line_for_each_part(dhcli: Run, tmp_path: Path) -> None:
     assert len(lines) == 1 + 8
 
 
+@pytest.mark.parametrize(
+    ("question", "hint", "name"),
+    [
+        (
+            ("rotate-a-vector", "--part", "quarter", "--answer", "0 1 0 0; -1 0 0 0; 0 0 1 0; 0 0 0 1"),
+            "which frame do the columns of the rotation belong to?",
+            "the rotation is transposed",
+        ),
+        (
+            ("rotate-a-vector", "--part", "about_z", "--answer", "0 -1 0"),
+            "which way is a positive turn?",
+            "it is turned the other way",
+        ),
+        (
+            ("counting-exceptions", "--part", "bennett", "--answer", "-8"),
+            "go through what was counted",
+            "the ground is not counted",
+        ),
+    ],
+)
+def test_a_slip_is_a_hint_first_and_named_once_when_asked(
+    dhcli: Run, question: tuple[str, ...], hint: str, name: str
+) -> None:
+    """Nothing else on the page says the name, nor names the same thing otherwise."""
+    first = dhcli("check", *question).out
+    assert hint in first
+    assert name not in first
+    asked = dhcli("check", *question, "--why").out
+    assert asked.count(name) == 1
+    assert f"why: {name}" in asked
+    assert "inverse" not in first + asked
+
+
+def test_where_no_slip_is_found_it_is_said_when_asked(dhcli: Run) -> None:
+    """In one line; a choice has no slips, and an answer that is typed too short is told that."""
+    calm = "why: no slip that dhcli knows gives this answer"
+    answer = ("check", "puma560-at-work-in-mm", "--part", "approach", "--answer")
+    assert calm in dhcli(*answer, "0.1 0.2 0.97", "--why").out
+    assert calm not in dhcli(*answer, "0.1 0.2 0.97").out
+    assert calm not in dhcli(*answer, "-0.3 0.3 -0.9", "--why").out
+    assert calm not in dhcli(*answer, "-0.277 0.347 -0.896", "--why").out
+    assert calm not in dhcli("check", "rotate-a-vector", "--part", "sense", "--answer", "1", "--why").out
+
+
 def test_a_format_that_a_judgement_does_not_have_is_refused_first(dhcli: Run) -> None:
     """Before anything is judged and counted as a try."""
     done = dhcli("check", PLANAR, "--part", "a1", "--answer", A1, "--format", "latex")

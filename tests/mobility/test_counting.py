@@ -147,5 +147,6 @@ def test_slips_have_names_and_are_never_right() -> None:
     assert found["constraints C taken for freedoms f"] == 30
     assert slips("links", "6R")["joints counted as links"] == 6
     assert slips("constraints", "6R")["freedoms f taken for constraints C"] == 6
+    assert "a pin of several links counted once" not in found
     for what in ("gruebler", "links", "joints", "constraints", "freedoms"):
         assert count(what, "RRP") not in slips(what, "RRP").values()

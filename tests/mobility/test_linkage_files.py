@@ -85,6 +85,7 @@ def test_slips_of_a_linkage() -> None:
     shaft = load_linkage("shaft-coupling")
     assert count("mobility", shaft) == 1
     assert slips("mobility", shaft)["the formula is believed"] == -2
+    assert next(iter(slips("mobility", shaft))) == "the formula is believed"
     assert slips("gruebler", shaft)["space taken for the plane"] == 1
     four_bar = load_linkage("planar-four-bar")
     assert slips("gruebler", four_bar)["the plane taken for space"] == -2

@@ -9,11 +9,13 @@ from dhcli.checking.diagnosis.geometry import geometry
 from dhcli.checking.diagnosis.result import Diagnosis, Slip
 from dhcli.checking.diagnosis.slips import count_slips
 from dhcli.checking.diagnosis.table_causes import table_causes
-from dhcli.checking.diagnosis.typed import typed_answer
+from dhcli.checking.diagnosis.typed import Typed, typed_answer
 from dhcli.checking.exercise import Exercise, Part
+from dhcli.checking.numeric import INVERSE, TOO_FEW, TRANSPOSED
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.questions import (
     CellQuestion,
+    ChoiceQuestion,
     CountQuestion,
     FactorsQuestion,
     MatrixQuestion,
@@ -22,20 +24,31 @@ from dhcli.checking.questions import (
 )
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import DhcliError
+from dhcli.notation.quantity import LENGTH_UNITS
 
 MISPRINT = Slip(
     "misprint", "this is what the document prints; it is a misprint", "the document may be wrong: work it out yourself"
 )
+OTHER_UNIT = {"mm": "m", "m": "mm"}
 HALVES = ("the rotation is right;", "the position is right;")
 """How remarks begin that geometry says more precisely."""
 
 
 def diagnosed(exercise: Exercise, part: Part, answer: str, mark: Mark) -> Mark:
     """A mark with its diagnosis, where the answer is wrong or only close."""
-    if mark.verdict not in (Verdict.WRONG, Verdict.CLOSE):
+    if not is_diagnosed(part, mark):
         return mark
     found = diagnose(exercise, part, answer, mark)
-    return replace(mark, diagnosis=found) if found.causes else _told(exercise, part, answer, mark)
+    if not found.causes:
+        return _told(exercise, part, answer, mark)
+    return replace(mark, diagnosis=found, remarks=tuple(r for r in mark.remarks if r not in {INVERSE, TRANSPOSED}))
+
+
+def is_diagnosed(part: Part, mark: Mark) -> bool:
+    """Whether a slip is looked for behind an answer: not behind a choice, nor behind what is only typed too short."""
+    if isinstance(part.question, ChoiceQuestion) or TOO_FEW in mark.remarks:
+        return False
+    return mark.verdict in (Verdict.WRONG, Verdict.CLOSE)
 
 
 def _told(exercise: Exercise, part: Part, answer: str, mark: Mark) -> Mark:
@@ -84,7 +97,20 @@ def _of_matrix(exercise: Exercise, part: Part, question: MatrixQuestion, answer:
     if typed is None:
         return ()
     for slack in typed.slacks:
-        causes = typed.search.causes(typed.values, slack)
+        causes = typed.search.causes(typed.values, slack, typed.slacks[0])
         if causes:
             return tuple(cause.slips for cause in causes)
-    return ()
+    return _in_other_unit(exercise, typed)
+
+
+def _in_other_unit(exercise: Exercise, typed: Typed) -> tuple[tuple[Slip, ...], ...]:
+    """The one slip besides the unit of the lengths, metres for millimetres or the other way round."""
+    if typed.is_general or exercise.unit not in OTHER_UNIT:
+        return ()
+    unit = OTHER_UNIT[exercise.unit]
+    other = typed.scaled(float(LENGTH_UNITS[unit] / LENGTH_UNITS[exercise.unit]))
+    if other.values == typed.values:
+        return ()
+    causes = other.search.causes(other.values, other.slacks[0], stages=("singles",))
+    slip = Slip(f"in-{unit}", f"the lengths are in {unit}, not {exercise.unit}", "look at the unit of the sheet")
+    return ((*causes[0].slips, slip),) if len(causes) == 1 else ()

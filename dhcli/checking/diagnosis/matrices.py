@@ -18,7 +18,13 @@ _WITH_POSITION = ("pose", "position", "point", "entry")
 
 def transposed(work: Work, _setting: Setting) -> Iterator[tuple[str, Work]]:
     """Rows and columns of the rotation have changed places."""
-    if work.question.piece != "position":
+    if work.question.piece not in ("position", "point", "vector"):
+        yield "", _rewritten(work, _transposed)
+
+
+def turned_back(work: Work, _setting: Setting) -> Iterator[tuple[str, Work]]:
+    """A point or a vector turned the other way, which is by the transposed rotation."""
+    if work.question.piece in ("point", "vector"):
         yield "", _rewritten(work, _transposed)
 
 
@@ -56,6 +62,20 @@ def point_not_rotated(work: Work, _setting: Setting) -> Iterator[tuple[str, Work
     """P + d for R p + d."""
     if work.question.piece in ("point", "vector"):
         yield "", _rewritten(work, _without_rotation)
+
+
+def point_forgotten(work: Work, _setting: Setting) -> Iterator[tuple[str, Work]]:
+    """The origin of the frame for a point in it."""
+    if work.question.piece == "point" and any(coordinate != ZERO for coordinate in work.question.point):
+        yield "", replace(work, question=replace(work.question, point=(ZERO, ZERO, ZERO)))
+
+
+def other_axis(work: Work, _setting: Setting) -> Iterator[tuple[str, Work]]:
+    """Another axis of the same frame."""
+    if work.question.piece == "axis":
+        for k, axis in enumerate(AXES):
+            if k != work.question.index[0]:
+                yield axis, replace(work, question=replace(work.question, index=(k, 0)))
 
 
 def columns_swapped(work: Work, _setting: Setting) -> Iterator[tuple[str, Work]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
+from itertools import combinations
 from typing import TypeAlias
 
 from dhcli.checking.diagnosis.work import Setting, Step, Work
@@ -31,6 +32,21 @@ def each(change: Change) -> Callable[[Work, Setting], Iterator[tuple[str, Work]]
             row = change(step.row, setting) if step.row is not None else None
             if row is not None and row != step.row:
                 yield step.name, work.with_step(index, in_row(step, row, setting.convention))
+
+    return made
+
+
+def all_rows(change: Change) -> Callable[[Work, Setting], Iterator[tuple[str, Work]]]:
+    """A mistake that is made in every row, where that is more than one."""
+
+    def made(work: Work, setting: Setting) -> Iterator[tuple[str, Work]]:
+        rows = [change(step.row, setting) if step.row is not None else None for step in work.steps]
+        steps = tuple(
+            step if row is None or row == step.row else in_row(step, row, setting.convention)
+            for step, row in zip(work.steps, rows, strict=True)
+        )
+        if sum(step is not other for step, other in zip(steps, work.steps, strict=True)) > 1:
+            yield "", replace(work, steps=steps)
 
     return made
 
@@ -62,6 +78,11 @@ def offset_forgotten(row: Row, setting: Setting) -> Row:
     if row.theta.names & set(setting.variables):
         return replace(row, theta=replace(row.theta, degrees=Fraction(0), radians=Fraction(0)))
     return replace(row, d=_parts(row.d, setting)[0])
+
+
+def theta_forgotten(row: Row, setting: Setting) -> Row | None:
+    """No turn in a row whose theta stands still; an angle that moves would be missed."""
+    return None if row.theta.names & set(setting.variables) else replace(row, theta=Angle())
 
 
 def offset_sign(row: Row, setting: Setting) -> Row | None:
@@ -112,6 +133,25 @@ def a_d_swapped(row: Row, _setting: Setting) -> Row:
 def sine_cosine(row: Row, _setting: Setting) -> Row | None:
     """Cos for sin: the complement of the angle."""
     return replace(row, theta=RIGHT_ANGLE - row.theta) if row.theta.names else None
+
+
+def thetas_swapped(work: Work, setting: Setting) -> Iterator[tuple[str, Work]]:
+    """The values of two joints in each other's row, each row with the offset it had."""
+    turning = [
+        (k, step.row)
+        for k, step in enumerate(work.steps)
+        if step.row is not None and step.row.theta.names & set(setting.variables)
+    ]
+    for (k, one), (m, two) in combinations(turning, 2):
+        if setting.numeric and _moved(one, setting) == _moved(two, setting):  # nobody could see it
+            continue
+        first, second = (replace(row.theta, terms=()) for row in (one, two))
+        changed = work
+        for index, theta in ((k, first + (two.theta - second)), (m, second + (one.theta - first))):
+            step = work.steps[index]
+            assert step.row is not None  # noqa: S101  it has been looked at
+            changed = changed.with_step(index, in_row(step, replace(step.row, theta=theta), setting.convention))
+        yield f"{work.steps[k].name} and {work.steps[m].name}", changed
 
 
 def theta_unit(row: Row, setting: Setting) -> Row | None:
@@ -168,11 +208,20 @@ def other_unit(angle: Angle, setting: Setting) -> Angle | None:
     """A known angle with its number in the other unit; None where that changes nothing, or it is no number."""
     if not setting.numeric:
         return None
-    known = {name: value for name, value in setting.values.items() if isinstance(value, Angle)}
-    value = angle.substitute(known)
+    value = _value(angle, setting)
     if value.terms or bool(value.degrees) is bool(value.radians):
         return None
     return Angle(degrees=value.radians, radians=value.degrees)
+
+
+def _moved(row: Row, setting: Setting) -> Angle:
+    """What the joint of a row adds to theta."""
+    return _value(row.theta - replace(row.theta, terms=()), setting)
+
+
+def _value(angle: Angle, setting: Setting) -> Angle:
+    """An angle with the values that the task gives."""
+    return angle.substitute({name: value for name, value in setting.values.items() if isinstance(value, Angle)})
 
 
 def scale_of(setting: Setting) -> Expr | None:

@@ -14,6 +14,7 @@ from collections.abc import Iterator, Sequence
 from functools import cached_property
 
 from dhcli.algebra.floats import Floats
+from dhcli.checking.diagnosis.chance import Typed, is_chance, lengths_of
 from dhcli.checking.diagnosis.mistakes import MISTAKES
 from dhcli.checking.diagnosis.slips import Candidate, candidates, setting_of
 from dhcli.checking.diagnosis.work import Bench, Folds, Matrix, Work, right_work
@@ -29,6 +30,7 @@ from dhcli.notation.walk import symbols
 SEED = 11
 SAME = 1e-9
 MOST_CAUSES = 12
+STAGES = ("singles", "pairs")
 
 PLAIN = math.sqrt(2)
 """Tolerances that a mistake is off by where it shows plainly; no round number, so that no mistake is off by just that,
@@ -113,31 +115,48 @@ class Search:
         """What a work leads to at the values of the task."""
         return self.benches[0].entries(work)
 
-    def causes(self, typed: Sequence[Entries], slack: Entries) -> tuple[Candidate, ...]:
+    def causes(
+        self, typed: Sequence[Entries], slack: Entries, near: Entries | None = None, stages: Sequence[str] = STAGES
+    ) -> tuple[Candidate, ...]:
         """The single mistakes that give an answer; if there are none, the pairs that do; the plainest first.
+
+        In numbers, what an arbitrary answer would meet as well has no name, and nor has one that is zero everywhere.
 
         Args:
             typed: The answer at each point.
             slack: What each entry may be off.
+            near: What an entry may be off where a mistake gives 0, which many do; as much as others by default.
+            stages: Whether single mistakes are looked for, or pairs, or both.
         """
-        for stage in ("singles", "pairs"):
-            likely = self._likely(stage, typed[0], slack)
+        if self.is_known and not any(_flat(typed[0])):
+            return ()
+        for stage in stages:
+            likely = self._likely(stage, typed[0], slack, near or slack)
             found = [one for one in likely if self._gives(one, typed, slack)]
             if found:
+                if self.is_known and is_chance(stage, self._given[stage], self._typed(typed[0], slack)):
+                    return ()
                 plainest = min(sum(slip.rank for slip in one.slips) for one in found)
                 plain = (one for one in found if sum(slip.rank for slip in one.slips) == plainest)
                 return tuple(self._different(plain))[:MOST_CAUSES]
         return ()
 
-    def _likely(self, stage: str, typed: Entries, slack: Entries) -> Iterator[Candidate]:
+    def _typed(self, typed: Entries, slack: Entries) -> Typed:
+        lengths = lengths_of(self.right.question, typed)
+        return Typed(_flat(typed), _flat(slack), _flat(self.truth[0]), lengths)
+
+    def _likely(self, stage: str, typed: Entries, slack: Entries, near: Entries) -> Iterator[Candidate]:
         """The candidates that give an answer at the first point; what each gives there is kept for the next answer."""
         every: tuple[Candidate, ...] = getattr(self, stage)
         if stage not in self._given:
             self._given[stage] = [_flat(self.entries(one.work)) for one in every]
-        wanted = [(a - limit, a + limit) for a, limit in zip(_flat(typed), _flat(slack), strict=True)]
+        flat, limits, zeros = _flat(typed), _flat(slack), _flat(near)
+        wanted = [
+            (a - limit - SAME, a + limit + SAME, abs(a) <= z) for a, limit, z in zip(flat, limits, zeros, strict=True)
+        ]
         for one, given in zip(every, self._given[stage], strict=True):
-            for (low, high), value in zip(wanted, given, strict=True):
-                if not low - SAME <= value <= high + SAME:
+            for (low, high, may_be_zero), value in zip(wanted, given, strict=True):
+                if not low <= value <= high or (not may_be_zero and abs(value) <= SAME):
                     break
             else:
                 yield one

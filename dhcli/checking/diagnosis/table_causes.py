@@ -2,14 +2,17 @@
 
 The motion itself is compared first. A student who has drawn other frames gets another motion for the same slip: then
 a slip is looked for whose table is the same robot as the one typed, but for the freedoms that a right table has too.
+What is no single slip may still be one in each of several rows, which are then compared one by one.
 """
 
 from __future__ import annotations
 
-from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.diagnosis.search import matches, point
+from functools import reduce
+
+from dhcli.checking.diagnosis.row_by_row import Causes, each_in_a_row, same_in_rows, slips_by_row
+from dhcli.checking.diagnosis.search import Entries, matches, point
 from dhcli.checking.diagnosis.slips import Candidate, table_candidates, table_work
-from dhcli.checking.diagnosis.work import Bench
+from dhcli.checking.diagnosis.work import Bench, product
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.questions import TableQuestion
 from dhcli.checking.tables.answer import ends_on_axis
@@ -24,14 +27,12 @@ from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import Chain, names
 from dhcli.kinematics.robot import Robot
 
-Causes = tuple[tuple[Slip, ...], ...]
-
 MOTION = 2e-3
 """What two tables of the same motion may differ by, at lengths and angles near 1."""
 
 
 def table_causes(exercise: Exercise, part: Part, question: TableQuestion, answer: str) -> Causes:
-    """Mistakes in one row of the right table that give the table typed; none where the robot has no such table.
+    """Mistakes in rows of the right table that give the table typed; none where the robot has no such table.
 
     Raises:
         UnreadableError: The table cannot be read.
@@ -41,30 +42,53 @@ def table_causes(exercise: Exercise, part: Part, question: TableQuestion, answer
         return ()
     tolerance = part.tolerance or exercise.tolerance
     rows = [settled(r.row, tolerance) for r in read_table(answer, robot, exercise.scope, robot.columns, exercise.unit)]
-    chain = tuple(move for row in rows for move in moves_of(row, question.convention))
+    moves = tuple(moves_of(row, question.convention) for row in rows)
+    chain = tuple(move for row in moves for move in row)
     every = table_candidates(exercise, question)
-    found = _same_motion(exercise, robot, chain, every)
+    if not every:
+        return ()
+    compared = _Compared(exercise, robot, moves)
+    found = compared.with_one_slip(every)
+    if found:
+        return found
+    by_row = compared.by_row(every)
+    found = same_in_rows(by_row)
     if not found and part.compare == "same-robot":
         found = _same_robot(exercise, part, robot, chain, every)
-    return found
+    return found or each_in_a_row(by_row)
 
 
-def _same_motion(exercise: Exercise, robot: Robot, chain: Chain, every: tuple[Candidate, ...]) -> Causes:
-    """The slips with just the motion typed, at two points."""
-    right = table_work(robot)
-    free = names(chain) | names(tuple(move for step in right.steps for move in step.chain))
-    known = {name: v for name, v in own_values(exercise).items() if name not in robot.variables}
-    overs = [point(free, known, seed) for seed in (3, 4)]
-    benches = [Bench(right, over) for over in overs]
-    typed = [fold(chain, over) for over in overs]
-    slack = tuple(tuple(MOTION for _ in row) for row in typed[0])
-    found = []
-    for candidate in every:
-        given = [bench.matrix(candidate.work) for bench in benches]
-        is_right = all(matches(b.matrix(right), m, slack) for b, m in zip(benches, given, strict=True))
-        if not is_right and all(matches(t, m, slack) for t, m in zip(typed, given, strict=True)):
-            found.append(candidate.slips)
-    return tuple(found)
+class _Compared:
+    """A table typed and the right one, at two points."""
+
+    def __init__(self, exercise: Exercise, robot: Robot, rows: tuple[Chain, ...]) -> None:
+        """Take the moves of each row typed."""
+        self._right = table_work(robot)
+        own = tuple(move for step in self._right.steps for move in step.chain)
+        free = names(own) | names(tuple(move for row in rows for move in row))
+        known = {name: v for name, v in own_values(exercise).items() if name not in robot.variables}
+        overs = [point(free, known, seed) for seed in (3, 4)]
+        self._benches = [Bench(self._right, over) for over in overs]
+        self._rows = [[fold(row, over) for row in rows] for over in overs]
+        self._typed = [reduce(product, matrices) for matrices in self._rows]
+        self._slack = tuple(tuple(MOTION for _ in row) for row in self._typed[0])
+
+    def with_one_slip(self, every: tuple[Candidate, ...]) -> Causes:
+        """The slips with just the motion typed."""
+        found = []
+        for candidate in every:
+            given = [bench.matrix(candidate.work) for bench in self._benches]
+            is_right = self._agree([bench.matrix(self._right) for bench in self._benches], given)
+            if not is_right and self._agree(self._typed, given):
+                found.append(candidate.slips)
+        return tuple(found)
+
+    def by_row(self, every: tuple[Candidate, ...]) -> tuple[tuple[Candidate, ...], ...]:
+        """The slips behind each wrong row."""
+        return slips_by_row(self._right, every, self._benches, self._rows, self._slack)
+
+    def _agree(self, first: list[Entries], second: list[Entries]) -> bool:
+        return all(matches(a, b, self._slack) for a, b in zip(first, second, strict=True))
 
 
 def _same_robot(exercise: Exercise, part: Part, robot: Robot, chain: Chain, every: tuple[Candidate, ...]) -> Causes:

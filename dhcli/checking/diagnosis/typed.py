@@ -31,6 +31,19 @@ class Typed:
     values: tuple[Entries, ...]
     slacks: tuple[Entries, ...]
 
+    def scaled(self, factor: float) -> Typed:
+        """The answer with its lengths in another unit: the digits typed count as many times as much."""
+        question = self.search.right.question
+
+        def grown(entries: Entries) -> Entries:
+            return tuple(
+                tuple(factor * x if is_length(question, r, c) else x for c, x in enumerate(row))
+                for r, row in enumerate(entries)
+            )
+
+        near, *far = self.slacks
+        return Typed(self.search, tuple(map(grown, self.values)), (grown(near), *far))
+
     @property
     def is_general(self) -> bool:
         """Whether the points are general ones; else there is one, at the values of the task."""

@@ -58,8 +58,8 @@ def _agreed(names: list[str]) -> str:
     if not names:
         return ""
     if len(names) == 1:
-        return f"joint {names[0]} is right; "
-    return f"joints {', '.join(names[:-1])} and {names[-1]} are right; "
+        return f"the axis of joint {names[0]} is right; "
+    return f"the axes of joints {', '.join(names[:-1])} and {names[-1]} are right; "
 
 
 def _turning_rows(answer: TableAnswer, outcome: Outcome) -> str:

@@ -11,8 +11,9 @@ from dhcli.checking.tables.answer import TableAnswer, ends_on_axis, rows_of, wor
 from dhcli.checking.tables.cells import table_text
 from dhcli.checking.tables.differences import end_rows, first_difference
 from dhcli.checking.tables.freedoms import end_freedoms
-from dhcli.checking.tables.motions import Outcome
+from dhcli.checking.tables.motions import Outcome, oddity
 from dhcli.checking.tables.reading import read_table
+from dhcli.checking.tables.same_robot import Match
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
 from dhcli.errors import Place, RobotError
@@ -156,20 +157,38 @@ def _why(answer: TableAnswer, cells: tuple[CellMark, ...], outcome: Outcome) -> 
     robot = replace(answer, compare="same-robot")
     if _starts_like(answer, convention) and robot.judged(None, convention, end_free=True).verdict is Verdict.RIGHT:
         return (f"right for {NAMES[convention]}; this exercise uses {answer.convention.value}",)
+    free = robot.judged(end_free=True)
     if answer.compare == "same-motion":
         outcome = robot.judged()
-        if outcome.verdict is Verdict.RIGHT:
+        if outcome.verdict is Verdict.RIGHT and not _is_plainer(free, outcome):
             frames, joints = robot.freedoms(outcome)
             return "the same robot, but this task fixes base, end frame, zeros and senses", *frames, *joints
     if outcome.verdict is Verdict.CLOSE:
         return ()
-    free = robot.judged(end_free=True)
     if free.verdict is Verdict.RIGHT and free.match is not None:
-        end = end_freedoms("end", free.match.tool, robot.slack(free)) or ("your end frame is another",)
-        is_along = abs(free.match.tool.offset[2]) > robot.slack(free).length
-        rows = end_rows(robot, free, is_along=is_along)
-        return f"all joints are right; {end[0]}", f"look at {rows}", *_notes(cells)
+        return *_at_the_end(answer, free, free.match), *_notes(cells)
     return *first_difference(robot, outcome), *_notes(cells)
+
+
+def _is_plainer(free: Outcome, outcome: Outcome) -> bool:
+    """Whether a table is the robot in a plainer way if its end frame may be another."""
+    if free.verdict is not Verdict.RIGHT or free.match is None or outcome.match is None:
+        return False
+    return oddity(free.match) < oddity(outcome.match)
+
+
+def _at_the_end(answer: TableAnswer, free: Outcome, match: Match) -> tuple[str, ...]:
+    """What is said where all axes are right; where the task fixes more than them, that too."""
+    slack = answer.slack(free)
+    is_along = abs(match.tool.offset[2]) > slack.length
+    rows = f"look at {end_rows(answer, free, is_along=is_along)}"
+    end = (end_freedoms("end", match.tool, slack) or ("your end frame is another",))[0]
+    if answer.compare == "same-motion":
+        base = end_freedoms("base", match.base.inverse(), slack)
+        used = (*base, *answer.freedoms(free)[1])
+        if used:
+            return "all axes are right, but this task fixes base, end frame, zeros and senses", *used, end
+    return f"all joints are right; {end}", rows
 
 
 def _starts_like(answer: TableAnswer, convention: Convention) -> bool:

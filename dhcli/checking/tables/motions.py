@@ -133,7 +133,7 @@ def _exact(truth: Arm, other: Arm, point: Point, most: int, *, end_free: bool) -
     """Decide at one point; among so many matches the plainest is taken, and checked on the chains themselves."""
     size = _size(truth, point) + _size(other, point)
     search = Registration(truth, other, point, Limits.exact(size), end_free=end_free)
-    for match in sorted(islice(search.matches(), most), key=_oddity)[:TRIED]:
+    for match in sorted(islice(search.matches(), most), key=oddity)[:TRIED]:
         turn, shift = error_of(match, truth, other, point, size)
         if turn <= EXACT and shift <= EXACT * size:
             return Outcome(Verdict.RIGHT, match, len(truth.variables), point, size)
@@ -145,7 +145,7 @@ def _about(truth: Arm, other: Arm, point: Point, tolerance: Tolerance, *, end_fr
     shift = tolerance.position if tolerance.position is not None else tolerance.rotation * size
     best: tuple[Verdict, Match | None] = (Verdict.WRONG, None)
     search = Registration(truth, other, point, Limits.rounded(tolerance.rotation, shift, 20), end_free=end_free)
-    for match in sorted(islice(search.matches(), MOST_LEAVES), key=_oddity)[:TRIED]:
+    for match in sorted(islice(search.matches(), MOST_LEAVES), key=oddity)[:TRIED]:
         verdict = _verdict(match, truth, other, point, tolerance)
         if verdict is Verdict.RIGHT:
             return Outcome(verdict, match, len(truth.variables), point, size, rounded=True)
@@ -166,7 +166,7 @@ def _verdict(match: Match, truth: Arm, other: Arm, point: Point, tolerance: Tole
     return Verdict.CLOSE if worst <= CLOSE_FACTOR * (1 + SLACK) else Verdict.WRONG
 
 
-def _oddity(match: Match) -> tuple[int, int]:
+def oddity(match: Match) -> tuple[int, int]:
     """How much a match has to explain; the plainest is told to the student."""
     senses = sum(sense < 0 for sense in match.senses)
     zeros = sum(abs(zero) > 1e-6 for zero in match.zeros)  # noqa: PLR2004

@@ -74,6 +74,33 @@ def test_two_slips_at_once_are_named_together() -> None:
     assert ("a-sign 2", "d-sign 3") in [tuple(slip.name for slip in cause) for cause in found.causes]
 
 
+@pytest.mark.parametrize(
+    ("name", "part", "answer", "cause"),
+    [
+        ("three-r-arm-tip-in-numbers", "tip", "0.1836 -0.0883 -0.1995", "thetas-unit"),
+        ("planar-two-links", "x2", "-s12 c12 0", "other-axis y"),
+        ("puma560-at-work-in-mm", "flange", "355.86, 378.72, -121.26", "point-forgotten"),
+        ("puma560-at-work-in-mm", "wrist", "139.518, 78.807, -509.006", "thetas-swapped 1 and 2"),
+    ],
+)
+def test_a_mistake_in_the_whole_is_named_before_what_is_far_fetched(
+    name: str, part: str, answer: str, cause: str
+) -> None:
+    """One slip that a student makes, and no two that give the same."""
+    found = check(load_exercise(name), part, answer).diagnosis
+    assert found is not None
+    assert found.ids == (cause,)
+
+
+def test_every_twist_the_other_way_is_one_slip() -> None:
+    """Not one for each row."""
+    exercise = about("puma560", numeric=True)
+    part = exercise.parts[0]
+    found = check(exercise, part.id, answer_with(exercise, part, "alpha-signs")).diagnosis
+    assert found is not None
+    assert found.names == ("the sign of alpha is turned round in every row",)
+
+
 def test_an_answer_that_no_mistake_explains_gets_no_name() -> None:
     """Never a guess."""
     exercise = about("scara-yim")
@@ -206,7 +233,7 @@ def test_an_unknown_mistake_is_refused_with_the_nearest() -> None:
 def test_words_say_the_place_as_a_person_would() -> None:
     """The two halves of a place stand where they belong."""
     added = slip_of(BY_ID["offset-added"], "2 90°").words
-    assert added == "90° is added to theta of row 2, which has no offset"
+    assert added == "theta of row 2, which has no offset, has 90° added"
     shift = slip_of(BY_ID["shift-sign"], "1.2 x").words
     assert shift == "the sign of the shift along x in move 1.2 is turned round"
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from dhcli import check
+from dhcli import check, load_exercise
 from dhcli.checking.diagnosis.slips import table_candidates
 from dhcli.checking.exercise import question_about_table
 from dhcli.checking.questions import TableQuestion
@@ -55,7 +55,45 @@ def test_a_slip_is_named_whatever_frames_are_drawn(name: str, how: str) -> None:
 
 
 def test_a_table_of_another_robot_has_no_cause() -> None:
-    """Two twists forgotten are no single slip."""
+    """A twist that nobody gets wrong like this."""
     exercise = question_about_table(robot("puma560"), robot("puma560").convention)
-    text = "[0 0 0 θ1; 0 0 0 θ2; 0 a2 d3 θ3; 0 a3 d4 θ4; 90 0 0 θ5; -90 0 0 θ6]"
+    text = "[0 0 0 θ1; 35 0 0 θ2; 0 a2 d3 θ3; 20 a3 d4 θ4; 90 0 0 θ5; -90 0 0 θ6]"
     assert check(exercise, "table", text).diagnosis is None
+
+
+@pytest.mark.parametrize(
+    ("name", "answer", "cause", "words"),
+    [
+        (
+            "wpi/puma560-table",
+            "0 0 0 θ1; -90 0 0 θ2; 0 a2 d3 θ3; 90 a3 d4 θ4; -90 0 0 θ5; 90 0 0 θ6",
+            "alpha-sign 4, 5 and 6",
+            "the sign of alpha in rows 4, 5 and 6 is turned round",
+        ),
+        (
+            "planar-two-links",
+            "0 0 a1 theta1; 0 0 a2 theta2",
+            "a-d-swaps",
+            "a and d have changed places in every row",
+        ),
+        (
+            "bajd/scara-as-dh-table",
+            "l2 0 l1 θ1; l3 0 0 θ2; 0 0 -d3 0",
+            "offset-forgotten 1 + theta-forgotten 3",
+            "the offset in row 1 is forgotten and theta of row 3, which stands still, is forgotten",
+        ),
+        (
+            "wpi/puma560-table",
+            "0 0 0 θ1; 90 0 0 θ2; 0 a2 0 θ3; -90 a3 d4 θ4; 90 0 0 θ5; -90 0 0 θ6",
+            "alpha-sign 2 + d-forgotten 3",
+            "the sign of alpha in row 2 is turned round and d of row 3 is forgotten",
+        ),
+    ],
+)
+def test_slips_in_several_rows_are_named(name: str, answer: str, cause: str, words: str) -> None:
+    """One kind of slip in some rows, or two kinds in a row each."""
+    found = check(load_exercise(name), "table", answer).diagnosis
+    assert found is not None
+    assert found.ids == (cause,)
+    assert found.names == (words,)
+    assert not any("{" in hint for hint in found.hints)

@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from dhcli import check
+from dhcli import check, load_exercise
 from dhcli.checking.diagnosis.slips import answer_with, slips
 from dhcli.checking.exercise import Exercise, question_about_table
 from dhcli.checking.pasted import UnreadableError
@@ -326,18 +326,21 @@ def test_the_first_wrong_joint_is_named() -> None:
     """Joints have the numbers of the robot."""
     turned = marked("puma560", changed(PUMA, "-90  a3", "90 a3"))  # axis 4 is the same line; the wrist lies behind it
     assert turned.remarks == (
-        "joints 1, 2, 3 and 4 are right; the axis of joint 5 lies elsewhere",
+        "the axes of joints 1, 2, 3 and 4 are right; the axis of joint 5 lies elsewhere",
         "look at the signs of alpha, a and d in rows 3 and 4",  # d3 or d4 the other way is the same arm as this one
     )
     wrong = marked("puma560", changed(PUMA, "0    a2", "0    a3"))
     assert wrong.remarks == (
-        "joints 1 and 2 are right; the axis of joint 3 lies elsewhere",
+        "the axes of joints 1 and 2 are right; the axis of joint 3 lies elsewhere",
         "look at row 3, and at d in row 2",
     )
     assert wrong.verdict is Verdict.WRONG
     assert 0.9 < wrong.earned < 1
     wrist = marked("spherical-wrist", "[0 -60 0 θ4; 0 90 0 θ5; 0 0 d6 θ6]")
-    assert wrist.remarks == ("joint 4 is right; the axis of joint 5 points another way", "look at alpha in row 4")
+    assert wrist.remarks == (
+        "the axis of joint 4 is right; the axis of joint 5 points another way",
+        "look at alpha in row 4",
+    )
 
 
 @pytest.mark.parametrize("name", ["puma560", "puma560-standard", "stanford", "scara-yim", "zhou-3r", "zhou-6r"])
@@ -424,6 +427,21 @@ def test_a_robot_given_as_products_has_a_table_too() -> None:
         write_table(task, STANDARD)
     with pytest.raises(RobotError, match="to compare cells with"):
         mark_table(question, task, right, "literal")
+
+
+def test_of_two_ways_to_lie_right_the_plainer_is_told() -> None:
+    """One end frame turned, rather than three joints that count the other way; and all that a task fixes is told."""
+    task = load_exercise("bajd/scara-as-dh-table")
+    turned = check(task, "table", "l2 0 l1 θ1+90; l3 180 0 θ2; 0 0 d3 -90")
+    assert turned.remarks[:2] == ("all joints are right; your end frame is turned by 180° about y", "look at row 3")
+    both = check(task, "table", "l2 0 l1 θ1; l3 0 0 θ2; 0 0 -d3 0")
+    assert both.remarks == (
+        "all axes are right, but this task fixes base, end frame, zeros and senses",
+        "your theta1 has another zero (-90°)",
+        "your end frame is turned by +90° about z",
+    )
+    last = check(task, "table", "l2 0 l1 θ1+90; l3 0 0 θ2; 0 0 -d3 0")
+    assert last.remarks == ("all joints are right; your end frame is turned by +90° about z", "look at row 3")
 
 
 def test_rows_that_only_stand_still_may_be_split_off() -> None:

@@ -18,6 +18,14 @@ IN_THE_WHOLE = (
         Rank.WHOLE,
     ),
     Mistake(
+        "turned-back",
+        M,
+        "it is turned the other way",
+        "which way is a positive turn?",
+        matrices.turned_back,
+        Rank.WHOLE,
+    ),
+    Mistake(
         "inverse",
         M,
         "this is the inverse: it shows the reference from the frame",
@@ -44,6 +52,22 @@ IN_THE_WHOLE = (
 """Of the whole matrix: these have the name before a slip in a row that happens to give the same."""
 
 IN_WRITING = (
+    Mistake(
+        "other-axis",
+        M,
+        "this is the {where} axis",
+        "which axis of the frame was asked?",
+        matrices.other_axis,
+        Rank.WHOLE,
+    ),
+    Mistake(
+        "point-forgotten",
+        M,
+        "this is the position of the frame; the point in it is not taken into account",
+        "where in the frame does the point lie?",
+        matrices.point_forgotten,
+        Rank.WHOLE,
+    ),
     Mistake(
         "point-as-vector",
         M,

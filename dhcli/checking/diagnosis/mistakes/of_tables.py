@@ -1,4 +1,4 @@
-"""Mistakes in one row of a table, or in one move of a product."""
+"""Mistakes in one row of a table or in all of them, or in one move of a product."""
 
 from __future__ import annotations
 
@@ -33,21 +33,28 @@ IN_ROWS = (
         "offset-forgotten",
         T,
         "the offset in row {where} is forgotten",
-        "look at where joint {where} is at zero",
+        "look at the zero of joint {where}",
         rows.each(rows.offset_forgotten),
+    ),
+    Mistake(
+        "theta-forgotten",
+        T,
+        "theta of row {where}, which stands still, is forgotten",
+        "look at the angle from x to x in row {where}",
+        rows.each(rows.theta_forgotten),
     ),
     Mistake(
         "offset-sign",
         T,
         "the sign of the offset in row {where} is turned round",
-        "look at where joint {where} is at zero",
+        "look at the zero of joint {where}",
         rows.each(rows.offset_sign),
     ),
     Mistake(
         "offset-added",
         T,
-        "{term} is added to theta of row {entry}, which has no offset",
-        "look at where joint {row} is at zero",
+        "theta of row {entry}, which has no offset, has {term} added",
+        "look at the zero of joint {row}",
         rows.offset_added,
     ),
     Mistake(
@@ -129,6 +136,37 @@ IN_ROWS = (
         "is your calculator in degrees or in radians?",
         rows.angles_unit,
         of_values=True,
+    ),
+    Mistake(
+        "thetas-unit",
+        T,
+        "the joint angles are taken in the wrong unit, degrees for radians or the other way round",
+        "is your calculator in degrees or in radians?",
+        rows.all_rows(rows.theta_unit),
+        of_values=True,
+    ),
+    Mistake(
+        "thetas-swapped",
+        T,
+        "the joint angles of rows {where} have changed places",
+        "which joint angle belongs to which row?",
+        rows.thetas_swapped,
+        of_values=True,
+        alone=True,
+    ),
+    Mistake(
+        "alpha-signs",
+        T,
+        "the sign of alpha is turned round in every row",
+        "look at the sense of the twist",
+        rows.all_rows(rows.alpha_sign),
+    ),
+    Mistake(
+        "a-d-swaps",
+        T,
+        "a and d have changed places in every row",
+        "look at a and d: which is along x, which along z?",
+        rows.all_rows(rows.a_d_swapped),
     ),
     Mistake(
         "a-in-mm",

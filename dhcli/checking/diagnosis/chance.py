@@ -1,0 +1,85 @@
+"""Whether an answer says enough for the name of a slip not to be chance.
+
+Among thousands of candidates some lie near any answer that was typed to one decimal. So before a slip is named, it is
+estimated how many candidates an answer would meet that came about in some other way: those that are wrong in the same
+entries, times the share of the range of each of these entries that the digits typed leave open.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from dhcli.checking.diagnosis.work import Matrix
+from dhcli.checking.questions import MatrixQuestion
+from dhcli.checking.truth import is_length
+
+MOST = {"singles": 0.05, "pairs": 0.01}
+"""How many candidates may be met by chance. One slip is likely in itself; two at once have to show more."""
+
+EXACT = 1e-9
+WHOLE = 0.1
+"""How often people who guess write 0, or 1 and -1 for a direction: no pair is believed because of those."""
+
+OUTER = 8
+"""A part of so many is left out of a range at either end."""
+
+
+@dataclass(frozen=True, slots=True)
+class Typed:
+    """The entries of an answer at one point, in a row.
+
+    Attributes:
+        values: The entries.
+        slack: What each may be off.
+        truth: The right ones.
+        lengths: Whether each is a length; else it is a direction cosine.
+    """
+
+    values: Sequence[float]
+    slack: Sequence[float]
+    truth: Sequence[float]
+    lengths: Sequence[bool]
+
+    @property
+    def wrong(self) -> tuple[int, ...]:
+        """The places of the entries that are not right."""
+        return self.is_wrong_at(self.values)
+
+    def is_wrong_at(self, values: Sequence[float]) -> tuple[int, ...]:
+        """The places in which other entries are not right."""
+        places = enumerate(zip(values, self.truth, self.slack, strict=True))
+        return tuple(k for k, (value, right, limit) in places if not abs(value - right) <= limit + EXACT)
+
+
+def is_chance(stage: str, given: Iterable[Sequence[float]], typed: Typed) -> bool:
+    """Whether an arbitrary answer with these digits would meet candidates too often.
+
+    Args:
+        stage: `singles` or `pairs`.
+        given: What each candidate of the stage gives, at the point of the answer.
+        typed: The answer.
+    """
+    wrong = typed.wrong
+    left = [one for one in given if typed.is_wrong_at(one) == wrong]
+    shares: dict[bool, list[float]] = {True: [], False: []}
+    for k in wrong:
+        spread = _spread([typed.truth[k], *(one[k] for one in left)])
+        share = min(1.0, 2 * typed.slack[k] / spread) if spread > EXACT else 1.0
+        is_whole = any(abs(typed.values[k] - w) <= EXACT for w in ((0,) if typed.lengths[k] else (0, 1, -1)))
+        shares[typed.lengths[k]].append(max(share, WHOLE) if is_whole and stage == "pairs" else share)
+    free = 2 if len(typed.values) <= 3 else 3  # noqa: PLR2004  of a direction, and of a rotation
+    return len(left) * math.prod((*shares[True], *sorted(shares[False])[:free])) > MOST[stage]
+
+
+def _spread(values: list[float]) -> float:
+    """The range of values without the outermost, such as millimetres taken for metres."""
+    values.sort()
+    cut = len(values) // OUTER
+    return values[-1 - cut] - values[cut]
+
+
+def lengths_of(question: MatrixQuestion, entries: Matrix[float]) -> tuple[bool, ...]:
+    """Whether each entry is a length, row by row."""
+    return tuple(is_length(question, r, c) for r, row in enumerate(entries) for c in range(len(row)))
