@@ -102,11 +102,20 @@ def _printed(exercise: Exercise, part: Part) -> Iterator[Finding]:
         yield Finding(where, f"printed: {part.id}: is judged {_told(judged)}", "write it as a student would")
     elif judged.verdict.passed is False and not is_misprint:
         yield Finding(where, f"printed: {part.id}: is judged {_told(judged)}, and no misprint is recognised in it")
-    elif isinstance(part.question, MatrixQuestion) and exercise.numeric and judged.verdict.passed is False:
-        told = next((remark for remark in judged.remarks if remark.startswith("this is no rotation")), "")
-        if told and not part.printed.note:
-            hint = "if the document really prints it: printed: {answer: ..., note: what is wrong with it}"
-            yield Finding(where, f"printed: {part.id}: {told}", hint, is_warning=True)
+    elif is_misprint and not part.printed.note:
+        hint = f"a misprint: {part.id}: {{answer: ..., note: what is wrong with it}}; a typo of yours: mend it"
+        yield Finding(where, f"printed: {part.id}: {_wrong(judged)}", hint, is_warning=True)
+
+
+def _wrong(judged: Mark) -> str:
+    """What a printed answer says and what is right, for the first entry that is wrong."""
+    wrong = [cell for cell in judged.cells if cell.verdict.passed is False]
+    if not wrong:
+        return f"is {judged.reading}" + (f", right is {judged.expected}" if judged.expected else ", which is not right")
+    first, *others = wrong
+    where = "" if len(judged.cells) == 1 else f"entry ({first.row + 1},{first.column + 1}) "
+    more = f" (and {len(others)} more)" if others else ""
+    return f"{where}is {first.typed}, right is {first.expected}{more}"
 
 
 def _stated(exercise: Exercise, part: Part, where: tuple[str | int, ...]) -> Iterator[Finding]:
