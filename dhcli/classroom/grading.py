@@ -16,7 +16,7 @@ from dhcli.classroom.pool import Lost, spread
 from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean
 from dhcli.files.exercises import full_id, load_exercise
 from dhcli.files.library import Kind, entries
-from dhcli.files.sheets import Sheet, read_sheet
+from dhcli.files.sheets import Sheet, check_numbers, read_sheet
 
 TIMEOUT = 10.0
 """Seconds that one sheet may take; an honest one takes a hundredth of one."""
@@ -100,6 +100,7 @@ def grade(submission: Submission, only: str | None = None) -> Graded:
             variant=_short(sheet.variant),
         )
         exercise = _exercise_of(sheet, only, submission.sheet)
+        check_numbers(sheet, exercise, "this sheet")
         marked = mark_sheet(exercise, {part: answer.text for part, answer in sheet.answers.items()})
         return replace(row, exercise=exercise.id, parts=tuple(map(_part_grade, marked.parts)))
     except DhcliError as error:

@@ -7,6 +7,7 @@ from typing import Any
 
 from dhcli.checking.describe import describe, given_text
 from dhcli.checking.exercise import Exercise
+from dhcli.files.robot_line import robot_line
 from dhcli.render.look import Look
 from dhcli.render.marks import question_text
 from dhcli.render.quantities import in_units
@@ -15,16 +16,19 @@ from dhcli.render.quantities import in_units
 def exercise_table(exercise: Exercise, look: Look) -> str:
     """A page about an exercise."""
     paper = look.paper
-    robot = f" · robot {exercise.robot.name}" if exercise.robot else ""
+    about = f" · robot {exercise.robot.name}" if exercise.robot else ""
     variant = f" · variant {exercise.variant}" if exercise.variant else ""
     lines = [
         paper.ink(paper.spell(exercise.title), "bold"),
-        paper.ink(paper.spell(f"{exercise.id} · {exercise.source}{robot}{variant}"), "dim"),
+        paper.ink(paper.spell(f"{exercise.id} · {exercise.source}{about}{variant}"), "dim"),
         "",
         *(paper.spell(line) for line in exercise.task.strip().splitlines()),
     ]
-    if exercise.given:
-        lines += ["", paper.spell(f"given: {given_text(exercise)}")]
+    given = [f"given: {given_text(exercise)}"] if exercise.given else []
+    if robot := robot_line(exercise):
+        given.append(robot.replace("Robot", "robot", 1))
+    if given:
+        lines += ["", *map(paper.spell, given)]
     for part in exercise.parts:
         lines += ["", question_text(exercise, part, paper).rstrip("\n")]
     option = f" --variant {shlex.quote(exercise.variant)}" if exercise.variant else ""

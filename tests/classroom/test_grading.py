@@ -8,9 +8,12 @@ from pathlib import Path
 
 import pytest
 
+from dhcli.checking.variants import vary
 from dhcli.checking.verdicts import Verdict
 from dhcli.classroom.folder import Submission, find_sheets
 from dhcli.classroom.grading import Graded, grade, grade_all
+from dhcli.files.exercises import load_exercise
+from dhcli.files.sheets import write_sheet
 from tests.classroom.sheets import EXERCISE, RIGHT, WRONG, hand_in, sheet
 from tests.classroom.workers import trouble
 
@@ -140,3 +143,17 @@ def test_a_sheet_that_takes_too_long_and_one_that_kills_are_rows(tmp_path: Path)
         "z": [],
     }
     assert [row.earned for row in rows] == [1, 0, 0, 0, 1]
+
+
+def test_a_sheet_with_other_numbers_than_the_exercise_has_now_is_not_graded(tmp_path: Path) -> None:
+    """Who changes an exercise, its ranges or its robot while sheets are out is told, and no student loses credit."""
+    text = write_sheet(vary(load_exercise("yim/planar-in-numbers"), "alice"))
+    assert graded(tmp_path, text).problems == ()
+    row = graded(tmp_path, text.replace("a1: 0.4 m", "a1: 0.5 m"))
+    assert row.parts == ()
+    (problem,) = row.problems
+    assert problem.message == (
+        "this sheet was written with other numbers than this exercise has: a1 = 0.5 m there, 0.4 m now"
+    )
+    gone = graded(tmp_path, text.replace("a1: 0.4 m", "a1: 0.4 m, b: 1 m")).problems[0].message
+    assert gone.endswith("b = 1 m there, no value now")
