@@ -133,7 +133,7 @@ def _of_file(path: str, names: Names) -> Iterator[Told]:
         problem = Problem("is an answer sheet", Place(path), f"dhcli check EXERCISE {path} judges it")
         return iter([Told(problem)])
     try:
-        root = read_yaml(read_text(path), path)
+        root = read_yaml(read_text(path), path, [])  # what it refuses is told by the loader, with all the rest
         found = [
             Told(Problem(one.message, place_in(root, one.where), one.hint), one.is_warning)
             for one in (*_rules(path), *names.clashes(path))

@@ -69,7 +69,8 @@ def read_exercise(text: str, source: str, name: str) -> Exercise:
     Raises:
         FileError: With all problems.
     """
-    return _Loader(read_yaml(text, source), name).exercise()
+    refused: list[Problem] = []
+    return _Loader(read_yaml(text, source, refused), name, refused).exercise()
 
 
 def full_id(name: str) -> str:
@@ -83,8 +84,8 @@ def full_id(name: str) -> str:
 class _Loader:
     """One pass over a file; what is wrong is collected, and something harmless taken in its place."""
 
-    def __init__(self, root: PlacedNode, name: str) -> None:
-        self.problems = Problems()
+    def __init__(self, root: PlacedNode, name: str, refused: list[Problem]) -> None:
+        self.problems = Problems(refused)
         self.name = name
         self.fields = self.problems.document(root, known=KEYS, required=("title", "source", "task", "parts"))
         self.robot = self.read_robot("robot")

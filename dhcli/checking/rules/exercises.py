@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.marking import expected, mark
-from dhcli.checking.questions import MatrixQuestion, TableQuestion
+from dhcli.checking.questions import TableQuestion
 from dhcli.checking.rules.mistakes import typed
 from dhcli.checking.rules.wording import unfinished
 from dhcli.checking.sheetmark import mark_sheet
