@@ -46,7 +46,7 @@ convention: {written.value}
 # Joint variables in order: an angle stands in a theta, a displacement in a d. All other names are parameters.
 variables: [{variables}]
 
-# Lengths with their unit: mm, cm, m, in. Leave a value out (`a1:`) to keep a length open; then --set a1=0.4 gives it.
+# Lengths with their unit: mm, cm, m, in. Leave a value out, `{{a1: }}`, to keep it open; then --set a1=0.4 gives it.
 parameters: {{{lengths}}}
 
 # Angles have a unit, 90° or 1.57 rad; offsets and signs are expressions: theta2 - 90°, -d3.

@@ -127,5 +127,5 @@ def test_a_sheet_of_an_exercise_that_was_changed_since_is_not_judged(dhcli: Run)
     assert done.code == 2
     assert f"{SHEET} was written with other numbers than this exercise has: theta1 = 36° there, 35° now" in done.err
     assert f"or dhcli start {PLANAR} --variant alice again" in done.err
-    sheet.write_text("".join(line for line in text.splitlines(True) if not line.startswith("given:")), "utf-8")
+    sheet.write_text("".join(line for line in text.splitlines(keepends=True) if not line.startswith("given:")), "utf-8")
     assert dhcli("check", PLANAR, SHEET, "--part", "a1").code == 0
