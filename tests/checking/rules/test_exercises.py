@@ -287,7 +287,7 @@ def test_a_value_outside_the_limits_is_told(tmp_path: Path) -> None:
     text = CLEAN.replace("robot: planar-2r", f"robot: {tmp_path}/arm.yaml")
     (found,) = findings(tmp_path, text)
     assert (found.at, found.message, found.is_warning) == (
-        "7:9",
+        "7:17",
         "theta1: 35° is outside its limits, -30° to 30°",
         True,
     )
