@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from dhcli.checking.exercise import Exercise, Printed, Trial, answer_scope
@@ -15,6 +16,7 @@ from dhcli.files.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSe
 from dhcli.files.ranges import is_bare, read_variants
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.robots import load_robot
+from dhcli.files.templates import NAME
 from dhcli.files.tolerances import read_tolerance
 from dhcli.files.typed import (
     has_unit_of_angle,
@@ -57,17 +59,32 @@ def load_exercise(name: str | Path) -> Exercise:
     path = name if isinstance(name, Path) else find(Kind.EXERCISES, full_id(name))
     ids = {entry.path: entry.name for entry in entries(Kind.EXERCISES)}
     text = read_text("-" if str(path) == "-" else path)
-    return read_exercise(text, source_of(path), ids.get(path, path.stem))
+    robots = _robots_beside(path) if path not in ids else ()
+    return read_exercise(text, source_of(path), ids.get(path, path.stem), robots)
 
 
-def read_exercise(text: str, source: str, name: str) -> Exercise:
+def read_exercise(text: str, source: str, name: str, robots: Iterable[Path] = ()) -> Exercise:
     """Read an exercise from the text of a file.
+
+    Args:
+        text: YAML.
+        source: What the text is called in errors.
+        name: What the exercise is called.
+        robots: Folders whose robots come before those of the library.
 
     Raises:
         FileError: With all problems.
     """
     refused: list[Problem] = []
-    return _Loader(read_yaml(text, source, refused), name, refused).exercise()
+    return _Loader(read_yaml(text, source, refused), name, refused, tuple(robots)).exercise()
+
+
+def _robots_beside(path: Path) -> Iterator[Path]:
+    """The robots of the course that a file belongs to, so that it means the same wherever it is loaded from."""
+    for folder in path.absolute().parents:
+        if folder.name == Kind.EXERCISES.value:
+            yield folder.parent / Kind.ROBOTS.value
+            return
 
 
 def full_id(name: str) -> str:
@@ -81,8 +98,9 @@ def full_id(name: str) -> str:
 class _Loader:
     """One pass over a file; what is wrong is collected, and something harmless taken in its place."""
 
-    def __init__(self, root: PlacedNode, name: str, refused: list[Problem]) -> None:
+    def __init__(self, root: PlacedNode, name: str, refused: list[Problem], robots: tuple[Path, ...]) -> None:
         self.problems = Problems(refused)
+        self.robots = robots
         self.name = name
         self.fields = self.problems.document(root, known=KEYS, required=("title", "source", "task", "parts"))
         self.robot = self.read_robot("robot")
@@ -142,11 +160,16 @@ class _Loader:
         if scalar is None:
             return None
         try:
-            return load_robot(scalar.text)
+            return load_robot(self.path_of(scalar.text))
         except DhcliError as error:
             for problem in error.problems:
                 self.problems.add(scalar.place, f"{key}: {problem.message}", problem.hint)
             return None
+
+    def path_of(self, robot: str) -> str | Path:
+        """The file of a robot in the folders that come first, or its name as it is."""
+        found = (folder / f"{robot}.yaml" for folder in self.robots if NAME.fullmatch(robot))
+        return next((path for path in found if path.is_file()), robot)
 
     def also(self) -> tuple[Robot, str] | None:
         fields = self.fields.mapping(
@@ -156,7 +179,7 @@ class _Loader:
         if scalar is None:
             return None
         try:
-            return load_robot(scalar.text), fields.text("note")
+            return load_robot(self.path_of(scalar.text)), fields.text("note")
         except DhcliError as error:
             self.problems.take(error)
             return None

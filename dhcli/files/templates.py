@@ -9,7 +9,8 @@ from dhcli.errors import DhcliError, did_you_mean
 from dhcli.kinematics.conventions import ORDER, Convention
 
 MOST_JOINTS = 20
-_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
+NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
+"""What can be typed in a command and be the name of a file."""
 
 
 def robot_template(name: str, convention: str, joints: str) -> str:
@@ -72,7 +73,7 @@ def check_name(name: str) -> None:
     Raises:
         DhcliError: It cannot.
     """
-    if not _NAME.fullmatch(name):
+    if not NAME.fullmatch(name):
         raise DhcliError(f"{name!r} cannot be the name of a robot", "write letters, digits, - and _, such as my-arm")
 
 
