@@ -67,6 +67,16 @@ def test_the_robot_file_in_readme_loads() -> None:
     assert read_robot(block, "README", "example").pattern == "RRP"
 
 
+def test_the_exercise_file_in_readme_has_nothing_to_mend(tmp_path: Path) -> None:
+    """A lecturer starts from it: it loads, and lint finds nothing in it."""
+    from dhcli.classroom.lint import lint
+
+    [block] = [block for block in fenced("yaml") if "parts:" in block]
+    path = tmp_path / "tip.yaml"
+    path.write_text(block, "utf-8")
+    assert [str(told.problem) for told in lint([str(path)]).told] == []
+
+
 def test_readme_opens_with_two_commands_that_stand_alone() -> None:
     """Each sets up by itself; the second is the one CI runs."""
     first, second = (block.strip() for block in fenced("sh")[:2])

@@ -26,7 +26,7 @@ from dhcli.checking.symbolic import mark_symbols, put, same
 from dhcli.checking.tables.cells import own_values
 from dhcli.checking.tolerance import ZERO as NOTHING
 from dhcli.checking.tolerance import Tolerance, is_rounding_of, judge
-from dhcli.checking.truth import Truth, is_length, truth_of
+from dhcli.checking.truth import Truth, is_length, truth_of, unvalued
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
 from dhcli.errors import NotationError, Place, RobotError
 from dhcli.kinematics.fold import fold
@@ -153,7 +153,8 @@ def _matrix(
     reading = _matrix_text(tuple(tuple(write(e.typed, "short", exercise.writing) for e in row) for row in entries))
     if exercise.numeric:
         if truth.numbers is None:
-            raise RobotError(f"{exercise.id} asks for numbers, and not every name of the robot has a value")
+            missing = ", ".join(unvalued(question, exercise))
+            raise RobotError(f"{exercise.id} asks for numbers, and has no value for {missing}", "name them in given:")
         judged = mark_numbers(question, truth, entries, exercise, tolerance)
     else:
         judged = mark_symbols(question, truth, entries, exercise)

@@ -20,11 +20,13 @@ def misprint_remarks(
 ) -> tuple[str, ...]:
     """A remark for each wrong entry of an answer that is just what the document prints.
 
+    The right entry is told only where the exercise shows what was expected: a misprint is no reason to give it away.
+
     Args:
         question: The question.
         cells: The judgement of each entry.
         entries: The answer as read.
-        exercise: The exercise, for the values given.
+        exercise: The exercise, for the values given, and whether it shows what was expected.
         printed: What the document prints.
     """
     try:
@@ -37,7 +39,8 @@ def misprint_remarks(
         wrong = cell.verdict in (Verdict.WRONG, Verdict.CLOSE)
         if wrong and same(entries[r][c].expr, shown[r][c].expr, exercise.values):
             where = "this" if len(cells) == 1 else f"entry ({r + 1},{c + 1})"
-            remarks.append(f"{where} is what the document prints; it is a misprint, the right entry is {cell.expected}")
+            right = f", the right entry is {cell.expected}" if exercise.shows_expected else ""
+            remarks.append(f"{where} is what the document prints; it is a misprint{right}")
     return tuple(remarks)
 
 

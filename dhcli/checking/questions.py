@@ -12,7 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
-from dhcli.errors import NotationError, Place, Problem, RobotError
+from dhcli.errors import NotationError, Place, Problem, RobotError, nearest
 from dhcli.kinematics.conventions import COLUMNS, Convention
 from dhcli.kinematics.frames import frame
 from dhcli.kinematics.moves import Chain, read_chain
@@ -289,4 +289,9 @@ def _number(text: str, place: Place | None) -> str:
 
 
 def _unknown(text: str, place: Place | None) -> NotationError:
-    return NotationError(Problem(f"'{text}' asks nothing that is known", place, "write one of: " + " · ".join(KINDS)))
+    examples = {kind.split()[0]: kind for kind in KINDS}
+    similar = nearest(text.split(None, 1)[0] if text else "", examples)
+    hint = "did you mean " + " or ".join(examples[word] for word in similar) + "?" if similar else ""
+    return NotationError(
+        Problem(f"'{text}' asks nothing that is known", place, hint or "write one of: " + " · ".join(KINDS))
+    )

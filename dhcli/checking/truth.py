@@ -19,6 +19,7 @@ from dhcli.kinematics.merge import merge
 from dhcli.kinematics.moves import Chain, expressions, inverse, names
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import numbers
+from dhcli.notation.names import natural_key
 from dhcli.notation.tree import Expr, Number
 from dhcli.notation.walk import symbols
 
@@ -61,6 +62,12 @@ def truth_of(question: MatrixQuestion, exercise: Exercise) -> Truth:
     if not isinstance(known, Truth):
         known = exercise.truths[question] = _compute(question, exercise)
     return known
+
+
+def unvalued(question: MatrixQuestion, exercise: Exercise) -> tuple[str, ...]:
+    """Names without which an answer in numbers cannot be computed, and that have no value."""
+    named = names(chain_of(question, exercise.robot)) | _point_names(question)
+    return tuple(sorted(named - exercise.values.keys(), key=natural_key))
 
 
 def _compute(question: MatrixQuestion, exercise: Exercise) -> Truth:

@@ -54,7 +54,8 @@ def vary(exercise: Exercise, seed: str) -> Exercise:
         seed: Any text on one line, such as the name of a student; blanks around it do not count.
 
     Returns:
-        A copy whose `given` holds the drawn values, and whose `variant` is the seed.
+        A copy whose `given` holds the drawn values, and whose `variant` is the seed. What the document prints is not
+        in it, for that answers the numbers of the file.
 
     Raises:
         DhcliError: The exercise has no variants, the text is no seed, or its ranges hold hardly any pose at which
@@ -143,7 +144,8 @@ def _refuse(exercise: Exercise, seed: str) -> NoReturn:
 
 def _draw(exercise: Exercise, seed: str, attempt: int) -> Exercise:
     drawn = {name: _drawn(range_, exercise, seed, name, attempt) for name, range_ in exercise.variants.items()}
-    return replace(exercise, given={**exercise.given, **drawn}, variant=seed)
+    parts = tuple(replace(part, printed=None) for part in exercise.parts)
+    return replace(exercise, given={**exercise.given, **drawn}, variant=seed, parts=parts)
 
 
 def _drawn(range_: Range, exercise: Exercise, seed: str, name: str, attempt: int) -> Value:

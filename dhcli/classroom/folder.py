@@ -39,18 +39,24 @@ class Folder:
         path: The folder as the user wrote it.
         submissions: The sheets, by their path.
         empty: Folders of students that hold no sheet.
+        others: Paths of files that are no sheets by their name, below the folder: nobody looks at them.
     """
 
     path: str
     submissions: tuple[Submission, ...]
     empty: tuple[str, ...]
+    others: tuple[str, ...] = ()
 
 
-def find_sheets(folder: str) -> Folder:
+def find_sheets(folder: str, *, may_be_none: bool = False) -> Folder:
     """Everything in a folder that looks like a sheet, opened by nobody yet.
 
     Links are not followed: a student might have packed one that leads to somebody else's file. Hidden files, and the
     folder that macOS adds to archives, are no sheets.
+
+    Args:
+        folder: The folder.
+        may_be_none: Whether a folder without a sheet is one, too.
 
     Raises:
         FileError: There is no such folder, or no sheet in it.
@@ -58,13 +64,15 @@ def find_sheets(folder: str) -> Folder:
     root = Path(folder)
     if not root.is_dir():
         raise FileError(_no_folder(root, folder))
-    found = tuple(sorted(_submissions(root), key=lambda one: one.sheet))
-    if not found:
+    others: list[str] = []
+    found = tuple(sorted(_submissions(root, others), key=lambda one: one.sheet))
+    if not found and not may_be_none:
         hint = "sheets are files that end in .yaml or .yml; dhcli start EXERCISE writes one"
         raise FileError(Problem("there is no sheet in this folder", Place(folder), hint))
     handed_in = {one.sheet.partition("/")[0] for one in found}
     empty = (child.name for child in root.iterdir() if child.is_dir() and _counts(child.name))
-    return Folder(folder, found, tuple(sorted(name for name in empty if name not in handed_in)))
+    without = tuple(sorted(name for name in empty if name not in handed_in))
+    return Folder(folder, found, without, tuple(sorted(others)))
 
 
 def _no_folder(root: Path, folder: str) -> Problem:
@@ -75,7 +83,8 @@ def _no_folder(root: Path, folder: str) -> Problem:
     return Problem("there is no such folder", Place(folder), f"did you mean {' or '.join(similar)}?" if similar else "")
 
 
-def _submissions(root: Path) -> Iterator[Submission]:
+def _submissions(root: Path, others: list[str]) -> Iterator[Submission]:
+    """The sheets; what else was handed in is noted."""
     unreadable: list[OSError] = []
     for where, folders, files in os.walk(root, onerror=unreadable.append):
         here = Path(where)
@@ -85,7 +94,10 @@ def _submissions(root: Path) -> Iterator[Submission]:
                 yield _submission(root, here / name, "is a link; links are not followed")
         for name in files:
             path = here / name
-            if not _counts(name) or path.suffix.lower() not in _SUFFIXES:
+            if not _counts(name):
+                continue
+            if path.suffix.lower() not in _SUFFIXES:
+                others.append(path.relative_to(root).as_posix())
                 continue
             problem = "is a link; links are not followed" if path.is_symlink() else ""
             yield _submission(root, path, problem or ("" if path.is_file() else "is no file"))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from contextlib import closing
 from dataclasses import dataclass, replace
@@ -16,10 +17,12 @@ from dhcli.classroom.pool import Lost, spread
 from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean
 from dhcli.files.exercises import full_id, load_exercise
 from dhcli.files.library import Kind, entries
-from dhcli.files.sheets import Sheet, read_sheet
+from dhcli.files.sheets import Sheet, check_numbers, read_sheet
 
 TIMEOUT = 10.0
 """Seconds that one sheet may take; an honest one takes a hundredth of one."""
+_NUMBER = re.compile(r"(?<![\w.(,])-?\d+(?:\.\d+)?(?=\s?(?:°|rad|m|mm|cm)(?!\w))|(?<!\w)-?\d+\.\d+")
+"""A number with a unit, or with decimals: one that comes of the values of a sheet."""
 _LONGEST = 120
 """Longest name of a student, an exercise or a variant that is kept."""
 _HINTS = 2
@@ -102,6 +105,7 @@ def grade(submission: Submission, only: str | None = None) -> Graded:
             variant=_short(sheet.variant),
         )
         exercise = _exercise_of(sheet, only, submission.sheet)
+        check_numbers(sheet, exercise, "this sheet")
         marked = mark_sheet(exercise, {part: answer.text for part, answer in sheet.answers.items()})
         return replace(row, exercise=exercise.id, parts=tuple(map(_part_grade, marked.parts)))
     except DhcliError as error:
@@ -177,7 +181,9 @@ def _of_library(name: str) -> Exercise:
     path = known.get(full_id(name))
     if path is None:
         name = _short(name)
-        raise UnknownNameError(f"exercise: there is no exercise '{name}'", did_you_mean(name, known))
+        hint = "exercises are looked for in ./exercises and in the folders of DHCLI_PATH, then among the built-in ones"
+        similar = did_you_mean(name, known)
+        raise UnknownNameError(f"exercise: there is no exercise '{name}'", f"{similar} {hint}".strip())
     return load_exercise(path)
 
 
@@ -196,10 +202,16 @@ def _part_grade(one: PartMark) -> PartGrade:
 
 
 def _slips(mark: Mark) -> tuple[str, ...]:
-    """Names of the mistakes that explain an answer; what was remarked of it where none is known."""
-    if mark.verdict.passed:
+    """Names of the mistakes that explain a wrong answer; what was remarked of it where none is known.
+
+    A remark leaves its numbers out, so that the same slip is the same in every variant. An answer that cannot be read,
+    or that is right from an earlier one, is no slip of its own.
+    """
+    if mark.verdict.passed is not False or (mark.diagnosis and mark.diagnosis.follows):
         return ()
-    return mark.diagnosis.names if mark.diagnosis and mark.diagnosis.names else mark.remarks[:1]
+    if mark.diagnosis and mark.diagnosis.names:
+        return mark.diagnosis.names
+    return tuple(_NUMBER.sub("…", remark) for remark in mark.remarks[:1])
 
 
 def _short(text: str) -> str:

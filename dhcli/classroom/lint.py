@@ -7,12 +7,13 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from dhcli.checking.rules.wording import unfinished
 from dhcli.classroom.names import Names
 from dhcli.classroom.places import place_in
 from dhcli.errors import DhcliError, FileError, Place, Problem
 from dhcli.files.kinds import kind_of
 from dhcli.files.library import Kind
-from dhcli.files.placed import read_yaml
+from dhcli.files.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
 from dhcli.files.reading import read_text
 from dhcli.kinematics.validity import Finding
 
@@ -110,6 +111,8 @@ def _missing(path: str) -> Problem:
         read_text(path)
     except FileError as error:
         problem = error.problems[0]
+        if not path.lower().endswith(SUFFIXES):
+            problem = replace(problem, message=problem.message.replace("no such file", "no such file or folder"))
         return replace(problem, hint=problem.hint or "lint takes files and folders, such as robots/my-arm.yaml")
     return Problem("has just appeared", Place(path), "try again")  # between two looks at the disk
 
@@ -132,15 +135,28 @@ def _of_file(path: str, names: Names) -> Iterator[Told]:
     if path.lower().endswith(SHEETS):  # named itself, for in a folder it is passed over
         problem = Problem("is an answer sheet", Place(path), f"dhcli check EXERCISE {path} judges it")
         return iter([Told(problem)])
+    root: PlacedNode | None = None
     try:
-        root = read_yaml(read_text(path), path)
+        root = read_yaml(read_text(path), path, [])  # what it refuses is told by the loader, with all the rest
         found = [
             Told(Problem(one.message, place_in(root, one.where), one.hint), one.is_warning)
             for one in (*_rules(path), *names.clashes(path))
         ]
     except DhcliError as error:
         found = [Told(_placed(problem, path)) for problem in error.problems]
+        found += _left_to_write("", root) if root is not None else ()
     return iter(sorted(found, key=lambda one: _line(one.problem)))
+
+
+def _left_to_write(key: str, node: PlacedNode) -> Iterator[Told]:
+    """What a template left to write in a file that does not load: its blanks keep it from that, and are told too."""
+    if isinstance(node, PlacedScalar) and node.text.strip():
+        for one in unfinished({(key,): node.text}):
+            yield Told(Problem(one.message, place_in(node, ()), one.hint))
+    for below, inner in node.entries if isinstance(node, PlacedMapping) else ():
+        yield from _left_to_write(below.text, inner)
+    for inner in node.items if isinstance(node, PlacedSequence) else ():
+        yield from _left_to_write(key, inner)
 
 
 def _rules(path: str) -> Iterator[Finding]:
@@ -161,8 +177,11 @@ def _rules(path: str) -> Iterator[Finding]:
         yield from linkages.findings(load_linkage(Path(path)))
     else:
         exercise = load_exercise(Path(path))
-        for rules in (exercises, mistakes, variants):
-            yield from rules.findings(exercise)
+        told = tuple(exercises.findings(exercise))
+        yield from told
+        if not any(one.where[:1] == ("tolerance",) for one in told):  # else the pose is not what hides mistakes
+            yield from mistakes.findings(exercise)
+            yield from variants.findings(exercise)
 
 
 def _placed(problem: Problem, path: str) -> Problem:

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from statistics import fmean
 
 from dhcli.checking.verdicts import Verdict
 from dhcli.classroom.folder import Folder
 from dhcli.classroom.grading import Graded, PartGrade
+from dhcli.errors import plural
 
 STEPS = (0, 20, 40, 60, 80, 100)
 """Where the classes of the distribution begin [%]; the last one is full credit alone."""
 _ROUNDING = 1e-9
+
+MOST_NAMED = 5
+"""Students that a notice names."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,6 +51,8 @@ class ClassReport:
         parts: The figures of each part, exercise by exercise.
         spread: How many sheets earned at least each of `STEPS`, and less than the next [%].
         mean: Mean share of the credit; None if nothing could be graded.
+        notices: What a person should look at: variants that several sheets share, or one has not, and students who
+            handed in an exercise twice.
     """
 
     folder: Folder
@@ -54,6 +60,7 @@ class ClassReport:
     parts: tuple[PartFigures, ...]
     spread: tuple[int, ...]
     mean: float | None
+    notices: tuple[str, ...] = ()
 
     @property
     def graded(self) -> tuple[Graded, ...]:
@@ -80,7 +87,43 @@ def report_on(folder: Folder, rows: Sequence[Graded]) -> ClassReport:
         tuple(_figures(exercise, part, grades) for (exercise, part), grades in by_part.items()),
         tuple(steps[step] for step in STEPS),
         fmean(shares) if shares else None,
+        tuple(_notices(rows)),
     )
+
+
+def _notices(rows: Sequence[Graded]) -> Iterator[str]:
+    """What is odd about the sheets of a class, exercise by exercise."""
+    by_exercise: dict[str, list[Graded]] = {}
+    for row in rows:
+        if row.exercise:
+            by_exercise.setdefault(row.exercise, []).append(row)
+    for exercise, sheets in sorted(by_exercise.items()):
+        drawn: dict[str, list[Graded]] = {}
+        handed_in: dict[str, list[Graded]] = {}
+        for row in sheets:
+            drawn.setdefault(row.variant, []).append(row)
+            handed_in.setdefault(_owner(row), []).append(row)
+        for variant, same in drawn.items():
+            if variant and len({_owner(row) for row in same}) > 1:
+                yield f"{exercise}: variant {variant}: {plural(len(same), 'sheet')} ({_whose(same)})"
+        if "" in drawn and len(drawn) > 1:
+            yield f"{exercise}: no variant: {plural(len(drawn['']), 'sheet')} ({_whose(drawn[''])})"
+        for folder, same in handed_in.items():
+            if len(same) > 1:
+                yield f"{exercise}: {len(same)} sheets in {folder}"
+
+
+def _owner(row: Graded) -> str:
+    """The folder of a student, or the sheet itself where all lie in one folder."""
+    folder, slash, _ = row.sheet.partition("/")
+    return folder if slash else row.sheet
+
+
+def _whose(rows: Sequence[Graded]) -> str:
+    """Names of students, not more than a line holds."""
+    names = list({_owner(row): row.student for row in rows}.values())
+    more = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
+    return ", ".join(names[:MOST_NAMED]) + more
 
 
 def _figures(exercise: str, part: str, grades: Sequence[PartGrade]) -> PartFigures:

@@ -77,7 +77,7 @@ def check(
     from dhcli.cli.delivery import Delivery
     from dhcli.cli.quiz import Asked, exercise_of, exit_code, remember, with_tolerance
     from dhcli.errors import DhcliError
-    from dhcli.files.sheets import Sheet, read_sheet
+    from dhcli.files.sheets import Sheet, check_numbers, read_sheet
 
     delivery = Delivery("check", format_, output=output, force=force)
     delivery.chosen("marks")
@@ -91,6 +91,7 @@ def check(
     read = read_sheet(sheet) if sheet is not None else Sheet(exercise.id, {})
     exercise.accepts(read.exercise, sheet or "")
     exercise = variant_of(exercise, variant, read.variant, sheet or "")
+    check_numbers(read, exercise, sheet or "")
     answers, places, only = _answers(exercise, read if sheet else None, part, answer, typed if table else None)
     marked = mark_sheet(exercise, answers, places, only)
     remember(marked)

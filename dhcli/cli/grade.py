@@ -14,6 +14,7 @@ from dhcli.errors import ExitStatus
 
 if TYPE_CHECKING:
     from dhcli.classroom.folder import Folder
+    from dhcli.classroom.grading import Graded
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -59,11 +60,13 @@ def grade(
     name = delivery.chosen("class")
     delivery.check_output()
     seconds = _seconds(timeout)
-    found = find_sheets(folder)
-    if name == "gradescope":
-        _check_single(found)
+    found = find_sheets(folder, may_be_none=name == "gradescope")
     if exercise is not None:
         _check_exercise(exercise)
+    if name == "gradescope" and len(found.submissions) != 1:
+        report = report_on(found, [_no_single(found)])
+        delivery.hand_over("class", report)
+        return ExitStatus.NOT_RIGHT
     with progress("grading", len(found.submissions), sys.stderr) as tell:
         rows = grade_all(found.submissions, exercise, jobs=jobs or _processors(), timeout=seconds, tell=tell)
     report = report_on(found, rows)
@@ -71,14 +74,19 @@ def grade(
     return ExitStatus.NOT_RIGHT if report.failed else ExitStatus.DONE
 
 
-def _check_single(found: Folder) -> None:
-    """Make sure that there is one sheet: Gradescope starts an autograder for each submission."""
-    from dhcli.errors import DhcliError, Place, Problem
+def _no_single(found: Folder) -> Graded:
+    """The row of a submission without a sheet, or with several: its student must learn why there is no score."""
+    from dhcli.classroom.grading import Graded
+    from dhcli.errors import Problem
 
-    if len(found.submissions) != 1:
-        message = f"holds {len(found.submissions)} sheets, and Gradescope wants the results of one"
-        hint = "name the folder of one submission; --format csv has the whole class"
-        raise DhcliError(Problem(message, Place(found.path), hint))
+    hint = "hand in one file that ends in .yaml, the sheet that dhcli start writes"
+    sheets = [one.sheet for one in found.submissions]
+    if sheets:
+        message = f"this submission holds {len(sheets)} sheets, {', '.join(sheets)}, and one is graded"
+    else:
+        message = "this submission holds no sheet"
+        message += f", but {', '.join(found.others)}" if found.others else ""
+    return Graded("", "", problems=(Problem(message, hint=hint),))
 
 
 def _check_exercise(name: str) -> None:

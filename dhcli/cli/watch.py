@@ -81,7 +81,7 @@ def _draw(exercise: Exercise, path: str, variant: str | None, hints: int) -> Non
     from dhcli.cli.console import write_out
     from dhcli.cli.quiz import first_open, remember
     from dhcli.errors import DhcliError
-    from dhcli.files.sheets import read_sheet
+    from dhcli.files.sheets import check_numbers, read_sheet
     from dhcli.render.look import Look, render
     from dhcli.render.paper import Paper
     from dhcli.render.problems import problems_text
@@ -92,6 +92,7 @@ def _draw(exercise: Exercise, path: str, variant: str | None, hints: int) -> Non
         read = read_sheet(path)
         exercise.accepts(read.exercise, path)
         exercise = variant_of(exercise, variant, read.variant, path)
+        check_numbers(read, exercise, path)
         marked = mark_sheet(
             exercise,
             {name: given.text for name, given in read.answers.items()},

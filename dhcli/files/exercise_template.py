@@ -55,8 +55,8 @@ robot: {robot.name}
 # In your own words; a student must be able to answer from this text alone.
 task: |
   The robot is {robot.title}.
-  Base frame {start}: where it stands. End frame {end}: where it stands. Joint zero: how the arm then looks.
-  Positive sense: of every joint.
+  Base frame {start}: write here where it stands. End frame {end}: write here on which part it sits.
+  Joint zero: write here how the arm looks then. Positive sense: write here that of every joint.
 
 parts:                          # ask: link 1 | pose 0..3 | position of pose 0..3 | table standard
   - id: a{first}

@@ -2,33 +2,33 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from dhcli.checking.exercise import Exercise, Part, Printed, Trial, answer_scope
-from dhcli.checking.questions import ChoiceQuestion, CountQuestion, Question, check_question, read_question
+from dhcli.checking.exercise import Exercise, Printed, Trial, answer_scope
 from dhcli.checking.variants import Range
 from dhcli.checking.verdicts import Verdict
-from dhcli.errors import DhcliError, FileError, NotationError, Problem, did_you_mean
-from dhcli.files.fields import Fields, Problems
+from dhcli.errors import DhcliError, FileError, Problem, did_you_mean
+from dhcli.files.fields import Problems
 from dhcli.files.library import Kind, entries, find
-from dhcli.files.placed import PlacedMapping, PlacedNode, PlacedScalar, read_yaml
-from dhcli.files.ranges import read_variants
+from dhcli.files.parts import PartReader
+from dhcli.files.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
+from dhcli.files.ranges import is_bare, read_variants
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.robots import load_robot
+from dhcli.files.templates import NAME
 from dhcli.files.tolerances import read_tolerance
 from dhcli.files.typed import (
     has_unit_of_angle,
     read_flag,
-    read_number,
     read_texts,
     read_value,
-    read_whole,
 )
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.notation.angle import Angle
 from dhcli.notation.names import GREEK_NAMES, parts
 from dhcli.notation.quantity import LENGTH_UNITS
+from dhcli.notation.scope import Scope
 
 KEYS = (
     "title",
@@ -47,7 +47,6 @@ KEYS = (
     "variants",
     "feedback",
 )
-PART_KEYS = ("id", "ask", "prompt", "credit", "depends", "hints", "compare", "options", "right", "exact", "decimals")
 
 
 def load_exercise(name: str | Path) -> Exercise:
@@ -60,16 +59,32 @@ def load_exercise(name: str | Path) -> Exercise:
     path = name if isinstance(name, Path) else find(Kind.EXERCISES, full_id(name))
     ids = {entry.path: entry.name for entry in entries(Kind.EXERCISES)}
     text = read_text("-" if str(path) == "-" else path)
-    return read_exercise(text, source_of(path), ids.get(path, path.stem))
+    robots = _robots_beside(path) if path not in ids else ()
+    return read_exercise(text, source_of(path), ids.get(path, path.stem), robots)
 
 
-def read_exercise(text: str, source: str, name: str) -> Exercise:
+def read_exercise(text: str, source: str, name: str, robots: Iterable[Path] = ()) -> Exercise:
     """Read an exercise from the text of a file.
+
+    Args:
+        text: YAML.
+        source: What the text is called in errors.
+        name: What the exercise is called.
+        robots: Folders whose robots come before those of the library.
 
     Raises:
         FileError: With all problems.
     """
-    return _Loader(read_yaml(text, source), name).exercise()
+    refused: list[Problem] = []
+    return _Loader(read_yaml(text, source, refused), name, refused, tuple(robots)).exercise()
+
+
+def _robots_beside(path: Path) -> Iterator[Path]:
+    """The robots of the course that a file belongs to, so that it means the same wherever it is loaded from."""
+    for folder in path.absolute().parents:
+        if folder.name == Kind.EXERCISES.value:
+            yield folder.parent / Kind.ROBOTS.value
+            return
 
 
 def full_id(name: str) -> str:
@@ -83,28 +98,38 @@ def full_id(name: str) -> str:
 class _Loader:
     """One pass over a file; what is wrong is collected, and something harmless taken in its place."""
 
-    def __init__(self, root: PlacedNode, name: str) -> None:
-        self.problems = Problems()
+    def __init__(self, root: PlacedNode, name: str, refused: list[Problem], robots: tuple[Path, ...]) -> None:
+        self.problems = Problems(refused)
+        self.robots = robots
         self.name = name
         self.fields = self.problems.document(root, known=KEYS, required=("title", "source", "task", "parts"))
         self.robot = self.read_robot("robot")
+        self.unit = self.fields.text("unit", "m")
         self.names = read_texts(self.fields, "names")
         self.given: dict[str, Value] = {}
         self.read_given()
-        self.scope = answer_scope(self.robot, (*self.given, *self.names))
         self.printed = self.read_printed()
         self.tolerance = read_tolerance(self.fields)
+        has_robot = "robot" in self.fields
+        scope = answer_scope(self.robot, (*self.given, *self.names))
+        if has_robot and self.robot is None:
+            scope = Scope(is_open=True)  # its names are not known, and that it was not found is told
+        self.parts = PartReader(self.problems, scope, self.robot, has_robot, self.tolerance, self.printed, [])
 
     def exercise(self) -> Exercise:
-        parts_ = tuple(part for node in self.fields.sequence("parts") if (part := self.part(node)))
-        trials = tuple(trial for node in self.fields.sequence("tests") if (trial := self.trial(node, parts_)))
+        nodes = self.fields.sequence("parts", example="- {id: a1, ask: link 1}")
+        parts_ = tuple(part for node in nodes if (part := self.parts.part(node)))
+        if not nodes and isinstance(self.fields.get("parts"), PlacedSequence):
+            place = self.fields.place_of("parts")
+            self.problems.add(place, "parts: an exercise has at least one", "write - {id: a1, ask: link 1}")
+        nodes = self.fields.sequence("tests", example="- {part: a1, answer: ..., verdict: WRONG}")
+        trials = tuple(self.trial(node) for node in nodes)
         also = self.also()
-        unit = self.fields.text("unit", "m")
-        if unit not in (*LENGTH_UNITS, "none"):
+        if self.unit not in (*LENGTH_UNITS, "none"):
             self.problems.add(
-                self.fields.place_of("unit"), f"unit: '{unit}' is no unit of length", "write m, mm, cm or none"
+                self.fields.place_of("unit"), f"unit: '{self.unit}' is no unit of length", "write m, mm, cm or none"
             )
-        self.check_ids(parts_)
+        self.check_printed()
         feedback = self.fields.text("feedback", "verdict")
         if feedback not in ("verdict", "expected"):
             self.problems.add(
@@ -120,7 +145,7 @@ class _Loader:
             given=self.given,
             names=self.names,
             numeric=read_flag(self.fields, "numeric"),
-            unit=unit,
+            unit=self.unit,
             tolerance=self.tolerance,
             also=also,
             trials=trials,
@@ -135,19 +160,26 @@ class _Loader:
         if scalar is None:
             return None
         try:
-            return load_robot(scalar.text)
+            return load_robot(self.path_of(scalar.text))
         except DhcliError as error:
             for problem in error.problems:
                 self.problems.add(scalar.place, f"{key}: {problem.message}", problem.hint)
             return None
 
+    def path_of(self, robot: str) -> str | Path:
+        """The file of a robot in the folders that come first, or its name as it is."""
+        found = (folder / f"{robot}.yaml" for folder in self.robots if NAME.fullmatch(robot))
+        return next((path for path in found if path.is_file()), robot)
+
     def also(self) -> tuple[Robot, str] | None:
-        fields = self.fields.mapping("also", known=("robot", "note"), required=("robot",))
+        fields = self.fields.mapping(
+            "also", known=("robot", "note"), required=("robot",), example="{robot: NAME, note: why it is right too}"
+        )
         scalar = fields.scalar("robot")
         if scalar is None:
             return None
         try:
-            return load_robot(scalar.text), fields.text("note")
+            return load_robot(self.path_of(scalar.text)), fields.text("note")
         except DhcliError as error:
             self.problems.take(error)
             return None
@@ -160,7 +192,7 @@ class _Loader:
         return self.fields.text("source")
 
     def read_given(self) -> None:
-        fields = self.fields.mapping("given")
+        fields = self.fields.mapping("given", example="{theta1: 30°}")
         for key in fields.entries:
             scalar = fields.scalar(key)
             value = self.value(scalar, key) if scalar else None
@@ -168,6 +200,11 @@ class _Loader:
                 self.given[key] = value
 
     def value(self, scalar: PlacedScalar, key: str) -> Value | None:
+        unit = self.unit_of(key)
+        if unit and not self.is_angle(key) and is_bare(scalar.text):
+            message = f"{key}: a length without its unit, on a sheet in {unit}"
+            self.problems.add(scalar.place, message, f"write {scalar.text} {unit}")
+            return None
         is_angle = self.is_angle(key) or (not self.of_robot(key) and has_unit_of_angle(scalar))
         return read_value(self.problems, scalar, key, is_angle=is_angle)
 
@@ -184,10 +221,14 @@ class _Loader:
         if self.robot is None and "robot" in self.fields:
             return {}  # that it was not found is said; its names are not known
         known = (*(self.robot.scope.names if self.robot else ()), *self.given)
-        return read_variants(self.fields, known, self.is_angle)
+        return read_variants(self.fields, known, self.is_angle, self.unit_of)
+
+    def unit_of(self, key: str) -> str:
+        """The unit that a length must have where a bare one, which is in metres, would be read in that of the sheet."""
+        return self.unit if self.unit in LENGTH_UNITS and self.unit != "m" and self.of_robot(key) else ""
 
     def read_printed(self) -> dict[str, Printed]:
-        fields = self.fields.mapping("printed")
+        fields = self.fields.mapping("printed", example='{a1: "c1 -s1; s1 c1"}')
         printed: dict[str, Printed] = {}
         for key in fields.entries:
             node = fields.get(key)
@@ -198,104 +239,28 @@ class _Loader:
                 printed[key] = Printed(fields.text(key))
         return printed
 
-    def part(self, node: PlacedNode) -> Part | None:
-        fields = self.problems.mapping(node, "parts", known=PART_KEYS, required=("id", "ask"))
-        ask = fields.scalar("ask")
-        if ask is None or "id" not in fields:
-            return None
-        try:
-            question = read_question(ask.text, self.scope, ask.place_of(0))
-        except NotationError as error:
-            self.problems.take(error)
-            return None
-        if isinstance(question, ChoiceQuestion):
-            options = read_texts(fields, "options")
-            right = read_whole(fields, "right") or 0
-            if not 1 <= right <= len(options):
-                self.problems.add(fields.place, "right: should be the number of an option, counted from 1")
-            question = ChoiceQuestion(options, right)
-        if isinstance(question, CountQuestion):
-            question = self.looked_up(question, ask)
-        self.check_exists(question, ask)
-        tolerance = None
-        if "exact" in fields:
-            tolerance = replace(self.tolerance, exact=read_flag(fields, "exact"))
-        if "decimals" in fields:
-            tolerance = replace(tolerance or self.tolerance, decimals=read_whole(fields, "decimals"))
-        name, credit = fields.text("id"), read_number(fields, "credit")
-        if not all(letter.isalnum() or letter in "_-" for letter in name):
-            self.problems.add(fields.place_of("id"), f"id: '{name}' holds more than letters, digits, _ and -")
-        return Part(
-            id=name,
-            question=question,
-            prompt=fields.text("prompt"),
-            credit=1.0 if credit is None else credit,
-            depends=read_texts(fields, "depends"),
-            hints=read_texts(fields, "hints"),
-            tolerance=tolerance,
-            compare=self.compare(fields),
-            printed=self.printed.get(name),
-        )
-
-    def check_exists(self, question: Question, ask: PlacedScalar) -> None:
-        """Make sure that the robot has the frames, the link or the table that is asked about."""
-        try:
-            check_question(question, self.robot)
-        except DhcliError as error:
-            for problem in error.problems:
-                self.problems.add(ask.place, f"ask: {problem.message}", problem.hint)
-
-    def looked_up(self, question: CountQuestion, ask: PlacedScalar) -> CountQuestion:
-        from dhcli.files.linkages import find_linkage  # few exercises count
-
-        try:
-            return replace(question, found=find_linkage(question.linkage))
-        except DhcliError as error:
-            for problem in error.problems:
-                self.problems.add(ask.place, f"ask: {problem.message}", problem.hint)
-            return question
-
-    def compare(self, fields: Fields) -> str:
-        known = ("literal", "same-motion", "same-robot")
-        text = fields.text("compare", "same-robot")
-        if text not in known:
-            self.problems.add(fields.place_of("compare"), f"compare: '{text}' is not known", did_you_mean(text, known))
-        return text
-
-    def trial(self, node: PlacedNode, parts_: tuple[Part, ...]) -> Trial | None:
-        fields = self.problems.mapping(
-            node, "tests", known=("part", "answer", "mistake", "verdict"), required=("part", "verdict")
-        )
-        known = [part.id for part in parts_]
+    def trial(self, node: PlacedNode) -> Trial:
+        keys = ("part", "answer", "mistake", "verdict")
+        example = "{part: a1, answer: ..., verdict: WRONG}"
+        fields = self.problems.mapping(node, "tests", known=keys, required=("part", "verdict"), example=example)
+        known = self.parts.ids
         name = fields.text("part")
-        if name and name not in known:
+        if name and name not in known and known:
             self.problems.add(fields.place_of("part"), f"part: there is no part {name}", did_you_mean(name, known))
         words = [verdict.word for verdict in Verdict]
         verdict = fields.text("verdict")
         if verdict and verdict not in words:
-            self.problems.add(
-                fields.place_of("verdict"), f"verdict: '{verdict}' is not known", did_you_mean(verdict, words)
-            )
+            hint = f"one of {', '.join(words)}"
+            self.problems.add(fields.place_of("verdict"), f"verdict: '{verdict}' is not known", hint)
         blank = fields.get("answer")
         answer = "" if isinstance(blank, PlacedScalar) and blank.quoted and not blank.text else fields.text("answer")
         return Trial(name, answer, verdict, fields.text("mistake"))
 
-    def check_ids(self, parts_: tuple[Part, ...]) -> None:
-        place = self.fields.place_of("parts")
-        seen: set[str] = set()
-        for part in parts_:
-            if part.id in seen:
-                self.problems.add(place, f"parts: the id {part.id} is used twice")
-            for name in part.depends:
-                if name not in seen:
-                    self.problems.add(place, f"parts: {part.id} depends on {name}, which does not stand before it")
-            seen.add(part.id)
+    def check_printed(self) -> None:
         for key in self.printed:
-            if key not in seen:
-                hint = did_you_mean(key, seen)
-                self.problems.found.append(
-                    Problem(f"printed: there is no part {key}", self.fields.place_of("printed"), hint)
-                )
+            if key not in self.parts.ids:
+                hint = did_you_mean(key, self.parts.ids)
+                self.problems.add(self.fields.place_of("printed"), f"printed: there is no part {key}", hint)
 
 
 def _is_angle(name: str) -> bool:

@@ -56,7 +56,14 @@ class Problems:
         return self.mapping(root, "the file", known=("format", *known), required=("format", *required))
 
     def mapping(
-        self, node: PlacedNode, what: str, *, known: Iterable[str] | None = None, required: Iterable[str] = ()
+        self,
+        node: PlacedNode,
+        what: str,
+        *,
+        known: Iterable[str] | None = None,
+        required: Iterable[str] = (),
+        above: Iterable[str] = (),
+        example: str = "'key: value' lines",
     ) -> Fields:
         """A node that should be a mapping.
 
@@ -65,18 +72,22 @@ class Problems:
             what: Its key, or what else to call it in messages.
             known: The keys that may stand there; None where they are free, such as names of parameters.
             required: The keys that must stand there.
+            above: Keys that an author may look for here, and which stand at the top of the file.
+            example: What to write where it is no mapping.
 
         Returns:
             Its fields without the unknown ones; none if it is not a mapping.
         """
         if not isinstance(node, PlacedMapping):
-            self.add(node.place, f"{what}: should be a mapping, is {kind_of(node)}", "write 'key: value' lines")
+            self.add(node.place, f"{what}: should be a mapping, is {kind_of(node)}", f"write {example}")
             return Fields(self, node.place, {})
         known = None if known is None else tuple(known)
         entries = {}
         for key, value in node.entries:
             if known is None or key.text in known:
                 entries[key.text] = (key, value)
+            elif key.text in above:
+                self.add(key.place, f"{key.text}: unknown key", "it stands at the top of the file, and holds for all")
             else:
                 self.add(key.place, f"{key.text}: unknown key", _hint_for_unknown(key, value, known))
         for name in required:
@@ -84,13 +95,13 @@ class Problems:
                 self.add(node.place, f"{name}: is missing")
         return Fields(self, node.place, entries)
 
-    def sequence(self, node: PlacedNode, what: str) -> tuple[PlacedNode, ...]:
+    def sequence(
+        self, node: PlacedNode, what: str, example: str = "[a, b] or lines that begin with '- '"
+    ) -> tuple[PlacedNode, ...]:
         """The items of a node that should be a list; none if it is not."""
         if isinstance(node, PlacedSequence):
             return node.items
-        self.add(
-            node.place, f"{what}: should be a list, is {kind_of(node)}", "write [a, b] or lines that begin with '- '"
-        )
+        self.add(node.place, f"{what}: should be a list, is {kind_of(node)}", f"write {example}")
         return ()
 
     def scalar(self, node: PlacedNode, what: str) -> PlacedScalar | None:
@@ -139,17 +150,24 @@ class Fields:
         found = self.scalar(key)
         return default if found is None else found.text
 
-    def sequence(self, key: str) -> tuple[PlacedNode, ...]:
+    def sequence(self, key: str, example: str = "[a, b] or lines that begin with '- '") -> tuple[PlacedNode, ...]:
         """The items of the list under a key."""
         node = self.get(key)
-        return () if node is None else self.problems.sequence(node, key)
+        return () if node is None else self.problems.sequence(node, key, example)
 
-    def mapping(self, key: str, *, known: Iterable[str] | None = None, required: Iterable[str] = ()) -> Fields:
+    def mapping(
+        self,
+        key: str,
+        *,
+        known: Iterable[str] | None = None,
+        required: Iterable[str] = (),
+        example: str = "'key: value' lines",
+    ) -> Fields:
         """The fields of the mapping under a key."""
         node = self.get(key)
         if node is None:
             return Fields(self.problems, self.place, {})
-        return self.problems.mapping(node, key, known=known, required=required)
+        return self.problems.mapping(node, key, known=known, required=required, example=example)
 
 
 def kind_of(node: PlacedNode) -> str:

@@ -82,12 +82,14 @@ class PlacedMapping:
 PlacedNode: TypeAlias = PlacedScalar | PlacedSequence | PlacedMapping
 
 
-def read_yaml(text: str, source: str) -> PlacedNode:
+def read_yaml(text: str, source: str, refused: list[Problem] | None = None) -> PlacedNode:
     """Read one YAML document into a tree with places.
 
     Args:
         text: The document; a byte order mark and any line ends are accepted.
         source: What to call it in messages, usually the file name.
+        refused: Where to note what is refused but does not stop the reading, such as a key given twice, for a loader
+            that tells everything at once; by default it is raised.
 
     Raises:
         FileError: Every problem up to the first that stops the reading: it is empty, is not YAML, uses what dhcli
@@ -103,7 +105,9 @@ def read_yaml(text: str, source: str) -> PlacedNode:
         root = builder.document(yaml.parse(text, Loader=loader))
     except yaml.MarkedYAMLError as error:
         raise FileError([*builder.problems, explain_syntax(error, builder.lines, builder.place)]) from None
-    if builder.problems:
+    if refused is not None:
+        refused += builder.problems
+    elif builder.problems:
         raise FileError(builder.problems)
     return root
 

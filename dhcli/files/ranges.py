@@ -20,29 +20,37 @@ from dhcli.notation.walk import walk
 
 MOST_VALUES = 10_000
 _RANGE = re.compile(r"\s*(?P<low>.+?)\s*\.\.\s*(?P<high>.+?)\s+step\s+(?P<step>.+?)\s*")
+_PLAIN = re.compile(r"[-+]?[0-9]{1,12}(?:\.[0-9]{0,12})?")
+_BARE = re.compile(
+    rf"\s*(?P<low>{_PLAIN.pattern})\s*\.\.\s*(?P<high>{_PLAIN.pattern})(?:\s+step\s+(?P<step>{_PLAIN.pattern}))?\s*"
+)
+"""A range of plain numbers, with its step or without."""
 _SAME = {"deg": "°", "degree": "°", "degrees": "°", "radian": "rad", "radians": "rad", "inch": "in"}
 
 
-def read_variants(fields: Fields, known: Sequence[str], is_angle: Callable[[str], bool]) -> dict[str, Range]:
+def read_variants(
+    fields: Fields, known: Sequence[str], is_angle: Callable[[str], bool], unit: Callable[[str], str] = lambda _: ""
+) -> dict[str, Range]:
     """What varies, by name, from the key `variants` of an exercise.
 
     Args:
         fields: The fields of the exercise.
         known: Names that may vary: joints and parameters of the robot, and what is given.
         is_angle: Whether one of them is an angle.
+        unit: The unit that must stand with the values of one, for a bare number would be another; empty if none must.
     """
     variants: dict[str, Range] = {}
-    varying = fields.mapping("variants")
+    varying = fields.mapping("variants", example="{theta1: 20°..70° step 5°}")
     for key, (name, node) in varying.entries.items():
         if key not in known:
             message = f"variants: {key} is neither a joint nor a parameter of the robot, nor given"
             fields.problems.add(name.place, message, did_you_mean(key, known))
-        elif (range_ := read_range(fields.problems, node, key, is_angle=is_angle(key))) is not None:
+        elif (range_ := read_range(fields.problems, node, key, is_angle=is_angle(key), unit=unit(key))) is not None:
             variants[key] = range_
     return variants
 
 
-def read_range(problems: Problems, node: PlacedNode, key: str, *, is_angle: bool) -> Range | None:
+def read_range(problems: Problems, node: PlacedNode, key: str, *, is_angle: bool, unit: str = "") -> Range | None:
     """The values under a name of `variants`; None if they cannot be read.
 
     Args:
@@ -50,7 +58,11 @@ def read_range(problems: Problems, node: PlacedNode, key: str, *, is_angle: bool
         node: A range as text, or a list of values.
         key: The name that varies.
         is_angle: Whether it is an angle; else it is a length or a number.
+        unit: The unit that must stand with it; empty if none must.
     """
+    if unit and not is_angle and (wanted := _with_unit(node, unit)):
+        problems.add(node.place, f"{key}: a length without its unit, on a sheet in {unit}", f"write {wanted}")
+        return None
     if isinstance(node, PlacedSequence):
         return _of_list(problems, node, key, is_angle=is_angle)
     scalar = problems.scalar(node, key)
@@ -75,6 +87,27 @@ def read_range(problems: Problems, node: PlacedNode, key: str, *, is_angle: bool
         problems.add(scalar.place, f"{key}: the range mixes units: {listed}", "write all three in one unit")
         return None
     return _of_steps(problems, scalar, key, pieces, [value for value in values if value is not None])
+
+
+def is_bare(text: str) -> bool:
+    """Whether a text is a plain number other than 0, of which nobody can say in which unit it is meant."""
+    return _PLAIN.fullmatch(text.strip()) is not None and float(text) != 0
+
+
+def _with_unit(node: PlacedNode, unit: str) -> str:
+    """A range or a list of bare numbers with the unit that is missing; empty where units stand, or only zeros."""
+    if isinstance(node, PlacedSequence):
+        texts = [item.text if isinstance(item, PlacedScalar) else "" for item in node.items]
+        return f"[{', '.join(f'{text} {unit}' for text in texts)}]" if _are_bare(texts) else ""
+    found = _BARE.fullmatch(node.text) if isinstance(node, PlacedScalar) else None
+    if found is None or not _are_bare([found["low"], found["high"]]):
+        return ""
+    return f"{found['low']} {unit}..{found['high']} {unit} step {found['step'] or 10} {unit}"
+
+
+def _are_bare(texts: Sequence[str]) -> bool:
+    """Whether all are plain numbers, and not all are 0."""
+    return all(_PLAIN.fullmatch(text.strip()) for text in texts) and any(map(is_bare, texts))
 
 
 def _of_steps(

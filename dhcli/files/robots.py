@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
-from dhcli.errors import FileError, NotationError, Place, did_you_mean
+from dhcli.errors import FileError, NotationError, Place, Problem, did_you_mean
 from dhcli.files.fields import Fields, Problems
 from dhcli.files.library import Kind, find
 from dhcli.files.placed import PlacedMapping, PlacedNode, PlacedScalar, read_yaml
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.typed import has_unit_of_angle, read_value, read_whole
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
-from dhcli.kinematics.moves import Chain, angle_names, expressions, read_chain
+from dhcli.kinematics.moves import Chain, angle_names, expressions, names, read_chain
 from dhcli.kinematics.robot import Link, Robot, Value
 from dhcli.kinematics.validity import Finding, InvalidRobotError
 from dhcli.notation.angle import Angle
@@ -64,14 +64,15 @@ def read_robot(text: str, source: str, name: str) -> Robot:
     Raises:
         FileError: With all problems.
     """
-    return _Loader(read_yaml(text, source), name).robot()
+    refused: list[Problem] = []
+    return _Loader(read_yaml(text, source, refused), name, refused).robot()
 
 
 class _Loader:
     """One pass over a file; what is wrong is collected, and something harmless taken in its place."""
 
-    def __init__(self, root: PlacedNode, name: str) -> None:
-        self.problems = Problems()
+    def __init__(self, root: PlacedNode, name: str, refused: list[Problem]) -> None:
+        self.problems = Problems(refused)
         self.name = name
         self.fields = self.problems.document(root, known=KEYS, required=REQUIRED)
         self.places: dict[tuple[str | int, ...], Place] = {}
@@ -80,13 +81,17 @@ class _Loader:
         self.scope = Scope(lengths=(*self.variables, *self.parameters.entries))
         self.convention = self.read_convention()
         self.columns: tuple[str, ...] = COLUMNS
+        self.unclear: frozenset[str] = frozenset()
         self.is_broken = False
 
     def robot(self) -> Robot:
         first = self.read_first()
+        before = len(self.problems.found)
         links = tuple(self.link(node, i, first + i) for i, node in enumerate(self.fields.sequence("links")))
+        self.is_broken = len(self.problems.found) > before or not self.variables or "convention" not in self.fields
+        movers = [name for link in links for name in names(link.moves)]
+        self.unclear = frozenset(name for name in self.variables if self.is_broken or movers.count(name) != 1)
         base, tool = self.chain("base"), self.chain("tool")
-        self.is_broken = bool(self.problems.found)
         chain = (*base, *(move for link in links for move in link.moves), *tool)
         inside = {n for e in expressions(chain) for node in walk(e) if type(node) is Trig for n in node.angle.names}
         angles = angle_names(chain) | inside
@@ -96,9 +101,8 @@ class _Loader:
         texts = {key: self.fields.text(key) for key in ("title", "source", "notes")}
         if not links and "links" in self.fields:
             self.problems.add(self.fields.place_of("links"), "links: a robot has at least one link")
-        self.problems.raise_if_any(FileError)
         try:
-            return Robot(
+            found = Robot(
                 name=self.name,
                 convention=self.convention,
                 variables=self.variables,
@@ -113,10 +117,20 @@ class _Loader:
                 **texts,
             )
         except InvalidRobotError as error:
-            for finding in error.findings:
+            for finding in self.not_told(error.findings):
                 self.problems.add(self.place_of(finding), self.key_of(finding) + finding.message, finding.hint)
             self.problems.raise_if_any(FileError)
             raise
+        self.problems.raise_if_any(FileError)
+        return found
+
+    def not_told(self, findings: Iterable[Finding]) -> Iterator[Finding]:
+        """The broken rules that do not come of a line, or of rows, that could not be read."""
+        told = {problem.place.line for problem in self.problems.found if problem.place is not None}
+        for finding in findings:
+            follows = self.is_broken and finding.where[0] in ("variables", "limits", "poses")
+            if self.place_of(finding).line not in told and not follows:
+                yield finding
 
     def read_convention(self) -> Convention:
         scalar = self.fields.scalar("convention")
@@ -211,7 +225,11 @@ class _Loader:
     def limit(self, key: str, angles: frozenset[str]) -> tuple[Value, Value]:
         fields = self.fields.mapping("limits")
         self.places["limits", key] = fields.place_of(key)
-        values = self.joint_list(fields, key, [key in angles] * 2)
+        if self.variables and key not in self.variables:
+            hint = did_you_mean(key, self.variables)
+            self.problems.add(fields.place_of(key), f"limits: {key} is not a joint variable", hint)
+            return Angle(), Angle()
+        values = self.joint_list(fields, key, [key] * 2, angles)
         if len(values) != 2:  # noqa: PLR2004  lowest and highest
             if values:
                 self.problems.add(fields.place_of(key), f"{key}: two values are wanted", "write [lowest, highest]")
@@ -221,15 +239,16 @@ class _Loader:
     def pose(self, key: str, angles: frozenset[str]) -> tuple[Value, ...]:
         fields = self.fields.mapping("poses")
         self.places["poses", key] = fields.place_of(key)
-        return self.joint_list(fields, key, [name in angles for name in self.variables])
+        return self.joint_list(fields, key, self.variables, angles)
 
-    def joint_list(self, fields: Fields, key: str, are_angles: list[bool]) -> tuple[Value, ...]:
+    def joint_list(self, fields: Fields, key: str, joints: Sequence[str], angles: frozenset[str]) -> tuple[Value, ...]:
+        """Values of joints; what a joint is cannot be known if no row moves by it, or two do, or one cannot be read."""
         nodes = fields.sequence(key)
         values: list[Value] = []
         for i, node in enumerate(nodes):
             scalar = self.problems.scalar(node, key)
-            is_angle = are_angles[i] if i < len(are_angles) else True
-            if scalar and self.is_broken:  # what a joint is cannot be known from rows that cannot be read
+            is_angle = joints[i] in angles if i < len(joints) else True
+            if scalar and (self.is_broken or (i < len(joints) and joints[i] in self.unclear)):
                 is_angle = has_unit_of_angle(scalar)
             value = read_value(self.problems, scalar, key, is_angle=is_angle) if scalar else None
             values.append(value if value is not None else Angle())

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
+import shlex
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from dhcli.checking.describe import describe, given_text
@@ -18,11 +19,12 @@ from dhcli.checking.questions import (
     ScalarQuestion,
     TableQuestion,
 )
-from dhcli.errors import FileError, Place, Problem
+from dhcli.errors import DhcliError, FileError, Place, Problem
 from dhcli.files.fields import Problems
 from dhcli.files.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
 from dhcli.files.prose import folded
 from dhcli.files.reading import read_text, source_of
+from dhcli.files.robot_line import robot_line, values_text
 from dhcli.files.robots import load_robot
 from dhcli.kinematics.conventions import COLUMNS, Convention
 from dhcli.kinematics.robot import Robot
@@ -31,7 +33,7 @@ from dhcli.notation.tree import Expr, Trig
 from dhcli.notation.walk import substitute, walk
 from dhcli.notation.writer import write, write_angle
 
-KEYS = ("exercise", "answers", "variant", "name")
+KEYS = ("exercise", "answers", "variant", "given", "name")
 BLANK = "_"
 WIDEST = 88
 """Columns of a comment."""
@@ -54,12 +56,14 @@ class Sheet:
         answers: The answers by part.
         variant: What its numbers were drawn with; empty for those of the file.
         name: Who filled it in; empty if the sheet does not say.
+        given: The values that it was written with, as texts; none if the sheet does not say.
     """
 
     exercise: str
     answers: Mapping[str, Answer]
     variant: str = ""
     name: str = ""
+    given: Mapping[str, str] = field(default_factory=dict)
 
 
 def read_sheet(path: Path | str) -> Sheet:
@@ -71,11 +75,32 @@ def read_sheet(path: Path | str) -> Sheet:
     problems = Problems()
     root = read_yaml(read_text(path), source_of(path))
     fields = problems.document(root, known=KEYS, required=("answers",))
-    given = fields.mapping("answers")
-    answers = {key: _answer(node) for key, (_, node) in given.entries.items()}
+    answers = {key: _answer(node) for key, (_, node) in fields.mapping("answers").entries.items()}
+    values = fields.mapping("given")
+    given = {key: values.text(key) for key in values.entries}
     exercise, variant, name = (fields.text(key) for key in ("exercise", "variant", "name"))
     problems.raise_if_any(FileError)
-    return Sheet(exercise, answers, variant, name)
+    return Sheet(exercise, answers, variant, name, given)
+
+
+def check_numbers(sheet: Sheet, exercise: Exercise, written: str) -> None:
+    """Make sure that a sheet was written with the numbers that its answers are judged by; an old one does not say.
+
+    Args:
+        sheet: The sheet.
+        exercise: The exercise, in the variant of the sheet.
+        written: What to call the sheet.
+
+    Raises:
+        DhcliError: They differ, for the exercise, its ranges or its robot were changed meanwhile.
+    """
+    now = values_text(exercise)
+    for name, then in sheet.given.items():
+        if then != now.get(name):
+            today = f"{now[name]} now" if name in now else "no value now"
+            message = f"{written} was written with other numbers than this exercise has: {name} = {then} there, {today}"
+            option = f" --variant {shlex.quote(exercise.variant)}" if exercise.variant else ""
+            raise DhcliError(message, f"judge it by the exercise as it was, or dhcli start {exercise.id}{option} again")
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,13 +144,15 @@ def read_table(path: Path | str, reference: Robot) -> Table:
 
 def write_sheet(exercise: Exercise) -> str:
     """A blank sheet, with comments that show how each kind of answer is written."""
-    given = f"\n\nGiven: {given_text(exercise)}" if exercise.given else ""
+    given = f"Given: {given_text(exercise)}" if exercise.given else ""
+    known = [line for text in (given, robot_line(exercise)) if text for line in _comment(text)]
     fill = f"Fill in each {BLANK} and save; leave a part as it is to skip it. Then:"
     lines = [
         *_comment(exercise.title),
         *_comment(exercise.source),
         "#",
-        *_comment(exercise.task.strip() + given),
+        *_comment(exercise.task.strip()),
+        *(["#", *known] if known else []),
         "#",
         *_comment(fill),
         f"#   dhcli check {exercise.id} THIS_FILE",  # whole, to be copied
@@ -133,11 +160,24 @@ def write_sheet(exercise: Exercise) -> str:
         "format: 1",
         f"exercise: {exercise.id}",
         *([f"variant: {_scalar(exercise.variant)}"] if exercise.variant else []),
+        *_given(exercise),
         "answers:",
     ]
     for part in exercise.parts:
         lines += _part_lines(exercise, part)
     return "\n".join(lines) + "\n"
+
+
+def _given(exercise: Exercise) -> Iterator[str]:
+    """The numbers of the sheet as data: if the exercise is changed later, a right answer must not become wrong."""
+    if exercise.values and (exercise.numeric or exercise.variant):
+        values = ", ".join(f"{_scalar(name)}: {_value(text)}" for name, text in values_text(exercise).items())
+        yield f"given: {{{values}}}"
+
+
+def _value(text: str) -> str:
+    """A value as YAML between braces; one with a comma or a bracket in it needs quotes."""
+    return text if re.fullmatch(r"[-\w.°+*/^() ]+", text) else _scalar(text)
 
 
 def _scalar(text: str) -> str:

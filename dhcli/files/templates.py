@@ -9,7 +9,8 @@ from dhcli.errors import DhcliError, did_you_mean
 from dhcli.kinematics.conventions import ORDER, Convention
 
 MOST_JOINTS = 20
-_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
+NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
+"""What can be typed in a command and be the name of a file."""
 
 
 def robot_template(name: str, convention: str, joints: str) -> str:
@@ -46,7 +47,7 @@ convention: {written.value}
 # Joint variables in order: an angle stands in a theta, a displacement in a d. All other names are parameters.
 variables: [{variables}]
 
-# Lengths with their unit: mm, cm, m, in. Leave a value out (`a1:`) to keep a length open; then --set a1=0.4 gives it.
+# Lengths with their unit: mm, cm, m, in. Leave a value out, `{{a1: }}`, to keep it open; then --set a1=0.4 gives it.
 parameters: {{{lengths}}}
 
 # Angles have a unit, 90° or 1.57 rad; offsets and signs are expressions: theta2 - 90°, -d3.
@@ -72,7 +73,7 @@ def check_name(name: str) -> None:
     Raises:
         DhcliError: It cannot.
     """
-    if not _NAME.fullmatch(name):
+    if not NAME.fullmatch(name):
         raise DhcliError(f"{name!r} cannot be the name of a robot", "write letters, digits, - and _, such as my-arm")
 
 

@@ -51,7 +51,13 @@ def read_number(fields: Fields, key: str) -> float | None:
     from dhcli.algebra.floats import Floats
 
     scalar = fields.scalar(key)
-    value = read_value(fields.problems, scalar, key, is_angle=False) if scalar else None
+    if scalar is None:
+        return None
+    own = Problems()
+    value = read_value(own, scalar, key, is_angle=False)
+    for problem in own.found:
+        named = problem.message if problem.message.startswith(f"{key}: ") else f"{key}: {problem.message}"
+        fields.problems.add(problem.place or scalar.place, named, problem.hint or "write a number")
     return Floats().value(value) if isinstance(value, Expr) else None
 
 

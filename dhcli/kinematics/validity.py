@@ -155,8 +155,14 @@ def _matrices(chain: Chain, where: tuple[str | int, ...]) -> Iterator[Finding]:
                         yield Finding(where, f"{expr} is not a real number")
 
 
+def _kinds(robot: Robot) -> dict[str, str]:
+    """What each joint does; not of one that moves two links, which is told and may be neither."""
+    movers = [name for link in robot.links for name in names(link.moves) & set(robot.variables)]
+    return {joint.name: joint.kind for joint in robot.joints if movers.count(joint.name) == 1}
+
+
 def _limits(robot: Robot) -> Iterator[Finding]:
-    kinds = {joint.name: joint.kind for joint in robot.joints}
+    kinds = _kinds(robot)
     for name, (low, high) in robot.limits.items():
         where = ("limits", name)
         if name not in robot.variables:
@@ -168,7 +174,7 @@ def _limits(robot: Robot) -> Iterator[Finding]:
 
 
 def _poses(robot: Robot) -> Iterator[Finding]:
-    kinds = {joint.name: joint.kind for joint in robot.joints}
+    kinds = _kinds(robot)
     for pose, values in robot.poses.items():
         if len(values) != len(robot.variables):
             message = f"{len(values)} values for {len(robot.variables)} joints"

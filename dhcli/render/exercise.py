@@ -7,6 +7,7 @@ from typing import Any
 
 from dhcli.checking.describe import describe, given_text
 from dhcli.checking.exercise import Exercise
+from dhcli.files.robot_line import robot_line
 from dhcli.render.look import Look
 from dhcli.render.marks import question_text
 from dhcli.render.prose import prose_lines
@@ -16,17 +17,20 @@ from dhcli.render.quantities import in_units
 def exercise_table(exercise: Exercise, look: Look) -> str:
     """A page about an exercise."""
     paper = look.paper
-    robot = f" · robot {exercise.robot.name}" if exercise.robot else ""
+    named = f" · robot {exercise.robot.name}" if exercise.robot else ""
     variant = f" · variant {exercise.variant}" if exercise.variant else ""
-    about = f"{exercise.id} · {exercise.source}{robot}{variant}"
+    about = f"{exercise.id} · {exercise.source}{named}{variant}"
     lines = [
         *(paper.ink(line, "bold") for line in prose_lines(exercise.title, paper)),
         *(paper.ink(line, "dim") for line in prose_lines(about, paper)),
         "",
         *prose_lines(exercise.task.strip(), paper),
     ]
-    if exercise.given:
-        lines += ["", *prose_lines(f"given: {given_text(exercise)}", paper)]
+    given = [f"given: {given_text(exercise)}"] if exercise.given else []
+    if robot := robot_line(exercise):
+        given.append(robot.replace("Robot", "robot", 1))
+    if given:
+        lines += ["", *(line for text in given for line in prose_lines(text, paper))]
     for part in exercise.parts:
         lines += ["", question_text(exercise, part, paper).rstrip("\n")]
     option = f" --variant {shlex.quote(exercise.variant)}" if exercise.variant else ""

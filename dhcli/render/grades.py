@@ -17,6 +17,8 @@ from dhcli.render.table import table_text
 
 _SLIPS = 3
 """Slips of a part that the page shows; JSON has all of them."""
+_OTHERS = 20
+"""Files that are no sheets that the page names; JSON has all of them."""
 _BAR = 30
 """Longest bar of the distribution."""
 _LEAST = 20
@@ -37,11 +39,22 @@ def class_table(report: ClassReport, look: Look) -> str:
     if report.mean is not None:
         sections.append(_head(f"Credit earned, {_percent(report.mean)} on average", paper) + _spread(report, paper))
     if report.failed:
-        reasons = (f" {paper.spell(row.sheet)}\n{_folded(_reason(row), '   ', paper)}" for row in report.failed)
+        same: dict[str, list[str]] = {}
+        for row in report.failed:
+            same.setdefault(_reason(row), []).append(f" {paper.spell(row.sheet)}\n")
+        reasons = ("".join(sheets) + _folded(reason, "   ", paper) for reason, sheets in same.items())
         sections.append(_head("Not graded", paper) + "".join(reasons))
     if report.folder.empty:
         names = "".join(f" {paper.spell(name)}\n" for name in report.folder.empty)
         sections.append(_head("Folders without a sheet", paper) + names)
+    if report.notices:
+        lines = "".join(_folded(notice, " ", paper) for notice in report.notices)
+        sections.append(_head("Worth a look", paper) + lines)
+    if others := report.folder.others:
+        more = [f"and {len(others) - _OTHERS} more"] if len(others) > _OTHERS else []
+        names = "".join(_folded(name, " ", paper) for name in (*others[:_OTHERS], *more))
+        head = f"Not looked at: {plural(len(others), 'other file')}, for sheets end in .yaml or .yml"
+        sections.append(_head(head, paper) + names)
     return "\n".join(sections)
 
 
@@ -70,11 +83,11 @@ def _parts(parts: list[PartFigures], paper: Paper) -> str:
 
 
 def _slips(parts: list[PartFigures], paper: Paper) -> str:
-    """The commonest slips of each part, with how many sheets have them."""
+    """The commonest slips of each part, with how many sheets have them; those of the most sheets first."""
+    found = [(count, part, slip) for part in parts for slip, count in part.slips[:_SLIPS]]
     rows = [
         (part.part, f"{count} of {sum(part.verdicts.values())}", slip)
-        for part in parts
-        for slip, count in part.slips[:_SLIPS]
+        for count, part, slip in sorted(found, key=lambda one: -one[0])
     ]
     widths = [max(len(row[k]) for row in rows) for k in (0, 1)]
     heads = (f" {part.ljust(widths[0])}   {count.rjust(widths[1])}   " for part, count, _ in rows)

@@ -38,6 +38,8 @@ def class_content(report: ClassReport, _look: Look) -> dict[str, Any]:
         "graded": len(report.graded),
         "failed": len(report.failed),
         "empty": list(report.folder.empty),
+        "others": list(report.folder.others),
+        "notices": list(report.notices),
         "mean": report.mean,
         "distribution": [
             {"from": step / 100, "sheets": count} for step, count in zip(STEPS, report.spread, strict=True)

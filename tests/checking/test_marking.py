@@ -571,3 +571,14 @@ def test_code_is_never_run(code: str, tmp_path: Path) -> None:
         judged = mark(exercise, part, code.format(path=str(path)))
         assert judged.verdict is Verdict.CANNOT_READ
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_misprint_does_not_give_the_right_entry_away() -> None:
+    """Who copies the document is told whose slip it is; what is right only where the exercise shows it."""
+    exercise = load_exercise("yim/planar-two-links")
+    part = exercise.part("a1")
+    assert part.printed is not None
+    remark = "entry (2,4) is what the document prints; it is a misprint"
+    assert mark(exercise, part, part.printed.text).remarks[0] == remark
+    shows = replace(exercise, shows_expected=True)
+    assert mark(shows, part, part.printed.text).remarks[0] == f"{remark}, the right entry is a1*s1"

@@ -314,3 +314,27 @@ def test_the_library_has_exercises_with_variants() -> None:
     """These four at least."""
     with_variants = [entry.name for entry in entries(Kind.EXERCISES) if load_exercise(entry.name).variants]
     assert set(VARIED) <= set(with_variants)
+
+
+def test_what_a_document_prints_answers_the_numbers_of_the_file_alone() -> None:
+    """In a variant the same answer is another number: it is no misprint, nor what anybody printed."""
+    text = """\
+format: 1
+title: A tip
+source: a test
+robot: planar-2r
+task: Where is the tip?
+numeric: true
+given: {theta1: 35°, theta2: 20°}
+variants: {theta1: 20°..70° step 1°}
+parts: [{id: tip, ask: position of pose 0..2}]
+printed: {tip: "0.4997, 0.4752, 0"}
+"""
+    exercise = read_exercise(text, "test", "tip")
+    drawn = vary(exercise, "alice")
+    part = exercise.part("tip")
+    assert part.printed is not None
+    assert mark(exercise, part, part.printed.text).verdict is Verdict.RIGHT
+    judged = mark(drawn, drawn.part("tip"), part.printed.text)
+    assert judged.verdict is Verdict.WRONG
+    assert not any("document" in remark for remark in judged.remarks)

@@ -8,9 +8,14 @@ from pathlib import Path
 
 import pytest
 
+from dhcli.checking.marking import expected
+from dhcli.checking.variants import vary
 from dhcli.checking.verdicts import Verdict
 from dhcli.classroom.folder import Submission, find_sheets
 from dhcli.classroom.grading import Graded, grade, grade_all
+from dhcli.errors import FileError
+from dhcli.files.exercises import load_exercise
+from dhcli.files.sheets import write_sheet
 from tests.classroom.sheets import EXERCISE, RIGHT, WRONG, hand_in, sheet
 from tests.classroom.workers import trouble
 
@@ -148,3 +153,69 @@ def test_a_sheet_that_takes_too_long_and_one_that_kills_are_rows(tmp_path: Path)
         "z": [],
     }
     assert [row.earned for row in rows] == [1, 0, 0, 0, 1]
+
+
+def test_a_sheet_with_other_numbers_than_the_exercise_has_now_is_not_graded(tmp_path: Path) -> None:
+    """Who changes an exercise, its ranges or its robot while sheets are out is told, and no student loses credit."""
+    text = write_sheet(vary(load_exercise("yim/planar-in-numbers"), "alice"))
+    assert graded(tmp_path, text).problems == ()
+    row = graded(tmp_path, text.replace("a1: 0.4 m", "a1: 0.5 m"))
+    assert row.parts == ()
+    (problem,) = row.problems
+    assert problem.message == (
+        "this sheet was written with other numbers than this exercise has: a1 = 0.5 m there, 0.4 m now"
+    )
+    gone = graded(tmp_path, text.replace("a1: 0.4 m", "a1: 0.4 m, b: 1 m")).problems[0].message
+    assert gone.endswith("b = 1 m there, no value now")
+
+
+def test_an_exercise_given_by_its_path_takes_the_robots_of_its_course(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """From any folder; and the sheets that were written inside the course are sheets of it."""
+    arm = (Path(__file__).parents[2] / "robots" / "planar-2r.yaml").read_text("utf-8")
+    robot = hand_in(tmp_path, "course/robots/my-crane.yaml", arm)
+    text = MINE.replace("task:", "robot: my-crane\ntask:").replace("scalar 2", "scalar a1")
+    exercise = hand_in(tmp_path, "course/exercises/robotics/sum.yaml", text)
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    monkeypatch.chdir(elsewhere)
+    row = graded(tmp_path, sheet({"sum": "a1"}, "robotics/sum"), str(exercise))
+    assert (row.problems, row.exercise, row.earned) == ((), "sum", 1)
+    other = graded(tmp_path, sheet({"sum": "a1"}, "robotics/product"), str(exercise))
+    assert "is a sheet of robotics/product, not of sum" in other.problems[0].message
+    robot.unlink()
+    with pytest.raises(FileError, match="there is no robot 'my-crane'"):
+        load_exercise(str(exercise))
+
+
+def test_what_is_no_slip_of_its_own_is_not_counted_as_one(tmp_path: Path) -> None:
+    """Neither what cannot be read nor what is right from an earlier answer."""
+    exercise = "yim/planar-in-numbers"
+    slipped = "[√3/2 1/2 0 0.2√3; -1/2 √3/2 0 -1/5; 0 0 1 0; 0 0 0 1]"  # A_1 turned back by 30°, and A_1 A_2 from it
+    after = "[0.9659 -0.2588 0 0.6362; 0.2588 0.9659 0 -0.1224; 0 0 1 0; 0 0 0 1]"
+    grades = {part.part: part for part in graded(tmp_path, sheet({"a1": slipped, "t02": after}, exercise)).parts}
+    assert (grades["a1"].verdict, grades["t02"].verdict) == (Verdict.WRONG, Verdict.WRONG)
+    assert grades["a1"].slips
+    assert grades["t02"].remarks[0].startswith("right from your a1")
+    assert grades["t02"].slips == ()
+    row = graded(tmp_path, sheet({"a1": "[1 2", "a2": "0.7, 0.7"}, exercise))
+    assert {part.verdict for part in row.parts} == {Verdict.CANNOT_READ, Verdict.SKIPPED}
+    assert all(part.remarks and not part.slips for part in row.parts if part.verdict is Verdict.CANNOT_READ)
+
+
+def test_a_slip_without_a_name_is_the_same_in_every_variant(tmp_path: Path) -> None:
+    """What was remarked of it, without the numbers of the sheet."""
+    exercise = load_exercise("yim/planar-in-numbers")
+    slips = set()
+    for seed in ("alice", "bob"):
+        drawn = vary(exercise, seed)
+        entries = [line.split(", ") for line in expected(drawn, drawn.part("a1"))[2:-2].split("], [")]
+        entries[0][3] = f"{float(entries[0][3]) + 0.1234}"
+        answer = "; ".join(" ".join(row) for row in entries)
+        row = graded(tmp_path, sheet({"a1": f"[{answer}]"}, exercise.id, variant=seed))
+        (part,) = (part for part in row.parts if part.part == "a1")
+        assert part.verdict is Verdict.WRONG
+        slips |= set(part.slips)
+    assert len(slips) == 1, slips
+    assert "…" in slips.pop()

@@ -81,7 +81,7 @@ def test_every_path_that_leads_nowhere_is_told(here: Path) -> None:
     assert told == [
         ("god.yaml", "there is no such file", "did you mean good.yaml?"),
         ("empty", "holds no YAML file", "name a folder with robots or exercises"),
-        ("planar-2r", "there is no such file", "lint takes files and folders, such as robots/my-arm.yaml"),
+        ("planar-2r", "there is no such file or folder", "lint takes files and folders, such as robots/my-arm.yaml"),
         ("", "lint reads files, not standard input", "save it first: a file name is a name"),
     ]
 

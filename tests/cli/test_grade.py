@@ -8,6 +8,7 @@ import os
 import signal
 import subprocess
 import sys
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -18,7 +19,9 @@ from tests.cli.terminal import Terminal
 
 ROOT = Path(__file__).parents[2]
 CLASS = str(ROOT / "tests" / "data" / "class")
-REPORT = {"folder", "sheets", "graded", "failed", "empty", "mean", "distribution", "parts", "results"}
+REPORT = {
+    *("folder", "sheets", "graded", "failed", "empty", "others", "notices", "mean", "distribution", "parts", "results"),
+}
 RESULT = {"student", "sheet", "exercise", "variant", "earned", "credit", "parts", "problems"}
 PART = {"part", "verdict", "passed", "earned", "credit", "actual", "rationale", "slips"}
 FIGURES = {"exercise", "part", "credit", "mean", "verdicts", "slips"}
@@ -53,7 +56,6 @@ def test_a_sheet_that_cannot_be_read_ends_with_1(dhcli: Run) -> None:
         ("grade hw --exercise nothing", "there is no exercise 'nothing'"),
         ("grade hw --exercise -", "standard input only one"),
         ("grade hw --format latex", "there is no format latex for a class"),
-        ("grade hw --format gradescope", "holds 2 sheets, and Gradescope wants the results of one"),
         ("grade hw -o hw/1/a.yaml", "does not say which format"),
         ("grade hw -o old.csv", "exists already"),
     ],
@@ -110,6 +112,78 @@ def test_gradescope_gets_its_file(dhcli: Run, tmp_path: Path) -> None:
     results = json.loads((tmp_path / "results.json").read_text("utf-8"))
     assert results["score"] == 1.0
     assert {test["name"]: test["score"] for test in results["tests"]}["d02"] == 1.0
+
+
+@pytest.mark.parametrize(
+    ("files", "said"),
+    [
+        (["bob.yaml.txt"], "this submission holds no sheet, but bob.yaml.txt"),
+        ([], "this submission holds no sheet"),
+        (["a.yaml", "b.yaml"], "this submission holds 2 sheets, a.yaml, b.yaml, and one is graded"),
+    ],
+)
+def test_gradescope_gets_its_file_for_a_submission_that_cannot_be_graded(
+    dhcli: Run, tmp_path: Path, files: list[str], said: str
+) -> None:
+    """It scores 0 and tells its student why; without a file Gradescope would only say that the autograder failed."""
+    (tmp_path / "submission").mkdir()
+    for name in files:
+        hand_in(tmp_path, f"submission/{name}")
+    done = dhcli("grade", "submission", "--exercise", EXERCISE, "--format", "gradescope", "-o", "results.json")
+    assert (done.code, done.out) == (1, "")
+    results = json.loads((tmp_path / "results.json").read_text("utf-8"))
+    assert (results["score"], results["tests"]) == (0, [])
+    assert said in results["output"]
+    assert "the sheet that dhcli start writes" in results["output"]
+
+
+def test_files_that_are_no_sheets_are_named(dhcli: Run, tmp_path: Path) -> None:
+    """At the end of the report, and in JSON: a sheet may hide behind the suffix that a browser has given it."""
+    for name in ("hw/ada/a.yaml", "hw/bob/sheet.yaml.txt", "hw/nina_9.zip", "hw/.hidden", "hw/__MACOSX/a.txt"):
+        hand_in(tmp_path, name)
+    end = "Not looked at: 2 other files, for sheets end in .yaml or .yml\n bob/sheet.yaml.txt\n nina_9.zip\n"
+    assert dhcli("grade", "hw").out.endswith(end)
+    data = dhcli("grade", "hw", "--format", "json").envelope["data"]
+    assert data["others"] == ["bob/sheet.yaml.txt", "nina_9.zip"]
+
+
+def test_many_files_that_are_no_sheets_are_counted(dhcli: Run, tmp_path: Path) -> None:
+    """A page names twenty."""
+    hand_in(tmp_path, "hw/a.yaml")
+    for number in range(25):
+        hand_in(tmp_path, f"hw/{number:02}.txt")
+    out = dhcli("grade", "hw").out
+    assert " 19.txt\n and 5 more\n" in out
+    assert "20.txt" not in out
+
+
+def test_sheets_that_fail_for_the_same_reason_stand_together(dhcli: Run, tmp_path: Path) -> None:
+    """With where exercises are looked for, once."""
+    for name in ("ada", "bob"):
+        hand_in(tmp_path, f"hw/{name}.yaml", sheet({"d02": RIGHT}, "my-course/first"))
+    out = dhcli("grade", "hw").out
+    assert " ada.yaml\n bob.yaml\n   exercise: there is no exercise 'my-course/first'" in out
+    assert out.count("exercises are looked for in ./exercises and in the folders of DHCLI_PATH") == 1
+
+
+def test_variants_that_are_shared_or_missing_are_told(dhcli: Run, tmp_path: Path) -> None:
+    """And a student who has handed in twice."""
+    text = partial(sheet, {"a1": "_"}, "yim/planar-in-numbers")
+    hand_in(tmp_path, "hw/zed/a.yaml", text(variant="alice"))
+    hand_in(tmp_path, "hw/yan/a.yaml", text(variant="alice", name="Yan Y."))
+    hand_in(tmp_path, "hw/bob/a.yaml", text())
+    hand_in(tmp_path, "hw/sam/1.yaml", text(variant="sam"))
+    hand_in(tmp_path, "hw/sam/2.yaml", text(variant="sam"))
+    notices = [
+        "yim/planar-in-numbers: no variant: 1 sheet (bob)",
+        "yim/planar-in-numbers: variant alice: 2 sheets (Yan Y., zed)",
+        "yim/planar-in-numbers: 2 sheets in sam",
+    ]
+    data = dhcli("grade", "hw", "--format", "json").envelope["data"]
+    assert sorted(data["notices"]) == sorted(notices)
+    out = dhcli("grade", "hw").out
+    assert "Worth a look\n" in out
+    assert all(f" {notice}\n" in out for notice in notices)
 
 
 def test_the_progress_of_a_student_is_not_the_lecturers(dhcli: Run, tmp_path: Path, user_data: Path) -> None:

@@ -11,8 +11,9 @@ def test_a_new_exercise_lints_once_its_blanks_are_filled_in(dhcli: Run, tmp_path
     blank = dhcli("lint", str(path))
     assert blank.code == 1
     assert (blank.out + blank.err).count("is empty") == 5
+    assert blank.out.count("still says 'write here") == 4
     text = path.read_text("utf-8").replace('title: ""', "title: A first arm").replace('source: ""', "source: my notes")
-    text = text.replace('hints: [""]', "hints: [look at the table]")
+    text = text.replace("write here", "the place").replace('hints: [""]', "hints: [look at the table]")
     text = text.replace('answer: "", verdict: RIGHT', 'answer: "a1 c1 + a2 c12, a1 s1 + a2 s12, 0", verdict: RIGHT')
     path.write_text(text, "utf-8")
     filled = dhcli("lint", str(path))

@@ -31,7 +31,8 @@ def test_a_sheet_carries_its_variant_and_its_numbers(dhcli: Run) -> None:
     assert done.code == 0
     text = Path(SHEET).read_text("utf-8")
     assert "# Given: theta1 = 35°, theta2 = 60°\n" in text
-    assert f"exercise: {PLANAR}\nvariant: alice\nanswers:\n" in text
+    given = "given: {a1: 0.4 m, a2: 0.3 m, theta1: 35°, theta2: 60°}"
+    assert f"exercise: {PLANAR}\nvariant: alice\n{given}\nanswers:\n" in text
 
 
 @pytest.mark.parametrize("name", ["alice", "12", "O'Neill: a # b", "no", "Ægir Þór"])
@@ -112,3 +113,19 @@ def test_the_walk_tells_the_numbers(tmp_path: Path) -> None:
         screen.until("a1> ")
         screen.type("\x04")
         assert screen.end() == 1
+
+
+def test_a_sheet_of_an_exercise_that_was_changed_since_is_not_judged(dhcli: Run) -> None:
+    """A right answer must not become wrong because other numbers are drawn now; a sheet that does not say is judged."""
+    dhcli("start", PLANAR, "--variant", "alice")
+    fill("a1", ALICE)
+    sheet = Path(SHEET)
+    text = sheet.read_text("utf-8")
+    assert dhcli("check", PLANAR, SHEET, "--part", "a1").code == 0
+    sheet.write_text(text.replace("theta1: 35°", "theta1: 36°"), "utf-8")
+    done = dhcli("check", PLANAR, SHEET, "--part", "a1")
+    assert done.code == 2
+    assert f"{SHEET} was written with other numbers than this exercise has: theta1 = 36° there, 35° now" in done.err
+    assert f"or dhcli start {PLANAR} --variant alice again" in done.err
+    sheet.write_text("".join(line for line in text.splitlines(keepends=True) if not line.startswith("given:")), "utf-8")
+    assert dhcli("check", PLANAR, SHEET, "--part", "a1").code == 0

@@ -95,13 +95,13 @@ def test_all_mistakes_are_told_at_once_in_their_order() -> None:
         "my.yaml:7:10: numeric: should be true or false, is 'maybe'",
         "my.yaml:8:1: unit: 'furlong' is no unit of length",
         "my.yaml:9:1: feedback: 'always' is not known (write expected)",
-        "my.yaml:10:23: x is not a name",
+        "my.yaml:10:23: rotation: x is not a name",
         "my.yaml:10:26: size: unknown key",
         "my.yaml:12:5: right: should be the number of an option, counted from 1",
         "my.yaml:13:5: id: is missing",
-        "my.yaml:14:18: 'link y' asks nothing that is known (write one of: link 1",
+        "my.yaml:14:18: 'link y' asks nothing that is known (did you mean link 1?)",
         "my.yaml:16:6: part: there is no part pik (did you mean pick?)",
-        "my.yaml:16:17: verdict: 'RIGT' is not known (did you mean RIGHT?)",
+        "my.yaml:16:17: verdict: 'RIGT' is not known (one of RIGHT, EQUIVALENT, ROUNDED, CLOSE, WRONG,",
     ]
     assert len(found) == len(starts), found
     for problem, start in zip(found, starts, strict=True):
@@ -126,6 +126,21 @@ def test_all_mistakes_are_told_at_once_in_their_order() -> None:
         ("parts:\n  - {id: 'a b', ask: link 1}\n", "holds more than letters, digits, _ and -"),
         ("parts:\n  - {id: t, ask: link 1}\n  - {id: t, ask: link 2}\n", "the id t is used twice"),
         ("parts:\n  - {id: t, ask: link 1, depends: [u]}\n", "t depends on u, which does not stand before it"),
+        ("parts:\n  - {id: t, ask: poze 0..2}\ntests:\n  - {part: t, answer: 1, verdict: WRONG}\n", "mean pose 0..3?"),
+        ("parts:\n  - {id: t, ask: link 1, numeric: false}\n", "stands at the top of the file, and holds for all"),
+        ("parts:\n  - {id: t, ask: link 1, credit: three}\n", "credit: three is not a name"),
+        ("parts:\n  - {id: t, ask: link 1, decimals: 13}\n", "decimals: 13 cannot be asked for (1 to 12)"),
+        ("parts: []\n", "parts: an exercise has at least one (write - {id: a1, ask: link 1})"),
+        ("parts: {t: 1}\n", "parts: should be a list, is a mapping (write - {id: a1, ask: link 1})"),
+        ("parts: [t]\n", "parts: should be a mapping, is a text (write {id: a1, ask: link 1})"),
+        (PARTS + "tests: [t]\n", "should be a mapping, is a text (write {part: a1, answer: ..., verdict: WRONG})"),
+        (PARTS + "tests: [{part: t, answer: 1, verdict: CORRECT}]\n", "'CORRECT' is not known (one of RIGHT, EQ"),
+        (PARTS + "given: [30°]\n", "given: should be a mapping, is a list (write {theta1: 30°})"),
+        (PARTS + "tolerance: {decimals: 30}\n", "decimals: 30 cannot be asked for (1 to 12)"),
+        (PARTS + "unit: mm\ngiven: {a1: 100}\n", "a1: a length without its unit, on a sheet in mm (write 100 mm)"),
+        (PARTS + "unit: mm\nvariants: {a1: 100..300}\n", "write 100 mm..300 mm step 10 mm"),
+        (PARTS + "unit: mm\nvariants: {a1: 100..300 step 20}\n", "write 100 mm..300 mm step 20 mm"),
+        (PARTS + "unit: mm\nvariants: {a1: [100, 0]}\n", "write [100 mm, 0 mm]"),
         (PARTS + "printed: {u: '[1]'}\n", "printed: there is no part u"),
         (PARTS + "tolerance: {position: -1 mm}\n", "a tolerance is not negative"),
         (PARTS + "tolerance: {position: x}\n", "x is not a name"),
@@ -141,6 +156,32 @@ def test_a_mistake_is_told_once(line: str, said: str) -> None:
     found = problems(HEAD + line)
     assert len(found) == 1, found
     assert said in found[0]
+
+
+@pytest.mark.parametrize(
+    ("line", "place"),
+    [
+        ("  - {id: t, ask: link 1}\n  - {id: t, ask: link 2}\n", "my.yaml:8:6: id: the id t is used twice"),
+        ("  - {id: t, ask: link 1, depends: [u]}\n", "my.yaml:7:26: depends: t depends on u"),
+    ],
+)
+def test_a_slip_of_a_part_is_told_at_the_part(line: str, place: str) -> None:
+    """Not where the list of all parts begins."""
+    (found,) = problems(HEAD + "parts:\n" + line)
+    assert found.startswith(place)
+
+
+def test_a_robot_that_is_not_found_is_told_alone() -> None:
+    """Names, frames and questions are not said to be wrong for want of it."""
+    text = HEAD.replace("planar-2r", "crain") + "given: {theta1: 30°, a1: 5 mm}\n"
+    (found,) = problems(f"{text}parts:\n  - {{id: t, ask: pose 0..2}}\n  - {{id: u, ask: scalar 2*a1 + a2}}\n")
+    assert "there is no robot 'crain'" in found
+
+
+def test_a_bare_length_is_one_where_the_sheet_is_in_metres() -> None:
+    """Or has no unit."""
+    for unit in ("m", "none"):
+        assert "a1" in read(HEAD + PARTS + f"unit: {unit}\ngiven: {{a1: 0.1}}\n").given
 
 
 def test_a_file_of_a_later_format_is_refused() -> None:

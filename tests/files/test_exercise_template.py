@@ -21,6 +21,7 @@ ROBOTS = [entry.name for entry in entries(Kind.ROBOTS) if load_robot(entry.name)
 def filled(text: str, *, with_answer: bool = True) -> str:
     """The template with words in its blanks, and the right answer in its test."""
     words = text.replace('title: ""', "title: T").replace('source: ""', "source: S").replace('[""]', "[look closely]")
+    words = words.replace("write here", "the place and")
     if not with_answer:
         return words
     exercise = read_exercise(words.replace('answer: ""', "answer: 1"), "new.yaml", "c/new")
@@ -46,8 +47,11 @@ def test_a_template_lints_once_its_blanks_are_filled_in(name: str, tmp_path: Pat
     """In letters, as it is written."""
     text = exercise_template("c/new", load_robot(name))
     blank = errors(tmp_path, text)
-    assert len(blank) == 5
-    assert all("is empty" in line for line in blank)
+    assert sum("is empty" in line for line in blank) == 5
+    left = [line for line in blank if "task: still says 'write here" in line]
+    assert len(left) == len(blank) - 5 == 4
+    unsaid = errors(tmp_path, filled(text).replace("the place and", "write here"))
+    assert [line.partition("task")[2] for line in unsaid] == [line.partition("task")[2] for line in left]
     (untested,) = errors(tmp_path, filled(text, with_answer=False))
     assert "tip: is judged SKIPPED; the test says RIGHT" in untested
     assert errors(tmp_path, filled(text)) == []

@@ -7,12 +7,14 @@ from pathlib import Path
 import pytest
 
 from dhcli.checking.marking import mark
+from dhcli.checking.questions import CellQuestion, FactorsQuestion, TableQuestion
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import FileError
 from dhcli.files.exercises import load_exercise
 from dhcli.files.library import Kind, entries
+from dhcli.files.robot_line import values_text
 from dhcli.files.robots import load_robot
-from dhcli.files.sheets import WIDEST, Sheet, read_sheet, read_table, write_sheet
+from dhcli.files.sheets import WIDEST, Sheet, check_numbers, read_sheet, read_table, write_sheet
 from dhcli.kinematics.conventions import Convention
 
 ROOT = Path(__file__).parents[2]
@@ -195,3 +197,37 @@ def test_a_robot_file_is_a_table(tmp_path: Path) -> None:
         read_table(ROOT / "robots" / "scara.yaml", arm)
     with pytest.raises(FileError, match="no such file"):
         read_table(tmp_path / "none.yaml", arm)
+
+
+@pytest.mark.parametrize(
+    ("name", "line"),
+    [
+        ("yim/planar-in-numbers", "# Robot: a1 = 0.4 m, a2 = 0.3 m; dhcli show planar-2r shows its table"),
+        ("wpi/puma560-entries-of-0t6", "# Robot: dhcli show puma560 shows its table"),
+    ],
+)
+def test_a_sheet_says_what_is_needed_of_the_robot(name: str, line: str) -> None:
+    """Its lengths where numbers are asked, and where its table is to be seen."""
+    assert line in write_sheet(load_exercise(name)).splitlines()
+
+
+@pytest.mark.parametrize("name", [entry.name for entry in entries(Kind.EXERCISES)])
+def test_a_sheet_does_not_give_the_table_away_that_it_asks_for(name: str) -> None:
+    """Nor what can be read off it: one of its cells, or the moves of a link."""
+    exercise = load_exercise(name)
+    asks = any(isinstance(part.question, TableQuestion | CellQuestion | FactorsQuestion) for part in exercise.parts)
+    text = write_sheet(exercise)
+    if asks:
+        assert "shows its table" not in text
+    if exercise.numeric and exercise.robot:
+        assert all(f" {name} = " in text for name, value in exercise.robot.parameters.items() if value is not None)
+
+
+def test_every_sheet_is_read_back_with_the_numbers_it_was_written_with(sheet: Path) -> None:
+    """Also where a value holds what YAML would take apart."""
+    for entry in entries(Kind.EXERCISES):
+        exercise = load_exercise(entry.path)
+        sheet.write_text(write_sheet(exercise), "utf-8")
+        found = read_sheet(sheet)
+        assert dict(found.given) == (values_text(exercise) if exercise.numeric else {})
+        check_numbers(found, exercise, "sheet")

@@ -5,16 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from dhcli.algebra.floats import Floats
-from dhcli.checking.exercise import Exercise, Part
+from dhcli.checking.exercise import Exercise, Part, Trial
 from dhcli.checking.marking import expected, mark
 from dhcli.checking.questions import MatrixQuestion, TableQuestion
 from dhcli.checking.rules.mistakes import typed
 from dhcli.checking.rules.wording import unfinished
 from dhcli.checking.sheetmark import mark_sheet
 from dhcli.checking.tolerance import Tolerance
+from dhcli.checking.truth import unvalued
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import DhcliError
-from dhcli.kinematics.validity import Finding
+from dhcli.kinematics.validity import Finding, in_floats
+from dhcli.kinematics.values import is_within_limits, symbols_of
+from dhcli.notation.quantity import value_text
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
 
@@ -29,19 +32,27 @@ LARGEST_SHARE = 0.1
 
 LARGEST_ANGLE = 5.0
 
+PASSED = (Verdict.RIGHT.word, Verdict.EQUIVALENT.word)
+
 
 def findings(exercise: Exercise) -> Iterator[Finding]:
     """Every broken rule of an exercise, apart from those about its variants and the mistakes that its pose hides."""
     yield from _texts(exercise)
     yield from _blank_sheet(exercise)
+    yield from _within_limits(exercise)
     for index, part in enumerate(exercise.parts):
-        where = ("parts", index)
-        yield from _help(part, where)
-        yield from _solution(exercise, part, where)
+        yield from _help(part, ("parts", index))
+        yield from _stated(exercise, part, ("parts", index))
+    tolerances = tuple(_tolerances(exercise))
+    yield from tolerances
+    if missing := _missing(exercise):
+        yield missing  # nothing can be judged without it
+        return
+    for index, part in enumerate(exercise.parts):
+        yield from _solution(exercise, part, ("parts", index))
         yield from _printed(exercise, part)
-        yield from _stated(exercise, part, where)
-    yield from _trials(exercise)
-    yield from _tolerances(exercise)
+    if not tolerances:  # else tests fail that are right
+        yield from _trials(exercise)
 
 
 def _texts(exercise: Exercise) -> Iterator[Finding]:
@@ -55,6 +66,33 @@ def _texts(exercise: Exercise) -> Iterator[Finding]:
             texts["parts", index, "prompt"] = part.prompt
         texts |= {("parts", index, "hints", k, "hint"): hint for k, hint in enumerate(part.hints)}
     yield from unfinished(texts)
+
+
+def _within_limits(exercise: Exercise) -> Iterator[Finding]:
+    """A value that the joint cannot take is rarely meant."""
+    robot = exercise.robot
+    for name, value in exercise.given.items() if robot else ():
+        if robot and not symbols_of(value) and not is_within_limits(robot, name, in_floats(value)):
+            shown = " to ".join(map(value_text, robot.limits[name]))
+            message = f"{name}: {value_text(value)} is outside its limits, {shown}"
+            yield Finding(("given", name), message, "give it a value that the joint can take", is_warning=True)
+
+
+def _missing(exercise: Exercise) -> Finding | None:
+    """Names without a value, where numbers are asked for."""
+    if not exercise.numeric:
+        return None
+    questions = [part.question for part in exercise.parts]
+    lacking = [
+        name for question in questions if isinstance(question, MatrixQuestion) for name in unvalued(question, exercise)
+    ]
+    names = list(dict.fromkeys(lacking))
+    if not names:
+        return None
+    angles = exercise.robot.angles if exercise.robot else frozenset()
+    wanted = ", ".join(f"{name}: {'25°' if name in angles else '0.12 m'}" for name in names)
+    message = f"given: no value for {', '.join(names)}, and the answers are numbers"
+    return Finding(("given",), message, f"given: {{{wanted}}}")
 
 
 def _blank_sheet(exercise: Exercise) -> Iterator[Finding]:
@@ -102,11 +140,20 @@ def _printed(exercise: Exercise, part: Part) -> Iterator[Finding]:
         yield Finding(where, f"printed: {part.id}: is judged {_told(judged)}", "write it as a student would")
     elif judged.verdict.passed is False and not is_misprint:
         yield Finding(where, f"printed: {part.id}: is judged {_told(judged)}, and no misprint is recognised in it")
-    elif isinstance(part.question, MatrixQuestion) and exercise.numeric and judged.verdict.passed is False:
-        told = next((remark for remark in judged.remarks if remark.startswith("this is no rotation")), "")
-        if told and not part.printed.note:
-            hint = "if the document really prints it: printed: {answer: ..., note: what is wrong with it}"
-            yield Finding(where, f"printed: {part.id}: {told}", hint, is_warning=True)
+    elif is_misprint and not part.printed.note:
+        hint = f"a misprint: {part.id}: {{answer: ..., note: what is wrong with it}}; a typo of yours: mend it"
+        yield Finding(where, f"printed: {part.id}: {_wrong(judged)}", hint, is_warning=True)
+
+
+def _wrong(judged: Mark) -> str:
+    """What a printed answer says and what is right, for the first entry that is wrong."""
+    wrong = [cell for cell in judged.cells if cell.verdict.passed is False]
+    if not wrong:
+        return f"is {judged.reading}" + (f", right is {judged.expected}" if judged.expected else ", which is not right")
+    first, *others = wrong
+    where = "" if len(judged.cells) == 1 else f"entry ({first.row + 1},{first.column + 1}) "
+    more = f" (and {len(others)} more)" if others else ""
+    return f"{where}is {first.typed}, right is {first.expected}{more}"
 
 
 def _stated(exercise: Exercise, part: Part, where: tuple[str | int, ...]) -> Iterator[Finding]:
@@ -129,12 +176,21 @@ def _trials(exercise: Exercise) -> Iterator[Finding]:
         judged = _judged(exercise, exercise.part(trial.part), answer)
         if judged.verdict.word != trial.verdict:
             message = f"{trial.part}: is judged {_told(judged)}; the test says {trial.verdict}"
-            yield Finding(("tests", index, "mistake" if trial.mistake else "answer"), message)
+            yield Finding(("tests", index, "mistake" if trial.mistake else "answer"), message, _right(exercise, trial))
     verdicts = {trial.verdict for trial in exercise.trials}
     for verdict in (Verdict.RIGHT, Verdict.WRONG):
         if verdict.word not in verdicts:
             hint = f"tests: - {{part: {exercise.parts[0].id}, answer: ..., verdict: {verdict.word}}}"
             yield Finding(("tests",), f"tests: none is {verdict.word}", hint)
+
+
+def _right(exercise: Exercise, trial: Trial) -> str:
+    """The right answer, where a test holds another one for right."""
+    try:
+        answer = expected(exercise, exercise.part(trial.part)) if trial.verdict in PASSED else ""
+    except DhcliError:
+        return ""
+    return f"right is {answer}" if answer else ""
 
 
 def _tolerances(exercise: Exercise) -> Iterator[Finding]:

@@ -43,7 +43,8 @@ def findings(exercise: Exercise) -> Iterator[Finding]:
         blind = len(unseen) > len(slips(exercise, part))
         what = "a mistake" if len(unseen) == 1 else f"{len(unseen)} mistakes"
         message = f"{part.id}: this pose does not show {what}: {names}"
-        yield Finding(("parts", index), message, _better(exercise, part), is_warning=not blind)
+        hint = _better(exercise, part) or ("" if blind else "nothing to do if it is meant so")
+        yield Finding(("parts", index), message, hint, is_warning=not blind)
 
 
 def _better(exercise: Exercise, part: Part) -> str:
@@ -63,4 +64,4 @@ def _better(exercise: Exercise, part: Part) -> str:
             continue
         if left < best[0]:
             best = left, ", ".join(f"{name}: {value_text(given[name])}" for name in turning)
-    return f"given: {{{best[1]}}} leaves {best[0]}" if best[1] else "nothing to do if it is meant so"
+    return f"given: {{{best[1]}}} leaves {best[0]}" if best[1] else ""

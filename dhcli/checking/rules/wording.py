@@ -7,11 +7,11 @@ from collections.abc import Iterator, Mapping
 
 from dhcli.kinematics.validity import Finding
 
-_UNFINISHED = re.compile(r"\b(?:TODO|FIXME|XXX|TBD)\b|\bwrite here\b")
+_UNFINISHED = re.compile(r"\b(?:TODO|FIXME|XXX|TBD)\b|\bwrite here\b[^.;\n]*")
 
 
 def unfinished(texts: Mapping[tuple[str | int, ...], str]) -> Iterator[Finding]:
-    """A finding for each text that is blank, or still holds what a template left to write.
+    """A finding for each text that is blank, and for each thing that a template left to write.
 
     Args:
         texts: Each text by its path in the file.
@@ -20,5 +20,5 @@ def unfinished(texts: Mapping[tuple[str | int, ...], str]) -> Iterator[Finding]:
         what = where[-1]
         if not text.strip():
             yield Finding(where, f"{what}: nothing but blanks", "say it, or leave the key out")
-        elif found := _UNFINISHED.search(text):
-            yield Finding(where, f"{what}: still says '{found[0]}'", "write what belongs there")
+        for left in dict.fromkeys(found[0].rstrip() for found in _UNFINISHED.finditer(text)):
+            yield Finding(where, f"{what}: still says '{left}'", "write what belongs there")

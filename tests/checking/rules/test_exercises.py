@@ -14,6 +14,8 @@ from tests.checking.rules.linting import Broken, assert_told, cases, findings
 if TYPE_CHECKING:
     import pytest
 
+ROOT = Path(__file__).parents[3]
+
 CLEAN = """\
 format: 1
 title: Two links
@@ -99,8 +101,24 @@ def test_a_part_without_help_or_worth_is_told(broken: Broken, tmp_path: Path) ->
         'tip: "0.5, 0.475, 0"',
         't02: "[0.5736 -1.8192 0 0.4997; 0.8192 0.5736 0 0.4752; 0 0 1 0; 0 0 0 1]"',
         "25:8",
-        "printed: t02: this is no rotation: column 2 has length 1.907, not 1",
-        "if the document really prints it: printed: {answer: ..., note: what is wrong with it}",
+        "printed: t02: entry (1,2) is -1.8192, right is -0.8192",
+        "a misprint: t02: {answer: ..., note: what is wrong with it}; a typo of yours: mend it",
+        is_warning=True,
+    ),
+    Broken(
+        'tip: "0.5, 0.475, 0"',
+        'tip: "0.6, 0.475, 0.1"',
+        "25:8",
+        "printed: tip: entry (1,1) is 0.6, right is 0.4997 (and 1 more)",
+        "a misprint: tip: {answer: ..., note: what is wrong with it}; a typo of yours: mend it",
+        is_warning=True,
+    ),
+    Broken(
+        'tip: "0.5, 0.475, 0"',
+        'table: "a, alpha, d, theta; a1, 0, 0, theta1; a2, 90°, 0, theta2"',
+        "25:10",
+        "printed: table: entry (2,2) is 90°, right is 0",
+        "a misprint: table: {answer: ..., note: what is wrong with it}; a typo of yours: mend it",
         is_warning=True,
     ),
 )
@@ -253,3 +271,39 @@ def test_a_blank_sheet_that_earns_something_is_told(monkeypatch: pytest.MonkeyPa
     monkeypatch.setattr(exercises, "mark_sheet", lambda *_: replace(sheet, parts=tuple(free)))
     (found,) = exercises.findings(exercise)
     assert (found.where, found.message) == (("parts", 1), "tip: a blank answer is judged RIGHT")
+
+
+def test_a_name_without_a_value_is_told_by_its_name(tmp_path: Path) -> None:
+    """Once, and not once more for everything that cannot be judged without it."""
+    (found,) = findings(tmp_path, CLEAN.replace(", theta2: 20°", ""))
+    assert (found.at, found.hint) == ("7:1", "given: {theta2: 25°}")
+    assert found.message == "given: no value for theta2, and the answers are numbers"
+
+
+def test_a_value_outside_the_limits_is_told(tmp_path: Path) -> None:
+    """As that of a variant is; an author may mean it."""
+    arm = (ROOT / "robots" / "planar-2r.yaml").read_text("utf-8")
+    (tmp_path / "arm.yaml").write_text(f"{arm}\nlimits: {{theta1: [-30°, 30°]}}\n", "utf-8")
+    text = CLEAN.replace("robot: planar-2r", f"robot: {tmp_path}/arm.yaml")
+    (found,) = findings(tmp_path, text)
+    assert (found.at, found.message, found.is_warning) == (
+        "7:17",
+        "theta1: 35° is outside its limits, -30° to 30°",
+        True,
+    )
+
+
+def test_the_right_answer_stands_beside_a_test_that_takes_another_for_it(tmp_path: Path) -> None:
+    """Its author wants to know."""
+    (found,) = findings(
+        tmp_path, CLEAN.replace('"0.4997, 0.4752, 0", verdict: RIGHT', '"0.4997, 1, 0", verdict: RIGHT')
+    )
+    assert found.hint.startswith("right is [[0.4997")
+    (other,) = findings(tmp_path, CLEAN.replace('"0.4997, 0.5752, 0"', '"0.4997, 0.4752, 0"'))
+    assert other.hint == ""
+
+
+def test_beside_a_tolerance_that_lets_all_pass_nothing_else_is_told(tmp_path: Path) -> None:
+    """That mistakes do not show, and tests do not fail, comes of it."""
+    (found,) = findings(tmp_path, CLEAN.replace("tolerance: {rotation: 0.001}", "tolerance: {position: 400 mm}"))
+    assert found.message.startswith("position: a tolerance of 400 mm is large beside")

@@ -22,6 +22,17 @@ def test_finished_texts_are_left_alone(text: str) -> None:
     assert list(unfinished({("task",): text})) == []
 
 
+def test_each_thing_that_is_left_to_write_is_found() -> None:
+    """To the end of its sentence, and once where the same is left twice."""
+    text = (
+        "Base frame 0: write here where it stands. Joint zero: write here how it looks.\nTip: write here how it looks."
+    )
+    assert [found.message for found in unfinished({("task",): text})] == [
+        "task: still says 'write here where it stands'",
+        "task: still says 'write here how it looks'",
+    ]
+
+
 @pytest.mark.parametrize("text", ["", " ", "\n\t "])
 def test_a_blank_text_is_found(text: str) -> None:
     """Whatever it is blank with."""
