@@ -172,7 +172,7 @@ def _given(exercise: Exercise) -> Iterator[str]:
     """The numbers of the sheet as data: if the exercise is changed later, a right answer must not become wrong."""
     if exercise.values and (exercise.numeric or exercise.variant):
         values = ", ".join(f"{_scalar(name)}: {_value(text)}" for name, text in values_text(exercise).items())
-        yield f"given: {{{values}}}"
+        yield from folded(f"given: {{{values}}}", WIDEST, "", "  ")
 
 
 def _value(text: str) -> str:
