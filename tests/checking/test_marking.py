@@ -329,7 +329,7 @@ def test_an_exercise_whose_robot_lacks_lengths_says_so() -> None:
     """That is the author's fault and no verdict on the student."""
     robot = load_robot("dh-link")
     exercise = question_about(robot, "0", "1", numeric=True, given={"theta_i": Angle()})
-    with pytest.raises(DhcliError, match="not every name"):
+    with pytest.raises(DhcliError, match="has no value for a_i"):
         check(exercise, "pose", "[1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1]")
 
 
