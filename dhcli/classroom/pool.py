@@ -12,8 +12,9 @@ from collections import deque
 from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from enum import Enum
-from multiprocessing import get_context
+from multiprocessing import get_context, resource_tracker
 from multiprocessing.connection import Connection, wait
+from threading import current_thread, main_thread
 from time import monotonic
 from typing import Any, TypeVar
 
@@ -51,10 +52,12 @@ def spread(
         DhcliError: Processes cannot be started here.
     """
     waiting = deque(tasks)
-    team = [_Worker(work) for _ in range(min(jobs, len(waiting)))]
+    team: list[_Worker] = []
     try:
+        for _ in range(min(jobs, len(waiting))):
+            _hire(team, work)
         while team:
-            spoken = wait([worker.pipe for worker in team], _patience(team))
+            spoken = _listen(team)
             for worker in tuple(team):
                 if worker.pipe not in spoken and monotonic() < worker.deadline:
                     continue
@@ -67,12 +70,19 @@ def spread(
                 if task is None and isinstance(outcome, Lost):
                     raise DhcliError("a process for the work could not be started", "--jobs 1 needs the least memory")
                 if isinstance(outcome, Lost) and waiting:
-                    team.append(_Worker(work))
+                    _hire(team, work)
                 if task is not None:
                     yield task, outcome
     finally:
-        for worker in team:
-            worker.end()
+        with _without_interrupts():
+            for worker in team:
+                worker.end()
+
+
+def _hire(team: list[_Worker], work: Callable[[Any], object]) -> None:
+    """Start a process that is in the team as soon as it is there, so that whatever happens next ends it."""
+    with _without_interrupts():
+        team.append(_Worker(work))
 
 
 class _Worker:
@@ -83,8 +93,7 @@ class _Worker:
         self.deadline = math.inf
         self.pipe, theirs = _SPAWN.Pipe()
         self.process = _SPAWN.Process(target=_serve, args=(theirs, work), daemon=True)
-        with _without_interrupts():
-            self.process.start()
+        self.process.start()
         theirs.close()
 
     def give(self, task: object, timeout: float) -> None:
@@ -107,8 +116,9 @@ class _Worker:
                 return
             self.process.kill()
             self.process.join()
-            self.process.close()
             self.pipe.close()
+            with suppress(ValueError):  # where SIGCHLD is ignored, nobody is told that a process has gone
+                self.process.close()
 
 
 def _serve(pipe: Connection, work: Callable[[Any], object]) -> None:
@@ -119,6 +129,11 @@ def _serve(pipe: Connection, work: Callable[[Any], object]) -> None:
             pipe.send(work(pipe.recv()))
 
 
+def _listen(team: Sequence[_Worker]) -> Sequence[object]:
+    """The pipes of those who have spoken before the next deadline."""
+    return wait([worker.pipe for worker in team], _patience(team))
+
+
 def _patience(team: Sequence[_Worker]) -> float | None:
     """Seconds to the next deadline; None while all processes are only starting."""
     first = min(worker.deadline for worker in team)
@@ -127,10 +142,33 @@ def _patience(team: Sequence[_Worker]) -> float | None:
 
 @contextmanager
 def _without_interrupts() -> Iterator[None]:
-    """Do not hear Ctrl-C for a moment; a process that starts meanwhile, to which it goes too, never does."""
+    """Hear Ctrl-C only afterwards; a process that starts meanwhile, to which it goes too, never does.
+
+    A process is started with the signals blocked that are blocked here. That does not keep them from this one: a
+    signal goes to any thread that takes it, such as that of a progress bar, and Python raises it in the main thread.
+    """
+    if current_thread() is not main_thread() or signal.getsignal(signal.SIGINT) is None:  # Python raises nothing here
+        with _blocked():
+            yield
+        return
+    heard: list[int] = []
+    before = signal.signal(signal.SIGINT, lambda number, _: heard.append(number))
+    try:
+        with _blocked():
+            yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+        if heard:
+            signal.raise_signal(signal.SIGINT)
+
+
+@contextmanager
+def _blocked() -> Iterator[None]:
+    """Block Ctrl-C in this thread, and in processes that it starts, where the system can."""
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
+    resource_tracker.ensure_running()  # or the first process would start it, and Python then unblocks the signal
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
         yield

@@ -74,16 +74,20 @@ def close(model: Model, start: Array, held: Array, targets: Array) -> tuple[Arra
         The joint values and the largest gap that is left.
     """
     q = start + held.T @ (targets - held @ start)
+    # steps are combinations of these rows alone: a matrix that only ought to vanish along what is held vanishes there
+    # to rounding, and that, divided by a floor still smaller, would grow to a step that lets go of it
+    _, rest, _ = spaces(held)
     gap, twists = residual(model, q)
     damping = 0.1
     for _ in range(ITERATIONS):
         size = float(np.abs(gap).max(initial=0.0))
         if size < CLOSED / 100 or not math.isfinite(size):
             break
-        jacobian = model.jacobian(twists)
-        left, values, right = np.linalg.svd(jacobian - (jacobian @ held.T) @ held, full_matrices=False)
-        wanted, stiff = left.T @ gap, values > STIFF * values[0]
-        floor = (1e-10 * float(values[0])) ** 2
+        left, values, right = np.linalg.svd(model.jacobian(twists) @ rest, full_matrices=False)
+        right = right @ rest.T
+        largest = float(values.max(initial=0.0))
+        wanted, stiff = left.T @ gap, values > STIFF * largest
+        floor = (1e-10 * largest) ** 2
         for _ in range(TRIES):
             step = right.T @ (values / (values**2 + max(damping * size, floor)) * wanted)
             ahead, nearer, turned = _righted(model, q - step, left[:, stiff] / values[stiff], right[stiff])

@@ -2,11 +2,22 @@
 
 from __future__ import annotations
 
+import itertools
+import operator
 import os
 import signal
+import subprocess
+import sys
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import closing, contextmanager
+from multiprocessing import active_children
+from pathlib import Path
+from types import FrameType
 
 import pytest
 
+from dhcli.classroom import pool
 from dhcli.classroom.pool import Lost, _Worker, spread
 from tests.classroom.workers import halved
 
@@ -23,20 +34,130 @@ def test_no_task_needs_no_process() -> None:
     assert list(spread(halved, [], jobs=3, timeout=60)) == []
 
 
-@pytest.mark.skipif(os.name == "nt", reason="signals as Unix knows them")
-def test_ctrl_c_while_a_process_ends_leaves_it_ended(monkeypatch: pytest.MonkeyPatch) -> None:
+MOMENTS = range(0, 200, 7)
+"""Lines of the pool that run before three tasks are done: some of the first ones."""
+
+unix = pytest.mark.skipif(os.name == "nt", reason="signals as Unix knows them")
+
+
+@contextmanager
+def idle_thread() -> Iterator[None]:
+    """A thread that takes signals, as that of a progress bar does."""
+    done = threading.Event()
+    thread = threading.Thread(target=done.wait)
+    thread.start()
+    try:
+        yield
+    finally:
+        done.set()
+        thread.join()
+
+
+def to_this_thread() -> None:
+    """Ctrl-C, taken by the main thread."""
+    signal.raise_signal(signal.SIGINT)
+
+
+def to_any_thread() -> None:
+    """Ctrl-C, taken by whichever thread does not block it."""
+    os.kill(os.getpid(), signal.SIGINT)
+
+
+@unix
+@pytest.mark.parametrize("press", [to_this_thread, to_any_thread])
+def test_ctrl_c_while_a_process_ends_leaves_it_ended(
+    press: Callable[[], None], monkeypatch: pytest.MonkeyPatch
+) -> None:
     """At the worst moment: the system has told that the process is gone, and tells it once; nobody wrote it down."""
     worker = _Worker(halved)
     wait = os.waitpid
 
     def interrupted(process: int, options: int) -> tuple[int, int]:
         told = wait(process, options)
-        signal.raise_signal(signal.SIGINT)
+        press()
         return told
 
-    with monkeypatch.context() as patched:
+    with idle_thread(), monkeypatch.context() as patched:
         patched.setattr(os, "waitpid", interrupted)
         with pytest.raises(KeyboardInterrupt):
             worker.end()
     worker.end()  # as `spread` does on its way out
     assert worker.pipe.closed
+    with pytest.raises(ValueError, match="closed"):
+        worker.process.is_alive()
+
+
+@unix
+def test_a_process_ends_where_nobody_is_told_of_it() -> None:
+    """Some shells and containers start programs with SIGCHLD ignored: to wait for a process then gives no result."""
+    worker = _Worker(halved)
+    process = worker.process.pid
+    before = signal.signal(signal.SIGCHLD, signal.SIG_IGN)
+    try:
+        worker.end()
+    finally:
+        signal.signal(signal.SIGCHLD, before)
+    assert worker.pipe.closed
+    assert process is not None
+    with pytest.raises(ProcessLookupError):
+        os.kill(process, 0)
+
+
+@unix
+def test_ctrl_c_while_processes_start_ends_them(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It waits until the process is known, and then stops everything."""
+    started: list[_Worker] = []
+    start = _Worker.__init__
+
+    def interrupted(self: _Worker, work: Callable[[object], object]) -> None:
+        started.append(self)
+        start(self, work)
+        to_any_thread()
+
+    with idle_thread():
+        monkeypatch.setattr(_Worker, "__init__", interrupted)
+        with pytest.raises(KeyboardInterrupt):
+            list(spread(halved, range(4), jobs=2, timeout=60))
+    assert [worker.pipe.closed for worker in started] == [True]
+
+
+@unix
+def test_no_process_hears_ctrl_c() -> None:
+    """Not even the first one of a program, before which Python starts a process of its own."""
+    code = "from dhcli.classroom.pool import spread\nfrom tests.classroom.workers import deaf\n"
+    code += "print(sorted(spread(deaf, range(4), jobs=2, timeout=60)))"
+    words = [sys.executable, "-c", code]
+    done = subprocess.run(words, capture_output=True, text=True, check=False, timeout=60, cwd=Path(__file__).parents[2])
+    assert (done.stdout, done.stderr) == ("[(0, True), (1, True), (2, True), (3, True)]\n", "")
+
+
+def pressed_at(moment: int) -> Callable[[FrameType, str, object], object]:
+    """A trace function that presses Ctrl-C once, before a line of the pool is run, counted from 0."""
+    lines = itertools.count()
+
+    def trace(frame: FrameType, event: str, _: object) -> object:
+        if frame.f_code.co_filename != pool.__file__:
+            return None
+        if event == "line" and next(lines) == moment:
+            to_any_thread()
+        return trace
+
+    return trace
+
+
+@unix
+@pytest.mark.parametrize("moment", MOMENTS)
+def test_ctrl_c_at_any_moment_leaves_no_process(moment: int) -> None:
+    """It is heard, at once or a moment later, and all processes have gone by then."""
+    traced, others = sys.gettrace(), set(active_children())
+    with idle_thread():
+        sys.settrace(pressed_at(moment))
+        try:
+            with (
+                pytest.raises(KeyboardInterrupt),
+                closing(spread(operator.neg, range(3), jobs=2, timeout=60)) as outcomes,
+            ):
+                list(outcomes)
+        finally:
+            sys.settrace(traced)
+    assert set(active_children()) == others

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import threading
 
 from dhcli.checking.verdicts import Verdict
@@ -25,3 +26,8 @@ def halved(number: int) -> float:
     if number % 2:
         os._exit(1)
     return number / 2
+
+
+def deaf(_: object) -> bool:
+    """Whether Ctrl-C is blocked in the process."""
+    return signal.SIGINT in signal.pthread_sigmask(signal.SIG_BLOCK, [])
