@@ -19,6 +19,9 @@ from typing import Any, TypeVar
 
 from dhcli.errors import DhcliError
 
+_ENDINGS = {getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)}
+"""The signals at which work ends in order."""
+
 _SPAWN = get_context("spawn")
 """The one way to start a process that works everywhere, and with threads around."""
 
@@ -113,6 +116,8 @@ class _Worker:
 
 def _serve(pipe: Connection, work: Callable[[Any], object]) -> None:
     """The life of a process: say that it is ready, then work until nobody gives it work any more."""
+    if hasattr(signal, "pthread_sigmask"):  # it was started deaf to these, too
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, _ENDINGS - {signal.SIGINT})
     with suppress(EOFError, OSError):
         pipe.send(None)
         while True:
@@ -127,11 +132,11 @@ def _patience(team: Sequence[_Worker]) -> float | None:
 
 @contextmanager
 def _without_interrupts() -> Iterator[None]:
-    """Do not hear Ctrl-C for a moment; a process that starts meanwhile, to which it goes too, never does."""
+    """Do not hear Ctrl-C and its like for a moment; a process that starts meanwhile never hears Ctrl-C."""
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, _ENDINGS)
     try:
         yield
     finally:
