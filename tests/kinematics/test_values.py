@@ -93,12 +93,12 @@ def test_bare_numbers_may_be_degrees(scara: Robot) -> None:
 @pytest.mark.parametrize(
     ("given", "message"),
     [
-        ("0.1,0.2", "q: scara has 3 joints, 2 values given (--q takes theta1 [rad], theta2 [rad], d3 [m])"),
-        ("1,2,3,4", "q: scara has 3 joints, 4 values given (--q takes theta1 [rad], theta2 [rad], d3 [m])"),
-        ("", "q: scara has 3 joints, 0 values given (--q takes theta1 [rad], theta2 [rad], d3 [m])"),
-        ("[]", "q: scara has 3 joints, 0 values given (--q takes theta1 [rad], theta2 [rad], d3 [m])"),
-        ("0.1 0.2", "q: scara has 3 joints, 1 value given (--q takes theta1 [rad], theta2 [rad], d3 [m])"),
-        ("30 deg 20", "q: scara has 3 joints, 1 value given (--q takes theta1 [rad], theta2 [rad], d3 [m])"),
+        ("0.1,0.2", "q: scara has 3 joints, 2 values given (wanted: theta1 [rad], theta2 [rad], d3 [m])"),
+        ("1,2,3,4", "q: scara has 3 joints, 4 values given (wanted: theta1 [rad], theta2 [rad], d3 [m])"),
+        ("", "q: scara has 3 joints, 0 values given (wanted: theta1 [rad], theta2 [rad], d3 [m])"),
+        ("[]", "q: scara has 3 joints, 0 values given (wanted: theta1 [rad], theta2 [rad], d3 [m])"),
+        ("0.1 0.2", "q: scara has 3 joints, 1 value given (wanted: theta1 [rad], theta2 [rad], d3 [m])"),
+        ("30 deg 20", "q: scara has 3 joints, 1 value given (wanted: theta1 [rad], theta2 [rad], d3 [m])"),
         ("0 0 30mm/", "q:10: the end where a number, a name or a bracket was expected"),
         ([[0, 0, 0]] * 3, "theta1 wants one number, not [0, 0, 0] (forward_batch takes a row for each pose)"),
         ([None, 0, 0], "theta1 wants one number, not None (forward_batch takes a row for each pose)"),
@@ -121,7 +121,7 @@ def test_bare_numbers_may_be_degrees(scara: Robot) -> None:
             "q1=0, theta2 = 3mm",
             "q:16: mm is a unit of length, an angle is wanted, and theta2 turns (write 30° or 0.5 rad)",
         ),
-        ([1, 2], "scara has 3 joints, 2 values given (--q takes theta1 [rad], theta2 [rad], d3 [m])"),
+        ([1, 2], "scara has 3 joints, 2 values given (wanted: theta1 [rad], theta2 [rad], d3 [m])"),
         ([math.nan, 0, 0], "theta1 = nan is not a number that a joint can have"),
         ([0, 0, -math.inf], "d3 = -inf is not a number that a joint can have"),
         ({"tool": 1}, "scara has no joint tool (known: theta1, theta2, d3)"),
@@ -185,7 +185,7 @@ def test_what_is_missing_is_named_all_at_once(scara: Robot) -> None:
     """Joints and lengths, each with the option that gives it."""
     with pytest.raises(RobotError) as caught:
         forward(scara, "theta2=0")
-    assert str(caught.value).startswith("no value for theta1, d3 (--q takes theta1 [rad], theta2 [rad], d3 [m]")
+    assert str(caught.value).startswith("no value for theta1, d3 (wanted: theta1 [rad], theta2 [rad], d3 [m]")
     with pytest.raises(RobotError) as caught:
         forward(load_robot("dh-link"))
     assert [problem.message for problem in caught.value.problems] == [
