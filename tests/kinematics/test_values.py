@@ -185,7 +185,7 @@ def test_what_is_missing_is_named_all_at_once(scara: Robot) -> None:
     """Joints and lengths, each with the option that gives it."""
     with pytest.raises(RobotError) as caught:
         forward(scara, "theta2=0")
-    assert str(caught.value).startswith("no value for theta1, d3 (wanted: theta1 [rad], theta2 [rad], d3 [m]")
+    assert str(caught.value).startswith("no value for theta1, d3 (--q takes theta1 [rad], theta2 [rad], d3 [m]")
     with pytest.raises(RobotError) as caught:
         forward(load_robot("dh-link"))
     assert [problem.message for problem in caught.value.problems] == [
