@@ -71,6 +71,16 @@ def fk(
         bool,
         typer.Option("--skip-bad", help="Go on without bad rows, list them, and end with 0.", rich_help_panel=_MANY),
     ] = False,
+    ignore_columns: Annotated[
+        bool,
+        typer.Option("--ignore-columns", help="Leave columns aside that are no joint.", rich_help_panel=_MANY),
+    ] = False,
+    index: Annotated[
+        bool,
+        typer.Option(
+            "--index", help="First column: where the row stands in FILE, as in errors.", rich_help_panel=_MANY
+        ),
+    ] = False,
     as_: Forms = None,
     format_: Format = None,
     style: Spelling = None,
@@ -79,15 +89,16 @@ def fk(
     force: Force = False,
 ) -> None:
     """Pose of a robot's end frame: in numbers from joint values, or in symbols as the textbook prints it."""
-    if in_ is not None or skip_bad:
-        from dhcli.cli.batch import check_options, fk_rows, rows_wanted
+    if in_ is not None or skip_bad or ignore_columns or index:
+        from dhcli.cli.batch import asked_of_rows, check_options, fk_rows, rows_wanted
         from dhcli.cli.rows import RowDelivery
 
-        others: dict[str, object] = {"--q": q, "--pose": pose, "--symbolic": symbolic, "--let": let, "--links": links}
-        others |= {"--factors": factors, "--point": point, "--style": style, "--digits": digits}
+        others: dict[str, object] = {"--pose": pose, "--symbolic": symbolic, "--let": let, "--links": links}
+        others |= {"--factors": factors, "--style": style, "--digits": digits}
         path = check_options(in_, robot, others)
-        wanted = rows_wanted(robot, from_, to, set_ or [], as_ or [], inverse=inverse, every=frames)
-        fk_rows(wanted, path, RowDelivery(format_, output, force), degrees=deg, skip_bad=skip_bad)
+        wanted = rows_wanted(robot, from_, to, set_ or [], as_ or [], point, inverse=inverse, every=frames)
+        asked = asked_of_rows(wanted.robot, q, degrees=deg, ignores=ignore_columns)
+        fk_rows(wanted, asked, path, RowDelivery(format_, output, force), skip_bad=skip_bad, index=index)
         return
     from dhcli.cli.asking import ask, kind_of
     from dhcli.cli.delivery import Delivery
