@@ -228,9 +228,6 @@ def test_a_pose_that_is_no_number_is_a_bad_row(dhcli: Run) -> None:
     done = dhcli(*words)
     assert done.code == 2
     assert "q.csv:3: the pose has an entry that is not a real number" in done.err
-    Path("q.csv").write_text("d1\n1\n1e308\n2\n", "utf-8")
-    done = dhcli(*words, "--skip-bad", "--index", "--as", "position")
-    assert done.out == "row,p_x,p_y,p_z\n2,0.0,0.0,4.0\n4,0.0,0.0,8.0\n"
     done = dhcli(*words, "--skip-bad")
     assert (done.code, len(table(done.out))) == (0, 1)
 
@@ -268,6 +265,18 @@ def test_rows_left_out_of_an_array_are_counted_as_rows(dhcli: Run) -> None:
         "  q.npy[0]: theta1 is nan, not a finite number",
     ]
     assert lines[-1] == "  and 20 rows more"
+
+
+def test_rows_behind_a_pose_that_is_no_number_keep_their_index(dhcli: Run) -> None:
+    """It is left out like a row that cannot be read."""
+    Path("q.csv").write_text("d1\n1\n1e308\n2\n", "utf-8")
+    Path("far.yaml").write_text(
+        "format: 1\ntitle: Far\nsource: nowhere\nconvention: standard\nvariables: [d1]\n"
+        "links:\n  - {a: 0, alpha: 0, d: 4*d1, theta: 0}\n",
+        "utf-8",
+    )
+    done = dhcli("fk", "./far.yaml", "--in", "q.csv", "--skip-bad", "--index", "--as", "position")
+    assert done.out == "row,p_x,p_y,p_z\n2,0.0,0.0,4.0\n4,0.0,0.0,8.0\n"
 
 
 def test_rows_say_where_they_come_from(process: Run, tmp_path: Path) -> None:
