@@ -63,7 +63,7 @@ def fk(
             "--in",
             metavar="FILE",
             help="Joint values, a row for each pose: CSV, JSON Lines or .npy; - is stdin. Names and units stand in the "
-            r"header: theta1\[deg]. Gives rows: csv, or jsonl or npy by --format or -o. --as takes matrix too.",
+            r"header: theta1\[deg]. Gives rows: csv, or jsonl or npy by --format or -o.",
             rich_help_panel=_MANY,
         ),
     ] = None,

@@ -77,5 +77,7 @@ Settings: TypeAlias = Annotated[
 ]
 Forms: TypeAlias = Annotated[
     list[str] | None,
-    typer.Option("--as", metavar="FORM", help="rpy, axis-angle, quaternion or position; repeatable, or with commas."),
+    typer.Option(
+        "--as", metavar="FORM", help="rpy, axis-angle, quaternion, position or matrix; repeatable, or with commas."
+    ),
 ]

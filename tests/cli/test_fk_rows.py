@@ -314,3 +314,11 @@ def test_the_points_of_a_sweep_are_read_again(process: Run, suffix: str) -> None
     assert "--ignore-columns" in process(*words).err
     done = process(*words, "--ignore-columns")
     assert table(done.out) == pytest.approx(table(process(script="cat expected.csv").out)[:, 3:], abs=1e-12)
+
+
+def test_no_two_columns_have_one_name(process: Run) -> None:
+    """Also where the matrix and the position are asked for, which both have p_x."""
+    done = process("fk", "scara", "--in", "-", "--as", "matrix,position", stdin=GOOD)
+    heads = done.out.split("\n")[0].split(",")
+    assert heads[-3:] == ["position_p_x", "position_p_y", "position_p_z"]
+    assert len(set(heads)) == len(heads) == 15
