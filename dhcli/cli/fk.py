@@ -6,7 +6,18 @@ from typing import Annotated
 
 import typer
 
-from dhcli.cli.options import Digits, Force, Format, Forms, Output, RobotName, Settings, Spelling
+from dhcli.cli.options import (
+    Digits,
+    Force,
+    Format,
+    Forms,
+    Output,
+    RobotName,
+    Settings,
+    Spelling,
+    complete_frame,
+    complete_pose,
+)
 
 _WHERE = "Where and what"
 _MANY = "Many poses"
@@ -37,7 +48,15 @@ def fk(
         ),
     ] = None,
     deg: Annotated[bool, typer.Option("--deg", help="Bare numbers of revolute joints are degrees.")] = False,
-    pose: Annotated[str | None, typer.Option("--pose", metavar="NAME", help="A named pose of the robot.")] = None,
+    pose: Annotated[
+        str | None,
+        typer.Option(
+            "--pose",
+            metavar="NAME",
+            help="A named pose of the robot; --q NAME=VALUE varies it.",
+            autocompletion=complete_pose,
+        ),
+    ] = None,
     set_: Settings = None,
     symbolic: Annotated[bool, typer.Option("--symbolic", "-s", help="Keep what has no value as symbols.")] = False,
     let: Annotated[bool, typer.Option("--let", help="Give names to long or repeated brackets.")] = False,
@@ -50,9 +69,19 @@ def fk(
         typer.Option(metavar="LINK", help="Elementary matrices of a link, or of all.", rich_help_panel=_WHERE),
     ] = None,
     from_: Annotated[
-        str | None, typer.Option("--from", metavar="FRAME", help="Seen from this frame.", rich_help_panel=_WHERE)
+        str | None,
+        typer.Option(
+            "--from",
+            metavar="FRAME",
+            help="Seen from this frame.",
+            rich_help_panel=_WHERE,
+            autocompletion=complete_frame,
+        ),
     ] = None,
-    to: Annotated[str | None, typer.Option(metavar="FRAME", help="Of this frame.", rich_help_panel=_WHERE)] = None,
+    to: Annotated[
+        str | None,
+        typer.Option(metavar="FRAME", help="Of this frame.", rich_help_panel=_WHERE, autocompletion=complete_frame),
+    ] = None,
     inverse: Annotated[bool, typer.Option("--inverse", help="The other way round.", rich_help_panel=_WHERE)] = False,
     point: Annotated[
         str | None, typer.Option(metavar="X,Y,Z", help="Where a point of the end frame is.", rich_help_panel=_WHERE)

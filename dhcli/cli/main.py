@@ -83,7 +83,8 @@ def usage_problem(error: Exception) -> Problem:
     elif message.startswith("No such command"):
         wanted = message.split("'")[1]
         message = f"there is no command {wanted}"
-        hint = f"{did_you_mean(wanted, context.command.list_commands(context))}; {hint}" if context else hint
+        near = did_you_mean(wanted, context.command.list_commands(context)) if context else ""
+        hint = f"{near}; {hint}" if near else hint
     elif message.startswith("Got unexpected extra argument"):
         hint = f"values that belong together have no blanks between them, or quotes around them; {hint}"
     elif message.startswith("Missing argument"):

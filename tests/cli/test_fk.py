@@ -313,3 +313,13 @@ def test_a_small_position_is_not_shown_as_zero(dhcli: Run) -> None:
     assert point == ["p_x = 0", "p_y = 0.00003", "p_z = 0"]
     assert dhcli(*words, "--set", "a2=0", "--point", "0,0,1").out.splitlines()[-2] == "p_y = 0"
     assert dhcli(*words, "--set", "a2=0", "--point", "0,0,0", "--digits", "2").out.splitlines()[-2] == "p_y = 0"
+
+
+def test_a_named_pose_may_be_varied(dhcli: Run) -> None:
+    """By joints with their names; a list of all joints would leave nothing of it."""
+    varied = dhcli("fk", "puma560", "--pose", "ready", "--q", "q1=30°", "--format", "json").data
+    plain = dhcli("fk", "puma560", "--q", "30°,-90°,-90°,0,0,0", "--format", "json").data
+    assert varied["matrix"] == plain["matrix"]
+    done = dhcli("fk", "puma560", "--pose", "ready", "--q", "0,0,0,0,0,0")
+    assert done.code == 2
+    assert "--q NAME=VALUE varies a pose" in done.err

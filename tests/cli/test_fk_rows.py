@@ -146,6 +146,7 @@ def test_npy_goes_through_a_pipe(process: Run, tmp_path: Path) -> None:
         ("fk scara --in .", "is a folder"),
         ("fk scara --in q.csv --format cvs", "did you mean csv?"),
         ("fk scara --in q.csv -o poses.tex", "known suffixes of rows: .csv .jsonl .ndjson .npy"),
+        ("fk scara --in q.csv -o poses.json", "did you mean .jsonl"),
         ("fk scara --in q.csv -o q.csv", "q.csv: exists already"),
         ("fk scara --in q.csv -o nowhere/p.csv", "there is no folder nowhere"),
         ("fk scara --in q.csv --force", "--force needs a file"),
