@@ -22,10 +22,14 @@ if TYPE_CHECKING:
     from dhcli.files.exercises import load_exercise as load_exercise
     from dhcli.files.robots import load_robot as load_robot
     from dhcli.kinematics.batch import forward_batch as forward_batch
+    from dhcli.kinematics.forms import axis_angles as axis_angles
+    from dhcli.kinematics.forms import quaternions as quaternions
+    from dhcli.kinematics.forms import roll_pitch_yaw as roll_pitch_yaw
     from dhcli.kinematics.forward import forward as forward
     from dhcli.kinematics.forward import symbolic as symbolic
     from dhcli.kinematics.pose import Pose as Pose
     from dhcli.kinematics.robot import Robot as Robot
+    from dhcli.kinematics.sweep.asked import sweep as sweep
 
 __version__ = "0.1.0"
 
@@ -33,11 +37,15 @@ _HOMES = {
     "DhcliError": "dhcli.errors",
     "Pose": "dhcli.kinematics.pose",
     "Robot": "dhcli.kinematics.robot",
+    "axis_angles": "dhcli.kinematics.forms",
     "check": "dhcli.checking.marking",
     "forward": "dhcli.kinematics.forward",
     "forward_batch": "dhcli.kinematics.batch",
     "load_exercise": "dhcli.files.exercises",
     "load_robot": "dhcli.files.robots",
+    "quaternions": "dhcli.kinematics.forms",
+    "roll_pitch_yaw": "dhcli.kinematics.forms",
+    "sweep": "dhcli.kinematics.sweep.asked",
     "symbolic": "dhcli.kinematics.forward",
 }
 
@@ -46,11 +54,15 @@ __all__ = [
     "Pose",
     "Robot",
     "__version__",
+    "axis_angles",
     "check",
     "forward",
     "forward_batch",
     "load_exercise",
     "load_robot",
+    "quaternions",
+    "roll_pitch_yaw",
+    "sweep",
     "symbolic",
 ]
 

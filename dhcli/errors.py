@@ -22,7 +22,9 @@ class ExitStatus(IntEnum):
     NOT_RIGHT = 1
     BAD_INPUT = 2
     BUG = 3
+    HUNG_UP = 129
     INTERRUPTED = 130
+    TERMINATED = 143
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,6 +20,9 @@ from typing import Any, TypeVar
 
 from dhcli.errors import DhcliError
 
+_ENDINGS = {getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)}
+"""The signals at which work ends in order."""
+
 _SPAWN = get_context("spawn")
 """The one way to start a process that works everywhere, and with threads around."""
 
@@ -123,6 +126,8 @@ class _Worker:
 
 def _serve(pipe: Connection, work: Callable[[Any], object]) -> None:
     """The life of a process: say that it is ready, then work until nobody gives it work any more."""
+    if hasattr(signal, "pthread_sigmask"):  # it was started deaf to these, too
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, _ENDINGS - {signal.SIGINT})
     with suppress(EOFError, OSError):
         pipe.send(None)
         while True:
@@ -142,34 +147,37 @@ def _patience(team: Sequence[_Worker]) -> float | None:
 
 @contextmanager
 def _without_interrupts() -> Iterator[None]:
-    """Hear Ctrl-C only afterwards; a process that starts meanwhile, to which it goes too, never does.
+    """Hear Ctrl-C and its like only afterwards; a process that starts meanwhile never hears Ctrl-C.
 
     A process is started with the signals blocked that are blocked here. That does not keep them from this one: a
     signal goes to any thread that takes it, such as that of a progress bar, and Python raises it in the main thread.
     """
-    if current_thread() is not main_thread() or signal.getsignal(signal.SIGINT) is None:  # Python raises nothing here
+    if current_thread() is not main_thread():  # Python raises nothing here
         with _blocked():
             yield
         return
     heard: list[int] = []
-    before = signal.signal(signal.SIGINT, lambda number, _: heard.append(number))
+    handlers = {number: handler for number in _ENDINGS if (handler := signal.getsignal(number)) is not None}
+    for number in handlers:
+        signal.signal(number, lambda number, _: heard.append(number))
     try:
         with _blocked():
             yield
     finally:
-        signal.signal(signal.SIGINT, before)
-        if heard:
-            signal.raise_signal(signal.SIGINT)
+        for number, handler in handlers.items():
+            signal.signal(number, handler)
+        for number in heard[:1]:
+            signal.raise_signal(number)
 
 
 @contextmanager
 def _blocked() -> Iterator[None]:
-    """Block Ctrl-C in this thread, and in processes that it starts, where the system can."""
+    """Block Ctrl-C and its like in this thread, and in processes that it starts, where the system can."""
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
-    resource_tracker.ensure_running()  # or the first process would start it, and Python then unblocks the signal
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    resource_tracker.ensure_running()  # or the first process would start it, and Python then unblocks the signals
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, _ENDINGS)
     try:
         yield
     finally:

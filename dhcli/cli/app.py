@@ -6,7 +6,9 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Annotated
 
 import typer
-from typer.core import TyperGroup
+from typer.core import TyperCommand, TyperGroup, TyperOption
+
+from dhcli.errors import DhcliError
 
 if TYPE_CHECKING:
     from typer._click import Command, Context
@@ -54,6 +56,23 @@ class Commands(TyperGroup):
         return load(cmd_name) if cmd_name in COMMANDS else None
 
 
+class OnceEach(TyperCommand):
+    """A command that takes an option with one value once; of two, typer would silently take the last."""
+
+    def parse_args(self, ctx: Context, args: list[str]) -> list[str]:
+        """Refuse what is given twice, then parse as ever.
+
+        Raises:
+            DhcliError: An option is given twice that has one value.
+        """
+        _, _, given = self.make_parser(ctx).parse_args(list(args))
+        for param in given:
+            is_single = isinstance(param, TyperOption) and not param.multiple and not param.is_flag
+            if is_single and given.count(param) > 1:
+                raise DhcliError(f"{param.opts[0]} is given {given.count(param)} times", "it has one value: keep one")
+        return super().parse_args(ctx, args)
+
+
 def load(name: str) -> Command:
     """Import a command and make it one of typer's."""
     where, _, function = COMMANDS[name].partition(":")
@@ -63,7 +82,7 @@ def load(name: str) -> Command:
         command = typer.main.get_command(found)
     else:
         single = typer.Typer(add_completion=False, rich_markup_mode="rich")
-        single.command(name, epilog=module.EXAMPLES)(found)
+        single.command(name, cls=OnceEach, epilog=module.EXAMPLES)(found)
         command = typer.main.get_command(single)
     command.name = name
     return command
@@ -71,7 +90,9 @@ def load(name: str) -> Command:
 
 def build() -> Command:
     """The whole command line."""
-    app = typer.Typer(cls=Commands, rich_markup_mode="rich")
+    # Commands take the names of their help from here.
+    names = {"help_option_names": ["--help", "-h"]}
+    app = typer.Typer(cls=Commands, rich_markup_mode="rich", context_settings=names)
     app.callback(epilog=EXAMPLES)(root)
     return typer.main.get_command(app)
 

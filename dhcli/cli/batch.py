@@ -8,17 +8,22 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from dhcli.cli.console import say
-from dhcli.cli.given import forms_of, settings_of
+from dhcli.cli.given import forms_of, open_scope, point_of, settings_of
 from dhcli.cli.rows import RowDelivery
 from dhcli.errors import DhcliError, FileError, Place, Problem, plural
 from dhcli.files.reading import source_of
 from dhcli.files.robots import load_robot
 from dhcli.files.rows.blocks import MOST, Block
+from dhcli.files.rows.columns import Asked
 from dhcli.files.rows.reading import Rows, rows_of
 from dhcli.files.rows.source import open_source
-from dhcli.kinematics.many import PoseRows, frames_wanted, is_real
+from dhcli.kinematics.many import PoseRows, frames_wanted, is_real, numbered
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.sweep.target import target_of
 from dhcli.kinematics.tally import Tally
-from dhcli.kinematics.values import parameter_values
+from dhcli.kinematics.validity import in_floats
+from dhcli.kinematics.values import joint_values, parameter_values
+from dhcli.notation.quantity import Bare
 from dhcli.render.paper import Paper
 from dhcli.render.pose_rows import pose_layout
 from dhcli.render.problems import warning_line
@@ -41,12 +46,15 @@ def check_options(path: str | None, robot: str, others: Mapping[str, object]) ->
         DhcliError: There is no file, or one of the others is given.
     """
     if path is None:
-        raise DhcliError("--skip-bad is for many poses", "name their file with --in FILE")
+        raise DhcliError(
+            "--skip-bad, --ignore-columns and --index are for many poses", "name their file with --in FILE"
+        )
     if path == robot == "-":
         raise DhcliError("the robot and the rows cannot both come from standard input", "save one of them in a file")
     if given := [option for option, value in others.items() if value is not None and value is not False]:
         verb = "does" if len(given) == 1 else "do"
-        hint = "with --in go --deg --set --from --to --inverse --frames --as --skip-bad --format -o --force"
+        hint = "with --in go --q NAME=VALUE --deg --set --from --to --inverse --frames --point --as --skip-bad "
+        hint += "--ignore-columns --index --format -o --force"
         raise DhcliError(f"{' and '.join(given)} {verb} not go with --in", hint)
     return path
 
@@ -57,6 +65,7 @@ def rows_wanted(
     end: str | None,
     settings: Sequence[str],
     forms: Sequence[str],
+    point: str | None = None,
     *,
     inverse: bool,
     every: bool,
@@ -64,39 +73,69 @@ def rows_wanted(
     """What the options ask of each row; see `fk`.
 
     Raises:
-        DhcliError: There is no such robot, frame or form, or a length has no value.
+        DhcliError: There is no such robot, frame or form, a length has no value, or the point is none.
     """
+    if point is not None and (forms or every):
+        raise DhcliError(f"--point and {'--as' if forms else '--frames'} ask for different things", "use one of them")
     arm = load_robot(robot)
     frames = frames_wanted(arm, start, end, inverse=inverse, every=every)
     lengths = parameter_values(arm, settings_of(settings), Place("--set", text=" ".join(settings)))
-    return PoseRows(arm, frames, lengths, forms_of(forms) or ("matrix",), every)
+    if point is None:
+        return PoseRows(arm, frames, lengths, forms_of(forms) or ("matrix",), every)
+    target = target_of(arm, None, None, lengths, point_of(point, "--point", open_scope(arm)))
+    x, y, z = target.coordinates
+    return PoseRows(arm, frames, lengths, ("position",), point=(x, y, z))
 
 
-def fk_rows(wanted: PoseRows, path: str, delivery: RowDelivery, *, degrees: bool, skip_bad: bool) -> None:
+def asked_of_rows(robot: Robot, q: str | None, *, degrees: bool, ignores: bool) -> Asked:
+    """What the columns of a file are read for; a joint that `--q` gives has none.
+
+    Raises:
+        DhcliError: `--q` gives all joints, or cannot be read.
+    """
+    bare: Bare = "deg" if degrees else "rad"
+    place = Place("--q")
+    if q is not None and "=" not in q:
+        message = "--q gives all joints, and so does the file"
+        raise DhcliError(message, "--q d3=0.1 is for a joint that has no column")
+    held = {name: in_floats(value) for name, value in joint_values(robot, q, bare=bare, place=place).items()}
+    if held and len(held) == len(robot.variables):
+        raise DhcliError("--q gives all joints", "leave --in out, or a joint to the file")
+    return Asked(robot, degrees, held, ignores)
+
+
+def fk_rows(
+    wanted: PoseRows, asked: Asked, path: str, delivery: RowDelivery, *, skip_bad: bool, index: bool = False
+) -> None:
     """Compute a pose for each row of a file, and hand the poses over as they come.
 
     Args:
         wanted: What is wanted of each row.
+        asked: What the file is read for.
         path: The file with the joint values; `-` for standard input.
         delivery: Where the poses go.
-        degrees: Whether numbers of revolute joints without a unit are degrees.
         skip_bad: Whether to go on without the rows that are bad.
+        index: Whether each pose says where its joint values stand.
 
     Raises:
         FileError: The file is no table for this robot, a row is bad, or the result cannot be written.
     """
-    layout = pose_layout(wanted.forms, wanted.frames if wanted.every else ())
-    whole = delivery.chosen() == "npy" and wanted.forms == ("matrix",)  # with the last row of each matrix
+    layout = pose_layout(wanted.forms, wanted.frames if wanted.every else (), index=index)
+    # With the last row of each matrix.
+    whole = delivery.chosen() == "npy" and wanted.forms == ("matrix",) and not index
     tally, bad = Tally(wanted.robot), BadRows(path, skip=skip_bad)
     to_file = delivery.output is not None or not sys.stdout.isatty()
     with open_source(path) as source:
-        rows = rows_of(source, wanted.robot, degrees=degrees)
+        rows = rows_of(source, asked)
         with delivery.open(layout) as sink, row_progress(sys.stderr, wanted=to_file) as tell:
             for block in rows.blocks():
                 bad.take(block.bad, block.bad_rows)
-                q, poses = _real(block, wanted.poses(block.q), rows, bad)
-                tally.take(q, block.in_radians, locked=wanted.locked(poses))
-                sink.write(poses if whole else wanted.said(poses))
+                poses = wanted.poses(block.q)
+                real = _real(block, poses, rows, bad)
+                poses = poses[real]
+                tally.take(block.q[real], block.in_radians, locked=wanted.locked(poses))
+                said = poses if whole else wanted.said(poses)
+                sink.write(numbered(block.rows, real, said) if index else said)
                 if not sink.wanted:
                     return
                 tell(sink.count + bad.count, source.share)
@@ -151,14 +190,12 @@ class BadRows:
         say("".join(lines))
 
 
-def _real(
-    block: Block, poses: NDArray[np.float64], rows: Rows, bad: BadRows
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Joint values and poses without the rows whose pose is none."""
+def _real(block: Block, poses: NDArray[np.float64], rows: Rows, bad: BadRows) -> NDArray[np.bool_] | slice:
+    """The rows whose pose is one."""
     real = is_real(poses)
     if real.all():
-        return block.q, poses
+        return slice(None)
     where = (~real).nonzero()[0].tolist()
     message = "the pose has an entry that is not a real number"
     bad.take([Problem(message, rows.place_of(block.rows[i])) for i in where[:MOST]], len(where))
-    return block.q[real], poses[real]
+    return real

@@ -121,7 +121,9 @@ def format_by_suffix(output: str, suffixes: Mapping[str, str], of: str = "", mor
     """
     suffix = Path(output).suffix.lower()
     if suffix not in suffixes:
-        hint = f"known suffixes{of}: {' '.join(suffixes)}; {more}"
+        near = did_you_mean(suffix, suffixes)
+        hint = f"{near} " if near.startswith("did") else ""
+        hint += f"known suffixes{of}: {' '.join(suffixes)}; {more}"
         raise UnknownNameError(f"{output} does not say which format it should have", hint)
     return suffixes[suffix]
 

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from dhcli.cli.options import Force, Format, Output
+from dhcli.cli.options import Force, format_option, output_option
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -55,8 +55,8 @@ def dof(
         float | None,
         typer.Option("--tol", metavar="X", help="Relative error of rounded input: 0.003 for 3 decimals."),
     ] = None,
-    format_: Format = None,
-    output: Output = None,
+    format_: Annotated[str | None, format_option("table", "json")] = None,
+    output: Annotated[str | None, output_option(".json", ".txt")] = None,
     force: Force = False,
 ) -> None:
     """Count the freedoms of a linkage, say whether the formula can be trusted, and find the true mobility."""

@@ -6,7 +6,18 @@ from typing import Annotated
 
 import typer
 
-from dhcli.cli.options import Digits, Force, Format, Forms, Output, RobotName, Settings, Spelling
+from dhcli.cli.options import (
+    Digits,
+    Force,
+    Format,
+    Forms,
+    Output,
+    RobotName,
+    Settings,
+    Spelling,
+    complete_frame,
+    complete_pose,
+)
 
 _WHERE = "Where and what"
 _MANY = "Many poses"
@@ -37,7 +48,15 @@ def fk(
         ),
     ] = None,
     deg: Annotated[bool, typer.Option("--deg", help="Bare numbers of revolute joints are degrees.")] = False,
-    pose: Annotated[str | None, typer.Option("--pose", metavar="NAME", help="A named pose of the robot.")] = None,
+    pose: Annotated[
+        str | None,
+        typer.Option(
+            "--pose",
+            metavar="NAME",
+            help="A named pose of the robot; --q NAME=VALUE varies it.",
+            autocompletion=complete_pose,
+        ),
+    ] = None,
     set_: Settings = None,
     symbolic: Annotated[bool, typer.Option("--symbolic", "-s", help="Keep what has no value as symbols.")] = False,
     let: Annotated[bool, typer.Option("--let", help="Give names to long or repeated brackets.")] = False,
@@ -50,9 +69,19 @@ def fk(
         typer.Option(metavar="LINK", help="Elementary matrices of a link, or of all.", rich_help_panel=_WHERE),
     ] = None,
     from_: Annotated[
-        str | None, typer.Option("--from", metavar="FRAME", help="Seen from this frame.", rich_help_panel=_WHERE)
+        str | None,
+        typer.Option(
+            "--from",
+            metavar="FRAME",
+            help="Seen from this frame.",
+            rich_help_panel=_WHERE,
+            autocompletion=complete_frame,
+        ),
     ] = None,
-    to: Annotated[str | None, typer.Option(metavar="FRAME", help="Of this frame.", rich_help_panel=_WHERE)] = None,
+    to: Annotated[
+        str | None,
+        typer.Option(metavar="FRAME", help="Of this frame.", rich_help_panel=_WHERE, autocompletion=complete_frame),
+    ] = None,
     inverse: Annotated[bool, typer.Option("--inverse", help="The other way round.", rich_help_panel=_WHERE)] = False,
     point: Annotated[
         str | None, typer.Option(metavar="X,Y,Z", help="Where a point of the end frame is.", rich_help_panel=_WHERE)
@@ -63,13 +92,23 @@ def fk(
             "--in",
             metavar="FILE",
             help="Joint values, a row for each pose: CSV, JSON Lines or .npy; - is stdin. Names and units stand in the "
-            r"header: theta1\[deg]. Gives rows: csv, or jsonl or npy by --format or -o. --as takes matrix too.",
+            r"header: theta1\[deg]. Gives rows: csv, or jsonl or npy by --format or -o.",
             rich_help_panel=_MANY,
         ),
     ] = None,
     skip_bad: Annotated[
         bool,
         typer.Option("--skip-bad", help="Go on without bad rows, list them, and end with 0.", rich_help_panel=_MANY),
+    ] = False,
+    ignore_columns: Annotated[
+        bool,
+        typer.Option("--ignore-columns", help="Leave columns aside that are no joint.", rich_help_panel=_MANY),
+    ] = False,
+    index: Annotated[
+        bool,
+        typer.Option(
+            "--index", help="First column: where the row stands in FILE, as in errors.", rich_help_panel=_MANY
+        ),
     ] = False,
     as_: Forms = None,
     format_: Format = None,
@@ -79,15 +118,16 @@ def fk(
     force: Force = False,
 ) -> None:
     """Pose of a robot's end frame: in numbers from joint values, or in symbols as the textbook prints it."""
-    if in_ is not None or skip_bad:
-        from dhcli.cli.batch import check_options, fk_rows, rows_wanted
+    if in_ is not None or skip_bad or ignore_columns or index:
+        from dhcli.cli.batch import asked_of_rows, check_options, fk_rows, rows_wanted
         from dhcli.cli.rows import RowDelivery
 
-        others: dict[str, object] = {"--q": q, "--pose": pose, "--symbolic": symbolic, "--let": let, "--links": links}
-        others |= {"--factors": factors, "--point": point, "--style": style, "--digits": digits}
+        others: dict[str, object] = {"--pose": pose, "--symbolic": symbolic, "--let": let, "--links": links}
+        others |= {"--factors": factors, "--style": style, "--digits": digits}
         path = check_options(in_, robot, others)
-        wanted = rows_wanted(robot, from_, to, set_ or [], as_ or [], inverse=inverse, every=frames)
-        fk_rows(wanted, path, RowDelivery(format_, output, force), degrees=deg, skip_bad=skip_bad)
+        wanted = rows_wanted(robot, from_, to, set_ or [], as_ or [], point, inverse=inverse, every=frames)
+        asked = asked_of_rows(wanted.robot, q, degrees=deg, ignores=ignore_columns)
+        fk_rows(wanted, asked, path, RowDelivery(format_, output, force), skip_bad=skip_bad, index=index)
         return
     from dhcli.cli.asking import ask, kind_of
     from dhcli.cli.delivery import Delivery

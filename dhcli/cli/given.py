@@ -20,16 +20,15 @@ def values_of(
     robot: Robot, q: str | None, pose: str | None, settings: Sequence[str], *, degrees: bool, symbolic: bool
 ) -> dict[str, Value]:
     """Values of joints and parameters: in symbols those typed, in numbers the robot's own lengths too."""
-    if q is not None and pose is not None:
-        raise DhcliError("--q and --pose both say where the joints are", "use one of them")
+    if q is not None and pose is not None and "=" not in q:
+        raise DhcliError("--q and --pose both say where all joints are", "use one; --q NAME=VALUE varies a pose")
     given = settings_of(settings)
     place = Place("--set", text=" ".join(settings))
     take = given_parameters if symbolic else parameter_values
     lengths = take(robot, given, place)
-    if pose is not None:
-        return {**lengths, **named_pose(robot, pose)}
+    posed = {} if pose is None else named_pose(robot, pose)
     text, where = (q, Place("--q")) if q is None or not q.startswith("@") else text_of_file(q[1:])
-    return {**lengths, **joint_values(robot, text, bare="deg" if degrees else "rad", place=where)}
+    return {**lengths, **posed, **joint_values(robot, text, bare="deg" if degrees else "rad", place=where)}
 
 
 def named_pose(robot: Robot, name: str) -> dict[str, Value]:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dhcli.cli.options import Force, Format, Output
+from dhcli.cli.options import Force, format_option, output_option
 
 if TYPE_CHECKING:
     from dhcli.files.library import Kind
@@ -34,8 +34,8 @@ def list_(
             metavar="KIND", help="robots, linkages or exercises; all by default.", autocompletion=complete_kind
         ),
     ] = None,
-    format_: Format = None,
-    output: Output = None,
+    format_: Annotated[str | None, format_option("table", "json", "csv")] = None,
+    output: Annotated[str | None, output_option(".json", ".csv", ".txt")] = None,
     force: Force = False,
 ) -> None:
     """List what there is: names, joints, titles, and the folder each comes from."""

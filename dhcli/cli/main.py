@@ -7,6 +7,7 @@ import sys
 from collections.abc import Sequence
 
 from dhcli.cli.console import GuardedStream, complain, finish
+from dhcli.cli.signals import ending_in_order
 from dhcli.errors import DhcliError, ExitStatus, Place, Problem
 
 BUGS = "please report it with the command you typed; DHCLI_DEBUG=1 shows where it happened"
@@ -19,7 +20,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         arguments: The words after `dhcli`; those of this process by default.
 
     Returns:
-        The exit code: 0 done, 1 an answer not right, 2 bad input, 3 a bug in dhcli, 130 Ctrl-C.
+        The exit code: 0 done, 1 an answer not right, 2 bad input, 3 a bug in dhcli, 130 Ctrl-C, 129 SIGHUP,
+        143 SIGTERM.
     """
     words = list(sys.argv[1:] if arguments is None else arguments)
     streams = sys.stdout, sys.stderr
@@ -33,8 +35,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _guarded(words: list[str]) -> int:
     """Run the words, and turn every way to fail into its code and its text."""
     try:
-        code = _run(words)
-        finish()
+        with ending_in_order():
+            code = _run(words)
+            finish()
     except DhcliError as error:
         complain(error.problems, words)
         return error.status
@@ -59,7 +62,7 @@ def _run(words: list[str]) -> int:
         return build()(words or ["--help"], prog_name="dhcli", standalone_mode=False) or ExitStatus.DONE
     except ClickException as error:
         raise DhcliError(usage_problem(error)) from None
-    except SystemExit as stopped:  # typer's own printing met a closed pipe; the work itself was done
+    except SystemExit as stopped:  # a signal; or typer's own printing met a closed pipe, and the work was done
         return stopped.code if isinstance(stopped.code, int) and stopped.code != 1 else ExitStatus.DONE
 
 
@@ -80,7 +83,8 @@ def usage_problem(error: Exception) -> Problem:
     elif message.startswith("No such command"):
         wanted = message.split("'")[1]
         message = f"there is no command {wanted}"
-        hint = f"{did_you_mean(wanted, context.command.list_commands(context))}; {hint}" if context else hint
+        near = did_you_mean(wanted, context.command.list_commands(context)) if context else ""
+        hint = f"{near}; {hint}" if near else hint
     elif message.startswith("Got unexpected extra argument"):
         hint = f"values that belong together have no blanks between them, or quotes around them; {hint}"
     elif message.startswith("Missing argument"):

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from dhcli.cli.options import Force, Format, Output, RobotName, Variant
+from typing import Annotated
+
+from dhcli.cli.options import Force, RobotName, Variant, format_option, output_option
 from dhcli.errors import DhcliError
 
 EXAMPLES = """
@@ -19,8 +21,8 @@ dhcli show planar-in-numbers --variant alice
 def show(
     name: RobotName,
     variant: Variant = None,
-    format_: Format = None,
-    output: Output = None,
+    format_: Annotated[str | None, format_option("table", "json", "latex", "csv")] = None,
+    output: Annotated[str | None, output_option(".json", ".tex", ".csv", ".txt")] = None,
     force: Force = False,
 ) -> None:
     """Show a robot's table, a linkage's joints or an exercise's task, and where it comes from."""

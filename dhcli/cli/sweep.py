@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dhcli.cli.options import Digits, Force, RobotName, Settings
+from dhcli.cli.options import Digits, Force, RobotName, Settings, complete_frame, complete_joint, complete_pose
 
 if TYPE_CHECKING:
     import numpy as np
@@ -39,19 +39,33 @@ def sweep(
             metavar="RANGE",
             help="Sweep a joint: 'q1=-90°..90° step 5°', 'd3=0..0.2 n 11', 'q1=-90°..90°', or q1 for all that its "
             "limits allow; repeatable. Without it all joints are swept.",
+            autocompletion=complete_joint,
         ),
     ] = None,
     deg: Annotated[bool, typer.Option("--deg", help="Bare numbers of revolute joints are degrees.")] = False,
     q: Annotated[
         str | None, typer.Option("--q", metavar="VALUES", help="Where the other joints stand; 0 by default.")
     ] = None,
-    pose: Annotated[str | None, typer.Option("--pose", metavar="NAME", help="The same, by a named pose.")] = None,
+    pose: Annotated[
+        str | None,
+        typer.Option("--pose", metavar="NAME", help="The same, by a named pose.", autocompletion=complete_pose),
+    ] = None,
     set_: Settings = None,
     from_: Annotated[
-        str | None, typer.Option("--from", metavar="FRAME", help="Seen from this frame.", rich_help_panel=_WHERE)
+        str | None,
+        typer.Option(
+            "--from",
+            metavar="FRAME",
+            help="Seen from this frame.",
+            rich_help_panel=_WHERE,
+            autocompletion=complete_frame,
+        ),
     ] = None,
     to: Annotated[
-        str | None, typer.Option(metavar="FRAME", help="The origin of this frame.", rich_help_panel=_WHERE)
+        str | None,
+        typer.Option(
+            metavar="FRAME", help="The origin of this frame.", rich_help_panel=_WHERE, autocompletion=complete_frame
+        ),
     ] = None,
     point: Annotated[
         str | None, typer.Option(metavar="X,Y,Z", help="A point of that frame instead.", rich_help_panel=_WHERE)

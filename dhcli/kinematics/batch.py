@@ -16,7 +16,7 @@ from dhcli.kinematics.forward import Given
 from dhcli.kinematics.frames import between, ends
 from dhcli.kinematics.merge import merge
 from dhcli.kinematics.moves import Chain
-from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.values import numbers, parameter_values, require
 from dhcli.notation.angle import Angle
 
@@ -59,19 +59,21 @@ def forward_batch(
         The poses, shape (N, 4, 4), translation in metres; NaN or infinite where a joint value is.
 
     Raises:
-        RobotError: Q or `out` has another shape, Q holds something else than numbers, or a length has no value.
+        RobotError: Q or `out` has another shape, Q holds something else than real numbers, `out` cannot be written
+            to, or a length has no value.
         UnknownNameError: The robot has no such frame or length.
     """
+    check_robot(robot)
     wanted = len(robot.variables)
     try:
+        if np.iscomplexobj(Q):
+            raise RobotError("Q holds complex numbers", "joint values are real: Q.real, if that is what is meant")
         q = np.asarray(Q, dtype=np.float64)
-    except (ValueError, TypeError) as error:
-        raise RobotError(f"Q is no array of numbers: {error}", f"wanted: {wanted} numbers in each row") from None
+    except (ValueError, TypeError):
+        raise RobotError("Q is no array of numbers", f"wanted: rows of {wanted} numbers, all as long") from None
     if q.ndim != 2 or q.shape[1] != wanted:  # noqa: PLR2004  rows and columns
         raise RobotError(f"{robot.name} has {wanted} joints; Q has the shape {q.shape}, not (N, {wanted})")
-    poses = np.empty((len(q), 4, 4)) if out is None else out
-    if poses.shape != (len(q), 4, 4) or poses.dtype != np.float64:
-        raise RobotError(f"out has the shape {poses.shape} of {poses.dtype}, not {(len(q), 4, 4)} of float64")
+    poses = np.empty((len(q), 4, 4)) if out is None else _checked(out, (len(q), 4, 4))
     chain = between(robot, *ends(robot, start, end))
     lengths = parameter_values(robot, parameters or {})
     require(robot, chain, {**lengths, **dict.fromkeys(robot.variables, Angle())})
@@ -92,3 +94,18 @@ def recorded(chain: Chain, variables: tuple[str, ...], values: Known, *, merged:
     tape = Tape(variables, dict(values))
     rows = fold(merge(chain) if merged else chain, tape)
     return assemble(tape, [entry for row in rows for entry in row])
+
+
+def _checked(out: object, shape: tuple[int, ...]) -> NDArray[np.float64]:
+    """Where a result goes, if it fits.
+
+    Raises:
+        RobotError: It is no array, or one of another shape or kind, or one that nobody may write to.
+    """
+    if not isinstance(out, np.ndarray):
+        raise RobotError(f"out is no numpy array but {type(out).__name__}", f"np.empty({shape}) makes one")
+    if out.shape != shape or out.dtype != np.float64:
+        raise RobotError(f"out has the shape {out.shape} of {out.dtype}, not {shape} of float64")
+    if not out.flags.writeable:
+        raise RobotError("out is read-only", "give an array of your own, or leave out= out")
+    return out

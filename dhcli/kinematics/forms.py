@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
-from dhcli.errors import UnknownNameError, did_you_mean
+from dhcli.errors import RobotError, UnknownNameError, did_you_mean
 from dhcli.kinematics.orientation import TINY
 
 if TYPE_CHECKING:
@@ -27,7 +27,18 @@ def positions(poses: Table) -> Table:
 
 
 def roll_pitch_yaw(poses: Table) -> Table:
-    """Roll, pitch and yaw [rad], shape (N, 3), as `orientation.roll_pitch_yaw` has them."""
+    """Roll, pitch and yaw of many poses [rad]: `R = Rz(yaw) Ry(pitch) Rx(roll)`, pitch in [-π/2, π/2].
+
+    Args:
+        poses: Matrices, shape (N, 4, 4), as `forward_batch` gives them.
+
+    Returns:
+        A row for each, shape (N, 3); at pitch ±π/2, where only one of roll and yaw can be told, roll is 0.
+
+    Raises:
+        RobotError: They have another shape; so for the other two.
+    """
+    poses = _checked(poses)
     r = poses[:, :3, :3]
     free = locked(poses)
     roll = np.where(free, 0.0, np.arctan2(r[:, 2, 1], r[:, 2, 2]))
@@ -42,7 +53,8 @@ def locked(poses: Table) -> NDArray[np.bool_]:
 
 
 def quaternions(poses: Table) -> Table:
-    """Unit quaternions w, x, y, z with w >= 0, shape (N, 4), as `orientation.quaternion` has them."""
+    """Unit quaternions w, x, y, z with w >= 0 of many poses, shape (N, 4, 4): a row for each, shape (N, 4)."""
+    poses = _checked(poses)
     (r11, r12, r13), (r21, r22, r23), (r31, r32, r33) = np.moveaxis(poses[:, :3, :3], 0, -1)
     squares = (1 + r11 + r22 + r33, 1 + r11 - r22 - r33, 1 - r11 + r22 - r33, 1 - r11 - r22 + r33)
     choices = np.stack(
@@ -65,7 +77,7 @@ def quaternions(poses: Table) -> Table:
 
 
 def axis_angles(poses: Table) -> Table:
-    """A unit axis and an angle in [0, π] [rad], shape (N, 4), as `orientation.axis_angle` has them."""
+    """A unit axis and an angle in [0, π] [rad] of many poses, shape (N, 4, 4): rows x, y, z, angle, shape (N, 4)."""
     turns = quaternions(poses)
     sine = np.sqrt(np.sum(turns[:, 1:] ** 2, axis=1))
     still = sine < TINY
@@ -94,3 +106,13 @@ def check_forms(forms: Iterable[str]) -> None:
     for form in forms:
         if form not in FORMS:
             raise UnknownNameError(f"there is no way to say a pose as {form}", did_you_mean(form, FORMS))
+
+
+def _checked(poses: Table) -> Table:
+    """Poses in an array of the right shape; they may be a list of them."""
+    table = np.asarray(poses, dtype=np.float64)
+    if table.ndim != 3 or table.shape[1:] != (4, 4):  # noqa: PLR2004  rows of matrices
+        raise RobotError(
+            f"poses have the shape (N, 4, 4), not {table.shape}", "one Pose has rpy, quaternion, axis_angle"
+        )
+    return table

@@ -15,7 +15,7 @@ from dhcli.kinematics.frames import between, ends
 from dhcli.kinematics.merge import merge
 from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, substituted
 from dhcli.kinematics.pose import Pose
-from dhcli.kinematics.robot import Link, Robot, Value
+from dhcli.kinematics.robot import Link, Robot, Value, check_robot
 from dhcli.kinematics.values import (
     JointInput,
     Values,
@@ -61,6 +61,7 @@ def forward(
         RobotError: A value is missing, or not a number.
         UnknownNameError: The robot has no such frame, joint or length.
     """
+    check_robot(robot)
     values = {**parameter_values(robot, parameters or {}), **joint_values(robot, q)}
     return numeric_pose(robot, values, *ends(robot, start, end))
 
@@ -88,6 +89,7 @@ def symbolic(
     Raises:
         UnknownNameError: The robot has no such frame, joint or length.
     """
+    check_robot(robot)
     values = {**given_parameters(robot, parameters or {}), **joint_values(robot, q)}
     return symbolic_pose(robot, values, *ends(robot, start, end))
 

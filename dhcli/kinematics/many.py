@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -28,6 +28,7 @@ class PoseRows:
         parameters: Values of all lengths and constant angles that have one.
         forms: The ways in which each pose is said, names of `forms.FORMS`.
         every: Whether they are all the frames on a way, were it only one.
+        point: A point of each frame that is followed instead of its origin [m].
     """
 
     robot: Robot
@@ -35,6 +36,7 @@ class PoseRows:
     parameters: Mapping[str, Value]
     forms: tuple[str, ...] = ("matrix",)
     every: bool = False
+    point: tuple[float, float, float] | None = None
 
     def __post_init__(self) -> None:
         """Refuse what cannot be computed for any row, before there are any.
@@ -57,6 +59,8 @@ class PoseRows:
         poses = np.empty((len(q), len(self.frames), 4, 4))
         for k, (start, end) in enumerate(self.frames):
             forward_batch(self.robot, q, start=start, end=end, parameters=self.parameters, out=poses[:, k])
+        if self.point is not None:
+            poses[..., :3, 3] += poses[..., :3, :3] @ np.array(self.point)
         return poses
 
     def said(self, poses: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -95,3 +99,14 @@ def frames_wanted(
 def is_real(poses: NDArray[np.float64]) -> NDArray[np.bool_]:
     """In which rows of poses, shape (N, F, 4, 4), every entry is a real number; shape (N,)."""
     return np.all(np.isfinite(poses), axis=(1, 2, 3))  # type: ignore[no-any-return]  # numpy: or one bool
+
+
+def numbered(rows: Sequence[int], kept: NDArray[np.bool_] | slice, said: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Rows of numbers, shape (N, width), with where each of them stands as the first number.
+
+    Args:
+        rows: Where they stood before some were left out.
+        kept: Which of them are still there.
+        said: Those, shape (N, width).
+    """
+    return np.column_stack((np.array(rows)[kept], said))

@@ -55,10 +55,10 @@ def roll_pitch_yaw(pose: Pose[float]) -> RollPitchYaw:
     Source: Craig, eqs. 2.64 to 2.68.
     """
     (r11, r12, _), (r21, r22, _), (r31, r32, r33) = pose.rotation
-    pitch = math.atan2(-r31, math.hypot(r11, r21))
+    pitch = math.atan2(-r31, math.hypot(r11, r21)) + 0.0  # no minus zero
     if math.hypot(r11, r21) < TINY:
-        return RollPitchYaw(0.0, pitch, math.atan2(-r12, r22), locked=True)
-    return RollPitchYaw(math.atan2(r32, r33), pitch, math.atan2(r21, r11))
+        return RollPitchYaw(0.0, pitch, math.atan2(-r12, r22) + 0.0, locked=True)
+    return RollPitchYaw(math.atan2(r32, r33) + 0.0, pitch, math.atan2(r21, r11) + 0.0)
 
 
 def quaternion(pose: Pose[float]) -> Quaternion:

@@ -30,13 +30,25 @@ class Position:
     coordinates: tuple[float, ...] | tuple[Expr, ...]
 
 
-Placement: TypeAlias = Position | RollPitchYaw | AxisAngle | Quaternion
+@dataclass(frozen=True, slots=True)
+class Matrix:
+    """The homogeneous matrix itself.
+
+    Attributes:
+        rows: Entries, shape (4, 4); translation in metres.
+    """
+
+    rows: tuple[tuple[float, ...], ...] | tuple[tuple[Expr, ...], ...]
+
+
+Placement: TypeAlias = Matrix | Position | RollPitchYaw | AxisAngle | Quaternion
 
 FORMS: dict[str, Callable[[Any], Placement]] = {
     "rpy": roll_pitch_yaw,
     "axis-angle": axis_angle,
     "quaternion": quaternion,
     "position": lambda pose: Position(pose.position),
+    "matrix": lambda pose: Matrix(pose.rows),
 }
 """The ways to say where a frame is, by the names a user gives them."""
 
@@ -57,8 +69,10 @@ def placements(pose: Pose[float] | Pose[Expr], forms: Iterable[str]) -> dict[str
         if form not in FORMS:
             hint = did_you_mean(form, FORMS)
             raise UnknownNameError(f"there is no way to say a pose as {form}", hint or "known: " + ", ".join(FORMS))
-        if pose.is_symbolic and form != "position":
-            raise RobotError(f"{form} needs numbers, and this pose is symbolic", "give every value, or --as position")
+        if pose.is_symbolic and form not in ("position", "matrix"):
+            raise RobotError(
+                f"{form} needs numbers, and this pose is symbolic", "give every value, or --as position,matrix"
+            )
         said[form] = FORMS[form](pose)
     return said
 

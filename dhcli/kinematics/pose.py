@@ -2,20 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
 from dhcli.algebra.arithmetic import plus, times
-from dhcli.errors import RobotError
-from dhcli.notation.styles import THETAS, Joints
-from dhcli.notation.tree import Expr
+from dhcli.algebra.floats import Floats
+from dhcli.errors import NotationError, RobotError
+from dhcli.notation.parser import parse
+from dhcli.notation.quantity import DimensionError, to_length
+from dhcli.notation.scope import OPEN
+from dhcli.notation.styles import THETAS, Joints, identifier
+from dhcli.notation.tree import Expr, number
+from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write
 
 if TYPE_CHECKING:
     import numpy as np
     import sympy
     from numpy.typing import DTypeLike, NDArray
+
+    from dhcli.kinematics.orientation import AxisAngle, Quaternion, RollPitchYaw
 
 N = TypeVar("N")
 
@@ -68,32 +76,87 @@ class Pose(Generic[N]):
 
     @property
     def matrix(self) -> NDArray[np.float64]:
-        """The entries as a numpy array, shape (4, 4); only for a pose in numbers."""
+        """The entries as a numpy array, shape (4, 4).
+
+        Raises:
+            RobotError: An entry holds a symbol.
+        """
         import numpy as np
 
-        return np.array(self.rows, dtype=np.float64)
+        return np.array(self.in_numbers().rows, dtype=np.float64)
+
+    @property
+    def rpy(self) -> RollPitchYaw:
+        """Roll, pitch and yaw [rad]: `R = Rz(yaw) Ry(pitch) Rx(roll)`, pitch in [-π/2, π/2].
+
+        At pitch ±π/2 only one of roll and yaw can be told: roll is then 0, and `locked` says so.
+
+        Raises:
+            RobotError: An entry holds a symbol; so for the other two.
+        """
+        from dhcli.kinematics.orientation import roll_pitch_yaw
+
+        return roll_pitch_yaw(self.in_numbers())
+
+    @property
+    def quaternion(self) -> Quaternion:
+        """The unit quaternion w, x, y, z with w >= 0."""
+        from dhcli.kinematics.orientation import quaternion
+
+        return quaternion(self.in_numbers())
+
+    @property
+    def axis_angle(self) -> AxisAngle:
+        """One rotation about one unit axis, by an angle in [0, π] [rad]; the axis of no rotation is z."""
+        from dhcli.kinematics.orientation import axis_angle
+
+        return axis_angle(self.in_numbers())
+
+    def in_numbers(self) -> Pose[float]:
+        """This pose in floats: itself, or what its expressions come to where none holds a symbol.
+
+        Raises:
+            RobotError: An entry holds a symbol.
+        """
+        if not self.is_symbolic:
+            return self  # type: ignore[return-value]
+        entries = [entry for row in self.rows for entry in row if isinstance(entry, Expr)]
+        if free := sorted(frozenset().union(*map(symbols, entries))):
+            hint = "forward(robot, q) gives numbers, and to_sympy() keeps the symbols"
+            raise RobotError(f"{self.name} is in symbols: {', '.join(free)}", hint)
+        floats = Floats()
+        rows = tuple(tuple(floats.value(entry) for entry in row) for row in self.rows)  # type: ignore[arg-type]
+        return Pose(rows, self.reference, self.frame, self.title, self.joints)
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:  # noqa: FBT001
         """Let numpy read a pose as it reads nested lists."""
         import numpy as np
 
-        return np.array(self.rows, dtype=object if self.is_symbolic and dtype is None else dtype)
+        if self.is_symbolic and (dtype is None or np.dtype(dtype) == np.dtype(object)):
+            return np.array(self.rows, dtype=object)
+        return np.array(self.in_numbers().rows, dtype=dtype)
 
     @overload
     def __matmul__(self, other: Pose[N]) -> Pose[N]: ...
     @overload
-    def __matmul__(self, other: Sequence[N | int]) -> tuple[N, ...]: ...
-    def __matmul__(self, other: Pose[N] | Sequence[N | int]) -> Pose[N] | tuple[N, ...]:
-        """Chain two poses, or find where a point is.
+    def __matmul__(self, other: NDArray[Any]) -> NDArray[np.float64]: ...
+    @overload
+    def __matmul__(self, other: Sequence[N | float | str]) -> tuple[N, ...]: ...
+    def __matmul__(
+        self, other: Pose[N] | Sequence[N | float | str] | NDArray[Any]
+    ) -> Pose[N] | tuple[N, ...] | NDArray[np.float64]:
+        """Chain two poses, or find where points are.
 
         Args:
-            other: A pose whose reference is this frame, or a point of this frame, shape (3,) [m].
+            other: A pose whose reference is this frame; a point of this frame, shape (3,) [m]; or many of them in a
+                numpy array, shape (N, 3). For a pose in symbols a coordinate may be text: `(0, 0, "a6")`.
 
         Returns:
-            A pose, or the point seen from the reference, a tuple of 3.
+            A pose, or the point seen from the reference, a tuple of 3, or an array of points, shape (N, 3).
 
         Raises:
-            RobotError: The frames do not meet, or a point has not three coordinates.
+            RobotError: The frames do not meet, one of two poses is in symbols, or a point has not three coordinates.
+            NotationError: A coordinate cannot be read.
         """
         if isinstance(other, Pose):
             if other.reference != self.frame:
@@ -101,12 +164,28 @@ class Pose(Generic[N]):
                     f"{self.name} ends in frame {self.frame}, {other.name} starts from {other.reference}",
                     "the inner frames of a product must be the same",
                 )
+            if other.is_symbolic != self.is_symbolic:
+                kinds = ("numbers", "symbols") if other.is_symbolic else ("symbols", "numbers")
+                message = f"{self.name} is in {kinds[0]}, {other.name} in {kinds[1]}"
+                raise RobotError(message, "take both from forward, or both from symbolic")
             columns = list(zip(*other.rows, strict=True))
             rows = tuple(tuple(_dot(row, column) for column in columns) for row in self.rows)
             return Pose(rows, self.reference, other.frame, "", self.joints)
+        if getattr(other, "ndim", 1) != 1:
+            return self._of_points(other)  # type: ignore[arg-type]
         if len(other) != 3:  # noqa: PLR2004
             raise RobotError(f"a point has three coordinates, not {len(other)}")
-        return tuple(_dot(row, (*other, 1)) for row in self.rows[:3])
+        point = coordinates(other) if self.is_symbolic else _in_floats(other)
+        return tuple(_dot(row, (*point, 1)) for row in self.rows[:3])
+
+    def _of_points(self, points: NDArray[Any]) -> NDArray[np.float64]:
+        """Where points are, shape (N, 3) [m], given in the frame described, shape (N, 3)."""
+        if points.ndim != 2 or points.shape[1] != 3:  # noqa: PLR2004  rows and columns
+            hint = "the matrix of a product of numpy arrays is T.matrix @ other"
+            raise RobotError(f"points have the shape (N, 3), not {points.shape}", hint)
+        matrix = self.matrix
+        found: NDArray[np.float64] = points @ matrix[:3, :3].T + matrix[:3, 3]
+        return found
 
     def inverse(self) -> Pose[N]:
         """The reference seen from the frame described."""
@@ -116,10 +195,23 @@ class Pose(Generic[N]):
         return Pose((*back, self.rows[3]), self.frame, self.reference, "", self.joints)
 
     def to_sympy(self) -> sympy.Matrix:
-        """The entries as a sympy matrix, shape (4, 4)."""
+        """The entries as a sympy matrix, shape (4, 4).
+
+        Its symbols are real ones, so that sympy simplifies more. `.subs({"theta1": 0})` means another symbol, of which
+        sympy knows nothing, and changes nothing: `.subs({pose.sympy_symbols["theta1"]: 0})` puts a value in.
+        """
         from dhcli.algebra.symbolic import to_sympy_matrix
 
         return to_sympy_matrix(self.rows)
+
+    @property
+    def sympy_symbols(self) -> dict[str, sympy.Symbol]:
+        """The symbols of `to_sympy()` by their names there, `theta1`, `a2`."""
+        from dhcli.algebra.symbolic import to_sympy
+        from dhcli.notation.tree import Symbol
+
+        entries = [entry for row in self.rows for entry in row if isinstance(entry, Expr)]
+        return {identifier(name): to_sympy(Symbol(name)) for name in sorted(frozenset().union(*map(symbols, entries)))}
 
     def cells(self, style: str = "short", digits: int = DIGITS) -> tuple[tuple[str, ...], ...]:
         """The entries as text, shape (4, 4): expressions in a notation, numbers rounded for people."""
@@ -147,6 +239,30 @@ class Pose(Generic[N]):
         return f"$\\displaystyle {self.latex()}$"
 
 
+def coordinates(point: Iterable[Any]) -> list[Expr]:
+    """Coordinates as expressions: of numbers as they are typed [m], and of text with any names, `"a6"` or `"30mm"`.
+
+    Raises:
+        RobotError: One is neither.
+        NotationError: A text cannot be read, or is no length.
+    """
+    found: list[Expr] = []
+    for coordinate in point:
+        if isinstance(coordinate, Expr):
+            found.append(coordinate)
+        elif isinstance(coordinate, str):
+            try:
+                found.append(to_length(parse(coordinate, OPEN)))
+            except DimensionError as error:
+                raise NotationError(error.message, error.hint) from None
+        else:
+            try:
+                found.append(number(Fraction(repr(float(coordinate)))))
+            except (TypeError, ValueError):
+                raise RobotError(f"{coordinate!r} is no coordinate", 'write 0.1 or "a6"') from None
+    return found
+
+
 def rounded(value: float, digits: int = DIGITS) -> str:
     """A number for people: rounded, no trailing zeros, no minus zero."""
     if value != value or value in (float("inf"), float("-inf")):  # noqa: PLR0124  NaN
@@ -163,3 +279,11 @@ def _dot(row: Sequence[N | int], column: Sequence[N | int]) -> N:
     for a, b in zip(row[1:], column[1:], strict=True):
         total = plus(total, times(a, b))
     return total  # type: ignore[return-value]
+
+
+def _in_floats(point: Iterable[Any]) -> list[float]:
+    """Coordinates for a pose in numbers [m]."""
+    try:
+        return [float(coordinate) for coordinate in point]
+    except (TypeError, ValueError):
+        raise RobotError(f"a point of a pose in numbers has three numbers [m], not {tuple(point)}") from None

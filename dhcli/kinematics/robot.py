@@ -8,6 +8,7 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import Literal, TypeAlias
 
+from dhcli.errors import RobotError, plural
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row
 from dhcli.kinematics.moves import Chain, angle_names, expressions
 from dhcli.notation.angle import Angle
@@ -106,6 +107,14 @@ class Robot:
         values = (getattr(self, each.name) for each in fields(self))
         return Robot, tuple(dict(value) if isinstance(value, MappingProxyType) else value for value in values)
 
+    def __repr__(self) -> str:
+        """One line, as the prompt shows it; `dhcli show` and the attributes have the rest."""
+        return f"<Robot {self.name}: {self.title}, {plural(len(self.variables), 'joint')} {self.pattern}>"
+
+    def __hash__(self) -> int:
+        """By the fields that cannot change in place; equal robots have equal ones."""
+        return hash((self.name, self.convention, self.variables, self.links, self.base, self.tool, self.first))
+
     @cached_property
     def joints(self) -> tuple[Joint, ...]:
         """The joints in the order of the variables."""
@@ -163,3 +172,14 @@ class Robot:
     def pattern(self) -> str:
         """The joints as letters, such as RRP."""
         return "".join(joint.kind[0].upper() for joint in self.joints)
+
+
+def check_robot(robot: object) -> None:
+    """Make sure that a caller has given a robot, and not its name.
+
+    Raises:
+        RobotError: It is something else.
+    """
+    if not isinstance(robot, Robot):
+        hint = f"load_robot({robot!r}) loads one" if isinstance(robot, str) else "load_robot loads one"
+        raise RobotError(f"a Robot is wanted, not {robot!r:.60}", hint)

@@ -15,13 +15,17 @@ from dhcli.kinematics.question import AnyPose, Point, SeenPoint, folded
 from dhcli.kinematics.rigid import not_a_rotation
 from dhcli.kinematics.robot import Value
 from dhcli.kinematics.words import in_words
-from dhcli.notation.factors import parse_factors
+from dhcli.notation.factors import Factor, parse_factors
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
+from dhcli.notation.pasted import pose_matrix
 from dhcli.notation.quantity import DimensionError, to_angle, to_length
 from dhcli.notation.scope import OPEN, Scope
 from dhcli.notation.tree import ZERO, Trig
 from dhcli.notation.walk import walk
+
+_SHORT = 60
+"""Characters of a matrix that stands in a heading as it was typed."""
 
 Order: TypeAlias = Literal["current", "fixed"]
 
@@ -100,14 +104,14 @@ class Product:
 
 
 def read_product(text: str, place: Place) -> Product:
-    """Read a product of moves and matrices.
+    """Read a product of moves and matrices, or one matrix as dhcli or another program has printed it.
 
     Raises:
         NotationError: It cannot be read, or a matrix in it is no pose.
     """
     moves: list[Move] = []
     texts: list[str] = []
-    for factor in parse_factors(text, OPEN, place):
+    for factor in _factors(text, place):
         move = from_factor(factor)
         if isinstance(move, Fixed):
             where = _place_in(text, factor.start, place)
@@ -115,8 +119,24 @@ def read_product(text: str, place: Place) -> Product:
                 hint = "its first three columns must be perpendicular unit vectors, right-handed"
                 raise NotationError(Problem(f"this matrix is no pose: {fault}", where, hint))
         moves.append(move)
-        texts.append(spelled(move) if isinstance(move, Rot | Trans) else factor.text)
+        texts.append(spelled(move) if isinstance(move, Rot | Trans) else _title(factor.text))
     return Product(tuple(moves), tuple(texts))
+
+
+def _factors(text: str, place: Place) -> tuple[Factor, ...]:
+    """The factors of a product; a text that is none may be one matrix, with what a program writes around it."""
+    try:
+        return parse_factors(text, OPEN, place)
+    except NotationError:
+        matrix = pose_matrix(text)
+        if matrix is None:
+            raise
+    return parse_factors(matrix, OPEN, place)
+
+
+def _title(matrix: str) -> str:
+    """What a matrix is called in a heading: itself where it was typed short, in one line."""
+    return matrix if len(matrix) <= _SHORT and matrix.startswith("[") and "\n" not in matrix else "[4x4 matrix]"
 
 
 def values_for(product: Product, settings: Mapping[str, str], place: Place) -> dict[str, Value]:

@@ -6,7 +6,7 @@ import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
-from typing import TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean, plural
 from dhcli.kinematics.moves import Chain, names
@@ -20,11 +20,14 @@ from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr, Number
 from dhcli.notation.walk import symbols
 
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
 Values: TypeAlias = Mapping[str, Value]
 """Value of each name: exact angles, and lengths in metres."""
 
-JointInput: TypeAlias = str | Sequence[float | str | Angle] | Mapping[str, float | str | Angle] | None
-"""What a caller may give for the joints: text, a list in joint order, a mapping by name, or nothing."""
+JointInput: TypeAlias = "str | Sequence[float | str | Angle] | NDArray[Any] | Mapping[str, float | str | Angle] | None"
+"""What a caller may give for the joints: text, a list or an array in joint order, a mapping by name, or nothing."""
 
 SLACK = 1e-9
 """By how much a value may be beyond a limit and still be at it [rad or m]: limits in degrees are no floats."""
@@ -55,7 +58,10 @@ def joint_values(robot: Robot, q: JointInput, *, bare: Bare = "rad", place: Plac
             (joint := joint_called(robot, name, place)): _value(robot, joint, value, bare, place)
             for name, value in q.items()
         }
-    given = list(q)
+    try:
+        given = list(q)
+    except TypeError:
+        raise RobotError(Problem(f"{q!r} is no list of joint values", place, _joints_hint(robot, place))) from None
     _check_count(robot, len(given), place)
     return {n: _value(robot, n, v, bare, place) for n, v in zip(robot.variables, given, strict=True)}
 
@@ -92,7 +98,9 @@ def require(robot: Robot, chain: Chain, values: Values) -> None:
     lengths = sorted(missing - set(joints))
     problems = []
     if joints:
-        problems.append(Problem(f"no value for {', '.join(joints)}", None, f"{_joints_hint(robot)}; or --symbolic"))
+        problems.append(
+            Problem(f"no value for {', '.join(joints)}", None, f"{_joints_hint(robot, Place('--q'))}; or --symbolic")
+        )
     if lengths:
         hint = " ".join(f"--set {name}={'30°' if name in robot.angles else '0.4'}" for name in lengths)
         have = "has" if len(lengths) == 1 else "have"
@@ -173,7 +181,7 @@ def _from_text(robot: Robot, text: str, bare: Bare, place: Place) -> dict[str, V
     if len(parts) == 1 and not parts[0][1]:
         parts = []
     if len(parts) == 1 and len(robot.variables) != 1 and parts[0][1].strip().replace("_", "a").isidentifier():
-        hint = did_you_mean(parts[0][1].strip(), robot.poses) or _joints_hint(robot)
+        hint = did_you_mean(parts[0][1].strip(), robot.poses) or _joints_hint(robot, place)
         raise RobotError(Problem(f"{robot.name} has no pose called {text.strip()}", place, hint))
     _check_count(robot, len(parts), place)
     return {
@@ -267,15 +275,17 @@ def _check_count(robot: Robot, count: int, place: Place | None) -> None:
     wanted = len(robot.variables)
     if count != wanted:
         message = f"{robot.name} has {plural(wanted, 'joint')}, {plural(count, 'value')} given"
-        raise RobotError(Problem(message, place, _joints_hint(robot)))
+        raise RobotError(Problem(message, place, _joints_hint(robot, place)))
 
 
-def _joints_hint(robot: Robot) -> str:
+def _joints_hint(robot: Robot, place: Place | None) -> str:
+    """What the joints want: by `--q` where it was typed, and for a program without a word of the command line."""
+    is_typed = place is not None and place.source.startswith("--")
     if not robot.variables:
-        return "it has no joint: leave --q out"
+        return "it has no joint: leave --q out" if is_typed else "it has no joint: leave q out"
     kinds = {joint.name: "rad" if joint.kind == "revolute" else "m" for joint in robot.joints}
     listed = ", ".join(f"{name} [{kinds.get(name, '')}]" for name in robot.variables)
-    return f"--q takes {listed}"
+    return f"--q takes {listed}" if is_typed else f"wanted: {listed}"
 
 
 def _shown(number: float, kind: str) -> str:

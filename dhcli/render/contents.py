@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from dhcli.kinematics.orientation import AxisAngle, Quaternion, RollPitchYaw
-from dhcli.kinematics.placement import Placement, Position
+from dhcli.kinematics.placement import Matrix, Placement, Position
 from dhcli.kinematics.question import AnyPose, ForwardKinematics
 from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Expr, Number
@@ -66,8 +66,10 @@ def plain_number(value: Expr, joints: Joints, look: Look) -> float | str:
     return exact(float(value.value)) if isinstance(value, Number) else number(value, joints, look)
 
 
-def _placement(placement: Placement, joints: Joints, look: Look) -> list[float | str] | dict[str, Any]:
+def _placement(placement: Placement, joints: Joints, look: Look) -> list[Any] | dict[str, Any]:
     match placement:
+        case Matrix(rows):
+            return [[number(value, joints, look) for value in row] for row in rows]
         case Position(coordinates):
             return [number(value, joints, look) for value in coordinates]
         case RollPitchYaw(roll, pitch, yaw):

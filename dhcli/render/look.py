@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from importlib import import_module
 from typing import Any
@@ -107,6 +108,10 @@ _CONTENTS = {
 """Where each kind of result becomes what stands under `data` in JSON."""
 
 
+_NOISE = 1e-9
+"""What is smaller is taken for rounding and shown as 0."""
+
+
 @dataclass(frozen=True, slots=True)
 class Look:
     """How a result is to look.
@@ -128,6 +133,15 @@ class Look:
     def number(self, value: float) -> str:
         """A number for people."""
         return rounded(value, DIGITS if self.digits is None else self.digits)
+
+    def numbers(self, values: Iterable[float]) -> list[str]:
+        """Numbers for people that belong together; where all are small, three digits of the largest are shown."""
+        values = list(values)
+        texts = [self.number(value) for value in values]
+        largest = max((abs(value) for value in values), default=0.0)
+        if self.digits is not None or largest < _NOISE or any(text != "0" for text in texts):
+            return texts
+        return [rounded(value, 2 - math.floor(math.log10(largest))) for value in values]
 
 
 def formats(kind: str) -> tuple[str, ...]:

@@ -32,6 +32,10 @@ def matrix_lines(rows: Sequence[Sequence[Expr | float]], joints: Joints, look: L
     """A matrix in brackets, or, if its lines would be wider than the paper, one entry a line."""
     paper = look.paper
     cells = [[paper.spell(cell(entry, joints, look)) for entry in row] for row in rows]
+    position = [row[-1] for row in rows[: len(ENTRIES)]]
+    if len(rows) == len(ENTRIES) + 1 and not any(isinstance(entry, Expr) for entry in position):
+        for row, text in zip(cells, look.numbers(map(float, position)), strict=False):  # type: ignore[arg-type]
+            row[-1] = text
     numeric = all(_NUMBER.fullmatch(text) for row in cells for text in row)
     columns = [aligned(column) if numeric else _centred(column) for column in zip(*cells, strict=True)]
     if _width(columns) > paper.width and len(rows) == len(ENTRIES) + 1:
@@ -57,9 +61,10 @@ def entry_lines(cells: Sequence[Sequence[str]], look: Look) -> list[str]:
 def vector_lines(names: Sequence[str], entries: Iterable[Expr | float], joints: Joints, look: Look) -> list[str]:
     """Named values, one a line, their equals signs in one column; numbers aligned by the decimal point."""
     values = list(entries)
-    cells = [look.paper.spell(cell(entry, joints, look)) for entry in values]
-    if not any(isinstance(value, Expr) for value in values):
-        cells = [text.rstrip() for text in aligned(cells)]
+    if any(isinstance(value, Expr) for value in values):
+        cells = [look.paper.spell(cell(entry, joints, look)) for entry in values]
+    else:
+        cells = [text.rstrip() for text in aligned(look.numbers(map(float, values)))]  # type: ignore[arg-type]
     width = max(map(len, names))
     return [f"{look.paper.ink(n.ljust(width), 'cyan')} = {text}" for n, text in zip(names, cells, strict=True)]
 

@@ -6,19 +6,20 @@ import math
 from collections.abc import Iterator, Mapping
 
 from dhcli.kinematics.orientation import AxisAngle, Quaternion, RollPitchYaw
-from dhcli.kinematics.placement import Placement, Position
+from dhcli.kinematics.placement import Matrix, Placement, Position
 from dhcli.kinematics.question import ForwardKinematics
 from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Expr
 from dhcli.render.code import csv_line, entry
 from dhcli.render.forward import context_lines, heading
 from dhcli.render.look import Look
-from dhcli.render.matrix import vector_lines
+from dhcli.render.matrix import matrix_lines, vector_lines
 
 _CONVENTIONS = {
     RollPitchYaw: "R = Rz(yaw) Ry(pitch) Rx(roll), pitch from -90° to 90°",
     AxisAngle: "rotation about a unit vector, angle from 0° to 180°",
     Quaternion: "unit quaternion, w >= 0",
+    Matrix: "homogeneous matrix, lengths in m",
     Position: "position of the origin, in m",
 }
 
@@ -51,6 +52,8 @@ def placement_csv(result: ForwardKinematics, look: Look) -> str:
 def _lines(placement: Placement, joints: Joints, look: Look) -> Iterator[str]:
     degree = look.paper.spell("°")
     match placement:
+        case Matrix(rows):
+            yield from matrix_lines(rows, joints, look)
         case Position(coordinates):
             yield from vector_lines(("p_x", "p_y", "p_z"), coordinates, joints, look)
         case RollPitchYaw(roll, pitch, yaw):
@@ -67,6 +70,8 @@ def _lines(placement: Placement, joints: Joints, look: Look) -> Iterator[str]:
 
 def _values(placement: Placement) -> tuple[Expr | float, ...]:
     match placement:
+        case Matrix(rows):
+            return tuple(value for row in rows[:3] for value in row)
         case Position(coordinates):
             return coordinates
         case RollPitchYaw(roll, pitch, yaw):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 
 from dhcli.kinematics.pose import Pose
 from dhcli.render.code import variable
@@ -22,15 +23,29 @@ GROUPS = {
 """The numbers of each way to say a pose; JSON nests them as `--format json` does for one pose. Angles in radians."""
 
 
-def pose_layout(forms: Sequence[str], frames: Iterable[tuple[str, str]] = ()) -> Layout:
+INDEX = Group("row", ("row",), "%d", "%d")
+"""Where the joint values stand in their file."""
+
+
+def pose_layout(forms: Sequence[str], frames: Iterable[tuple[str, str]] = (), *, index: bool = False) -> Layout:
     """The columns for poses.
 
     Args:
         forms: The ways in which each pose is said.
         frames: Reference and frame of each pose in a row, if there is more than one pose in it.
+        index: Whether the first column says where the joint values stand.
     """
-    said = tuple(GROUPS[form] for form in forms)
+    said = tuple(_unlike(GROUPS[form], forms) for form in forms)
     keys = [variable(Pose((), reference, frame).name) for reference, frame in frames]
     groups = tuple(Group.within(key, said) for key in keys) or said
+    if index:
+        return Layout((INDEX, *groups))
     width = (4, 4) if forms == ("matrix",) else (sum(len(group.heads) for group in said),)
     return Layout(groups, (len(keys), *width) if keys else width)
+
+
+def _unlike(group: Group, forms: Sequence[str]) -> Group:
+    """A group whose columns are called like no others: beside a matrix, `p_x` of the position is `position_p_x`."""
+    if group.key == "position" and "matrix" in forms:
+        return replace(group, heads=tuple(f"position_{head}" for head in group.heads))
+    return group

@@ -25,11 +25,13 @@ class Group:
         key: What JSON Lines calls them.
         heads: What CSV calls each of them.
         body: How JSON Lines writes them, with `%r` in the place of each number.
+        number: How CSV writes each of them.
     """
 
     key: str
     heads: tuple[str, ...]
     body: str
+    number: str = "%r"
 
     @classmethod
     def listed(cls, key: str, heads: Iterable[str]) -> Group:
@@ -83,7 +85,8 @@ class RowText:
         """Write in one of the formats `csv` and `jsonl`."""
         self.heading = csv_line(layout.heads) if format_ == "csv" else ""
         self._width = layout.width
-        self._row = (",".join(["%r"] * self._width) if format_ == "csv" else _object(layout.groups)) + "\n"
+        cells = (group.number for group in layout.groups for _ in group.heads)
+        self._row = (",".join(cells) if format_ == "csv" else _object(layout.groups)) + "\n"
 
     def lines(self, block: NDArray[np.float64]) -> str:
         """A line for each row.

@@ -110,13 +110,13 @@ def _heading(result: Sweep, look: Look) -> str:
 
 
 def _reach(result: Sweep, look: Look) -> str:
-    least, most = (look.number(extreme.distance) for extreme in (result.nearest, result.farthest))
+    least, most = look.numbers(extreme.distance for extreme in (result.nearest, result.farthest))
     return f"reach {least} to {most} m from the origin of {frame_words(result.target.start)}"
 
 
 def _side(result: Sweep, k: int, look: Look) -> str:
-    low, high = result.box[k]
-    return f"{_AXES[k]} {look.number(low)} to {look.number(high)}"
+    low, high = look.numbers(result.box[k])
+    return f"{_AXES[k]} {low} to {high}"
 
 
 def _axes(axes: Iterable[Axis], look: Look) -> str:
@@ -133,9 +133,9 @@ def _extremes(result: Sweep, look: Look) -> list[str]:
     """Each extreme with its position and the joints that move; in more tables than one where that would be too wide."""
     extremes = [extreme for _, extreme in _named(result)]
     title: Columns = {"extreme": [name.replace("_", " ") for name, _ in _named(result)]}
-    places = {"distance": aligned([look.number(extreme.distance) for extreme in extremes])}
+    places = {"distance": aligned(look.numbers(extreme.distance for extreme in extremes))}
     for k, axis in enumerate(_AXES):
-        places[axis] = aligned([look.number(extreme.position[k]) for extreme in extremes])
+        places[axis] = aligned(look.numbers(extreme.position[k] for extreme in extremes))
     joints = {
         axis.name: aligned([look.paper.spell(_value(axis, extreme.q[axis.name], look)) for extreme in extremes])
         for axis in result.grid.swept
@@ -165,7 +165,12 @@ def _width(columns: Columns) -> int:
 def _value(axis: Axis, value: Value, look: Look) -> str:
     """A joint value for people: an angle in degrees, unless one of its axis has radians."""
     if not isinstance(value, Angle):
-        return f"{look.number(in_floats(value))} m"
+        return f"{_alone(in_floats(value), look)} m"
     if any(isinstance(end, Angle) and end.radians for end in (axis.first, axis.last)):
-        return f"{look.number(value.constant())} rad"
-    return f"{look.number(float(value.degrees))}°"
+        return f"{_alone(value.constant(), look)} rad"
+    return f"{_alone(float(value.degrees), look)}°"
+
+
+def _alone(value: float, look: Look) -> str:
+    """A number by itself, with its first digits where it is small."""
+    return look.numbers([value])[0]

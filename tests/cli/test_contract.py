@@ -272,3 +272,58 @@ def test_the_shell_completes_names(process: Run, words: str, expected: str) -> N
     count = str(len(words.split()) - 1)
     done = process(_DHCLI_COMPLETE="complete_bash", COMP_WORDS=words, COMP_CWORD=count)
     assert expected in done.out.split("\n")
+
+
+@pytest.mark.parametrize("words", ["", "fk", "new robot"])
+def test_help_has_a_short_name(dhcli: Run, words: str) -> None:
+    """Of every command; it is the same page."""
+    short, long = dhcli(*words.split(), "-h"), dhcli(*words.split(), "--help")
+    assert (short.code, short.out) == (0, long.out)
+    assert "Usage: dhcli" in short.out
+
+
+def test_a_word_that_is_no_command_is_answered_in_whole_sentences(dhcli: Run) -> None:
+    """Also where no command is like it."""
+    assert "hint: dhcli --help shows what can be typed" in dhcli("help").err
+    assert "hint: did you mean sweep or show?; dhcli" in dhcli("swep").err
+
+
+def test_an_option_with_one_value_is_not_given_twice(dhcli: Run) -> None:
+    """The first one would be dropped in silence; flags and lists may be repeated."""
+    done = dhcli("fk", "scara", "--q", "0,0,0", "--point", "0,0,1", "--point", "0,0,2")
+    assert (done.code, done.out) == (2, "")
+    assert "--point is given 2 times" in done.err
+    assert dhcli("fk", "scara", "--q", "0,0,0", "--deg", "--deg", "--set", "l1=1", "--set", "l2=1").code == 0
+
+
+@pytest.mark.parametrize(
+    ("words", "formats", "suffixes"),
+    [
+        ("list", "table, json or csv.", ".json .csv .txt"),
+        ("show", "table, json, latex or csv.", ".json .tex .csv .txt"),
+        ("dof", "table or json.", ".json .txt"),
+    ],
+)
+def test_help_names_the_formats_there_are(dhcli: Run, words: str, formats: str, suffixes: str) -> None:
+    """And no others."""
+    page = " ".join(dhcli(words, "--help").out.replace("│", " ").split())
+    assert f"--format NAME {formats}" in page
+    assert f"Write to a file; {suffixes} choose the format." in page
+
+
+@pytest.mark.parametrize(
+    ("words", "found"),
+    [
+        ("fk puma560 --pose re", ["ready"]),
+        ("fk scara --to t", ["tool"]),
+        ("sweep scara --over th", ["theta1", "theta2"]),
+        ("sweep ./no-such.yaml --over th", []),
+        ("fk scara --as rpy,p", ["rpy,position"]),
+        ("list --format c", ["csv"]),
+    ],
+)
+def test_the_shell_completes_what_a_robot_has(process: Run, words: str, found: list[str]) -> None:
+    """Poses, frames, joints; formats and forms; nothing where the robot cannot be read."""
+    typed = f"dhcli {words}"
+    done = process(_DHCLI_COMPLETE="complete_bash", COMP_WORDS=typed, COMP_CWORD=str(len(typed.split()) - 1))
+    assert done.out.split() == found

@@ -276,3 +276,50 @@ def test_a_robot_file_is_read_from_standard_input(process: Run) -> None:
     done = process("fk", "-", "--q", f"0,{pi / 2},0", stdin=text)
     assert done.code == 0
     assert done.out.startswith("T_03 of stdin: frame 3 seen from frame 0\n")
+
+
+def test_the_matrix_is_one_of_the_ways_to_say_a_pose(dhcli: Run) -> None:
+    """Beside others, in numbers and in symbols, for people and for programs."""
+    words = ("fk", "planar-2r", "--as", "position,matrix")
+    assert "⎡ c12  -s12  0  a1*c1 + a2*c12 ⎤" in dhcli(*words, "--symbolic").out
+    data = dhcli(*words, "--q", "0,0", "--format", "json").data
+    assert data["as"]["matrix"] == data["matrix"] == [[1, 0, 0, 0.7], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+    lines = dhcli(*words, "--q", "0,0", "--format", "csv").out.splitlines()
+    assert lines[1] == "matrix,1.0,0.0,0.0,0.7,0.0,1.0,0.0,0.0,0.0,0.0,1.0,0.0"
+
+
+@pytest.mark.parametrize(
+    ("q", "said"),
+    [
+        ("90°,0", "x' points along +y, y' points along -x, z' points along +z"),
+        ("1.5707963267948966,0", "x' points along +y, y' points along -x, z' points along +z"),
+        ("1e-9,0", "z' points along +z"),
+        ("3.14159,0", "z' points along +z"),
+    ],
+)
+def test_an_axis_points_along_another_only_where_it_does(dhcli: Run, q: str, said: str) -> None:
+    """Not where it looks so in four decimals."""
+    assert dhcli("fk", "planar-2r", "--q", q).out.splitlines()[-1] == said
+
+
+def test_a_small_position_is_not_shown_as_zero(dhcli: Run) -> None:
+    """Of a matrix and of a point; where one coordinate is not small, or digits are asked for, all are rounded."""
+    words = ("fk", "planar-2r", "--q", "90°,90°", "--set", "a1=0.03mm")
+    assert dhcli(*words, "--set", "a2=0.0123456mm").out.splitlines()[2:4] == [
+        "⎡ -1   0  0  -0.0000123 ⎤",
+        "⎢  0  -1  0   0.00003   ⎥",
+    ]
+    point = dhcli(*words, "--set", "a2=0", "--point", "0,0,0").out.splitlines()[-3:]
+    assert point == ["p_x = 0", "p_y = 0.00003", "p_z = 0"]
+    assert dhcli(*words, "--set", "a2=0", "--point", "0,0,1").out.splitlines()[-2] == "p_y = 0"
+    assert dhcli(*words, "--set", "a2=0", "--point", "0,0,0", "--digits", "2").out.splitlines()[-2] == "p_y = 0"
+
+
+def test_a_named_pose_may_be_varied(dhcli: Run) -> None:
+    """By joints with their names; a list of all joints would leave nothing of it."""
+    varied = dhcli("fk", "puma560", "--pose", "ready", "--q", "q1=30°", "--format", "json").data
+    plain = dhcli("fk", "puma560", "--q", "30°,-90°,-90°,0,0,0", "--format", "json").data
+    assert varied["matrix"] == plain["matrix"]
+    done = dhcli("fk", "puma560", "--pose", "ready", "--q", "0,0,0,0,0,0")
+    assert done.code == 2
+    assert "--q NAME=VALUE varies a pose" in done.err

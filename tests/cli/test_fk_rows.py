@@ -127,10 +127,17 @@ def test_npy_goes_through_a_pipe(process: Run, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        ("fk scara --in q.csv --q 0,0,0", "--q does not go with --in"),
+        ("fk scara --in q.csv --q 0,0,0", "--q gives all joints, and so does the file"),
         ("fk scara --in q.csv --pose pick --symbolic", "--pose and --symbolic do not go with --in"),
         ("fk scara --in q.csv --links", "--links does not"),
-        ("fk scara --in q.csv --factors 1 --point 0,0,0", "--factors and --point"),
+        ("fk scara --in q.csv --factors 1 --let", "--let and --factors"),
+        ("fk scara --in q.csv --point 0,0,0 --as rpy", "--point and --as ask for different things"),
+        ("fk scara --in q.csv --point 0,0,0 --frames", "--point and --frames"),
+        ("fk scara --in q.csv --point 0,0", "a point has three coordinates"),
+        ("fk scara --in q.csv --point 0,0,h", "h of the point has no value"),
+        ("fk scara --in q.csv --q d3=0.1", "d3 has a column, and --q gives it too"),
+        ("fk scara --in q.csv --q q1=0,q2=0,d3=0.1", "leave --in out, or a joint to the file"),
+        ("fk scara --index --pose pick", "name their file with --in FILE"),
         ("fk scara --in q.csv --let", "--let"),
         ("fk scara --in q.csv --style full --digits 0", "--style and --digits"),
         ("fk scara --skip-bad --pose pick", "name their file with --in FILE"),
@@ -139,6 +146,7 @@ def test_npy_goes_through_a_pipe(process: Run, tmp_path: Path) -> None:
         ("fk scara --in .", "is a folder"),
         ("fk scara --in q.csv --format cvs", "did you mean csv?"),
         ("fk scara --in q.csv -o poses.tex", "known suffixes of rows: .csv .jsonl .ndjson .npy"),
+        ("fk scara --in q.csv -o poses.json", "did you mean .jsonl"),
         ("fk scara --in q.csv -o q.csv", "q.csv: exists already"),
         ("fk scara --in q.csv -o nowhere/p.csv", "there is no folder nowhere"),
         ("fk scara --in q.csv --force", "--force needs a file"),
@@ -258,3 +266,60 @@ def test_rows_left_out_of_an_array_are_counted_as_rows(dhcli: Run) -> None:
         "  q.npy[0]: theta1 is nan, not a finite number",
     ]
     assert lines[-1] == "  and 20 rows more"
+
+
+def test_rows_behind_a_pose_that_is_no_number_keep_their_index(dhcli: Run) -> None:
+    """It is left out like a row that cannot be read."""
+    Path("q.csv").write_text("d1\n1\n1e308\n2\n", "utf-8")
+    Path("far.yaml").write_text(
+        "format: 1\ntitle: Far\nsource: nowhere\nconvention: standard\nvariables: [d1]\n"
+        "links:\n  - {a: 0, alpha: 0, d: 4*d1, theta: 0}\n",
+        "utf-8",
+    )
+    done = dhcli("fk", "./far.yaml", "--in", "q.csv", "--skip-bad", "--index", "--as", "position")
+    assert done.out == "row,p_x,p_y,p_z\n2,0.0,0.0,4.0\n4,0.0,0.0,8.0\n"
+
+
+def test_rows_say_where_they_come_from(process: Run, tmp_path: Path) -> None:
+    """With `--index`, as in messages: so that what is left out is missed in its place."""
+    text = GOOD + "x,0,0\n\n0.3,0.5,0.1\n"
+    done = process("fk", "scara", "--in", "-", "--as", "position", "--index", "--skip-bad", stdin=text)
+    assert done.out.split("\n")[0] == "row,p_x,p_y,p_z"
+    assert [line.split(",")[0] for line in done.out.split("\n")[1:-1]] == ["2", "3", "6"]
+    assert ":4:1: theta1 'x' is not a number" in done.err
+    done = process("fk", "scara", "--in", "-", "--index", "--skip-bad", "--format", "jsonl", stdin=text)
+    assert [json.loads(line)["row"] for line in done.out.splitlines()] == [2, 3, 6]
+    process("fk", "scara", "--in", "-", "--index", "--skip-bad", "-o", "p.npy", stdin=text)
+    found = np.load(tmp_path / "p.npy")
+    assert found.shape == (3, 13)
+    assert found[:, 0].tolist() == [2, 3, 6]
+    assert found[0, 1:] == pytest.approx(forward(load_robot("scara"), [0.3, 0.5, 0.1]).matrix[:3].ravel())
+
+
+def test_a_point_is_followed_through_all_rows(process: Run) -> None:
+    """As for one pose; the other joint stands where `--q` says."""
+    words = ("--q", "d3=10cm", "--point", "0,0,l2", "--from", "1")
+    done = process("fk", "scara", "--in", "-", *words, stdin="theta2,theta1\n0.5,0.3\n")
+    assert done.out.split("\n")[0] == "p_x,p_y,p_z"
+    expected = forward(load_robot("scara"), [0.3, 0.5, 0.1], start=1) @ (0, 0, 0.3)
+    assert table(done.out)[0] == pytest.approx(list(expected), abs=1e-12)
+
+
+@pytest.mark.parametrize("suffix", ["csv", "jsonl", "npy"])
+def test_the_points_of_a_sweep_are_read_again(process: Run, suffix: str) -> None:
+    """Every pose comes out where the sweep says it is."""
+    ranges = ("--over", "q1=0..1 n 3", "--over", "d3=0..0.2 n 2")
+    assert process("sweep", "scara", *ranges, "-o", f"points.{suffix}").code == 0
+    assert process("sweep", "scara", *ranges, "-o", "expected.csv").code == 0
+    words = ("fk", "scara", "--in", f"points.{suffix}", "--as", "position")
+    assert "--ignore-columns" in process(*words).err
+    done = process(*words, "--ignore-columns")
+    assert table(done.out) == pytest.approx(table(process(script="cat expected.csv").out)[:, 3:], abs=1e-12)
+
+
+def test_no_two_columns_have_one_name(process: Run) -> None:
+    """Also where the matrix and the position are asked for, which both have p_x."""
+    done = process("fk", "scara", "--in", "-", "--as", "matrix,position", stdin=GOOD)
+    heads = done.out.split("\n")[0].split(",")
+    assert heads[-3:] == ["position_p_x", "position_p_y", "position_p_z"]
+    assert len(set(heads)) == len(heads) == 15

@@ -67,7 +67,10 @@ def test_rows_show_as_they_come(tmp_path: Path) -> None:
 @POSIX
 @pytest.mark.parametrize("suffix", ["csv", "jsonl", "npy"])
 @pytest.mark.parametrize("there_before", [False, True])
-def test_ctrl_c_leaves_nothing_that_looks_complete(tmp_path: Path, suffix: str, there_before: bool) -> None:
+@pytest.mark.parametrize(("name", "code"), [("SIGINT", 130), ("SIGTERM", 143), ("SIGHUP", 129)])
+def test_a_signal_leaves_nothing_that_looks_complete(
+    tmp_path: Path, suffix: str, there_before: bool, name: str, code: int
+) -> None:
     """No new file, or the old one; nothing beside it."""
     target = tmp_path / f"poses.{suffix}"
     if there_before:
@@ -80,9 +83,9 @@ def test_ctrl_c_leaves_nothing_that_looks_complete(tmp_path: Path, suffix: str, 
         while not list(tmp_path.glob(".dhcli-*")) and monotonic() < last:
             with contextlib.suppress(subprocess.TimeoutExpired):
                 running.wait(timeout=0.02)
-        running.send_signal(signal.SIGINT)
+        running.send_signal(getattr(signal, name))
         _, err = running.communicate(timeout=PATIENCE)
-    assert running.returncode == 130
+    assert running.returncode == code
     assert "Traceback" not in err
     assert [path.read_text() for path in tmp_path.iterdir()] == (["old"] if there_before else [])
 

@@ -204,15 +204,18 @@ def test_a_terminal_shows_a_bar_and_then_the_report(tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(os.name == "nt", reason="signals as Unix knows them")
-def test_ctrl_c_ends_with_130_and_leaves_no_file_and_no_process(tmp_path: Path) -> None:
+@pytest.mark.parametrize(("name", "code"), [("SIGINT", 130), ("SIGTERM", 143), ("SIGHUP", 129)])
+def test_a_signal_leaves_no_file_and_no_process(tmp_path: Path, name: str, code: int) -> None:
     """It reaches every process of the terminal; the pipe ends only when all of them have gone."""
     hand_in(tmp_path, "hw/a.yaml")
     hand_in(tmp_path, "hw/stuck.yaml")
-    code = "import functools, sys, dhcli.classroom.grading as g\nfrom dhcli.cli.main import main\n"
-    code += "from tests.classroom.workers import trouble\ng.grade_all = functools.partial(g.grade_all, work=trouble)\n"
-    code += "sys.exit(main(['grade', 'hw', '--jobs', '2', '--timeout', '60', '-o', 'grades.csv']))"
+    script = "import functools, sys, dhcli.classroom.grading as g\nfrom dhcli.cli.main import main\n"
+    script += (
+        "from tests.classroom.workers import trouble\ng.grade_all = functools.partial(g.grade_all, work=trouble)\n"
+    )
+    script += "sys.exit(main(['grade', 'hw', '--jobs', '2', '--timeout', '60', '-o', 'grades.csv']))"
     with subprocess.Popen(
-        [sys.executable, "-c", code],
+        [sys.executable, "-c", script],
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
@@ -222,7 +225,7 @@ def test_ctrl_c_ends_with_130_and_leaves_no_file_and_no_process(tmp_path: Path) 
     ) as running:
         assert running.stdout is not None
         assert running.stdout.readline() == "stuck\n"
-        os.killpg(running.pid, signal.SIGINT)
+        os.killpg(running.pid, getattr(signal, name))
         out, err = running.communicate(timeout=30)
-    assert (running.returncode, out, err.strip()) == (130, "", "")
+    assert (running.returncode, out, err.strip()) == (code, "", "")
     assert [path.name for path in tmp_path.iterdir() if path.is_file()] == []

@@ -19,6 +19,21 @@ def test_steps_show_every_frame_on_the_way(dhcli: Run) -> None:
     assert "⎡ 0  0  1   8 ⎤\n⎢ 1  0  0  -6 ⎥\n⎢ 0  1  0  14 ⎥\n⎣ 0  0  0   1 ⎦\n" in out
 
 
+@pytest.mark.parametrize("format_", ["table", "json", "latex", "matlab", "numpy", "csv", "sympy"])
+@pytest.mark.parametrize("words", ["--q 0.3,0.5,0.1", "--symbolic"])
+def test_what_fk_prints_is_read_as_a_matrix(process: Run, format_: str, words: str) -> None:
+    """In any format, with headings and all; and called a matrix, not by all of its text."""
+    printed = process("fk", "scara", *words.split(), "--format", format_).out
+    done = process("transform", "-", "--format", "json", stdin=printed)
+    assert done.code == 0, done.err
+    expected = process("fk", "scara", *words.split(), "--format", "json").data["matrix"]
+    if words == "--symbolic":
+        assert str(done.data["matrix"]).replace("0.0", "0").replace("1.0", "1") == str(expected)
+    else:
+        assert np.array(done.data["matrix"]) == pytest.approx(np.array(expected), abs=1e-4)
+    assert done.data["steps"][0]["move"] == "[4x4 matrix]"
+
+
 def test_a_matrix_and_a_move_multiply(dhcli: Run) -> None:
     """A literal pose may stand anywhere in the product."""
     matrix = "[0 0 1 8; 1 0 0 -6; 0 1 0 14; 0 0 0 1]"

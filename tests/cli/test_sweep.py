@@ -204,3 +204,9 @@ def test_ctrl_c_ends_with_130_and_leaves_no_file(tmp_path: Path) -> None:
         assert screen.end() == 130
         assert "Traceback" not in screen.seen
     assert not list(tmp_path.iterdir())
+
+
+def test_a_small_step_is_not_shown_as_zero(dhcli: Run) -> None:
+    """Nor is the end of a small range."""
+    done = dhcli("sweep", "scara", "--over", "d3=0..0.03mm n 3")
+    assert ["d3", "0", "m", "0.00003", "m", "0.000015", "m", "3"] in [line.split() for line in done.out.splitlines()]

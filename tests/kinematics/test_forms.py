@@ -5,7 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from dhcli.kinematics.forms import FORMS, locked
+from dhcli.errors import RobotError
+from dhcli.kinematics.forms import FORMS, axis_angles, locked, quaternions
+from dhcli.kinematics.forms import roll_pitch_yaw as rows_of_rpy
 from dhcli.kinematics.orientation import axis_angle, quaternion, roll_pitch_yaw
 from dhcli.kinematics.placement import FORMS as SINGLE
 from dhcli.kinematics.pose import Pose
@@ -69,8 +71,8 @@ def test_no_pose_is_no_row(form: str) -> None:
 
 
 def test_a_batch_knows_every_form_that_one_pose_knows() -> None:
-    """And the matrix, which one pose always shows."""
-    assert set(FORMS) == {*SINGLE, "matrix"}
+    """By the same names."""
+    assert set(FORMS) == set(SINGLE)
 
 
 def test_the_poles_of_pitch_are_found() -> None:
@@ -78,3 +80,11 @@ def test_the_poles_of_pitch_are_found() -> None:
     alone = [roll_pitch_yaw(Pose(tuple(map(tuple, pose.tolist())))).locked for pose in POSES]
     assert locked(POSES).tolist() == alone
     assert sum(alone) == 32
+
+
+def test_poses_of_another_shape_are_refused() -> None:
+    """One pose has properties of its own; poses in a list are many."""
+    assert quaternions([np.eye(4), np.eye(4)]).tolist() == [[1, 0, 0, 0]] * 2  # type: ignore[arg-type]
+    for say in (quaternions, axis_angles, rows_of_rpy):
+        with pytest.raises(RobotError, match=r"poses have the shape \(N, 4, 4\), not \(4, 4\)"):
+            say(np.eye(4))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from dhcli.errors import RobotError
+from dhcli.errors import NotationError, RobotError
 from dhcli.files.robots import load_robot
 from dhcli.kinematics.forward import factors, forward, pose_of_chain, spelled, symbolic
 from dhcli.kinematics.moves import read_chain
@@ -110,3 +110,62 @@ def test_a_move_is_spelled_so_that_it_can_be_typed_again(text: str) -> None:
     """`spelled` is the inverse of reading."""
     (move,) = read_chain(text)
     assert read_chain(spelled(move)) == (move,)
+
+
+def test_a_pose_says_its_orientation() -> None:
+    """As the formulas of `orientation` do, in radians; a quarter turn about z."""
+    pose = forward(load_robot("scara"), [np.pi / 4, np.pi / 4, 0])
+    assert (pose.rpy.roll, pose.rpy.pitch, pose.rpy.yaw) == pytest.approx((0, 0, np.pi / 2))
+    turn = pose.quaternion
+    assert (turn.w, turn.x, turn.y, turn.z) == pytest.approx((0.5**0.5, 0, 0, 0.5**0.5))
+    assert pose.axis_angle.axis == (0, 0, 1)
+    assert pose.axis_angle.angle == pytest.approx(np.pi / 2)
+
+
+def test_a_pose_in_symbols_gives_numbers_where_it_holds_none() -> None:
+    """The same as the pose in numbers; with a symbol left, the error names it and what to call."""
+    robot = load_robot("puma560")
+    lengths = {"a2": 0.4, "a3": 0.02, "d3": 0.15, "d4": 0.43}
+    exact = symbolic(robot, ["30°", 0, 0.5, 0, 0, 0], parameters=lengths)
+    assert exact.matrix == pytest.approx(forward(robot, ["30°", 0, 0.5, 0, 0, 0], parameters=lengths).matrix)
+    assert np.array(exact, dtype=float) == pytest.approx(exact.matrix)
+    assert exact.quaternion.w > 0
+    for ask in (lambda pose: pose.matrix, lambda pose: pose.rpy, lambda pose: np.array(pose, dtype=float)):
+        with pytest.raises(RobotError, match=r"T_06 is in symbols: a2, .*forward\(robot, q\).*to_sympy"):
+            ask(symbolic(robot))
+
+
+def test_numbers_and_symbols_do_not_meet_in_a_product() -> None:
+    """And the error says which is which."""
+    robot = load_robot("scara")
+    with pytest.raises(RobotError, match="T_03 is in numbers, T_30 in symbols"):
+        forward(robot, [0, 0, 0]) @ symbolic(robot).inverse()
+
+
+def test_a_point_may_be_typed_where_the_pose_is_in_symbols() -> None:
+    """With names, units and numbers; what is no length is refused."""
+    pose = symbolic(load_robot("scara"), start=2)
+    assert [str(entry) for entry in pose @ (0, 0.25, "a6 + 30mm")] == ["0", "1/4 + l3", "0.03 + a6 - d3"]
+    with pytest.raises(NotationError, match="a length is wanted"):
+        pose @ (0, 0, "30°")
+    with pytest.raises(RobotError, match="None is no coordinate"):
+        pose @ (0, 0, None)  # type: ignore[operator]
+    with pytest.raises(RobotError, match="three numbers"):
+        forward(load_robot("scara"), "zero") @ (0, 0, "a6")
+
+
+def test_many_points_are_one_product() -> None:
+    """Each as by itself; an array of another shape is refused."""
+    pose = forward(load_robot("puma560"), "ready")
+    points = np.random.default_rng(2).normal(size=(5, 3))
+    assert pose @ points == pytest.approx(np.array([pose @ point for point in points]))
+    with pytest.raises(RobotError, match=r"points have the shape \(N, 3\), not \(5, 4\)"):
+        pose @ np.zeros((5, 4))
+
+
+def test_values_are_put_into_sympy_by_its_own_symbols() -> None:
+    """`sympy_symbols` has them by name; other symbols of that name are strangers."""
+    pose = symbolic(load_robot("planar-2r"))
+    put_in = pose.to_sympy().subs({pose.sympy_symbols["theta1"]: 0, pose.sympy_symbols["theta2"]: 0})
+    assert str(put_in[0, 3]) == "a1 + a2"
+    assert sorted(pose.sympy_symbols) == ["a1", "a2", "theta1", "theta2"]

@@ -9,7 +9,8 @@ from typing import Any
 
 import pytest
 
-from dhcli.errors import UnknownNameError
+from dhcli import forward_batch, sweep
+from dhcli.errors import RobotError, UnknownNameError
 from dhcli.files.robots import load_robot
 from dhcli.kinematics.conventions import Convention, Row, moves_of
 from dhcli.kinematics.forward import forward, symbolic
@@ -271,3 +272,18 @@ def test_an_arm_of_halves_keeps_them_exact() -> None:
     """theta1/2 stays a fraction of an angle."""
     arm = robot(links=(link(1, "a1", "0", "0", "theta1/2"), link(2, "0", "0", "d2", "0")))
     assert symbolic(arm, {"theta1": Angle.in_degrees(120)}).rows[0][0] == number(Fraction(1, 2))
+
+
+def test_a_robot_shows_itself_in_one_line_and_may_be_a_key() -> None:
+    """Equal ones are one key."""
+    arm = load_robot("puma560")
+    assert repr(arm) == "<Robot puma560: PUMA 560, modified DH, 6 joints RRRRRR>"
+    assert {arm: 1}[load_robot("puma560")] == 1
+    assert len({arm, load_robot("scara"), load_robot("scara")}) == 2
+
+
+@pytest.mark.parametrize("ask", [forward, symbolic, lambda robot: forward_batch(robot, []), sweep])
+def test_a_name_is_no_robot(ask: Any) -> None:  # noqa: ANN401
+    """And the hint says how to get one."""
+    with pytest.raises(RobotError, match=r"a Robot is wanted, not 'scara' \(load_robot\('scara'\) loads one\)"):
+        ask("scara")

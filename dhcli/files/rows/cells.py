@@ -12,7 +12,7 @@ PLAIN = b"0123456789+-.eE \n"
 """What numbers, blanks and line ends are made of: `nan`, `1_000` and quotes have something else in them."""
 
 _NO_NUMBERS = {"nan", "na", "n/a", "null", "none", "inf", "infinity", "-inf", "+inf", "-infinity", "-nan"}
-_COMMA = re.compile(r"[+-]?\d+,\d+", re.ASCII)
+_COMMA = re.compile(r"[+-]?(?:\d+,\d*|,\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 _UNIT = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)\s*(?P<unit>\D+)", re.ASCII)
 _LONGEST = 40
 
@@ -27,12 +27,18 @@ class CellError(ValueError):
         self.hint = hint
 
 
-def read_cell(text: str) -> float:
+def read_cell(text: str, *, decimal_comma: bool = False) -> float:
     """The number in a cell.
+
+    Args:
+        text: The cell.
+        decimal_comma: Whether `0,5` is a half.
 
     Raises:
         CellError: There is none, or it is not finite.
     """
+    if decimal_comma and text.count(",") == 1 and _COMMA.fullmatch(text.strip()):
+        text = text.replace(",", ".")
     if NUMBER.fullmatch(text):
         value = float(text)
         if math.isfinite(value):
@@ -47,8 +53,10 @@ def read_cell(text: str) -> float:
 
 
 def is_number(text: str) -> bool:
-    """Whether a cell is meant for a number: also one that no joint can have, or one with a decimal comma."""
+    """Whether a cell is meant for a number: also one that no joint can have, with a decimal comma, or with a unit."""
     bare = text.strip()
+    if (match := _UNIT.fullmatch(bare)) and match["unit"] in UNITS:
+        return True
     return any(pattern.fullmatch(bare) for pattern in (NUMBER, _COMMA)) or bare.lower() in _NO_NUMBERS
 
 

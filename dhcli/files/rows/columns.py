@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -26,12 +26,16 @@ class Columns:
     """How a table holds the joint values of a robot.
 
     Attributes:
-        order: For each joint, its column.
+        order: For each joint, its column; None for one that has none and stands still.
         factors: For each joint, what makes radians or metres of a number: a numerator and a denominator.
+        width: How many columns there are, also of what is no joint.
+        held: For each joint, where it stands if it has no column; radians or metres.
     """
 
-    order: tuple[int, ...]
+    order: tuple[int | None, ...]
     factors: tuple[tuple[float, float], ...]
+    width: int
+    held: tuple[float, ...]
 
     @property
     def in_radians(self) -> tuple[bool, ...]:
@@ -42,10 +46,12 @@ class Columns:
         """Joint values in joint order, radians and metres.
 
         Args:
-            table: Numbers as they stand in the columns, shape (N, n).
+            table: Numbers as they stand in the columns, shape (N, width).
         """
-        if self.order != tuple(range(len(self.order))):
-            table = table[:, self.order]
+        if self.order != tuple(range(self.width)):
+            places = [self.width + joint if k is None else k for joint, k in enumerate(self.order)]
+            still = np.broadcast_to(self.held, (len(table), len(self.held)))
+            table = np.concatenate((table, still), axis=1)[:, places]
         if all(self.in_radians):
             return table
         numerators, denominators = np.array(self.factors).T
@@ -53,46 +59,103 @@ class Columns:
         return values
 
 
-def in_joint_order(robot: Robot, *, degrees: bool) -> Columns:
-    """The columns of a table without a header."""
-    return Columns(
-        tuple(range(len(robot.joints))), tuple(_factor(joint, "", degrees=degrees) for joint in robot.joints)
-    )
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """What a table is read for.
 
-
-def columns_of(robot: Robot, heads: Sequence[str], places: Iterable[Place], *, whole: Place, degrees: bool) -> Columns:
-    """The columns of a table with a header.
-
-    Args:
-        robot: The robot.
-        heads: The head of each column: a name, and a unit in brackets if need be.
-        places: Where each of them stands.
-        whole: Where all of them stand, for what is missing.
-        degrees: Whether bare columns of revolute joints are in degrees; else they are in radians.
-
-    Raises:
-        FileError: With every column that is unknown, doubled or missing.
+    Attributes:
+        robot: The robot whose joint values it holds.
+        degrees: Whether numbers of revolute joints without a unit are degrees; else they are radians.
+        held: Where joints stand that have no column; radians and metres.
+        ignores: Whether columns of something else are left aside.
     """
-    joints = {joint.name: joint for joint in robot.joints}
-    found: dict[str, int] = {}
-    factors: dict[str, tuple[float, float]] = {}
-    problems: list[Problem] = []
-    for k, (head, place) in enumerate(zip(heads, places, strict=True)):
-        try:
-            name, unit = _parts(head, place)
-            joint = joint_called(robot, name, place)
-            if joint in found:
-                problems.append(Problem(f"{joint} has two columns", place, "keep one of them"))
+
+    robot: Robot
+    degrees: bool = False
+    held: Mapping[str, float] = field(default_factory=dict)
+    ignores: bool = False
+
+    @property
+    def open(self) -> tuple[Joint, ...]:
+        """The joints that want a column."""
+        return tuple(joint for joint in self.robot.joints if joint.name not in self.held)
+
+    def in_joint_order(self, width: int | None = None) -> Columns:
+        """The columns of a table without a header: the joints in their order, and then what else there is."""
+        factors = {joint.name: _factor(joint, "", degrees=self.degrees) for joint in self.open}
+        found = {joint.name: k for k, joint in enumerate(self.open)}
+        return self._columns(found, factors, len(found) if width is None else width)
+
+    def columns(self, heads: Sequence[str], places: Iterable[Place], whole: Place) -> Columns:
+        """The columns of a table with a header.
+
+        Args:
+            heads: The head of each column: a name, and a unit in brackets if need be.
+            places: Where each of them stands.
+            whole: Where all of them stand, for what is missing.
+
+        Raises:
+            FileError: With every column that is unknown, doubled or missing.
+        """
+        joints = {joint.name: joint for joint in self.robot.joints}
+        found: dict[str, int] = {}
+        factors: dict[str, tuple[float, float]] = {}
+        problems: list[Problem] = []
+        for k, (head, place) in enumerate(zip(heads, places, strict=True)):
+            if self.ignores and not self.is_joint(head):
                 continue
-            found[joint] = k  # a column in the wrong unit is not missing
-            factors[joint] = _factor(joints[joint], unit, degrees=degrees, place=place)
+            try:
+                name, unit = _parts(head, place)
+                joint = self._joint(name, place)
+                if joint in found:
+                    problems.append(Problem(f"{joint} has two columns", place, "keep one of them"))
+                    continue
+                if joint in self.held:
+                    problems.append(Problem(f"{joint} has a column, and --q gives it too", place, "keep one of them"))
+                found[joint] = k  # a column in the wrong unit is not missing
+                factors[joint] = _factor(joints[joint], unit, degrees=self.degrees, place=place)
+            except RobotError as error:
+                problems += error.problems
+        if missing := [joint.name for joint in self.open if joint.name not in found]:
+            hint = _wanted(self.robot)
+            if len(missing) == 1 and not problems:
+                hint += f"; --q {missing[0]}=0 if it stands still"
+            problems.append(Problem(f"no column for {', '.join(missing)}", whole, hint))
+        if problems:
+            raise FileError(problems)
+        return self._columns(found, factors, len(heads))
+
+    def is_joint(self, head: str) -> bool:
+        """Whether the head of a column names a joint; with or without a unit."""
+        match = _HEAD.fullmatch(head)
+        try:
+            return match is not None and bool(self._joint(match["name"], None))
+        except RobotError:
+            return False
+
+    def _joint(self, name: str, place: Place | None) -> str:
+        """The joint that a head means; a spreadsheet may have made a capital of its first letter."""
+        try:
+            return joint_called(self.robot, name, place)
         except RobotError as error:
-            problems += error.problems
-    if missing := [name for name in joints if name not in found]:
-        problems.append(Problem(f"no column for {', '.join(missing)}", whole, _wanted(robot)))
-    if problems:
-        raise FileError(problems)
-    return Columns(tuple(found[name] for name in joints), tuple(factors[name] for name in joints))
+            try:
+                return joint_called(self.robot, name.lower(), place)
+            except RobotError:
+                raise RobotError(replace(each, hint=_aside(each.hint)) for each in error.problems) from None
+
+    def _columns(self, found: Mapping[str, int], factors: Mapping[str, tuple[float, float]], width: int) -> Columns:
+        names = self.robot.variables
+        return Columns(
+            tuple(found.get(name) for name in names),
+            tuple(factors.get(name, (1.0, 1.0)) for name in names),
+            width,
+            tuple(self.held.get(name, 0.0) for name in names),
+        )
+
+
+def _aside(hint: str) -> str:
+    """A hint for a column that is unknown: what it may be meant for, or how to go on without it."""
+    return hint if hint.startswith("did") else "--ignore-columns leaves aside what is no joint"
 
 
 def _wanted(robot: Robot) -> str:
@@ -107,7 +170,7 @@ def _parts(head: str, place: Place) -> tuple[str, str]:
     if match is None:
         raise RobotError(Problem(f"'{head.strip()}' is not read as a column", place, "write theta1 or theta1[deg]"))
     if not match["name"]:
-        hint = "a column of row numbers? pandas leaves it out with index=False"
+        hint = "a column of row numbers? pandas leaves it out with index=False; --ignore-columns leaves it aside"
         raise RobotError(Problem("a column has no name", place, hint))
     return match["name"], match["unit"] or ""
 

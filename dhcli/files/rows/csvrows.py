@@ -13,12 +13,14 @@ import numpy as np
 from dhcli.errors import FileError, Place, Problem, plural
 from dhcli.files.rows.blocks import Block, Sieve, cell_problem
 from dhcli.files.rows.cells import PLAIN, CellError, is_number, read_cell
-from dhcli.files.rows.columns import Columns, columns_of, in_joint_order
+from dhcli.files.rows.columns import Asked, Columns
 from dhcli.files.rows.source import Source, text_blocks
-from dhcli.kinematics.robot import Robot
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+_DECLARED = re.compile(r'\s*"?sep=(?P<sign>[;,\t|])"?\s*', re.IGNORECASE)
+"""The line with which Excel says what stands between cells."""
 
 _BETWEEN_BLANKS = re.compile(r"\S+(?:[ ]+[\[(][^\])]*[\])])?")
 """A cell between blanks; a unit may stand apart from its name."""
@@ -28,15 +30,15 @@ class CsvRows:
     """Reads the rows of a CSV file.
 
     The first line is a header unless one of its cells is a number; without a header the columns are the joints in
-    their order.
+    their order. A line that begins with `#` says nothing, unless it is the first and names a joint. Between semicolons
+    or tabs a comma in a number is a decimal one.
     """
 
-    def __init__(self, source: Source, robot: Robot, *, degrees: bool) -> None:
-        """Read the joint values of a robot; bare columns in radians and metres, or in degrees and metres."""
+    def __init__(self, source: Source, asked: Asked) -> None:
+        """Read the joint values of a robot."""
         self._source = source
-        self._robot = robot
-        self._degrees = degrees
-        self._separator = ","
+        self._asked = asked
+        self._separator = ""
 
     def place_of(self, row: int) -> Place:
         """Where a row stands."""
@@ -53,39 +55,53 @@ class CsvRows:
             line, body = first, text
             while columns is None and body:
                 head, _, rest = body.partition("\n")
-                if head.strip():
+                if match := _DECLARED.fullmatch(head):
+                    self._separator = match["sign"]
+                elif head.strip():
                     columns, is_header = self._columns(head, line)
-                    if not is_header:
+                    if columns is not None and not is_header:
                         break
                 line, body = line + 1, rest
             if columns is not None and body:
                 yield self._block(line, body, columns)
         if columns is None:
-            names = ",".join(self._robot.variables)
+            names = ",".join(joint.name for joint in self._asked.open)
             raise FileError(Problem("is empty", Place(self._source.name), f"wanted: a header, {names}, and rows"))
 
-    def _columns(self, head: str, line: int) -> tuple[Columns, bool]:
-        """What the first line says of the columns, and whether it is a header."""
-        # Commas last: between semicolons or tabs they are decimal ones, which are refused cell by cell.
-        self._separator = next((sign for sign in ";\t," if sign in head), " " if " " in head.strip() else ",")
-        if head.startswith("#"):  # numpy.savetxt writes headers like this
+    def _columns(self, head: str, line: int) -> tuple[Columns | None, bool]:
+        """What the first line says of the columns, nothing if it is a comment; and whether it is a header."""
+        declared = self._separator
+        # Commas last: between semicolons or tabs they are decimal ones.
+        self._separator = declared or next(
+            (sign for sign in ";\t," if sign in head), " " if " " in head.strip() else ","
+        )
+        is_comment = head.startswith("#")
+        if is_comment:  # numpy.savetxt writes headers like this
             head = " " + head[1:]
         cells = self._cells(head)
+        if is_comment and not any(self._asked.is_joint(cell) for _, cell in cells):
+            self._separator = declared
+            return None, False
         if any(is_number(cell) for _, cell in cells):
-            return in_joint_order(self._robot, degrees=self._degrees), False
+            return self._asked.in_joint_order(), False
+        if len(cells) > 1 and not cells[-1][1].strip():  # a separator at the end of each line
+            cells.pop()
         heads = [cell for _, cell in cells]
         places = [Place(self._source.name, line, column, head) for column, _ in cells]
-        return columns_of(self._robot, heads, places, whole=self.place_of(line), degrees=self._degrees), True
+        return self._asked.columns(heads, places, self.place_of(line)), True
 
     def _block(self, first: int, text: str, columns: Columns) -> Block:
         count = text.count("\n")
-        table = self._at_once(text, count, len(columns.order))
+        table = self._at_once(text, count, columns.width)
         if table is not None:
             return Block(columns.values(table), range(first, first + count), columns.in_radians)
         return self._line_by_line(first, text, columns)
 
     def _at_once(self, text: str, count: int, width: int) -> NDArray[np.float64] | None:
         """All rows of a block, shape (count, width), if there is nothing to say about any of them."""
+        if self._has_decimal_commas and "." not in text:
+            text = text.replace(",", ".")
+        text = text.replace(f"{self._separator}\n", "\n")  # of a line that has a cell too few without it, too
         if text.encode().translate(None, PLAIN + self._separator.encode()) or text.isspace():
             return None
         try:
@@ -97,20 +113,25 @@ class CsvRows:
 
     def _line_by_line(self, first: int, text: str, columns: Columns) -> Block:
         """The same with an eye on every cell."""
-        sieve, width = Sieve(), len(columns.order)
-        names = dict(zip(columns.order, self._robot.variables, strict=True))
+        sieve, width = Sieve(), columns.width
+        names = {k: name for k, name in zip(columns.order, self._asked.robot.variables, strict=True) if k is not None}
         for row, line in enumerate(text.split("\n")[:-1], first):
-            if not line.strip():
+            if not line.strip() or line.startswith("#"):
                 continue
             cells = self._cells(line)
+            if len(cells) == width + 1 and not cells[-1][1].strip():
+                cells.pop()
+            has_point = any("." in cell for _, cell in cells)
             if len(cells) != width:
                 message = f"{plural(len(cells), 'cell')} in a table of {plural(width, 'column')}"
                 sieve.refuse([Problem(message, Place(self._source.name, row, None, line))])
                 continue
-            values, problems = [], []
+            values, problems = [0.0] * width, []
             for k, (column, cell) in enumerate(cells):
+                if k not in names:
+                    continue
                 try:
-                    values.append(read_cell(cell))
+                    values[k] = read_cell(cell, decimal_comma=self._has_decimal_commas and not has_point)
                 except CellError as error:
                     problems.append(cell_problem(names[k], error, Place(self._source.name, row, column, line)))
             if problems:
@@ -119,6 +140,11 @@ class CsvRows:
                 sieve.good(row, values)
         q = columns.values(sieve.table(width))
         return Block(q, sieve.rows, columns.in_radians, tuple(sieve.bad), sieve.bad_rows)
+
+    @property
+    def _has_decimal_commas(self) -> bool:
+        """Whether a comma can be nothing else; beside a number with a point it might group thousands, all the same."""
+        return self._separator in (";", "\t")
 
     def _cells(self, line: str) -> list[tuple[int, str]]:
         """The cells of a line with the columns where they begin, from 1."""

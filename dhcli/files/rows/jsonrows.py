@@ -14,9 +14,8 @@ import numpy as np
 from dhcli.errors import FileError, Place, Problem, plural
 from dhcli.files.rows.blocks import Block, Sieve, cell_problem
 from dhcli.files.rows.cells import NUMBER, CellError, shown
-from dhcli.files.rows.columns import Columns, columns_of, in_joint_order
+from dhcli.files.rows.columns import Asked, Columns
 from dhcli.files.rows.source import Source, text_blocks
-from dhcli.kinematics.robot import Robot
 
 _ONE_A_LINE = "JSON Lines has a row in each line: {\"theta1\": 0.1, ...} or [0.1, ...]; jq -c '.[]' makes it of a list"
 _ONE_LIST = re.compile(r"\s*(?:\[[ \t]*(?:\n|[\[{])|\{[ \t]*\n)")
@@ -28,12 +27,11 @@ _MOST_HEADERS = 100
 class JsonRows:
     """Reads the rows of a JSON Lines file; lists have the joints in their order, objects by name."""
 
-    def __init__(self, source: Source, robot: Robot, *, degrees: bool) -> None:
-        """Read the joint values of a robot; bare numbers in radians and metres, or in degrees and metres."""
+    def __init__(self, source: Source, asked: Asked) -> None:
+        """Read the joint values of a robot."""
         self._source = source
-        self._robot = robot
-        self._degrees = degrees
-        self._in_order = in_joint_order(robot, degrees=degrees)
+        self._asked = asked
+        self._in_order = asked.in_joint_order()
         self._known: dict[tuple[str, ...], Columns] = {}
 
     def place_of(self, row: int) -> Place:
@@ -84,13 +82,13 @@ class JsonRows:
             table = np.array([*map(_picker(names), rows)] if names else rows, dtype=np.float64)
         except (ValueError, TypeError, KeyError, OverflowError, RecursionError, FileError):
             return None
-        if table.shape != (len(rows), len(columns.order)) or not np.isfinite(table).all():
+        if table.shape != (len(rows), columns.width) or not np.isfinite(table).all():
             return None
         return Block(columns.values(table), range(first, first + len(rows)), columns.in_radians)
 
     def _line_by_line(self, first: int, lines: list[str]) -> Block:
         """The same with an eye on every value."""
-        sieve, in_radians = Sieve(), (False,) * len(self._robot.joints)
+        sieve, in_radians = Sieve(), (False,) * len(self._asked.robot.joints)
         for row, line in enumerate(lines, first):
             if not line.strip():
                 continue
@@ -100,8 +98,8 @@ class JsonRows:
             except FileError as error:
                 sieve.refuse(error.problems)
                 continue
-            pairs = zip(columns.order, columns.factors, strict=True)
-            sieve.good(row, [numbers[k] * numerator / denominator for k, (numerator, denominator) in pairs])
+            ways = zip(columns.order, columns.factors, columns.held, strict=True)
+            sieve.good(row, [still if k is None else numbers[k] * up / down for k, (up, down), still in ways])
             in_radians = tuple(map(max, in_radians, columns.in_radians))
         return Block(sieve.table(len(in_radians)), sieve.rows, in_radians, tuple(sieve.bad), sieve.bad_rows)
 
@@ -113,17 +111,22 @@ class JsonRows:
         """
         row = _parsed(line, place)
         if isinstance(row, _Object):
-            names, values = tuple(name for name, _ in row.pairs), [value for _, value in row.pairs]
+            pairs = _within(row)
+            names, values = tuple(name for name, _ in pairs), [value for _, value in pairs]
             columns = self._columns(names, place)
         elif isinstance(row, list) and not any(isinstance(value, list | _Object) for value in row):
             values, columns = row, self._in_order
-            if len(values) != (wanted := len(columns.order)):
-                message = f"{plural(len(values), 'number')} where {self._robot.name} has {plural(wanted, 'joint')}"
+            if len(values) != (wanted := columns.width):
+                message = (
+                    f"{plural(len(values), 'number')} where {self._asked.robot.name} has {plural(wanted, 'joint')}"
+                )
                 raise FileError(Problem(message, place))
         else:
             raise FileError(Problem("is no row", place, _ONE_A_LINE))
         numbers, problems = [0.0] * len(values), []
-        for joint, k in zip(self._robot.variables, columns.order, strict=True):
+        for joint, k in zip(self._asked.robot.variables, columns.order, strict=True):
+            if k is None:
+                continue
             try:
                 numbers[k] = _number(values[k])
             except CellError as error:
@@ -138,7 +141,7 @@ class JsonRows:
             if len(self._known) >= _MOST_HEADERS:
                 self._known.clear()
             places = [place] * len(names)
-            self._known[names] = columns_of(self._robot, names, places, whole=place, degrees=self._degrees)
+            self._known[names] = self._asked.columns(names, places, place)
         return self._known[names]
 
 
@@ -147,6 +150,14 @@ class _Object:
 
     def __init__(self, pairs: list[tuple[str, Any]]) -> None:
         self.pairs = pairs
+
+
+def _within(row: _Object) -> list[tuple[str, Any]]:
+    """The members of a row; `"q": {...}` holds the joints where `dhcli sweep` has written it."""
+    pairs = []
+    for name, value in row.pairs:
+        pairs += value.pairs if name == "q" and isinstance(value, _Object) else [(name, value)]
+    return pairs
 
 
 def _parsed(line: str, place: Place) -> object:

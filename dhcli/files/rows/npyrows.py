@@ -12,9 +12,8 @@ import numpy as np
 from dhcli.errors import FileError, Place, Problem
 from dhcli.files.rows.blocks import MOST, Block, cell_problem
 from dhcli.files.rows.cells import CellError
-from dhcli.files.rows.columns import in_joint_order
+from dhcli.files.rows.columns import Asked
 from dhcli.files.rows.source import PIECE, Source
-from dhcli.kinematics.robot import Robot
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -27,13 +26,13 @@ _SAVE = "np.save('q.npy', np.ascontiguousarray(Q, dtype=float))"
 
 
 class NpyRows:
-    """Reads the rows of an array, shape (N, n), joints in their order."""
+    """Reads the rows of an array, shape (N, n), joints in their order; what follows them is nobody's joint."""
 
-    def __init__(self, source: Source, robot: Robot, *, degrees: bool) -> None:
-        """Read the joint values of a robot, in radians and metres, or in degrees and metres."""
+    def __init__(self, source: Source, asked: Asked) -> None:
+        """Read the joint values of a robot."""
         self._source = source
-        self._robot = robot
-        self._columns = in_joint_order(robot, degrees=degrees)
+        self._asked = asked
+        self._columns = asked.in_joint_order()
 
     def place_of(self, row: int) -> Place:
         """Where a row stands, as numpy counts: from 0."""
@@ -46,7 +45,7 @@ class NpyRows:
             FileError: It is no array of numbers with a column for each joint, or it is cut off.
         """
         count, kind = self._header()
-        width = len(self._columns.order)
+        width = self._columns.width
         at_once = max(1, PIECE // (width * kind.itemsize))
         for first in range(0, count, at_once):
             wanted = min(at_once, count - first)
@@ -58,7 +57,7 @@ class NpyRows:
             yield self._block(first, np.frombuffer(content, kind).reshape(wanted, width).astype(np.float64))
 
     def _block(self, first: int, table: NDArray[np.float64]) -> Block:
-        finite = np.isfinite(table)
+        finite = np.isfinite(table[:, : len(self._asked.open)])
         good = finite.all(axis=1)
         columns = self._columns
         if good.all():
@@ -66,17 +65,23 @@ class NpyRows:
         bad = []
         for row, k in np.argwhere(~finite)[:MOST]:
             error = CellError(f"is {table[row, k]}, not a finite number")
-            bad.append(cell_problem(self._robot.variables[k], error, self.place_of(first + row)))
+            bad.append(cell_problem(self._asked.open[k].name, error, self.place_of(first + row)))
         rows = (first + np.flatnonzero(good)).tolist()
         return Block(columns.values(table[good]), rows, columns.in_radians, tuple(bad), int((~good).sum()))
 
     def _header(self) -> tuple[int, np.dtype[Any]]:
         """How many rows there are, and what kind of number is in them."""
         shape, is_fortran, kind = self._described()
-        place, joints = Place(self._source.name), len(self._columns.order)
-        if len(shape) != 2 or shape[1] != joints:  # noqa: PLR2004  rows and columns
-            message = f"has the shape {shape}, and {self._robot.name} has {joints} joints: (N, {joints}) is wanted"
+        place, joints = Place(self._source.name), len(self._asked.open)
+        if len(shape) == 2 and shape[1] > joints and self._asked.ignores:  # noqa: PLR2004  rows and columns
+            self._columns = self._asked.in_joint_order(shape[1])
+        elif len(shape) != 2 or shape[1] != joints:  # noqa: PLR2004
+            message = (
+                f"has the shape {shape}, and {self._asked.robot.name} has {joints} joints: (N, {joints}) is wanted"
+            )
             hint = "one pose is Q.reshape(1, -1)" if shape == (joints,) else ""
+            if len(shape) == 2 and shape[1] > joints:  # noqa: PLR2004
+                hint = f"--ignore-columns takes the first {joints} columns"
             raise FileError(Problem(message, place, hint))
         if shape[0] < 0:
             raise FileError(Problem(f"promises {shape[0]} rows", place, _SAVE))

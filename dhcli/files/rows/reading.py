@@ -7,11 +7,11 @@ from typing import Protocol
 
 from dhcli.errors import FileError, Place, Problem
 from dhcli.files.rows.blocks import Block
+from dhcli.files.rows.columns import Asked
 from dhcli.files.rows.csvrows import CsvRows
 from dhcli.files.rows.jsonrows import JsonRows
 from dhcli.files.rows.npyrows import MAGIC, NpyRows
 from dhcli.files.rows.source import PIECE, Source
-from dhcli.kinematics.robot import Robot
 
 
 class Rows(Protocol):
@@ -24,25 +24,24 @@ class Rows(Protocol):
         """Where a row stands."""
 
 
-def rows_of(source: Source, robot: Robot, *, degrees: bool = False) -> Rows:
+def rows_of(source: Source, asked: Asked) -> Rows:
     """The joint values of a robot in CSV, JSON Lines or .npy.
 
     Args:
         source: Where they stand.
-        robot: The robot.
-        degrees: Whether numbers of revolute joints without a unit are degrees; else they are radians.
+        asked: What they are read for.
 
     Raises:
         FileError: It is called .npy and is something else.
     """
     beginning = _beginning(source)
     if beginning.startswith(MAGIC):
-        return NpyRows(source, robot, degrees=degrees)
+        return NpyRows(source, asked)
     if source.path.lower().endswith(".npy"):
         raise FileError(Problem("is no .npy file", Place(source.name), "np.save writes one"))
     is_json = beginning.removeprefix(b"\xef\xbb\xbf").lstrip()[:1] in (b"{", b"[")
     is_named_json = source.path.lower().endswith((".jsonl", ".ndjson"))
-    return (JsonRows if is_json or is_named_json else CsvRows)(source, robot, degrees=degrees)
+    return (JsonRows if is_json or is_named_json else CsvRows)(source, asked)
 
 
 def _beginning(source: Source) -> bytes:

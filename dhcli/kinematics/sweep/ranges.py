@@ -16,9 +16,10 @@ from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import joint_called, read_value
 from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
-from dhcli.notation.quantity import Bare
+from dhcli.notation.quantity import UNITS, Bare
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import Constant, Number, Unit
+from dhcli.notation.tokens import Source, tokenize
+from dhcli.notation.tree import Constant, Number
 from dhcli.notation.walk import walk
 
 MOST_VALUES = 1_000_000
@@ -188,12 +189,19 @@ def _checked(joint: str, count: int, where: Place) -> int:
 
 
 def _check_units(pieces: Sequence[_Piece]) -> None:
-    """Refuse `-90..90°`: nobody knows what the bare number was meant in. 0 is 0, and π is radians."""
-    nodes = {piece: tuple(walk(parse(piece.text, Scope()))) for piece in pieces}
-    if not any(isinstance(node, Unit) for found in nodes.values() for node in found):
+    """Refuse `-90..90°` and `0°..90`: nobody knows what the bare number was meant in. 0 is 0, and π is radians."""
+    with_unit = {piece for piece in pieces if _has_unit(piece.text)}
+    if not with_unit:
         return
-    for piece, found in nodes.items():
-        is_zero = found == (Number(Fraction(0)),)
-        if not is_zero and not any(isinstance(node, Unit | Constant) for node in found):
+    for piece in pieces:
+        found = tuple(walk(parse(piece.text, Scope())))
+        is_clear = found == (Number(Fraction(0)),) or any(isinstance(node, Constant) for node in found)
+        if piece not in with_unit and not is_clear:
             message = f"{piece.text} has no unit, and others in this range have"
             raise RobotError(Problem(message, piece.place, "write the unit at every value of the range"))
+
+
+def _has_unit(text: str) -> bool:
+    """Whether a unit is written; in the tree 0° is 0."""
+    tokens = tokenize(Source(text, Place("")))
+    return any(token.text in UNITS for token in tokens if token.kind in ("word", "sign"))

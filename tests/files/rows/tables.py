@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import io
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
 from dhcli import load_robot
+from dhcli.files.rows.columns import Asked
 from dhcli.files.rows.reading import Rows, rows_of
 from dhcli.files.rows.source import Source
 
@@ -21,19 +23,28 @@ class Drops(io.BytesIO):
 
 
 def rows(
-    content: str | bytes, robot: str = "scara", *, path: str = "q.csv", drops: bool = False, degrees: bool = False
+    content: str | bytes,
+    robot: str = "scara",
+    *,
+    path: str = "q.csv",
+    drops: bool = False,
+    degrees: bool = False,
+    held: dict[str, float] | None = None,
+    ignores: bool = False,
 ) -> Rows:
     """The reader of some content."""
     content = content.encode() if isinstance(content, str) else content
     stream = (Drops if drops else io.BytesIO)(content)
-    return rows_of(Source(path, stream), load_robot(robot), degrees=degrees)
+    return rows_of(Source(path, stream), Asked(load_robot(robot), degrees, held or {}, ignores))
 
 
 def read(
-    content: str | bytes, robot: str = "scara", *, path: str = "q.csv", drops: bool = False, degrees: bool = False
+    content: str | bytes,
+    robot: str = "scara",
+    **options: Any,  # noqa: ANN401
 ) -> np.ndarray:
     """The joint values of the good rows, shape (N, n)."""
-    blocks = [block.q for block in rows(content, robot, path=path, drops=drops, degrees=degrees).blocks()]
+    blocks = [block.q for block in rows(content, robot, **options).blocks()]
     return np.concatenate(blocks) if blocks else np.empty((0, 3))
 
 

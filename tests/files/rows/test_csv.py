@@ -76,7 +76,10 @@ def test_nothing_at_all_is_no_table(content: str) -> None:
 @pytest.mark.parametrize(
     ("header", "said"),
     [
-        ("theta1,theta2", ["q.csv:1: no column for d3 (wanted: theta1[rad], theta2[rad], d3[m])"]),
+        (
+            "theta1,theta2",
+            ["q.csv:1: no column for d3 (wanted: theta1[rad], theta2[rad], d3[m]; --q d3=0 if it stands still)"],
+        ),
         (
             "tetha1,theta2,d33",
             [
@@ -88,7 +91,12 @@ def test_nothing_at_all_is_no_table(content: str) -> None:
         ("theta1,theta2,d3,q1", ["q.csv:1:18: theta1 has two columns (keep one of them)"]),
         (
             ",theta1,theta2,d3",
-            ["q.csv:1:1: a column has no name (a column of row numbers? pandas leaves it out with index=False)"],
+            [
+                (
+                    "q.csv:1:1: a column has no name "
+                    "(a column of row numbers? pandas leaves it out with index=False; --ignore-columns leaves it aside)"
+                ),
+            ],
         ),
         (
             "theta1[mm],theta2,d3[deg]",
@@ -140,7 +148,8 @@ def test_everything_wrong_with_a_header_is_told_at_once(header: str, said: list[
         ('0.1,"0,2",0.3', ["q.csv:3:6: theta2 '0,2' is not a number (write 0.2, with a point)"]),
         ('"' + "1" * 140_000, ["q.csv:3: 1 cell in a table of 3 columns"]),
         ("0.1,0.2", ["q.csv:3: 2 cells in a table of 3 columns"]),
-        ("0.1,0.2,0.3,", ["q.csv:3: 4 cells in a table of 3 columns"]),
+        ("0.1,0.2,0.3,,", ["q.csv:3: 5 cells in a table of 3 columns"]),
+        ("0.1,0.2,", ["q.csv:3:9: d3 is empty"]),
     ],
 )
 def test_a_bad_cell_is_named_by_line_column_and_joint(row: str, said: list[str]) -> None:
@@ -152,15 +161,65 @@ def test_a_bad_cell_is_named_by_line_column_and_joint(row: str, said: list[str])
 
 @pytest.mark.parametrize("separator", [";", "\t"])
 @pytest.mark.parametrize("header", ["", "theta1;theta2;d3\n"])
-def test_decimal_commas_are_refused_cell_by_cell(separator: str, header: str) -> None:
-    """As spreadsheets write them in half of Europe: the comma is not what stands between the cells."""
-    line = 2 if header else 1
-    content = f"{header}0,1;0,2;0,3\n".replace(";", separator)
-    assert bad(content) == [
-        f"q.csv:{line}:1: theta1 '0,1' is not a number (write 0.1, with a point)",
-        f"q.csv:{line}:5: theta2 '0,2' is not a number (write 0.2, with a point)",
-        f"q.csv:{line}:9: d3 '0,3' is not a number (write 0.3, with a point)",
+@pytest.mark.parametrize("last", ["", "x;0,2;0,3\n"])
+def test_decimal_commas_are_read_where_no_comma_stands_between_cells(separator: str, header: str, last: str) -> None:
+    """As spreadsheets write them in half of Europe; at once and cell by cell."""
+    content = f"{header}0,1;0,2;,3\n-1;2,;3,5e-1\n{last}".replace(";", separator)
+    assert read(content).tolist() == [[0.1, 0.2, 0.3], [-1, 2, 0.35]]
+
+
+def test_a_comma_beside_a_point_may_group_thousands() -> None:
+    """So that nobody knows what it means."""
+    assert bad("1,234;0.5;1\n") == ["q.csv:1:1: theta1 '1,234' is not a number (write 1.234, with a point)"]
+    assert bad("1.234,5;0;1\n")[0].startswith("q.csv:1:1: theta1 '1.234,5' is not a number")
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "# of Monday, run 3\n#\ntheta1,theta2,d3\n0.1,0.2,0.3\n# the end\n",
+        "# of Monday\n0.1,0.2,0.3\n",
+        "sep=;\ntheta1;theta2;d3\n0,1;0,2;0,3\n",
+        '"sep=,"\nTheta1,THETA2,D3\n0.1,0.2,0.3\n',
+        "theta1,theta2,d3,\n0.1,0.2,0.3,\n",
+        "theta1,theta2,d3\n0.1,0.2,0.3,\n",
+        "0.1,0.2,0.3,\n",
+        "Q1,Q2,Q3\n0.1,0.2,0.3\n",
+    ],
+)
+@pytest.mark.parametrize("last", ["", "x,y,z\n"])
+def test_what_programs_write_around_a_table_is_no_part_of_it(content: str, last: str) -> None:
+    """Comments, the separator by its name, one more of it in each line, capital letters."""
+    assert read(content + last).tolist() == [ROW]
+
+
+def test_a_first_row_with_units_is_no_header() -> None:
+    """What is wrong with it is said cell by cell."""
+    assert bad("30°,20°,100mm\n") == [
+        "q.csv:1:1: theta1 '30°' is not a number (the unit stands once, in the header: [°])",
+        "q.csv:1:5: theta2 '20°' is not a number (the unit stands once, in the header: [°])",
+        "q.csv:1:9: d3 '100mm' is not a number (the unit stands once, in the header: [mm])",
     ]
+
+
+@pytest.mark.parametrize("stamp", ["7", "2026-11-26T10:00"])
+def test_columns_of_something_else_may_be_left_aside(stamp: str) -> None:
+    """Numbers or text, in front or behind; asked for, for a name may as well be misspelled."""
+    content = f"time,theta1,theta2,d3,id\n{stamp},0.1,0.2,0.3,{stamp}\n"
+    assert read(content, ignores=True).tolist() == [ROW]
+    with pytest.raises(FileError, match=r"scara has no joint time .*--ignore-columns leaves aside what is no joint"):
+        read(content)
+    with pytest.raises(FileError, match="no column for theta1"):
+        read("tetha1,theta2,d3\n1,2,3\n", ignores=True)
+
+
+def test_a_joint_without_a_column_may_stand_still() -> None:
+    """With a header or none; it must not have a column as well."""
+    held = {"theta2": 0.2}
+    assert read("d3[cm],theta1\n30,0.1\n", held=held).tolist() == [ROW]
+    assert read("0.1,0.3\n", held=held).tolist() == [ROW]
+    with pytest.raises(FileError, match="theta2 has a column, and --q gives it too"):
+        read("theta1,theta2,d3\n1,2,3\n", held=held)
 
 
 def test_no_header_is_made_of_a_row_with_a_bad_cell() -> None:
@@ -192,13 +251,15 @@ def test_what_repr_writes_is_read_to_the_last_bit(values: list[tuple[float, ...]
     assert read(lines + "1,2\n").tolist() == [list(row) for row in values]
 
 
+@pytest.mark.parametrize("separator", [",", ";", " "])
 @given(st.lists(st.text('0123456789+-.eE, ;\t"x_naif\n', max_size=12), min_size=1, max_size=6))
-def test_a_block_is_read_at_once_only_as_it_would_be_line_by_line(lines: list[str]) -> None:
+def test_a_block_is_read_at_once_only_as_it_would_be_line_by_line(separator: str, lines: list[str]) -> None:
     """The quick way and the careful way are one."""
     text = "\n".join(lines) + "\n"
-    reader = rows("0,0,0\n")
+    reader = rows("")
     assert isinstance(reader, CsvRows)
-    columns, _ = reader._columns("0,0,0", 1)
+    columns, _ = reader._columns(separator.join("000"), 1)
+    assert columns is not None
     quick, careful = reader._block(1, text, columns), reader._line_by_line(1, text, columns)
     assert quick.q.tolist() == careful.q.tolist()
     assert list(quick.rows) == list(careful.rows)

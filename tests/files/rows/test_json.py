@@ -134,3 +134,19 @@ def test_lines_that_are_rows_only_together_are_none(lines: list[str]) -> None:
     reader = rows("[0,0,0]\n")
     assert isinstance(reader, JsonRows)
     assert reader._at_once(1, lines) is None
+
+
+def test_members_of_something_else_may_be_left_aside() -> None:
+    """Also where `dhcli sweep` has written the joints into an object of their own."""
+    content = '{"t": "10:00", "theta1": 1, "theta2": 2, "d3": 3}\n'
+    swept = '{"q": {"theta1": 4, "theta2": 5, "d3": 6}, "position": [1, 2, 3]}\n'
+    numbers = '{"t": 7, "theta1": 1, "theta2": 2, "d3": 3}\n'
+    assert read(content + swept, ignores=True).tolist() == [[1, 2, 3], [4, 5, 6]]
+    assert read(numbers, ignores=True).tolist() == [[1, 2, 3]]
+    assert "--ignore-columns" in bad(content)[0]
+
+
+def test_a_joint_without_a_name_may_stand_still() -> None:
+    """In objects and in lists."""
+    assert read('{"d3": 3, "theta1": 1}\n[4, 6]\n', held={"theta2": 0.5}).tolist() == [[1, 0.5, 3], [4, 0.5, 6]]
+    assert read("[4, 6]\n", held={"theta2": 0.5}).tolist() == [[4, 0.5, 6]]

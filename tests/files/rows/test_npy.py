@@ -146,3 +146,16 @@ def test_what_is_no_table_of_numbers_is_refused(content: bytes, said: str) -> No
     with pytest.raises(FileError) as caught:
         read(content, path="q.npy")
     assert said in str(caught.value)
+
+
+def test_columns_behind_the_joints_may_be_left_aside() -> None:
+    """As `dhcli sweep` writes them; what is in them does not matter."""
+    table = np.concatenate((Q, np.full((5, 3), np.nan)), axis=1)
+    assert read(saved(table), path="q.npy", ignores=True).tolist() == Q.tolist()
+    assert read(saved(table[:, :4]), path="q.npy", ignores=True, held={"theta2": 7.0})[0].tolist() == [
+        Q[0, 0],
+        7.0,
+        Q[0, 1],
+    ]
+    with pytest.raises(FileError, match="--ignore-columns takes the first 3 columns"):
+        read(saved(table), path="q.npy")

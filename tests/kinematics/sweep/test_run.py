@@ -11,6 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from dhcli import forward, load_robot
+from dhcli import sweep as ask
 from dhcli.errors import RobotError
 from dhcli.kinematics.sweep import run
 from dhcli.kinematics.sweep.extremes import SLACK, Highest
@@ -146,3 +147,19 @@ def test_the_joints_that_move_a_point_are_known(
     for name_ in robot.variables:  # moving an idle joint changes nothing, moving another does
         moved = target.at({**q, **joint_values(robot, {name_: 0.7})})
         assert (moved != pytest.approx(target.at(q), abs=1e-12)) == (name_ in target.movers())
+
+
+def test_a_program_asks_as_the_command_does() -> None:
+    """Ranges in a mapping, a list or one text; a joint that stands; a point; every row on the way."""
+    robot, blocks = load_robot("scara"), []
+    found = ask(robot, {"q1": "0..90° n 3", "d3": "0..0.2 n 2"}, {"q2": "90°"}, point=(0, 0, 0.1), each=blocks.append)
+    assert found.grid.count == 6
+    assert np.concatenate(blocks).shape == (6, 6)
+    assert found == ask(robot, ["q1=0..90° n 3", "d3=0..0.2 n 2"], "0, 90°, 0", point=("0", 0, "100mm"))
+    q = {"theta1": found.nearest.q["theta1"], "theta2": "90°", "d3": found.nearest.q["d3"]}
+    assert forward(robot, q) @ (0, 0, 0.1) == pytest.approx(found.nearest.position)
+    assert ask(robot, "q1=0..90° n 3").grid.count == 3
+    with pytest.raises(RobotError, match="90 has no unit"):
+        ask(robot, "q1=0°..90")
+    with pytest.raises(RobotError, match="a point has three coordinates, not 2"):
+        ask(robot, "q1", point=(0, 0))

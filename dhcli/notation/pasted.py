@@ -1,0 +1,100 @@
+"""Matrices as screens, programs and papers hold them: what stands around one goes, named entries become one."""
+
+from __future__ import annotations
+
+import json
+import re
+
+from dhcli.errors import NotationError
+from dhcli.notation.matrix import parse_matrix
+
+_LABEL = re.compile(r"\s*[^\s=\[\](){},;]{1,30}\s*=\s*(?=[^\s=])")
+_NAMED_MATRIX = re.compile(r"[^=\n]{1,60}=\s*(?=\[|\\begin|\\left|array|np\.|Matrix|matrix)")
+_CONTINUED = re.compile(r"\.\.\.[^\S\n]*(?=\n)")
+_SCREEN = re.compile(r"[⎡⎢⎣][^\n⎡⎢⎣⎤⎥⎦]*[⎤⎥⎦]")
+_DECLARED = re.compile(r"^[^\S\n]*syms\b[^\n]*$", re.MULTILINE)
+_ENTRY = re.compile(r"(?:^|[\n,;])[^\S\n]*([rRnoapP])_?\{?([1-3]{2}|[xyz])\}?\s*=\s*")
+"""What stands before an entry in a list of them; no blank lines, or each would be gone through from all before it."""
+_POSE, _ROTATION, _VECTOR = (4, 4), (3, 3), (3, 1)
+
+
+class EntriesError(ValueError):
+    """A list of entries that makes no matrix: one is missing, or stands there twice."""
+
+
+def without_label(text: str) -> str:
+    """A text without `T_03 =` in front, and without what a screen shows around a matrix."""
+    lines = _SCREEN.findall(text)
+    if lines:
+        return "\n".join(lines)
+    text = _DECLARED.sub("", _CONTINUED.sub("", text))
+    match = _LABEL.match(text) or _NAMED_MATRIX.match(text)
+    return text[match.end() :] if match else text
+
+
+def rows_of(text: str, shape: tuple[int, int]) -> str:
+    """A matrix in brackets, where a text is dhcli's JSON or a list of entries such as `r11 = c1`, `px = a1*c1`.
+
+    Raises:
+        EntriesError: Entries are missing in the list, or stand in it twice.
+    """
+    if text.lstrip().startswith("{") and '"matrix"' in text:
+        return _from_json(text)
+    found = list(_ENTRY.finditer(text))
+    if len(found) < 2 or text[: found[0].start()].strip():  # noqa: PLR2004  one name is the label of the whole answer
+        return text
+    ends = [*(match.start() for match in found[1:]), len(text)]
+    entries: dict[str, str] = {}
+    for match, end in zip(found, ends, strict=True):
+        name = _place(match[1].lower(), match[2])
+        if name in entries:
+            raise EntriesError(f"{name} stands there twice")
+        entries[name] = text[match.end() : end].strip().rstrip(",;").replace("\n", " ")
+    rows = [[f"r{row}{column}" for column in "123"] + [f"p{axis}"] for row, axis in zip("123", "xyz", strict=True)]
+    wanted = {_POSE: rows, _ROTATION: [row[:3] for row in rows], _VECTOR: [row[3:] for row in rows]}.get(shape)
+    if wanted is None:
+        return text
+    missing = [name for row in wanted for name in row if name not in entries]
+    if missing:
+        raise EntriesError(f"{', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing")
+    bottom = [["0", "0", "0", "1"]] if shape == _POSE else []
+    return _bracketed([*([entries[name] for name in row] for row in wanted), *bottom])
+
+
+def pose_matrix(text: str) -> str | None:
+    r"""A 4x4 matrix in brackets out of whatever stands around it, entries as they were written; None if there is none.
+
+    >>> pose_matrix("T_01 =\n1,0,0,a1\n0,1,0,0\n0,0,1,0\n0,0,0,1\n")
+    '[[1, 0, 0, a1], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]'
+    """
+    try:
+        cells = parse_matrix(without_label(rows_of(text, _POSE)))
+    except (NotationError, EntriesError):
+        return None
+    if [len(row) for row in cells] != [4] * 4:
+        return None
+    return _bracketed([[cell.text.strip() for cell in row] for row in cells])
+
+
+def _place(letter: str, index: str) -> str:
+    """`r12` for n, o and a as well: ny is r21."""
+    if letter in "noa" and index in "xyz":
+        return f"r{'xyz'.index(index) + 1}{'noa'.index(letter) + 1}"
+    return letter + index
+
+
+def _from_json(text: str) -> str:
+    """The matrix of dhcli's own JSON, with its digits as they stand; the text itself if there is none."""
+    try:
+        found = json.loads(text, parse_float=str, parse_int=str)
+    except (ValueError, RecursionError):
+        return text
+    rows = found.get("data", found) if isinstance(found, dict) else {}
+    rows = rows.get("matrix") if isinstance(rows, dict) else None
+    if not isinstance(rows, list) or not all(isinstance(row, list) for row in rows):
+        return text
+    return _bracketed([[str(entry) for entry in row] for row in rows])
+
+
+def _bracketed(rows: list[list[str]]) -> str:
+    return "[" + ", ".join("[" + ", ".join(row) + "]" for row in rows) + "]"
