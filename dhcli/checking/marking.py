@@ -153,8 +153,9 @@ def _matrix(
     reading = _matrix_text(tuple(tuple(write(e.typed, "short", exercise.writing) for e in row) for row in entries))
     if exercise.numeric:
         if truth.numbers is None:
-            missing = ", ".join(unvalued(question, exercise))
-            raise RobotError(f"{exercise.id} asks for numbers, and has no value for {missing}", "name them in given:")
+            missing = unvalued(question, exercise)
+            hint = f"--set {missing[0]}=..., or given: in the file of an exercise"
+            raise RobotError(f"{exercise.id} asks for numbers, and has no value for {', '.join(missing)}", hint)
         judged = mark_numbers(question, truth, entries, exercise, tolerance)
     else:
         judged = mark_symbols(question, truth, entries, exercise)

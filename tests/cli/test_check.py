@@ -271,7 +271,10 @@ def test_without_an_answer_and_without_a_terminal_it_never_waits(process: Run, w
         ((*AT, "--decimals", "0", "--answer", "1"), "decimals"),
         ((*AT, "--decimals", "two", "--answer", "1"), "whole number"),
         ((*AT, "--tol-rotation", "nan", "--answer", "1"), "negative"),
-        (("check", "dh-link", "--q", "0", "--answer", "[1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1]"), "has no value for a_i"),
+        (
+            ("check", "dh-link", "--q", "0", "--answer", "[1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1]"),
+            "value for a_i, alpha_i, d_i",
+        ),
     ],
 )
 def test_what_cannot_be_asked_ends_with_2(dhcli: Run, words: tuple[str, ...], said: str) -> None:
