@@ -102,7 +102,9 @@ def singles(exercise: Exercise, part: Part, tally: Tally) -> None:
         tally.named += bool(found.causes)
         unique = hit and len(found.ids) == 1
         tally.unique += unique
-        tally.alike += not unique and any(alike(exercise, part, (maker, *found.ids)) for maker in makers)
+        tally.alike += (
+            not unique and bool(found.causes) and any(alike(exercise, part, (maker, *found.ids)) for maker in makers)
+        )
         tally.few += hit and len(found.ids) <= 3
         for name in found.ids:
             if name != "misprint" and " + " not in name and name not in makers:
@@ -143,7 +145,7 @@ def pairs(exercise: Exercise, part: Part, tally: Tally, count: int, draw: random
         hit = wanted in found.ids or simpler  # one slip that gives the same answer is the better explanation
         unique = hit and len(found.ids) == 1
         tally.unique += unique
-        tally.alike += not unique and alike(exercise, part, (wanted, *found.ids))
+        tally.alike += not unique and bool(found.causes) and alike(exercise, part, (wanted, *found.ids))
         tally.wrong += sum(
             not agree(exercise, part, answer, typed_text(exercise, works[name])) for name in found.ids if name in works
         )

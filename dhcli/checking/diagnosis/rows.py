@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
-from itertools import combinations
+from itertools import pairwise
 from typing import TypeAlias
 
 from dhcli.checking.diagnosis.work import Setting, Step, Work
@@ -136,13 +136,13 @@ def sine_cosine(row: Row, _setting: Setting) -> Row | None:
 
 
 def thetas_swapped(work: Work, setting: Setting) -> Iterator[tuple[str, Work]]:
-    """The values of two joints in each other's row, each row with the offset it had."""
+    """The values of two joints next to each other in each other's row, each row with the offset it had."""
     turning = [
         (k, step.row)
         for k, step in enumerate(work.steps)
         if step.row is not None and step.row.theta.names & set(setting.variables)
     ]
-    for (k, one), (m, two) in combinations(turning, 2):
+    for (k, one), (m, two) in pairwise(turning):
         if setting.numeric and _moved(one, setting) == _moved(two, setting):  # nobody could see it
             continue
         first, second = (replace(row.theta, terms=()) for row in (one, two))
