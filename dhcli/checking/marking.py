@@ -7,8 +7,9 @@ from dataclasses import replace
 
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.terms import TERMS
-from dhcli.checking.counts import mark_count, right_count
+from dhcli.checking.counts import mark_count
 from dhcli.checking.exercise import Exercise, Part
+from dhcli.checking.expected import bracketed, constant_of, link_of, quantity_of, spelled_moves, spelled_value
 from dhcli.checking.misprints import misprint_remarks
 from dhcli.checking.numeric import mark_numbers
 from dhcli.checking.pasted import UnreadableError, refuse_blanks, without_label
@@ -24,23 +25,22 @@ from dhcli.checking.questions import (
 from dhcli.checking.reading import check_names, read_entries
 from dhcli.checking.symbolic import mark_symbols, put, same
 from dhcli.checking.tables.cells import own_values
-from dhcli.checking.tolerance import ZERO as NOTHING
 from dhcli.checking.tolerance import Tolerance, is_rounding_of, judge
-from dhcli.checking.truth import Truth, is_length, truth_of, unvalued
+from dhcli.checking.truth import truth_of, unvalued
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
 from dhcli.errors import NotationError, Place, RobotError
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.forward import spelled
 from dhcli.kinematics.moves import Chain, Fixed, Rot, Trans, along, read_chain
-from dhcli.kinematics.robot import Link, Robot, Value
+from dhcli.kinematics.robot import Value
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
 from dhcli.notation.factors import AXES
 from dhcli.notation.parser import parse
-from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_length
+from dhcli.notation.quantity import DimensionError, to_angle, to_length
 from dhcli.notation.tree import ZERO, Expr
 from dhcli.notation.walk import symbols
-from dhcli.notation.writer import write, write_angle
+from dhcli.notation.writer import write
 
 _CHOICE = re.compile(r"[(\[]?([0-9]{1,3}|[a-z])[)\].:]{0,2}(?: (.+))?")
 BLANK = re.compile(r"[\s\[\](){},;.…_?–-]*")  # noqa: RUF001
@@ -107,42 +107,18 @@ def _judged(exercise: Exercise, part: Part, answer: str, place: Place | None) ->
 
             return mark_table(question, exercise, answer, part.compare, tolerance, place=place)
         case CellQuestion(column, link):
-            row = _link(exercise, link).row
+            row = link_of(exercise, link).row
             if row is None:
                 raise RobotError(f"{exercise.id} asks for a cell, and its robot has no table")
             return mark_cell(exercise, getattr(row, column), answer, tolerance, place)
         case ScalarQuestion(expr):
-            return mark_value(exercise, _quantity(expr, exercise), answer, tolerance, place)
+            return mark_value(exercise, quantity_of(expr, exercise), answer, tolerance, place)
         case FactorsQuestion(link):
-            return mark_factors(exercise, _link(exercise, link).moves, answer, place)
+            return mark_factors(exercise, link_of(exercise, link).moves, answer, place)
         case ChoiceQuestion(options, right):
             return _choice(options, right, answer)
         case CountQuestion():
             return mark_count(question, answer, place)
-
-
-def expected(exercise: Exercise, part: Part, style: str = "short") -> str:
-    """The right answer to a part as a person would type it."""
-    match part.question:
-        case MatrixQuestion():
-            truth = truth_of(part.question, exercise)
-            return _as_text(part.question, truth, exercise, style)
-        case TableQuestion(convention):
-            from dhcli.checking.tables.marking import write_table
-
-            return write_table(exercise, convention)
-        case CellQuestion(column, link):
-            row = _link(exercise, link).row
-            return spelled_value(getattr(row, column), exercise)
-        case ScalarQuestion(expr):
-            return spelled_value(_quantity(expr, exercise), exercise)
-        case FactorsQuestion(link):
-            return spelled_moves(_link(exercise, link).moves, exercise)
-        case ChoiceQuestion(_, right):
-            return str(right)
-        case CountQuestion():
-            return str(right_count(part.question))
-    raise TypeError(part.question)
 
 
 def _matrix(
@@ -150,7 +126,7 @@ def _matrix(
 ) -> Mark:
     truth = truth_of(question, exercise)
     entries = read_entries(question, exercise, answer, place)
-    reading = _matrix_text(tuple(tuple(write(e.typed, "short", exercise.writing) for e in row) for row in entries))
+    reading = bracketed(tuple(tuple(write(e.typed, "short", exercise.writing) for e in row) for row in entries))
     if exercise.numeric:
         if truth.numbers is None:
             missing = unvalued(question, exercise)
@@ -165,7 +141,7 @@ def _matrix(
     columns = question.shape[1]
     shown = [cell.expected for cell in judged.cells]
     rows = tuple(tuple(shown[i : i + columns]) for i in range(0, len(shown), columns))
-    return replace(judged, reading=reading, remarks=remarks, expected=_matrix_text(rows))
+    return replace(judged, reading=reading, remarks=remarks, expected=bracketed(rows))
 
 
 def mark_cell(exercise: Exercise, right: Value, answer: str, tolerance: Tolerance, place: Place | None = None) -> Mark:
@@ -197,7 +173,7 @@ def _verdict_of_value(
     exercise: Exercise, typed: Value, right: Value, typed_expr: Expr, tolerance: Tolerance
 ) -> Verdict:
     if isinstance(right, Angle) or isinstance(typed, Angle):
-        difference = _constant(typed, exercise) - _constant(right, exercise)
+        difference = constant_of(typed, exercise) - constant_of(right, exercise)
         if difference.terms:
             return Verdict.WRONG
         off = abs((float(difference.degrees) + float(difference.radians) * 57.29577951308232 + 180) % 360 - 180)
@@ -216,12 +192,6 @@ def _verdict_of_value(
     return verdict
 
 
-def _constant(value: Value, exercise: Exercise) -> Angle:
-    if not isinstance(value, Angle):
-        return Angle()
-    return value.substitute({name: v for name, v in exercise.given.items() if isinstance(v, Angle)})
-
-
 def mark_factors(exercise: Exercise, right: Chain, answer: str, place: Place | None = None) -> Mark:
     """Judge the elementary moves of a link: the same moves in the same order, up to pairs that commute."""
     typed = read_chain(without_label(answer), exercise.scope, place or Place("answer"))
@@ -236,11 +206,6 @@ def mark_factors(exercise: Exercise, right: Chain, answer: str, place: Place | N
     earned = float(verdict is Verdict.RIGHT)
     shown = spelled_moves(right, exercise)
     return Mark(verdict, spelled_moves(typed, exercise), remarks=remarks, earned=earned, expected=shown)
-
-
-def spelled_moves(chain: Chain, exercise: Exercise) -> str:
-    """Moves as a person would type them."""
-    return " ".join(spelled(move, exercise.writing) for move in chain)
 
 
 def _elementary(chain: Chain) -> list[str]:
@@ -293,61 +258,3 @@ def _of_table(exercise: Exercise) -> Exercise:
 def _without_star(answer: str) -> str:
     """The cell without the star that marks a joint variable."""
     return answer.strip().removesuffix("*")
-
-
-def _link(exercise: Exercise, number: str) -> Link:
-    robot = _robot(exercise)
-    for link in robot.links:
-        if str(link.number) == number:
-            return link
-    numbered = ", ".join(str(link.number) for link in robot.links)
-    raise RobotError(f"{robot.name} has no link {number}", f"links: {numbered}")
-
-
-def _robot(exercise: Exercise) -> Robot:
-    if exercise.robot is None:
-        raise RobotError(f"{exercise.id} asks about a robot and names none")
-    return exercise.robot
-
-
-def _quantity(expr: Expr, exercise: Exercise) -> Value:
-    """An expression as an angle if its units or its names say so, else as a length or number; exact in numbers."""
-    inside = symbols(expr)
-    if has_angle_unit(expr) or (inside and all(exercise.scope.is_angle(name) for name in inside)):
-        try:
-            angle = to_angle(expr)
-            return _constant(angle, exercise) if exercise.numeric else angle
-        except DimensionError:
-            pass  # a cosine of an angle is a number
-    return to_length(expr)
-
-
-def spelled_value(value: Value, exercise: Exercise) -> str:
-    """A value as a person would type it."""
-    if isinstance(value, Angle):
-        return write_angle(value, "short", exercise.writing)
-    return write(value, "short", exercise.writing)
-
-
-def _as_text(question: MatrixQuestion, truth: Truth, exercise: Exercise, style: str) -> str:
-    """The right answer as text; numbers in the unit of the sheet."""
-    if exercise.numeric and truth.numbers is not None:
-        unit = float(exercise.metres)
-        return _matrix_text(
-            tuple(
-                tuple(_decimal(value / unit if is_length(question, r, c) else value) for c, value in enumerate(row))
-                for r, row in enumerate(truth.numbers)
-            )
-        )
-    return _matrix_text(tuple(tuple(write(entry, style, exercise.writing) for entry in row) for row in truth.rows))
-
-
-def _decimal(value: float) -> str:
-    """A number in digits that can be typed; what is nothing but rounding of floats is 0."""
-    return "0" if abs(value) < NOTHING else f"{value:.10g}"
-
-
-def _matrix_text(rows: tuple[tuple[str, ...], ...]) -> str:
-    if len(rows) == 1 and len(rows[0]) == 1:
-        return rows[0][0]
-    return "[" + ", ".join("[" + ", ".join(row) + "]" for row in rows) + "]"

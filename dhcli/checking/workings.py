@@ -7,7 +7,8 @@ from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.marking import expected, mark
+from dhcli.checking.expected import expected
+from dhcli.checking.marking import mark
 from dhcli.checking.questions import MatrixQuestion
 from dhcli.checking.truth import is_length, truth_of
 from dhcli.checking.verdicts import Verdict

@@ -14,7 +14,8 @@ from sympy.parsing.sympy_parser import parse_expr
 from dhcli import load_robot
 from dhcli.algebra.symbolic import to_sympy
 from dhcli.checking.exercise import Exercise, question_about
-from dhcli.checking.marking import expected, mark
+from dhcli.checking.expected import expected
+from dhcli.checking.marking import mark
 from dhcli.checking.verdicts import Verdict
 from dhcli.notation.matrix import Cell, parse_matrix
 

@@ -9,7 +9,8 @@ from pathlib import Path
 import pytest
 
 from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.marking import expected, mark
+from dhcli.checking.expected import expected
+from dhcli.checking.marking import mark
 from dhcli.checking.questions import ChoiceQuestion, MatrixQuestion, TableQuestion
 from dhcli.checking.sheetmark import mark_sheet
 from dhcli.checking.solution import solution

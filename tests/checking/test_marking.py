@@ -13,7 +13,8 @@ from hypothesis import strategies as st
 
 from dhcli.checking.describe import describe
 from dhcli.checking.exercise import Exercise, Part, question_about
-from dhcli.checking.marking import check, expected, mark
+from dhcli.checking.expected import expected
+from dhcli.checking.marking import check, mark
 from dhcli.checking.numeric import TOO_FEW, angle_between, not_orthonormal
 from dhcli.checking.questions import TableQuestion
 from dhcli.checking.sheetmark import SheetMark, mark_sheet

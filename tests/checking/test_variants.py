@@ -17,7 +17,8 @@ from dhcli.checking.diagnosis.draws import draws_of
 from dhcli.checking.diagnosis.search import Search, search_of
 from dhcli.checking.diagnosis.slips import hidden
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.marking import expected, mark
+from dhcli.checking.expected import expected
+from dhcli.checking.marking import mark
 from dhcli.checking.questions import MatrixQuestion
 from dhcli.checking.variants import Range, vary
 from dhcli.checking.verdicts import Verdict

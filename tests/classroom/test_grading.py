@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from dhcli.checking.marking import expected
+from dhcli.checking.expected import expected
 from dhcli.checking.variants import vary
 from dhcli.checking.verdicts import Verdict
 from dhcli.classroom.folder import Submission, find_sheets

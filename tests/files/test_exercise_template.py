@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from dhcli.checking.marking import expected
+from dhcli.checking.expected import expected
 from dhcli.classroom.lint import lint
 from dhcli.errors import DhcliError
 from dhcli.files.exercise_template import exercise_template

@@ -17,7 +17,8 @@ from dhcli.checking.diagnosis.rows import OTHER
 from dhcli.checking.diagnosis.slips import candidates, setting_of, table_candidates
 from dhcli.checking.diagnosis.work import Multiplied, Step, Work
 from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.marking import expected, mark, mark_cell, mark_factors, spelled_moves, spelled_value
+from dhcli.checking.expected import expected, spelled_moves, spelled_value
+from dhcli.checking.marking import mark, mark_cell, mark_factors
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.questions import CellQuestion, FactorsQuestion, MatrixQuestion, ScalarQuestion, Span, TableQuestion
 from dhcli.checking.verdicts import Mark, Verdict

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Exercise, Part, Trial
-from dhcli.checking.marking import expected, mark
+from dhcli.checking.expected import expected
+from dhcli.checking.marking import mark
 from dhcli.checking.questions import MatrixQuestion, TableQuestion
 from dhcli.checking.rules.mistakes import typed
 from dhcli.checking.rules.wording import unfinished

@@ -6,7 +6,8 @@ import re
 from collections.abc import Iterator, Mapping
 
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.marking import expected, mark
+from dhcli.checking.expected import expected
+from dhcli.checking.marking import mark
 from dhcli.checking.variants import hidden_by_numbers, vary
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import DhcliError

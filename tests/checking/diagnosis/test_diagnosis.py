@@ -8,7 +8,8 @@ from dhcli.checking.diagnosis.diagnosis import diagnosed
 from dhcli.checking.diagnosis.mistakes import BY_ID, MISTAKES
 from dhcli.checking.diagnosis.slips import answer_with, hidden, slip_of, slips
 from dhcli.checking.exercise import Exercise, Part, question_about
-from dhcli.checking.marking import expected, mark
+from dhcli.checking.expected import expected
+from dhcli.checking.marking import mark
 from dhcli.checking.questions import read_question
 from dhcli.checking.sheetmark import mark_sheet
 from dhcli.checking.verdicts import Verdict

@@ -7,7 +7,7 @@ import pytest
 from dhcli import load_exercise, load_robot
 from dhcli.checking.diagnosis.slips import answer_with
 from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.marking import expected
+from dhcli.checking.expected import expected
 from dhcli.checking.questions import read_question
 from dhcli.checking.sheetmark import mark_sheet
 from dhcli.checking.verdicts import Mark, Verdict

@@ -9,7 +9,7 @@ import pytest
 
 from dhcli import check, load_robot
 from dhcli.checking.exercise import Exercise, Part, question_about
-from dhcli.checking.marking import expected
+from dhcli.checking.expected import expected
 from dhcli.checking.questions import MatrixQuestion, Span
 from dhcli.checking.verdicts import Verdict
 from dhcli.kinematics.values import joint_values
