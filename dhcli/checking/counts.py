@@ -1,4 +1,4 @@
-"""Counts of a linkage: a whole number."""
+"""Counts of a linkage: a whole number, and on a miss the slips that give exactly the number typed."""
 
 from __future__ import annotations
 
@@ -15,6 +15,8 @@ from dhcli.notation.tree import Unit
 from dhcli.notation.walk import walk
 
 LARGEST = 10**6
+COUNTED = " comes out when "
+"""What a remark says between a number and the slip that gives it."""
 
 
 def right_count(question: CountQuestion) -> int:
@@ -47,4 +49,13 @@ def mark_count(question: CountQuestion, answer: str, place: Place | None = None)
     typed = int(value)
     if typed == right:
         return Mark(Verdict.RIGHT, str(typed), earned=1.0, expected=str(right))
-    return Mark(Verdict.WRONG, str(typed), expected=str(right))
+    return Mark(Verdict.WRONG, str(typed), remarks=_slips(question, typed), expected=str(right))
+
+
+def _slips(question: CountQuestion, typed: int) -> tuple[str, ...]:
+    from dhcli.mobility.slips import slips
+
+    if question.found is None:
+        return ()
+    names = [name for name, value in slips(question.what, question.found).items() if value == typed]
+    return (f"{typed}{COUNTED}{' or when '.join(names)}",) if names else ()

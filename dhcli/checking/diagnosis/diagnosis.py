@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from dhcli.checking.counts import COUNTED
 from dhcli.checking.diagnosis.asked_again import asked_again
 from dhcli.checking.diagnosis.geometry import geometry
 from dhcli.checking.diagnosis.result import Diagnosis, Slip
@@ -41,7 +42,12 @@ def diagnosed(exercise: Exercise, part: Part, answer: str, mark: Mark) -> Mark:
     found = diagnose(exercise, part, answer, mark)
     if not found.causes:
         return _told(exercise, part, answer, mark)
-    return replace(mark, diagnosis=found, remarks=tuple(r for r in mark.remarks if r not in {INVERSE, TRANSPOSED}))
+    return replace(mark, diagnosis=found, remarks=tuple(r for r in mark.remarks if not _names(r)))
+
+
+def _names(remark: str) -> bool:
+    """Whether a remark says what the slip is, which the diagnosis does when it is asked."""
+    return remark in {INVERSE, TRANSPOSED} or COUNTED in remark
 
 
 def is_diagnosed(part: Part, mark: Mark) -> bool:
