@@ -48,9 +48,10 @@ def table_causes(exercise: Exercise, part: Part, question: TableQuestion, answer
     if not every:
         return ()
     compared = _Compared(exercise, robot, moves)
-    found = compared.with_one_slip(every)
-    if found:
-        return found
+    moving_so = compared.with_one_slip(every)
+    if moving_so:
+        to_the_cell = [one for one in moving_so if [step.row for step in one.work.steps] == rows]
+        return tuple(one.slips for one in to_the_cell or moving_so)
     by_row = compared.by_row(every)
     found = same_in_rows(by_row)
     if not found and part.compare == "same-robot":
@@ -73,15 +74,15 @@ class _Compared:
         self._typed = [reduce(product, matrices) for matrices in self._rows]
         self._slack = tuple(tuple(MOTION for _ in row) for row in self._typed[0])
 
-    def with_one_slip(self, every: tuple[Candidate, ...]) -> Causes:
+    def with_one_slip(self, every: tuple[Candidate, ...]) -> list[Candidate]:
         """The slips with just the motion typed."""
         found = []
         for candidate in every:
             given = [bench.matrix(candidate.work) for bench in self._benches]
             is_right = self._agree([bench.matrix(self._right) for bench in self._benches], given)
             if not is_right and self._agree(self._typed, given):
-                found.append(candidate.slips)
-        return tuple(found)
+                found.append(candidate)
+        return found
 
     def by_row(self, every: tuple[Candidate, ...]) -> tuple[tuple[Candidate, ...], ...]:
         """The slips behind each wrong row."""

@@ -97,3 +97,17 @@ def test_slips_in_several_rows_are_named(name: str, answer: str, cause: str, wor
     assert found.ids == (cause,)
     assert found.names == (words,)
     assert not any("{" in hint for hint in found.hints)
+
+
+def test_of_slips_with_the_same_motion_the_one_in_the_cells_typed_is_named() -> None:
+    """In the table of a wrist two slips can move alike; the cells tell which of them was made."""
+    exercise = load_exercise("yim/three-axis-wrist")
+    question = exercise.part("table").question
+    assert isinstance(question, TableQuestion)
+    assert exercise.robot is not None
+    for candidate in table_candidates(exercise, question):
+        rows = [step.row for step in candidate.work.steps if step.row is not None]
+        judged = check(exercise, "table", table_text(rows, exercise.robot.columns, exercise.writing))
+        if judged.verdict is Verdict.WRONG:
+            assert judged.diagnosis is not None
+            assert judged.diagnosis.ids == (candidate.slips[0].name,)
