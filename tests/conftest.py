@@ -32,9 +32,12 @@ os.environ.update(_FIXED)
 for _name in _UNSET:
     os.environ.pop(_name, None)
 
-# A shell that starts the tests in the background has them ignore Ctrl-C, and so would every process that a test stops.
+# A shell that starts the tests in the background has them ignore Ctrl-C, nohup has them ignore the end of a terminal,
+# and so would every process that a test stops.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
+if hasattr(signal, "SIGHUP") and signal.getsignal(signal.SIGHUP) is signal.SIG_IGN:
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
 # A busy machine is not a failure: no deadline, and no health check that looks at the clock.
 _PATIENT = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])

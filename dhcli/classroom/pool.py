@@ -176,9 +176,10 @@ def _blocked() -> Iterator[None]:
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
-    resource_tracker.ensure_running()  # or the first process would start it, and Python then unblocks the signals
     before = signal.pthread_sigmask(signal.SIG_BLOCK, _ENDINGS)
     try:
+        resource_tracker.ensure_running()  # deaf to SIGHUP, too; Python unblocks the others when it has started it
+        signal.pthread_sigmask(signal.SIG_BLOCK, _ENDINGS)
         yield
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)

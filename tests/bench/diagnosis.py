@@ -29,6 +29,7 @@ from dhcli.checking.marking import mark
 from dhcli.checking.questions import MatrixQuestion, TableQuestion
 from dhcli.checking.verdicts import Verdict
 from dhcli.files.library import Kind, entries
+from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import joint_values
 
 UNSOLVED = (Verdict.WRONG, Verdict.CLOSE)
@@ -77,12 +78,15 @@ def parts() -> Iterator[tuple[str, Exercise, Part]]:
         for numeric in (False, True):
             if numeric and (not robot.variables or any(value is None for value in robot.parameters.values())):
                 continue
-            typed = [
-                f"{23 + 14 * k}°" if j.kind == "revolute" else f"{0.1 + k / 20}" for k, j in enumerate(robot.joints)
-            ]
-            given = joint_values(robot, ",".join(typed)) if numeric else {}
-            exercise = question_about(robot, robot.frames[1], robot.frames[-2], numeric=numeric, given=given)
+            exercise = about(robot, numeric=numeric)
             yield ("robots, numbers" if numeric else "robots, symbols"), exercise, exercise.parts[0]
+
+
+def about(robot: Robot, *, numeric: bool) -> Exercise:
+    """The pose of a robot as an exercise."""
+    typed = [f"{23 + 14 * k}°" if j.kind == "revolute" else f"{0.1 + k / 20}" for k, j in enumerate(robot.joints)]
+    given = joint_values(robot, ",".join(typed)) if numeric else {}
+    return question_about(robot, robot.frames[1], robot.frames[-2], numeric=numeric, given=given)
 
 
 def singles(exercise: Exercise, part: Part, tally: Tally) -> None:
@@ -166,6 +170,10 @@ def alike(exercise: Exercise, part: Part, names: Iterable[str]) -> bool:
     return all(same(first, other) for other in others)
 
 
+MANY = 100
+"""Pairs of PUMA 560 that are tried."""
+
+
 def main() -> None:
     """Print the table."""
     count, every = (*map(int, sys.argv[1:]), *(2, 1)[len(sys.argv) - 1 :])
@@ -175,11 +183,20 @@ def main() -> None:
     for group, exercise, part in islice(parts(), 0, None, every):
         singles(exercise, part, single.setdefault(group, Tally()))
         pairs(exercise, part, double.setdefault(group, Tally()), count, draw)
+    puma = {"PUMA 560, symbols": False, "PUMA 560, numbers": True}
+    of_puma = {title: (Tally(), Tally()) for title in puma}
+    for title, numeric in puma.items():
+        exercise = about(load_robot("puma560"), numeric=numeric)
+        singles(exercise, exercise.parts[0], of_puma[title][0])
+        pairs(exercise, exercise.parts[0], of_puma[title][1], MANY, draw)
     heads = ("made", 7), ("unique", 8), ("alike", 8), ("of rest", 8), ("of <= 3", 8), ("named", 8), ("wrong", 6)
     print(" " * 34 + " ".join(f"{head:>{width}}" for head, width in (*heads, ("median ms", 9), ("most ms", 7))))
     for title, tallies in (("one slip", single), ("two slips", double)):
         for group, tally in tallies.items():
             print(tally.line(f"{title}: {group}"))
+    for k, title in enumerate(("one slip", "two slips")):
+        for group, tallies in of_puma.items():
+            print(tallies[k].line(f"{title}: {group}"))
     everything = list(single.values())
     made, unique = sum(t.made for t in everything), sum(t.unique for t in everything)
     alike_ = sum(t.alike for t in everything)
