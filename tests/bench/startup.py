@@ -17,7 +17,7 @@ COMMANDS = (
     "fk scara --q 0.3,0.5,0.1",
     "fk puma560 --symbolic",
     "fk puma560 --in q.csv",
-    "sweep puma560 --over q1=0..1n11",
+    "sweep puma560 --over q1",
     "transform Trans(8,-6,14)Rot(y,90°)",
     "show puma560",
     "list",
