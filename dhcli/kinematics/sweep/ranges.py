@@ -33,6 +33,9 @@ _RANGE = re.compile(
 )
 """Matches any text, in one go: nothing in it is tried twice."""
 
+_OF_LIMITS = re.compile(r"(?P<name>\S+)\s+n\s+(?P<count>\S+)")
+"""A joint over its own limits in so many values."""
+
 _LONGEST_COUNT = 40
 
 
@@ -66,7 +69,7 @@ def read_over(robot: Robot, text: str, *, bare: Literal["rad", "deg"] = "rad", p
 
     Args:
         robot: The robot.
-        text: `NAME=FROM..TO step S`, `NAME=FROM..TO n COUNT`, `NAME=FROM..TO`, `NAME=VALUE` or `NAME`.
+        text: `NAME=FROM..TO step S`, `NAME=FROM..TO n COUNT`, `NAME=FROM..TO`, `NAME=VALUE`, `NAME n COUNT` or `NAME`.
         bare: What a number without a unit means for a revolute joint; prismatic ones are metres.
         place: Where the text comes from, for errors.
 
@@ -80,6 +83,12 @@ def read_over(robot: Robot, text: str, *, bare: Literal["rad", "deg"] = "rad", p
         raise NotationError(Problem("a joint is missing here", whole, "write theta1=-90°..90° step 5°"))
     if low is None and ".." in name.text:
         raise NotationError(Problem("there is no = in this range", whole, "write theta1=-90°..90° step 5°"))
+    if low is None and (of_limits := _OF_LIMITS.fullmatch(name.text)):
+        count = _Piece(
+            of_limits["count"], Place(name.place.source, None, _column(name, of_limits.start("count")), text)
+        )
+        joint = joint_called(robot, of_limits["name"], name.place)
+        return Over(joint, count=_count(joint, count))
     joint = joint_called(robot, name.text, name.place)
     if low is None:
         return Over(joint)
@@ -116,6 +125,11 @@ def _pieces(text: str, whole: Place) -> Iterator[_Piece | None]:
             continue
         begin = match.start(group) + len(piece) - len(piece.lstrip())
         yield _Piece(piece.strip(), Place(whole.source, None, begin + 1, text))
+
+
+def _column(piece: _Piece, offset: int) -> int:
+    """Column of a letter of a piece."""
+    return (piece.place.column or 1) + offset
 
 
 def _value(robot: Robot, joint: str, piece: _Piece, bare: Bare) -> Value:

@@ -48,6 +48,14 @@ def test_a_joint_alone_has_its_own_limits() -> None:
     assert (over.name, over.first, over.last, over.count) == ("theta2", None, None, None)
 
 
+def test_a_joint_with_a_count_has_its_own_limits_too() -> None:
+    """In so many values."""
+    over = read_over(load_robot("puma560"), "q1 n 300")
+    assert (over.name, over.first, over.last, over.count) == ("theta1", None, None, 300)
+    with pytest.raises(DhcliError, match=r"range:6: 'x' is not a number of values"):
+        read_over(load_robot("puma560"), "q1 n x")
+
+
 def test_bare_numbers_are_degrees_where_it_is_said() -> None:
     """Of joints that turn; those that slide stay in metres."""
     robot = load_robot("scara")
