@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from dhcli.checking.counts import right_count
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.questions import (
@@ -20,6 +22,7 @@ from dhcli.kinematics.forward import spelled
 from dhcli.kinematics.moves import Chain
 from dhcli.kinematics.robot import Link, Robot, Value
 from dhcli.notation.angle import Angle
+from dhcli.notation.matrix import bracketed
 from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_length
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
@@ -54,13 +57,13 @@ def _as_text(question: MatrixQuestion, truth: Truth, exercise: Exercise, style: 
     """The right answer as text; numbers in the unit of the sheet."""
     if exercise.numeric and truth.numbers is not None:
         unit = float(exercise.metres)
-        return bracketed(
+        return entries_text(
             tuple(
                 tuple(_decimal(value / unit if is_length(question, r, c) else value) for c, value in enumerate(row))
                 for r, row in enumerate(truth.numbers)
             )
         )
-    return bracketed(tuple(tuple(write(entry, style, exercise.writing) for entry in row) for row in truth.rows))
+    return entries_text(tuple(tuple(write(entry, style, exercise.writing) for entry in row) for row in truth.rows))
 
 
 def spelled_value(value: Value, exercise: Exercise) -> str:
@@ -75,11 +78,11 @@ def spelled_moves(chain: Chain, exercise: Exercise) -> str:
     return " ".join(spelled(move, exercise.writing) for move in chain)
 
 
-def bracketed(rows: tuple[tuple[str, ...], ...]) -> str:
+def entries_text(rows: Sequence[Sequence[str]]) -> str:
     """Entries as a matrix that can be read again; a single one by itself."""
     if len(rows) == 1 and len(rows[0]) == 1:
         return rows[0][0]
-    return "[" + ", ".join("[" + ", ".join(row) + "]" for row in rows) + "]"
+    return bracketed(rows)
 
 
 def _decimal(value: float) -> str:

@@ -9,7 +9,7 @@ from dhcli.algebra.floats import Floats
 from dhcli.algebra.terms import TERMS
 from dhcli.checking.counts import mark_count
 from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.expected import bracketed, constant_of, link_of, quantity_of, spelled_moves, spelled_value
+from dhcli.checking.expected import constant_of, entries_text, link_of, quantity_of, spelled_moves, spelled_value
 from dhcli.checking.misprints import misprint_remarks
 from dhcli.checking.numeric import mark_numbers
 from dhcli.checking.pasted import UnreadableError, refuse_blanks, without_label
@@ -126,7 +126,7 @@ def _matrix(
 ) -> Mark:
     truth = truth_of(question, exercise)
     entries = read_entries(question, exercise, answer, place)
-    reading = bracketed(tuple(tuple(write(e.typed, "short", exercise.writing) for e in row) for row in entries))
+    reading = entries_text(tuple(tuple(write(e.typed, "short", exercise.writing) for e in row) for row in entries))
     if exercise.numeric:
         if truth.numbers is None:
             missing = unvalued(question, exercise)
@@ -141,7 +141,7 @@ def _matrix(
     columns = question.shape[1]
     shown = [cell.expected for cell in judged.cells]
     rows = tuple(tuple(shown[i : i + columns]) for i in range(0, len(shown), columns))
-    return replace(judged, reading=reading, remarks=remarks, expected=bracketed(rows))
+    return replace(judged, reading=reading, remarks=remarks, expected=entries_text(rows))
 
 
 def mark_cell(exercise: Exercise, right: Value, answer: str, tolerance: Tolerance, place: Place | None = None) -> Mark:

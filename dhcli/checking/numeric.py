@@ -3,11 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import replace
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Exercise
+from dhcli.checking.orientations import (
+    LEAST_SLACK,
+    Matrix,
+    angle_between,
+    is_inverse,
+    near,
+    not_orthonormal,
+    transposed,
+    turned,
+)
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.questions import MatrixQuestion
 from dhcli.checking.reading import Entry
@@ -28,13 +37,8 @@ from dhcli.kinematics.values import numbers
 from dhcli.notation.quantity import LENGTH_UNITS
 from dhcli.notation.walk import symbols
 
-Matrix = Sequence[Sequence[float]]
-
 ORDER = (Verdict.WRONG, Verdict.CLOSE, Verdict.ROUNDED, Verdict.EQUIVALENT, Verdict.RIGHT)
 """From worst to best; an answer is as good as its worst entry."""
-
-LEAST_SLACK = 4e-3
-"""What is allowed where entries were typed exactly: four times the tolerance of an entry."""
 
 TOO_FEW = "right as far as it was typed, which is too little to judge: three decimals will do"
 """What is said of 0.4 for 0.449."""
@@ -42,9 +46,6 @@ TOO_FEW = "right as far as it was typed, which is too little to judge: three dec
 INVERSE = "this is the inverse: it shows the reference from the frame"
 TRANSPOSED = "the rotation is transposed: its columns, not its rows, are the axes of the frame described"
 """What is seen without a search; where the slip is found it has its name there."""
-
-AXIS_KNOWN = 1e-2
-"""Sine below which a turn has no axis to speak of, and how near to a coordinate axis it is called that."""
 
 LEAST_TURN = 0.1
 """Turn below which entries that are wrong have too few digits and no wrong direction [deg]."""
@@ -240,10 +241,10 @@ def _remarks(
     if fault:
         return (fault,)
     truth = [row[:3] for row in right[:3]]
-    if not _near(rotation, truth) and math.degrees(angle_between(rotation, truth)) >= LEAST_TURN:
-        if not _near(_transposed(rotation), truth):
-            return (_turned(rotation, truth),)
-        if question.piece == "pose" and _is_inverse(typed, right):
+    if not near(rotation, truth) and math.degrees(angle_between(rotation, truth)) >= LEAST_TURN:
+        if not near(transposed(rotation), truth):
+            return (turned(rotation, truth),)
+        if question.piece == "pose" and is_inverse(typed, right):
             return (INVERSE,)
         return (TRANSPOSED,)
     unsharp = any(not is_length(question, cell.row, cell.column) for cell in wrong)
@@ -255,61 +256,3 @@ def _remarks(
     if not off:
         return said
     return (*said, f"{'' if said else 'the rotation is right; '}the position is off by {off}")
-
-
-def not_orthonormal(rotation: Matrix, slack: float = LEAST_SLACK) -> str:
-    """What keeps three columns from being a rotation, in words; empty if nothing does.
-
-    Args:
-        rotation: Direction cosines, shape (3, 3).
-        slack: What rounded digits may add up to.
-    """
-    columns = list(zip(*rotation, strict=True))
-    for i, column in enumerate(columns):
-        length = math.sqrt(sum(x * x for x in column))
-        if abs(length - 1) > slack:
-            return f"this is no rotation: column {i + 1} has length {length:.4g}, not 1"
-    for i in range(3):
-        for j in range(i + 1, 3):
-            dot = sum(a * b for a, b in zip(columns[i], columns[j], strict=True))
-            if abs(dot) > slack:
-                return f"this is no rotation: columns {i + 1} and {j + 1} are not perpendicular"
-    (a, b, c), (d, e, f), (p, q, r) = rotation
-    if a * (e * r - f * q) - b * (d * r - f * p) + c * (d * q - e * p) < 0:
-        return "this is a reflection, not a rotation: the columns are left-handed"
-    return ""
-
-
-def angle_between(first: Matrix, second: Matrix) -> float:
-    """The angle of the rotation that leads from one orientation to another [rad], from its sine and cosine."""
-    turn = [[sum(first[k][i] * second[k][j] for k in range(3)) for j in range(3)] for i in range(3)]
-    sine = math.hypot(turn[2][1] - turn[1][2], turn[0][2] - turn[2][0], turn[1][0] - turn[0][1])
-    return math.atan2(sine, turn[0][0] + turn[1][1] + turn[2][2] - 1)
-
-
-def _turned(typed: Matrix, truth: Matrix) -> str:
-    """By what angle, and about which axis of the reference, an orientation is off."""
-    off = [[sum(typed[i][k] * truth[j][k] for k in range(3)) for j in range(3)] for i in range(3)]
-    axis = (off[2][1] - off[1][2], off[0][2] - off[2][0], off[1][0] - off[0][1])
-    size = math.hypot(*axis)
-    words = f"the orientation is off by {math.degrees(angle_between(typed, truth)):.3g}°"
-    if size < AXIS_KNOWN:
-        return words
-    for name, share in zip("xyz", axis, strict=True):
-        if abs(share) > (1 - AXIS_KNOWN) * size:
-            return f"{words} about {'+' if share > 0 else '-'}{name} of the reference"
-    return f"{words} about the axis ({', '.join(rounded(share / size, 2) for share in axis)}) of the reference"
-
-
-def _transposed(matrix: Matrix) -> Matrix:
-    return [list(column) for column in zip(*matrix, strict=True)]
-
-
-def _near(first: Matrix, second: Matrix, limit: float = 2e-3) -> bool:
-    return all(abs(a - b) <= limit for r, s in zip(first, second, strict=True) for a, b in zip(r, s, strict=True))
-
-
-def _is_inverse(typed: Matrix, right: Matrix) -> bool:
-    size = max(1e-9, *(abs(row[3]) for row in right[:3]))
-    back = [sum(typed[i][k] * right[k][3] for k in range(3)) + typed[i][3] for i in range(3)]
-    return all(abs(value) <= 1e-2 * size for value in back)

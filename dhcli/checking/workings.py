@@ -16,6 +16,7 @@ from dhcli.kinematics.conventions import Row
 from dhcli.kinematics.pose import DIGITS, rounded
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
+from dhcli.notation.matrix import bracketed
 from dhcli.notation.tree import Expr, Sum
 from dhcli.notation.writer import write, write_angle
 
@@ -89,7 +90,7 @@ def table_lines(rows: Sequence[Row], columns: Sequence[str], first: int, exercis
 def _matrix(cells: Sequence[Sequence[str]]) -> str:
     if all(len(row) == 1 for row in cells):
         return cells[0][0] if len(cells) == 1 else "[" + ", ".join(row[0] for row in cells) + "]"
-    return "[" + ", ".join("[" + ", ".join(row) + "]" for row in cells) + "]"
+    return bracketed(cells)
 
 
 def _unit(question: MatrixQuestion, exercise: Exercise, row: int, column: int) -> float:

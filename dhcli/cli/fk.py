@@ -7,19 +7,20 @@ from typing import Annotated
 import typer
 
 from dhcli.cli.options import (
+    WHERE,
     Digits,
     Force,
     Format,
     Forms,
     Output,
     RobotName,
+    SeenFrom,
     Settings,
     Spelling,
     complete_frame,
     complete_pose,
 )
 
-_WHERE = "Where and what"
 _MANY = "Many poses"
 
 EXAMPLES = """
@@ -60,31 +61,22 @@ def fk(
     set_: Settings = None,
     symbolic: Annotated[bool, typer.Option("--symbolic", "-s", help="Keep what has no value as symbols.")] = False,
     let: Annotated[bool, typer.Option("--let", help="Give names to long or repeated brackets.")] = False,
-    frames: Annotated[bool, typer.Option("--frames", help="Every frame, T_0i.", rich_help_panel=_WHERE)] = False,
+    frames: Annotated[bool, typer.Option("--frames", help="Every frame, T_0i.", rich_help_panel=WHERE)] = False,
     links: Annotated[
-        bool, typer.Option("--links", help="Every link's own matrix, A_i.", rich_help_panel=_WHERE)
+        bool, typer.Option("--links", help="Every link's own matrix, A_i.", rich_help_panel=WHERE)
     ] = False,
     factors: Annotated[
         str | None,
-        typer.Option(metavar="LINK", help="Elementary matrices of a link, or of all.", rich_help_panel=_WHERE),
+        typer.Option(metavar="LINK", help="Elementary matrices of a link, or of all.", rich_help_panel=WHERE),
     ] = None,
-    from_: Annotated[
-        str | None,
-        typer.Option(
-            "--from",
-            metavar="FRAME",
-            help="Seen from this frame.",
-            rich_help_panel=_WHERE,
-            autocompletion=complete_frame,
-        ),
-    ] = None,
+    from_: SeenFrom = None,
     to: Annotated[
         str | None,
-        typer.Option(metavar="FRAME", help="Of this frame.", rich_help_panel=_WHERE, autocompletion=complete_frame),
+        typer.Option(metavar="FRAME", help="Of this frame.", rich_help_panel=WHERE, autocompletion=complete_frame),
     ] = None,
-    inverse: Annotated[bool, typer.Option("--inverse", help="The other way round.", rich_help_panel=_WHERE)] = False,
+    inverse: Annotated[bool, typer.Option("--inverse", help="The other way round.", rich_help_panel=WHERE)] = False,
     point: Annotated[
-        str | None, typer.Option(metavar="X,Y,Z", help="Where a point of the end frame is.", rich_help_panel=_WHERE)
+        str | None, typer.Option(metavar="X,Y,Z", help="Where a point of the end frame is.", rich_help_panel=WHERE)
     ] = None,
     in_: Annotated[
         str | None,

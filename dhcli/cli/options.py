@@ -84,6 +84,9 @@ Spelling: TypeAlias = Annotated[
     typer.Option("--style", metavar="NAME", help="short writes c1, full writes cos(theta1).", rich_help_panel="Output"),
 ]
 Output: TypeAlias = Annotated[str | None, output_option(".json", ".tex", ".m", ".py", ".csv", ".txt")]
+WHERE = "Where and what"
+"""Heading of the options that choose frames and points."""
+
 Force: TypeAlias = Annotated[bool, typer.Option("--force", help="Overwrite the file.", rich_help_panel="Output")]
 Settings: TypeAlias = Annotated[
     list[str] | None,
@@ -138,3 +141,15 @@ def _robot_of(ctx: typer.Context) -> Robot | None:
         return load_robot(name) if name and name != "-" else None
     except DhcliError:
         return None
+
+
+SeenFrom: TypeAlias = Annotated[
+    str | None,
+    typer.Option(
+        "--from",
+        metavar="FRAME",
+        help="Seen from this frame.",
+        rich_help_panel=WHERE,
+        autocompletion=complete_frame,
+    ),
+]

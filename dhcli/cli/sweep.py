@@ -9,7 +9,17 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dhcli.cli.options import Digits, Force, RobotName, Settings, complete_frame, complete_joint, complete_pose
+from dhcli.cli.options import (
+    WHERE,
+    Digits,
+    Force,
+    RobotName,
+    SeenFrom,
+    Settings,
+    complete_frame,
+    complete_joint,
+    complete_pose,
+)
 
 if TYPE_CHECKING:
     import numpy as np
@@ -18,7 +28,6 @@ if TYPE_CHECKING:
     from dhcli.cli.rows import RowDelivery
     from dhcli.kinematics.sweep.grid import Grid
 
-_WHERE = "Where and what"
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -51,24 +60,15 @@ def sweep(
         typer.Option("--pose", metavar="NAME", help="The same, by a named pose.", autocompletion=complete_pose),
     ] = None,
     set_: Settings = None,
-    from_: Annotated[
-        str | None,
-        typer.Option(
-            "--from",
-            metavar="FRAME",
-            help="Seen from this frame.",
-            rich_help_panel=_WHERE,
-            autocompletion=complete_frame,
-        ),
-    ] = None,
+    from_: SeenFrom = None,
     to: Annotated[
         str | None,
         typer.Option(
-            metavar="FRAME", help="The origin of this frame.", rich_help_panel=_WHERE, autocompletion=complete_frame
+            metavar="FRAME", help="The origin of this frame.", rich_help_panel=WHERE, autocompletion=complete_frame
         ),
     ] = None,
     point: Annotated[
-        str | None, typer.Option(metavar="X,Y,Z", help="A point of that frame instead.", rich_help_panel=_WHERE)
+        str | None, typer.Option(metavar="X,Y,Z", help="A point of that frame instead.", rich_help_panel=WHERE)
     ] = None,
     format_: Annotated[
         str | None,

@@ -106,11 +106,6 @@ def symbolic_pose(robot: Robot, values: Values, start: str, end: str) -> Pose[Ex
     return Pose(textbook_form(put_in(between(robot, start, end), values)), start, end, joints=robot.writing)
 
 
-def pose_of_chain(chain: Chain, reference: str, frame: str, title: str = "", joints: Joints = THETAS) -> Pose[Expr]:
-    """The pose that a chain without a robot reaches, in terms."""
-    return Pose(textbook_form(chain), reference, frame, title, joints)
-
-
 def textbook_form(chain: Chain) -> tuple[tuple[Expr, ...], ...]:
     """The product of a chain in terms, shape (4, 4): parallel rotations merged, no bracket expanded.
 

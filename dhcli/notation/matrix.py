@@ -7,7 +7,7 @@ and tables pasted back from a terminal or from Markdown, dhcli's own among them.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -57,6 +57,11 @@ def parse_matrix(text: str, scope: Scope = OPEN, place: Place | None = None) -> 
     bare = _COMMENT.sub(lambda comment: " " * len(comment[0]), text)
     source = Source(bare, place or Place("matrix"))
     return read_matrix(source, tokenize(source, most=LONGEST), scope)
+
+
+def bracketed(rows: Iterable[Iterable[str]]) -> str:
+    """Cells as the text of a matrix that can be read again: `[[1, 0], [0, 1]]`."""
+    return "[" + ", ".join("[" + ", ".join(row) + "]" for row in rows) + "]"
 
 
 def read_matrix(source: Source, tokens: Sequence[Token], scope: Scope) -> tuple[tuple[Cell, ...], ...]:

@@ -6,7 +6,7 @@ import json
 import re
 
 from dhcli.errors import NotationError
-from dhcli.notation.matrix import parse_matrix
+from dhcli.notation.matrix import bracketed, parse_matrix
 
 _LABEL = re.compile(r"\s*[^\s=\[\](){},;]{1,30}\s*=\s*(?=[^\s=])")
 _NAMED_MATRIX = re.compile(r"[^=\n]{1,60}=\s*(?=\[|\\begin|\\left|array|np\.|Matrix|matrix)")
@@ -58,7 +58,7 @@ def rows_of(text: str, shape: tuple[int, int]) -> str:
     if missing:
         raise EntriesError(f"{', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing")
     bottom = [["0", "0", "0", "1"]] if shape == _POSE else []
-    return _bracketed([*([entries[name] for name in row] for row in wanted), *bottom])
+    return bracketed([*([entries[name] for name in row] for row in wanted), *bottom])
 
 
 def pose_matrix(text: str) -> str | None:
@@ -73,7 +73,7 @@ def pose_matrix(text: str) -> str | None:
         return None
     if [len(row) for row in cells] != [4] * 4:
         return None
-    return _bracketed([[cell.text.strip() for cell in row] for row in cells])
+    return bracketed([[cell.text.strip() for cell in row] for row in cells])
 
 
 def _place(letter: str, index: str) -> str:
@@ -93,8 +93,4 @@ def _from_json(text: str) -> str:
     rows = rows.get("matrix") if isinstance(rows, dict) else None
     if not isinstance(rows, list) or not all(isinstance(row, list) for row in rows):
         return text
-    return _bracketed([[str(entry) for entry in row] for row in rows])
-
-
-def _bracketed(rows: list[list[str]]) -> str:
-    return "[" + ", ".join("[" + ", ".join(row) + "]" for row in rows) + "]"
+    return bracketed([[str(entry) for entry in row] for row in rows])

@@ -15,7 +15,8 @@ from dhcli.checking.describe import describe
 from dhcli.checking.exercise import Exercise, Part, question_about
 from dhcli.checking.expected import expected
 from dhcli.checking.marking import check, mark
-from dhcli.checking.numeric import TOO_FEW, angle_between, not_orthonormal
+from dhcli.checking.numeric import TOO_FEW
+from dhcli.checking.orientations import angle_between, not_orthonormal
 from dhcli.checking.questions import TableQuestion
 from dhcli.checking.sheetmark import SheetMark, mark_sheet
 from dhcli.checking.tolerance import is_rounding_of, judge, typed_decimals

@@ -7,7 +7,7 @@ import pytest
 
 from dhcli.errors import NotationError, RobotError
 from dhcli.files.robots import load_robot
-from dhcli.kinematics.forward import factors, forward, pose_of_chain, spelled, symbolic
+from dhcli.kinematics.forward import factors, forward, spelled, symbolic, textbook_form
 from dhcli.kinematics.moves import read_chain
 from dhcli.kinematics.pose import Pose, rounded
 
@@ -23,7 +23,7 @@ def test_the_inner_frames_of_a_product_must_be_the_same() -> None:
 
 def test_a_point_has_three_coordinates() -> None:
     """T_ab @ p_b is p_a; four are not guessed at."""
-    pose = pose_of_chain(read_chain("Trans(8, -6, 14) Rot(z, 90°)"), "0", "1")
+    pose = Pose(textbook_form(read_chain("Trans(8, -6, 14) Rot(z, 90°)")), "0", "1")
     assert [str(entry) for entry in pose @ read_chain("Trans(1, 2, 3)")[0].offset] == ["6", "-5", "17"]  # type: ignore[union-attr]
     with pytest.raises(RobotError, match="a point has three coordinates, not 4"):
         forward(load_robot("scara"), "zero") @ [1, 2, 3, 1]

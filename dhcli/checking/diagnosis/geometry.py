@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from dhcli.algebra.floats import Floats
 from dhcli.checking.diagnosis.typed import Typed
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.numeric import not_orthonormal
+from dhcli.checking.orientations import not_orthonormal
 from dhcli.checking.questions import MatrixQuestion, Span
 from dhcli.checking.tables.screws import UNITS, Rigid, Vector, dot, length, plus, scaled
 from dhcli.kinematics.fold import fold

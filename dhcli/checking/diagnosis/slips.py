@@ -9,6 +9,7 @@ from dhcli.checking.diagnosis.mistakes import MISTAKES, Level, Mistake
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.diagnosis.work import Setting, Step, Work, right_work, terms
 from dhcli.checking.exercise import Exercise, Part
+from dhcli.checking.expected import entries_text
 from dhcli.checking.questions import CountQuestion, MatrixQuestion, Span, TableQuestion
 from dhcli.checking.tables.cells import table_text
 from dhcli.checking.truth import is_length
@@ -176,9 +177,7 @@ def typed_text(exercise: Exercise, work: Work) -> str:
             [_six_decimals(entry / unit if is_length(question, r, c) else entry) for c, entry in enumerate(row)]
             for r, row in enumerate(entries)
         ]
-    if question.shape == (1, 1):
-        return rows[0][0]
-    return "[" + ", ".join("[" + ", ".join(row) + "]" for row in rows) + "]"
+    return entries_text(rows)
 
 
 def _six_decimals(value: float) -> str:

@@ -17,6 +17,7 @@ from dhcli.kinematics.conventions import Row
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
+from dhcli.notation.matrix import bracketed
 from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Expr, Number, Sum, add, multiply
 from dhcli.notation.walk import symbols
@@ -45,8 +46,7 @@ def spelled(value: Value, joints: Joints) -> str:
 
 def table_text(rows: Sequence[Row], columns: Sequence[str], joints: Joints) -> str:
     """A table as a matrix that can be read again."""
-    lines = (", ".join(spelled(getattr(row, column), joints) for column in columns) for row in rows)
-    return "[" + ", ".join(f"[{line}]" for line in lines) + "]"
+    return bracketed((spelled(getattr(row, column), joints) for column in columns) for row in rows)
 
 
 def in_other_unit(row: Row, factor: Fraction) -> Row:
