@@ -19,8 +19,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from dhcli.checking.marking import check as check
     from dhcli.errors import DhcliError as DhcliError
-    from dhcli.files.exercises import load_exercise as load_exercise
-    from dhcli.files.robots import load_robot as load_robot
+    from dhcli.files.yaml.exercises import load_exercise as load_exercise
+    from dhcli.files.yaml.robots import load_robot as load_robot
     from dhcli.kinematics.batch import forward_batch as forward_batch
     from dhcli.kinematics.forms import axis_angles as axis_angles
     from dhcli.kinematics.forms import quaternions as quaternions
@@ -41,8 +41,8 @@ _HOMES = {
     "check": "dhcli.checking.marking",
     "forward": "dhcli.kinematics.forward",
     "forward_batch": "dhcli.kinematics.batch",
-    "load_exercise": "dhcli.files.exercises",
-    "load_robot": "dhcli.files.robots",
+    "load_exercise": "dhcli.files.yaml.exercises",
+    "load_robot": "dhcli.files.yaml.robots",
     "quaternions": "dhcli.kinematics.forms",
     "roll_pitch_yaw": "dhcli.kinematics.forms",
     "sweep": "dhcli.kinematics.sweep.asked",

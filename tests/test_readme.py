@@ -61,7 +61,7 @@ def test_an_example_of_the_library_in_readme_works(block: str) -> None:
 
 def test_the_robot_file_in_readme_loads() -> None:
     """The example of the file format is a robot."""
-    from dhcli.files.robots import read_robot
+    from dhcli.files.yaml.robots import read_robot
 
     [block] = [block for block in fenced("yaml") if "convention:" in block]
     assert read_robot(block, "README", "example").pattern == "RRP"
@@ -69,7 +69,7 @@ def test_the_robot_file_in_readme_loads() -> None:
 
 def test_the_exercise_file_in_readme_has_nothing_to_mend(tmp_path: Path) -> None:
     """A lecturer starts from it: it loads, and lint finds nothing in it."""
-    from dhcli.classroom.lint import lint
+    from dhcli.lint.files import lint
 
     [block] = [block for block in fenced("yaml") if "parts:" in block]
     path = tmp_path / "tip.yaml"

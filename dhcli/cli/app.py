@@ -14,20 +14,20 @@ if TYPE_CHECKING:
     from typer._click import Command, Context
 
 COMMANDS = {
-    "fk": "dhcli.cli.fk:fk",
-    "sweep": "dhcli.cli.sweep:sweep",
-    "transform": "dhcli.cli.transform:transform",
-    "dof": "dhcli.cli.dof:dof",
-    "check": "dhcli.cli.check:check",
-    "start": "dhcli.cli.start:start",
-    "watch": "dhcli.cli.watch:watch",
-    "hint": "dhcli.cli.hint:hint",
-    "solution": "dhcli.cli.solution:solution",
-    "grade": "dhcli.cli.grade:grade",
-    "show": "dhcli.cli.show:show",
-    "list": "dhcli.cli.listing:list_",
-    "new": "dhcli.cli.new:new",
-    "lint": "dhcli.cli.lint:lint",
+    "fk": "dhcli.cli.commands.fk:fk",
+    "sweep": "dhcli.cli.commands.sweep:sweep",
+    "transform": "dhcli.cli.commands.transform:transform",
+    "dof": "dhcli.cli.commands.dof:dof",
+    "check": "dhcli.cli.commands.check:check",
+    "start": "dhcli.cli.commands.start:start",
+    "watch": "dhcli.cli.commands.watch:watch",
+    "hint": "dhcli.cli.commands.hint:hint",
+    "solution": "dhcli.cli.commands.solution:solution",
+    "grade": "dhcli.cli.commands.grade:grade",
+    "show": "dhcli.cli.commands.show:show",
+    "list": "dhcli.cli.commands.listing:list_",
+    "new": "dhcli.cli.commands.new:new",
+    "lint": "dhcli.cli.commands.lint:lint",
 }
 """Every command and the function behind it; the order is that of the help."""
 
@@ -100,7 +100,7 @@ def build() -> Command:
 def _version(*, wanted: bool) -> None:
     if wanted:
         from dhcli import __version__
-        from dhcli.cli.console import write_out
+        from dhcli.cli.shell.console import write_out
 
         write_out(f"dhcli {__version__}\n")
         raise typer.Exit

@@ -17,14 +17,14 @@ from dhcli.checking.solution import solution
 from dhcli.checking.truth import is_length, truth_of
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import RobotError
-from dhcli.files.exercises import load_exercise
-from dhcli.files.library import Kind, entries
-from dhcli.files.sheets import read_sheet, write_sheet
+from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.yaml.exercises import load_exercise
+from dhcli.files.yaml.sheets import read_sheet, write_sheet
 from dhcli.notation.styles import STYLES
 from dhcli.notation.writer import write
 from dhcli.render.look import Look
-from dhcli.render.matrix import matrix_lines
 from dhcli.render.paper import Paper
+from dhcli.render.text.matrix import matrix_lines
 
 ROOT = Path(__file__).parents[2]
 NAMES = sorted(

@@ -22,9 +22,9 @@ from dhcli.checking.sheetmark import SheetMark, mark_sheet
 from dhcli.checking.tolerance import is_rounding_of, judge, typed_decimals
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import DhcliError, UnknownNameError
-from dhcli.files.exercises import load_exercise, read_exercise
-from dhcli.files.library import Kind, entries
-from dhcli.files.robots import load_robot
+from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.yaml.exercises import load_exercise, read_exercise
+from dhcli.files.yaml.robots import load_robot
 from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
 from dhcli.notation.tree import Number, number

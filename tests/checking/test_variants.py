@@ -23,9 +23,9 @@ from dhcli.checking.questions import MatrixQuestion
 from dhcli.checking.variants import Range, vary
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import DhcliError
-from dhcli.files.exercises import load_exercise as load_anew
-from dhcli.files.exercises import read_exercise
-from dhcli.files.library import Kind, entries
+from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.yaml.exercises import load_exercise as load_anew
+from dhcli.files.yaml.exercises import read_exercise
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Number
 

@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from dhcli.checking.verdicts import Verdict
-from dhcli.files.exercises import load_exercise
 from dhcli.files.progress import path_of_progress, read_progress, record
-from dhcli.files.sheets import read_sheet
+from dhcli.files.yaml.exercises import load_exercise
+from dhcli.files.yaml.sheets import read_sheet
 from tests.cli.running import Run
 from tests.cli.terminal import Terminal
 

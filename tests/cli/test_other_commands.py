@@ -147,10 +147,10 @@ def test_a_robot_that_hides_a_built_in_one_is_said_to(dhcli: Run, tmp_path: Path
 
 def test_kinds_without_content_are_not_shown(dhcli: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     """And an empty kind that is asked for is said to be empty."""
-    from dhcli.files import catalogue, library
+    from dhcli.files.library import catalogue, lookup
 
-    entries = library.entries
-    monkeypatch.setattr(catalogue, "entries", lambda kind: entries(kind) if kind is library.Kind.ROBOTS else ())
+    entries = lookup.entries
+    monkeypatch.setattr(catalogue, "entries", lambda kind: entries(kind) if kind is lookup.Kind.ROBOTS else ())
     assert "linkages" not in dhcli("list").out
     done = dhcli("list", "linkages")
     assert (done.code, done.out.strip()) == (0, "")

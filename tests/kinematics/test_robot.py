@@ -11,7 +11,7 @@ import pytest
 
 from dhcli import forward_batch, sweep
 from dhcli.errors import RobotError, UnknownNameError
-from dhcli.files.robots import load_robot
+from dhcli.files.yaml.robots import load_robot
 from dhcli.kinematics.conventions import Convention, Row, moves_of
 from dhcli.kinematics.forward import forward, symbolic
 from dhcli.kinematics.frames import between, ends, frame

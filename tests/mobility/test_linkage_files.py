@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from dhcli.errors import DhcliError
-from dhcli.files.library import Kind, entries
-from dhcli.files.linkages import find_linkage, load_linkage, read_linkage
+from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.yaml.linkages import find_linkage, load_linkage, read_linkage
 from dhcli.mobility.counting import Counts
 from dhcli.mobility.finding import analyse
 from dhcli.mobility.linkage import Linkage

@@ -6,7 +6,7 @@ import pytest
 
 from dhcli.algebra.equality import equal
 from dhcli.algebra.terms import TERMS
-from dhcli.files.robots import load_robot
+from dhcli.files.yaml.robots import load_robot
 from dhcli.kinematics.conventions import Convention, Row, moves_of
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.forward import forward, symbolic
