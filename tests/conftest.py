@@ -51,5 +51,6 @@ def user_data(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
     """The test's own folder for user data, not made yet; no robots of the person who runs the tests."""
     folder = tmp_path / "user-data"
     monkeypatch.setenv("XDG_DATA_HOME", str(folder))
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "user-cache"))
     monkeypatch.delenv("DHCLI_PATH", raising=False)
     return folder

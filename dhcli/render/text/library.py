@@ -4,17 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import groupby
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from dhcli.files.library.catalogue import Listed
 from dhcli.files.library.lookup import BUILT_IN
 from dhcli.render.code.matrices import csv_line
 from dhcli.render.look import Look
 from dhcli.render.paper import WIDE
-from dhcli.render.text.table import table_text
-
-if TYPE_CHECKING:
-    from rich.text import Text
+from dhcli.render.text.table import Inked, table_text
 
 
 def library_table(listed: Sequence[Listed], look: Look) -> str:
@@ -61,24 +58,22 @@ def library_content(listed: Sequence[Listed], _look: Look) -> dict[str, Any]:
     }
 
 
-def _row(one: Listed, look: Look, *, with_solved: bool, with_origin: bool) -> list[str | Text]:
-    from rich.text import Text
-
+def _row(one: Listed, look: Look, *, with_solved: bool, with_origin: bool) -> list[str]:
     paper = look.paper
     if one.problems:
         more = f" (and {len(one.problems) - 1} more)" if len(one.problems) > 1 else ""
         place = one.problems[0].place
         where = ":".join(str(part) for part in (place.line, place.column) if part) if place else ""
         text = f"broken: {where + ': ' if where else ''}{one.problems[0].message}{more}"
-        title = Text(paper.spell(text), style="red")
+        title = paper.ink(paper.spell(text), "red")
     elif one.entry.shadowed:
-        title = Text(paper.spell(f"hidden by the one above of this name: {one.title}"), style="dim")
+        title = paper.ink(paper.spell(f"hidden by the one above of this name: {one.title}"), "dim")
     else:
-        title = Text(paper.spell(one.title))
+        title = paper.spell(one.title)
     return [
-        Text(paper.spell(one.entry.name), style="cyan"),
+        Inked(paper.ink(paper.spell(one.entry.name), "cyan")),
         one.joints or "-",
         *([one.solved or "-"] if with_solved else []),
-        title,
-        *([Text(paper.spell(one.entry.origin), style="dim")] if with_origin else []),
+        Inked(title),
+        *([Inked(paper.ink(paper.spell(one.entry.origin), "dim"))] if with_origin else []),
     ]

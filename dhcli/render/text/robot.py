@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from dhcli.errors import plural
 from dhcli.kinematics.conventions import NAMES, ORDER, Convention
@@ -18,10 +19,7 @@ from dhcli.render.code.matrices import csv_line
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
 from dhcli.render.text.quantities import in_units
-from dhcli.render.text.table import table_text
-
-if TYPE_CHECKING:
-    from rich.text import Text
+from dhcli.render.text.table import Inked, table_text
 
 _LETTERS = {"a": "a", "alpha": "α", "d": "d", "theta": "θ"}
 _PROSE = 96
@@ -133,7 +131,7 @@ def _links(robot: Robot, look: Look) -> str:
     """The DH table with the order of its operations, or the products."""
     paper = look.paper
     kinds = {joint.link: joint for joint in robot.joints}
-    rows: list[list[str | Text]] = []
+    rows: list[list[str]] = []
     for link in robot.links:
         cells = [link.text] if link.row is None else _row(robot, link, "short")
         kind = f"{kinds[link.number].kind}" if link.number in kinds else "fixed"
@@ -144,15 +142,10 @@ def _links(robot: Robot, look: Look) -> str:
     return table + paper.ink(paper.spell(order), "dim") + "\n"
 
 
-def _underlined(cell: str, robot: Robot, paper: Paper) -> Text:
-    from rich.text import Text
-
-    text = Text(paper.spell(cell))
-    for name in robot.variables:
-        text.highlight_regex(
-            rf"(?<![A-Za-z0-9_]){name.replace('{', '.').replace('}', '.')}(?![A-Za-z0-9_])", "underline"
-        )
-    return text
+def _underlined(cell: str, robot: Robot, paper: Paper) -> Inked:
+    names = "|".join(map(re.escape, sorted(robot.variables, key=len, reverse=True)))
+    whole = rf"(?<![A-Za-z0-9_])(?:{names})(?![A-Za-z0-9_])"
+    return Inked(re.sub(whole, lambda name: paper.ink(name[0], "underline"), paper.spell(cell)) if names else cell)
 
 
 def _joints(robot: Robot, look: Look) -> str:

@@ -1,26 +1,27 @@
-"""Tables drawn by rich: as wide as they need to be, folded nowhere, with nothing read as markup."""
+"""Tables: as wide as they need to be, folded nowhere."""
 
 from __future__ import annotations
 
-import io
 import re
+import unicodedata
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING
 
 from dhcli.render.paper import Paper
 
-if TYPE_CHECKING:
-    from rich.text import Text
-
-_UNFOLDED = 10_000
 _GAP = 3
 _LEAST = 12
 """Columns between two cells, and the fewest that a cell is cut to."""
-_COLOURS = re.compile(r"\x1b\[[0-9;]*m")
-_ASCII_BOX = "    \n    \n -- \n    \n    \n    \n    \n    \n"
+_INKED = re.compile(r"((?:\x1b\[[0-9;]*m)*)(.*?)((?:\x1b\[0m)*)", re.DOTALL)
+_INK = re.compile(r"\x1b\[[0-9;]*m")
 
 
-def table_text(heads: Sequence[str], rows: Iterable[Sequence[str | Text]], paper: Paper, *, cut: str = "") -> str:
+class Inked(str):
+    """A cell in the letters and the colours of its paper already; any other text is spelled when it is drawn."""
+
+    __slots__ = ()
+
+
+def table_text(heads: Sequence[str], rows: Iterable[Sequence[str]], paper: Paper, *, cut: str = "") -> str:
     """A table with a line under its heads.
 
     Args:
@@ -29,39 +30,41 @@ def table_text(heads: Sequence[str], rows: Iterable[Sequence[str | Text]], paper
         paper: What it is written on.
         cut: Head of the column that may be cut, with an ellipsis, to fit a terminal; none by default.
     """
-    from rich.box import SIMPLE_HEAD, Box
-    from rich.console import Console
-    from rich.table import Table
-    from rich.text import Text
+    cells = [[cell if isinstance(cell, Inked) else Inked(paper.spell(cell)) for cell in row] for row in rows]
+    names = [paper.spell(head) for head in heads]
+    widths = [max(map(columns_of, column)) for column in zip(names, *cells, strict=True)]
+    if cut and paper.terminal:
+        at = heads.index(cut)
+        room = paper.width if paper.unicode else paper.width - 2  # where ASCII writes an ellipsis as three dots
+        taken = sum(widths) - widths[at] + _GAP * (len(widths) - 1) + 2
+        widths[at] = min(widths[at], max(room - taken, _LEAST))
+        for row in cells:
+            row[at] = _cut(row[at], widths[at])
+    rule = ("─" if paper.unicode else "-") * (sum(widths) + _GAP * (len(widths) - 1))
+    lines = [_line([paper.ink(name, "bold") for name in names], widths), f" {paper.ink(rule, 'dim')}"]
+    return "\n".join([*lines, *(_line(row, widths) for row in cells), ""])
 
-    table = Table(
-        box=SIMPLE_HEAD if paper.unicode else Box(_ASCII_BOX, ascii=True), pad_edge=False, header_style="bold"
-    )
-    table.border_style = "dim"
-    cells = [[Text(paper.spell(cell)) if isinstance(cell, str) else cell for cell in row] for row in rows]
-    needed = 2 - _GAP  # a blank at either edge, and gaps between the cells only
-    for i, head in enumerate(heads):
-        # Only a column that might wrap gives way when the table is too wide; its cells are cut, they do not wrap.
-        table.add_column(Text(paper.spell(head)), no_wrap=head != cut, overflow="ellipsis")
-        column = [row[i] for row in cells]
-        needed += _GAP + (_LEAST if head == cut else max(len(head), *(text.cell_len for text in column), 0))
-        for text in column:
-            text.no_wrap = True
-    for row in cells:
-        table.add_row(*row)
-    room = paper.width if paper.unicode else paper.width - 2  # where ASCII writes an ellipsis as three dots
-    drawn = io.StringIO()
-    console = Console(
-        file=drawn,
-        width=max(room, needed) if cut and paper.terminal else _UNFOLDED,
-        force_terminal=paper.colour,
-        color_system="standard" if paper.colour else None,
-        no_color=not paper.colour,
-        markup=False,
-        highlight=False,
-        emoji=False,
-        legacy_windows=False,
-    )
-    console.print(table)
-    lines = (line.rstrip() for line in drawn.getvalue().split("\n") if _COLOURS.sub("", line).strip())
-    return "\n".join(lines) + "\n"
+
+def columns_of(text: str) -> int:
+    """Columns that a text takes on a terminal: none for colours and accents, two for wide letters."""
+    plain = _INK.sub("", text)
+    if plain.isascii():
+        return len(plain)
+    wide = sum(unicodedata.east_asian_width(letter) in "WF" for letter in plain)
+    return len(plain) + wide - sum(map(bool, map(unicodedata.combining, plain)))
+
+
+def _line(cells: Sequence[str], widths: Sequence[int]) -> str:
+    padded = (cell + " " * (width - columns_of(cell)) for cell, width in zip(cells, widths, strict=True))
+    return f" {(' ' * _GAP).join(padded)}".rstrip()
+
+
+def _cut(cell: Inked, width: int) -> Inked:
+    """A cell that is no wider, in its colours."""
+    if columns_of(cell) <= width:
+        return cell
+    found = _INKED.fullmatch(cell)
+    before, text, after = found.groups() if found else ("", cell, "")
+    while columns_of(text) > width - 1:
+        text = text[:-1]
+    return Inked(f"{before}{text}…{after}")
