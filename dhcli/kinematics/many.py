@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhcli.errors import RobotError
+from dhcli.geometry.many import locked, table
 from dhcli.kinematics.batch import forward_batch
-from dhcli.kinematics.forms import FORMS, check_forms, locked
 from dhcli.kinematics.frames import ends, path
+from dhcli.kinematics.placement import ORIENTATIONS, check_forms
 from dhcli.kinematics.robot import Robot, Value
 
 if TYPE_CHECKING:
@@ -26,7 +27,7 @@ class PoseRows:
         robot: The robot.
         frames: Reference and frame of each pose in a row.
         parameters: Values of all lengths and constant angles that have one.
-        forms: The ways in which each pose is said, names of `forms.FORMS`.
+        forms: The ways in which each pose is said, names of `placement.FORMS`.
         every: Whether they are all the frames on a way, were it only one.
         point: A point of each frame that is followed instead of its origin [m].
     """
@@ -45,7 +46,7 @@ class PoseRows:
             RobotError: The robot has no joint, or a length has no value.
             UnknownNameError: There is no such form.
         """
-        check_forms(self.forms)
+        list(check_forms(self.forms))
         if not self.robot.variables:
             raise RobotError(f"{self.robot.name} has no joint, so all its poses are one", "leave --in out")
         self.poses(np.empty((0, len(self.robot.variables))))
@@ -65,7 +66,7 @@ class PoseRows:
 
     def said(self, poses: NDArray[np.float64]) -> NDArray[np.float64]:
         """The numbers of each row, shape (N, width): frame by frame, form by form."""
-        pieces = [FORMS[form](poses[:, k]) for k in range(len(self.frames)) for form in self.forms]
+        pieces = [_said(poses[:, k], form) for k in range(len(self.frames)) for form in self.forms]
         return pieces[0] if len(pieces) == 1 else np.concatenate(pieces, axis=1)
 
     def locked(self, poses: NDArray[np.float64]) -> int:
@@ -73,6 +74,13 @@ class PoseRows:
         if "rpy" not in self.forms:
             return 0
         return int(locked(poses.reshape(-1, 4, 4)).reshape(len(poses), -1).any(axis=1).sum())
+
+
+def _said(poses: NDArray[np.float64], form: str) -> NDArray[np.float64]:
+    """Poses, shape (N, 4, 4), as rows of the numbers of one form; the last row of a matrix is always 0 0 0 1."""
+    if form == "matrix":
+        return poses[:, :3, :].reshape(len(poses), 12)
+    return poses[:, :3, 3] if form == "position" else table(ORIENTATIONS[form], poses)
 
 
 def frames_wanted(

@@ -7,13 +7,13 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Literal, TypeAlias, cast
 
 from dhcli.errors import RobotError, UnknownNameError
+from dhcli.geometry.words import in_words
 from dhcli.kinematics.forward import factors, in_numbers, put_in, spelled, textbook_form
 from dhcli.kinematics.frames import between, ends, path
 from dhcli.kinematics.moves import Chain, Trans, inverse
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.robot import Link, Robot
 from dhcli.kinematics.values import Values, require, warnings
-from dhcli.kinematics.words import in_words
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
 
@@ -131,7 +131,7 @@ def answer(robot: Robot, values: Values, question: Question) -> ForwardKinematic
         point=None if question.point is None else _seen(fold_chain, chain, question.point, start, end),
         placements=said,
         definitions=definitions,
-        words=() if question.symbolic else in_words(cast("Pose[float]", pose)),
+        words=() if question.symbolic else in_words(cast("Pose[float]", pose).rotation),
         warnings=(*warnings(robot, values), *locked),
     )
 

@@ -142,9 +142,9 @@ def _frames(robot: Robot) -> Iterator[Finding]:
 def _matrices(chain: Chain, where: tuple[str | int, ...]) -> Iterator[Finding]:
     for move in chain:
         if isinstance(move, Fixed):
-            from dhcli.kinematics.rigid import not_a_rotation  # most robots have no literal matrix
+            from dhcli.geometry.orthonormal import not_a_rotation  # most robots have no literal matrix
 
-            fault = not_a_rotation(move)
+            fault = not_a_rotation(move.rows)
             if fault:
                 yield Finding(where, fault, "its first three columns must be perpendicular unit vectors, right-handed")
         if isinstance(move, Trans | Fixed):

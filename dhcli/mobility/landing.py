@@ -15,10 +15,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from dhcli.geometry.rank import rank_of, spaces
+from dhcli.geometry.twists import Array
 from dhcli.mobility.model import Model
 from dhcli.mobility.motion import residual
-from dhcli.mobility.rank import rank_of, spaces
-from dhcli.mobility.screws import Array
 
 AMPLITUDES = (0.3, 0.1, 0.03)
 CLOSED = 1e-11

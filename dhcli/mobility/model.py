@@ -11,10 +11,10 @@ from functools import cached_property
 
 import numpy as np
 
+from dhcli.geometry.twists import Array
 from dhcli.mobility.linkage import Joint, Linkage
 from dhcli.mobility.motions import motions_of
 from dhcli.mobility.pairs import LinkageError
-from dhcli.mobility.screws import Array
 
 TINY = 1e-9
 """Points nearer together than this part of their distance from the origin are one point."""

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from dhcli.mobility import screws
+from dhcli.geometry import twists
+from dhcli.geometry.twists import Array
 from dhcli.mobility.model import Model
-from dhcli.mobility.screws import Array
 
 ROUNDS = 400
 CLEAR = 1e-6
@@ -66,7 +66,7 @@ def _curvature(model: Model, row: int, motions: Array) -> Array:
     order, senses = loop_order(model, row)
     moving = (senses[:, None] * model.twists[order])[:, None, :] * motions[order][:, :, None]
     before = np.cumsum(moving, axis=0) - moving
-    found = screws.brackets(before[:, :, None, :], moving[:, None, :, :]).sum(axis=0) / 2
+    found = twists.brackets(before[:, :, None, :], moving[:, None, :, :]).sum(axis=0) / 2
     return np.asarray(found + found.transpose(1, 0, 2)) / 2
 
 

@@ -11,14 +11,14 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from dhcli.geometry.rank import TIGHT, Rank, orthonormal, rank_of, spaces
+from dhcli.geometry.twists import Array
 from dhcli.mobility.idle import Idle, idle_freedoms
 from dhcli.mobility.landing import AMPLITUDES, CLOSED, LANDED, SHAKY, Branch, Trial, attempt, branch_at, close
 from dhcli.mobility.linkage import Linkage
 from dhcli.mobility.loops import lambdas
 from dhcli.mobility.model import Model, model_of
 from dhcli.mobility.motion import residual
-from dhcli.mobility.rank import TIGHT, Rank, orthonormal, rank_of, spaces
-from dhcli.mobility.screws import Array
 from dhcli.mobility.second_order import proves_rigid, quadratic_forms
 
 DIRECTIONS = 4

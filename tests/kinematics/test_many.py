@@ -6,7 +6,6 @@ import pytest
 from dhcli import forward, load_robot
 from dhcli.errors import RobotError, UnknownNameError
 from dhcli.kinematics.many import PoseRows, frames_wanted, is_real
-from dhcli.kinematics.orientation import roll_pitch_yaw
 from dhcli.kinematics.values import parameter_values
 
 SCARA = load_robot("scara")
@@ -54,7 +53,7 @@ def test_a_row_counts_as_locked_once() -> None:
     assert alone.locked(alone.poses(q)) == 1
     every = PoseRows(wrist, frames, lengths, ("rpy", "position"))
     poses = [[forward(wrist, list(row), start=a, end=b, parameters={"d6": 0.1}) for a, b in frames] for row in q]
-    assert every.locked(every.poses(q)) == sum(any(roll_pitch_yaw(pose).locked for pose in row) for row in poses)
+    assert every.locked(every.poses(q)) == sum(any(pose.rpy.locked for pose in row) for row in poses)
     assert PoseRows(wrist, frames, lengths, ("position",)).locked(every.poses(q)) == 0
 
 
