@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from dhcli.geometry.reals import Mask
     from dhcli.geometry.rotations import Rotation
 
-SINGULAR = 1e-12
+SINGULAR = 1e-13
 """Below this the sine (of two different axes the cosine) of the middle angle counts as zero: roundings of a product.
 
 Nearer to it only the sum or the difference of the other two can be told. Before it both are as exact as their matrix
@@ -81,7 +81,8 @@ class Order:
         if free == "right":
             left = over.where(locked, over.atan2(sign * r[k][j], r[j][j]), left)
             right = over.where(locked, 0.0, right)
-        a, b, c = (angle + 0.0 for angle in (left, middle, right))  # no minus zero
+        a, c = (over.where(angle <= -math.pi, math.pi, angle) + 0.0 for angle in (left, right))  # nor minus zero
+        b = middle + 0.0
         return EulerAngles(self, (c, b, a) if self.fixed else (a, b, c), locked)
 
     def __str__(self) -> str:

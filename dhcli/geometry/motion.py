@@ -38,7 +38,7 @@ def identity() -> Rows[N]:
 
 
 def product(left: Motion[N], right: Motion[N], dot: Dot[N] = dot) -> Rows[N]:
-    """One motion after another: `[R | p] [S | q] = [R S | R q + p]`.
+    """One motion after another: `[R | p] [S | q] = [R S | p + R q]`.
 
     Args:
         left: The motion seen from the reference.
@@ -46,7 +46,7 @@ def product(left: Motion[N], right: Motion[N], dot: Dot[N] = dot) -> Rows[N]:
         dot: How rows meet columns; numbers that are known to be no integers can be added up faster.
     """
     x, y, z, offset = zip(*right[:3], strict=True)
-    return [[dot(row, x), dot(row, y), dot(row, z), plus(dot(row, offset), row[3])] for row in left[:3]]
+    return [[dot(row, x), dot(row, y), dot(row, z), plus(row[3], dot(row, offset))] for row in left[:3]]
 
 
 def inverse(motion: Motion[N], dot: Dot[N] = dot) -> Rows[N]:

@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 TINY = 1e-9
 """Below this a sine counts as zero, and an axis that depends on its direction is free."""
 
+HALF_TURN = 1e-13
+"""Below this w counts as zero: roundings of a product."""
+
 
 @dataclass(frozen=True, slots=True)
 class Quaternion(Generic[R]):
@@ -48,7 +51,7 @@ class Quaternion(Generic[R]):
         )
         length = over.sqrt(a * a + b * b + c * c + d * d)
         leading = over.where(abs(b) > TINY, b, over.where(abs(c) > TINY, c, d))
-        length = over.copysign(length, over.where(abs(a) < TINY * length, leading, a))
+        length = over.copysign(length, over.where(abs(a) < HALF_TURN * length, leading, a))
         return cls(abs(a / length), b / length + 0.0, c / length + 0.0, d / length + 0.0)  # no minus zero
 
     @property
