@@ -10,10 +10,11 @@ from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean
 from dhcli.geometry.orthonormal import not_a_rotation
 from dhcli.geometry.words import in_words
 from dhcli.kinematics.forward import put_in, spelled
+from dhcli.kinematics.frames import Point
 from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans, angle_names, expressions, from_factor, names
 from dhcli.kinematics.placement import Placement, locked_warnings, placements
 from dhcli.kinematics.pose import Pose
-from dhcli.kinematics.question import AnyPose, Point, SeenPoint, folded
+from dhcli.kinematics.question import AnyPose, SeenPoint, folded
 from dhcli.kinematics.robot import Value
 from dhcli.notation.factors import Factor, parse_factors
 from dhcli.notation.names import canonical

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from dhcli.cli.shell.console import say
@@ -17,7 +17,8 @@ from dhcli.files.rows.columns import Asked
 from dhcli.files.rows.reading import Rows, rows_of
 from dhcli.files.rows.source import open_source
 from dhcli.files.yaml.robots import load_robot
-from dhcli.kinematics.many import PoseRows, frames_wanted, is_real, numbered
+from dhcli.kinematics.frames import View
+from dhcli.kinematics.many import PoseRows, is_real, numbered
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.sweep.target import target_of
 from dhcli.kinematics.tally import Tally
@@ -78,13 +79,13 @@ def rows_wanted(
     if point is not None and (forms or every):
         raise DhcliError(f"--point and {'--as' if forms else '--frames'} ask for different things", "use one of them")
     arm = load_robot(robot)
-    frames = frames_wanted(arm, start, end, inverse=inverse, every=every)
+    view = View.of(arm, start, end, inverse=inverse)
     lengths = parameter_values(arm, settings_of(settings), Place("--set", text=" ".join(settings)))
     if point is None:
-        return PoseRows(arm, frames, lengths, forms_of(forms) or ("matrix",), every)
-    target = target_of(arm, None, None, lengths, point_of(point, "--point", open_scope(arm)))
-    x, y, z = target.coordinates
-    return PoseRows(arm, frames, lengths, ("position",), point=(x, y, z))
+        views = view.on_the_way(arm) if every else (view,)
+        return PoseRows(arm, views, lengths, forms_of(forms) or ("matrix",), every)
+    target = target_of(arm, replace(view, point=point_of(point, "--point", open_scope(arm))), lengths)
+    return PoseRows(arm, (target.view,), lengths, ("position",))
 
 
 def asked_of_rows(robot: Robot, q: str | None, *, degrees: bool, ignores: bool) -> Asked:
@@ -120,7 +121,7 @@ def fk_rows(
     Raises:
         FileError: The file is no table for this robot, a row is bad, or the result cannot be written.
     """
-    layout = pose_layout(wanted.forms, wanted.frames if wanted.every else (), index=index)
+    layout = pose_layout(wanted.forms, wanted.views if wanted.every else (), index=index)
     # With the last row of each matrix.
     whole = delivery.chosen() == "npy" and wanted.forms == ("matrix",) and not index
     tally, bad = Tally(wanted.robot), BadRows(path, skip=skip_bad)

@@ -9,11 +9,12 @@ import numpy as np
 
 from dhcli.errors import RobotError
 from dhcli.kinematics.batch import forward_batch
+from dhcli.kinematics.frames import ORIGIN
 from dhcli.kinematics.sweep.extremes import Highest
 from dhcli.kinematics.sweep.grid import Grid
 from dhcli.kinematics.sweep.plan import remarks
 from dhcli.kinematics.sweep.result import SIDES, Extreme, Sweep
-from dhcli.kinematics.sweep.target import ORIGIN, Target
+from dhcli.kinematics.sweep.target import Target
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -71,10 +72,11 @@ def positions(target: Target, grid: Grid) -> Iterator[NDArray[np.float64]]:
         Rows, shape (N, n + 3): radians and metres.
     """
     poses = np.empty((min(BLOCK, grid.count), 4, 4))
-    point = None if target.point == ORIGIN else np.array(target.coordinates)
+    view = target.view
+    point = None if view.coordinates == ORIGIN else np.array(target.coordinates)
     for q in joint_rows(grid):
         seen = forward_batch(
-            target.robot, q, start=target.start, end=target.end, parameters=target.lengths, out=poses[: len(q)]
+            target.robot, q, start=view.reference, end=view.frame, parameters=target.lengths, out=poses[: len(q)]
         )
         places = seen[:, :3, 3]
         if point is not None:
