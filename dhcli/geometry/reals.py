@@ -75,6 +75,6 @@ def reals_of(number: R) -> Reals[R]:
     """The functions for a number, or for a column of them."""
     if isinstance(number, float | int):
         return cast("Reals[R]", ONE)
-    from dhcli.geometry.many import MANY
+    from dhcli.geometry.columns import MANY
 
     return cast("Reals[R]", MANY)

@@ -32,7 +32,7 @@ Order: TypeAlias = Literal["current", "fixed"]
 
 
 @dataclass(frozen=True, slots=True)
-class Step:
+class Stage:
     """One move of a product.
 
     Attributes:
@@ -58,7 +58,7 @@ class Transform:
         warnings: What a person should know all the same.
     """
 
-    steps: tuple[Step, ...]
+    steps: tuple[Stage, ...]
     order: Order
     points: tuple[SeenPoint, ...] = ()
     vectors: tuple[SeenPoint, ...] = ()
@@ -181,7 +181,7 @@ def compose(product: Product, values: Mapping[str, Value], wanted: Wanted) -> Tr
     exact = wanted.symbolic or bool(names((*moves, *points, *vectors)))
     so_far = [moves[: i + 1] if wanted.order == "current" else moves[i::-1] for i in range(len(moves))]
     steps = tuple(
-        Step(text, folded(chain, "0", str(i), symbolic=exact))
+        Stage(text, folded(chain, "0", str(i), symbolic=exact))
         for i, (text, chain) in enumerate(zip(product.texts, so_far, strict=True), 1)
     )
     chain = so_far[-1]

@@ -13,8 +13,8 @@ from dhcli.cli.shell.rows import RowDelivery
 from dhcli.errors import DhcliError, FileError, Place, Problem, plural
 from dhcli.files.reading import source_of
 from dhcli.files.rows.blocks import MOST, Block
-from dhcli.files.rows.columns import Asked
-from dhcli.files.rows.reading import Rows, rows_of
+from dhcli.files.rows.columns import JointTable
+from dhcli.files.rows.formats import Rows, joint_rows
 from dhcli.files.rows.source import open_source
 from dhcli.files.yaml.robots import load_robot
 from dhcli.kinematics.frames import View
@@ -88,7 +88,7 @@ def rows_wanted(
     return PoseRows(arm, (target.view,), lengths, ("position",))
 
 
-def asked_of_rows(robot: Robot, q: str | None, *, degrees: bool, ignores: bool) -> Asked:
+def asked_of_rows(robot: Robot, q: str | None, *, degrees: bool, ignores: bool) -> JointTable:
     """What the columns of a file are read for; a joint that `--q` gives has none.
 
     Raises:
@@ -102,11 +102,11 @@ def asked_of_rows(robot: Robot, q: str | None, *, degrees: bool, ignores: bool) 
     held = {name: in_floats(value) for name, value in joint_values(robot, q, bare=bare, place=place).items()}
     if held and len(held) == len(robot.variables):
         raise DhcliError("--q gives all joints", "leave --in out, or a joint to the file")
-    return Asked(robot, degrees, held, ignores)
+    return JointTable(robot, degrees, held, ignores)
 
 
 def fk_rows(
-    wanted: PoseRows, asked: Asked, path: str, delivery: RowDelivery, *, skip_bad: bool, index: bool = False
+    wanted: PoseRows, asked: JointTable, path: str, delivery: RowDelivery, *, skip_bad: bool, index: bool = False
 ) -> None:
     """Compute a pose for each row of a file, and hand the poses over as they come.
 
@@ -127,7 +127,7 @@ def fk_rows(
     tally, bad = Tally(wanted.robot), BadRows(path, skip=skip_bad)
     to_file = delivery.output is not None or not sys.stdout.isatty()
     with open_source(path) as source:
-        rows = rows_of(source, asked)
+        rows = joint_rows(source, asked)
         with delivery.open(layout) as sink, row_progress(sys.stderr, wanted=to_file) as tell:
             for block in rows.blocks():
                 bad.take(block.bad, block.bad_rows)

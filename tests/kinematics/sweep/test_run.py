@@ -15,11 +15,10 @@ from dhcli import sweep as ask
 from dhcli.errors import RobotError
 from dhcli.kinematics.frames import View
 from dhcli.kinematics.sweep import run
-from dhcli.kinematics.sweep.extremes import SLACK, Highest
 from dhcli.kinematics.sweep.grid import Axis, Grid
 from dhcli.kinematics.sweep.plan import plan
 from dhcli.kinematics.sweep.ranges import read_over
-from dhcli.kinematics.sweep.run import positions, sweep
+from dhcli.kinematics.sweep.run import SLACK, Highest, positions, sweep
 from dhcli.kinematics.sweep.target import Target, target_of
 from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import joint_values
