@@ -126,13 +126,11 @@ def answer(robot: Robot, values: Values, question: Question) -> ForwardKinematic
     )
 
 
-@dataclass(frozen=True, slots=True)
 class _Folding:
     """How chains become poses in one question: over floats, or over terms."""
 
-    robot: Robot
-    values: Values
-    symbolic: bool
+    def __init__(self, robot: Robot, values: Values, symbolic: bool) -> None:  # noqa: FBT001
+        self.robot, self.values, self.symbolic = robot, values, symbolic
 
     def __call__(self, chain: Chain, start: str, end: str, title: str = "") -> AnyPose:
         if self.symbolic:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from types import MappingProxyType
 
 from dhcli.errors import RobotError, plural
@@ -12,7 +12,6 @@ from dhcli.kinematics.validity import check
 __all__ = ["Joint", "Kind", "Link", "Robot", "Value", "check_robot"]
 
 
-@dataclass(frozen=True)
 class Robot(Description):
     """A serial robot, with the fields of its `Description`.
 
