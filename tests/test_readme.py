@@ -3,11 +3,11 @@
 import doctest
 import re
 import shlex
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+
+from tests.cli.running import run
 
 ROOT = Path(__file__).parent.parent
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -29,21 +29,14 @@ def commands() -> list[tuple[str, str]]:
 
 
 @pytest.mark.parametrize(("command", "output"), commands(), ids=[command for command, _ in commands()])
-def test_a_command_in_readme_prints_what_readme_shows(command: str, output: str) -> None:
+def test_a_command_in_readme_prints_what_readme_shows(
+    monkeypatch: pytest.MonkeyPatch, command: str, output: str
+) -> None:
     """The output, errors included, is the one in README to the letter."""
-    words = shlex.split(command)
-    assert words[0] == "dhcli"
-    result = subprocess.run(
-        [sys.executable, "-m", "dhcli", *words[1:]],
-        cwd=ROOT,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        stdin=subprocess.DEVNULL,
-        text=True,
-        encoding="utf-8",
-        check=False,
-    )
-    assert result.stdout == output
+    monkeypatch.chdir(ROOT)
+    program, *words = shlex.split(command)
+    assert program == "dhcli"
+    assert run(*words, together=True).out == output
 
 
 def test_readme_has_commands_to_run() -> None:

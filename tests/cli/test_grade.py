@@ -197,7 +197,7 @@ def test_the_progress_of_a_student_is_not_the_lecturers(dhcli: Run, tmp_path: Pa
 def test_a_terminal_shows_a_bar_and_then_the_report(tmp_path: Path) -> None:
     """The bar is taken away."""
     hand_in(tmp_path, "hw/a.yaml")
-    with Terminal(tmp_path, "grade", "hw") as terminal:
+    with Terminal(tmp_path, "grade", "hw", own_process=True) as terminal:
         assert "0/1" in terminal.until("grading.*0/1")
         terminal.until("hw: 1 sheet, 1 graded")
         assert terminal.end() == 0
