@@ -41,8 +41,8 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
 if hasattr(signal, "SIGHUP") and signal.getsignal(signal.SIGHUP) is signal.SIG_IGN:
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
-# A busy machine is not a failure: no deadline, and no health check that looks at the clock. At the desk new examples are
-# tried each time, in CI always the same few; `--hypothesis-profile nightly` tries many, and runs what is marked nightly.
+# A busy machine is not a failure: no deadline, and no health check that looks at the clock. At the desk other examples
+# are tried each time, in CI always the same few; `--hypothesis-profile nightly` tries many, and runs what is nightly.
 _PATIENT = settings(max_examples=30, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.register_profile("default", _PATIENT)
 settings.register_profile("ci", _PATIENT, database=None, derandomize=True, print_blob=True)
