@@ -1,15 +1,9 @@
 """`dhcli dof`: the formula, whether to believe it, and the truth."""
 
-import os
-import subprocess
-import sys
-from pathlib import Path
-
 import pytest
 
 from tests.cli.running import Run
 
-ROOT = Path(__file__).parents[2]
 KEYS = {
     "mobility", "gruebler", "instantaneous", "bounds", "certificate", "formula_holds", "formulas", "space", "lambda",
     "links", "joints", "sum_f", "sum_c", "reading", "joints_listed", "other_reading", "loops", "idle", "redundant",
@@ -104,20 +98,3 @@ def test_linkages_are_listed(dhcli: Run) -> None:
     assert "bennett" in out
     assert "4R" in out
     assert "broken" not in out
-
-
-@pytest.mark.parametrize(
-    "words", [["dof", "6R"], ["dof", "--planar", "--links", "4", "--joints", "4R"], ["list", "linkages"]]
-)
-def test_counts_do_not_import_numpy(words: list[str], tmp_path: Path) -> None:
-    """Only geometry does."""
-    code = "import sys\nfrom dhcli.cli.main import main\nmain(sys.argv[1:])\nprint('numpy' in sys.modules)"
-    done = subprocess.run(
-        [sys.executable, "-c", code, *words],
-        capture_output=True,
-        text=True,
-        cwd=tmp_path,
-        env={**os.environ, "PYTHONPATH": str(ROOT)},
-        check=True,
-    )
-    assert done.stdout.splitlines()[-1] == "False"
