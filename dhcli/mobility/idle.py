@@ -151,6 +151,15 @@ def _common(model: Model, part: Part, tolerance: float) -> Iterator[tuple[Array,
                     yield rates / np.linalg.norm(rates), bool(np.abs(twist[:3]).max() > tolerance)
 
 
+def _groups_of_four(twists: Array) -> list[Array]:
+    """The groups within a ball in a tube and a line contact, as columns (4, d)."""
+    along = np.eye(4)[:, [0]]
+    if not twists[1, :3].any():  # a line contact: sliding on the plane, or along the line and about it
+        return [np.eye(4)[:, :3], np.eye(4)[:, [0, 3]]]
+    about = np.concatenate([[0.0], twists[0, 3:]])[:, None]
+    return [np.eye(4)[:, 1:], np.concatenate([along, about], axis=1)]
+
+
 def _groups(model: Model, step: Step) -> list[Array]:
     """Motions of a joint that form a group, as columns (f, d); within one, any twist can go on for ever.
 
@@ -166,4 +175,6 @@ def _groups(model: Model, step: Step) -> list[Array]:
         far = np.eye(5)[:, 2:]
         far[:, 0] = [*line, 0, 0]
         return [np.eye(5)[:, :3], far]
+    if f == 4:  # noqa: PLR2004
+        return _groups_of_four(twists)
     return [np.eye(f)[:, [k]] for k in range(f)]
