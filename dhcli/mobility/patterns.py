@@ -219,10 +219,10 @@ def _legs(text: str, space: Space) -> Linkage | Counts:
     """`2-PRU+1-PRS`: legs between the ground and a platform."""
     legs: list[tuple[Expr, tuple[Pair, ...]]] = []
     for piece in _leg_texts(text):
-        leg = _leg(piece)
-        if leg is None:
+        counted = _leg(piece)
+        if counted is None:
             raise LinkageError(f"'{_short(piece.strip())}' is not read as legs", "write 6-UPS, or 2-PRU+1-PRS")
-        legs.append((count_of(leg[0]), letters(leg[1])))
+        legs.append((count_of(counted[0]), letters(counted[1])))
     if any(not isinstance(count, Number) for count, _ in legs):
         return _symbolic_legs(legs, text, space)
     joints: list[Joint] = []
