@@ -10,6 +10,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import combinations, islice
 
 import numpy as np
 
@@ -20,6 +21,9 @@ from dhcli.mobility.screws import Array
 
 MOST_PAIRS = 4000
 """Pairs of joints that are looked at; long chains of identical parts have many."""
+
+ALIKE = 0.95
+"""Cosine of two twists, in six dimensions, that may be one in a rounded drawing."""
 
 
 @dataclass(frozen=True)
@@ -147,12 +151,20 @@ def _parts(model: Model) -> Iterator[Part]:
     for step in model.steps:
         if step.last > step.first and label[step.joint]:
             classes.setdefault(label[step.joint], []).append(step)
-    pairs = [(a, b) for group in classes.values() for i, a in enumerate(group) for b in group[i + 1 :]][:MOST_PAIRS]
-    parts = [Part(a, b, _side(model, a, b)) for a, b in pairs]
+    alike = ((a, b) for group in classes.values() for a, b in combinations(group, 2) if _may_share(model, a, b))
+    parts = [Part(a, b, _side(model, a, b)) for a, b in islice(alike, MOST_PAIRS)]
     whole = len(model.linkage.links) - 1
     for part in sorted(parts, key=lambda found: len(found.links)):
         if len(part.links) < whole and not part.links & (meshed | outputs):
             yield part
+
+
+def _may_share(model: Model, first: Step, second: Step) -> bool:
+    """Whether two joints may allow the same motion; most pairs of a long chain are told apart by a glance at this."""
+    if first.last - first.first > 1 or second.last - second.first > 1:
+        return True
+    a, b = model.twists[first.first], model.twists[second.first]
+    return bool(abs(a @ b) > ALIKE * np.sqrt((a @ a) * (b @ b)))
 
 
 def _side(model: Model, first: Step, second: Step) -> frozenset[int]:

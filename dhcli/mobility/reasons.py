@@ -26,7 +26,7 @@ FAINT, FAINTEST = 3e-3, 1e-8
 APART = 30.0
 """... if the next larger one is so many times as large."""
 
-MOST_LINKS = 60
+MOST_LINKS, MOST_MOTIONS = 60, 500
 """Larger linkages are told apart without looking for the part that is over-braced."""
 
 
@@ -53,8 +53,8 @@ def _looks_rounded(rank: Rank) -> str:
         if FAINTEST < smaller / values[0] < FAINT and larger > APART * smaller:
             decimals = math.floor(-math.log10(4 * smaller / values[0]))
             return (
-                f"A singular value that counts is only {smaller / values[0]:.1e} of the largest, as rounding leaves one "
-                f"that should be zero. If these coordinates are a drawing's, they look rounded: try --tol "
+                f"A singular value that counts is only {smaller / values[0]:.1e} of the largest, as rounding leaves "
+                f"one that should be zero. If these coordinates are a drawing's, they look rounded: try --tol "
                 f"{3 * 10.0**-decimals:g}."
             )
     return ""
@@ -70,7 +70,7 @@ def _main_reason(linkage: Linkage, truth: Truth, mobility: int, tolerance: float
     if corrected == mobility and any(loop > lambda_ for loop in loops):
         own = ", ".join(map(str, loops))
         return f"λ = {lambda_} is too small: the motions of the loops span {own} freedoms, so the axes lie otherwise."
-    if len(linkage.links) > MOST_LINKS:
+    if len(linkage.links) > MOST_LINKS or model.motions > MOST_MOTIONS:
         return "Some of the constraints repeat others, which the formula cannot see."
     if graph := _over_braced(linkage, mobility):
         return graph

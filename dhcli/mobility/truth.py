@@ -35,6 +35,9 @@ SAME = 0.9999
 MANY = 200
 """With more links the constraint form is used."""
 
+WIDE = 1000
+"""So it is with more equations or motions than this: ten thousand bars may lie between two links."""
+
 MOST_MOTIONS = 700
 """With more motions an amplitude is not imposed: the answer would take minutes."""
 
@@ -83,7 +86,8 @@ def true_mobility(linkage: Linkage, tolerance: float = 0.0) -> Truth:
         LinkageError: The geometry makes no sense.
     """
     model = model_of(linkage)
-    if len(linkage.links) > MANY:
+    equations = len(model.basis) * len(model.chords) + len(model.ties)
+    if len(linkage.links) > MANY or max(equations, model.motions) > WIDE:
         from dhcli.mobility.large import large_mobility
 
         return large_mobility(model, tolerance)
