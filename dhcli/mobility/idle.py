@@ -26,7 +26,7 @@ ALIKE = 0.95
 """Cosine of two twists, in six dimensions, that may be one in a rounded drawing."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Idle:
     """One idle freedom.
 

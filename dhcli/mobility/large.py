@@ -100,9 +100,7 @@ def _lambdas(model: Model) -> tuple[int, ...]:
 
 
 def _placed(model: Model) -> tuple[list[Rows], float]:
-    """The constraints, links numbered in the order in which they hang on the ground, and their largest singular
-    value.
-    """
+    """The constraints and their largest singular value; links are numbered in the order in which they hang together."""
     order = [step.tail if backwards else step.head for step, backwards in model.tree]
     place = {link: i for i, link in enumerate(order)}
     found = [Rows(tuple(place[link] for link in r.links), r.block) for r in constraints(model) if r.block.size]

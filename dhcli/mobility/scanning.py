@@ -126,7 +126,7 @@ def _tokens(text: str) -> Iterator[Token]:
 def _split_letters(tokens: Iterator[Token]) -> Iterator[Token]:
     """`nR` as a count and a joint, `RRP` as three joints, `R3P` as R, 3, P; words stay whole."""
     for token in tokens:
-        known = token.text.lower() in WORDS or _singular(token.text.lower()) in WORDS
+        known = any(word in WORDS for word in _singulars(token.text.lower()))
         letters = [i for i, letter in enumerate(token.text) if letter in LETTERS]
         borders = [-1, *letters, len(token.text)]
         between = [token.text[a + 1 : b] for a, b in pairwise(borders)]
@@ -151,9 +151,8 @@ def _joint_at(tokens: list[Token], i: int) -> tuple[Pair, int] | None:
     for used in range(min(_MOST_WORDS, len(tokens) - i), 0, -1):
         if all(token.kind == "word" for token in tokens[i : i + used]):
             phrase = " ".join(token.text.lower() for token in tokens[i : i + used])
-            pair = WORDS.get(phrase) or WORDS.get(_singular(phrase))
-            if pair is not None:
-                return pair, used
+            if word := next((found for found in _singulars(phrase) if found in WORDS), ""):
+                return WORDS[word], used
     letter = LETTERS.get(tokens[i].text)
     return None if letter is None else (letter, 1)
 
@@ -174,10 +173,10 @@ def _count(text: str, tokens: list[Token], start: int, end: int) -> str:
     return text[tokens[start].start : tokens[end - 1].end] if end > start else ""
 
 
-def _singular(word: str) -> str:
-    """`pins` as `pin`; `balls in a tube` too."""
-    first, blank, rest = word.partition(" ")
-    return (first.removesuffix("s") if rest else word.removesuffix("s")) + blank + rest
+def _singulars(words: str) -> tuple[str, ...]:
+    """`pins` as `pin`, `balls in a tube` as `ball in a tube`, `line contacts` as `line contact`; the text first."""
+    first, blank, rest = words.partition(" ")
+    return words, first.removesuffix("s") + blank + rest, words.removesuffix("s")
 
 
 def _no_joint(piece: str, place: Place | None) -> LinkageError:
