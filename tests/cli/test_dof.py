@@ -22,6 +22,7 @@ KEYS = {
         ("--planar --links 4 --joints 4R", 1, None),
         ("--lambda 3 --links 4 --joints 3R+1P", 1, None),
         ("--planar loop 4R", 1, None),
+        ("20000-R", -99994, None),
         ("n-RPS", "6 - n", None),
     ],
 )
@@ -74,6 +75,10 @@ def test_idle_freedoms_are_named(dhcli: Run) -> None:
         (["dof", "bennett", "--tol", "2"], "tolerance of 2"),
         (["dof", "nowhere/l.yaml"], "no such file"),
         (["dof", "6R", "--format", "latex"], "there is no format latex"),
+        (["dof", "R  " * 20 + "!"], "is no linkage, no robot and no pattern"),
+        (["dof", "--planar", "--links", "4", "--joints", "()" * 28], "is not a number of joints"),
+        (["dof", "--planar", "--links", "4", "--joints", "4infR"], "'4infR' is not a number of joints"),
+        (["dof", "30000-R"], "up to 20,000 joints are read"),
     ],
 )
 def test_bad_input_ends_with_2_and_a_hint(dhcli: Run, words: list[str], message: str) -> None:
@@ -98,3 +103,16 @@ def test_linkages_are_listed(dhcli: Run) -> None:
     assert "bennett" in out
     assert "4R" in out
     assert "broken" not in out
+
+
+def test_joints_are_counted_in_words(dhcli: Run) -> None:
+    """`4 pin 1 slot` is four pins and a slot."""
+    data = dhcli("dof", "--planar", "--links", "5", "--joints", "4 pin 1 slot", "--format", "json").data
+    assert (data["joints"], data["sum_f"], data["gruebler"]) == (5, 6, 3)
+    assert "6(3 - 2 - 1) + 2·4 = 8" in dhcli("dof", "--links", "3", "--joints", "2 balls in a tube").out
+
+
+def test_one_constraint_repeats_and_three_repeat(dhcli: Run) -> None:
+    """The verb follows the number."""
+    assert "1 constraint repeats others" in dhcli("dof", "sarrus").out
+    assert "3 constraints repeat others" in dhcli("dof", "bennett").out
