@@ -39,10 +39,22 @@ def motions_of(joint: Joint, centre: Array, scale: float, *, planar: bool) -> li
         case "E":
             across = _across(axis)
             return [twists.along(across), twists.along(np.cross(axis, across)), twists.about(np.zeros(3), axis)]
-    if joint.pair.name == "slot":
-        return [twists.along(_unit(joint.slide or NORMAL)), twists.about(at, axis)]
     if joint.pair.name in ("cam", "bar", "rolling"):
         return _kept_apart(at, far, axis, planar=planar)
+    return _sliding(joint, at, axis)
+
+
+def _sliding(joint: Joint, at: Array, axis: Array) -> list[Array]:
+    """A pin in a slot, a ball in a tube, a cylinder on a plane: the second link slides along the first, and turns."""
+    if joint.pair.name == "slot":
+        return [twists.along(_unit(joint.slide or NORMAL)), twists.about(at, axis)]
+    if joint.pair.name == "ball-in-tube":
+        return [twists.along(axis), *(twists.about(at, direction) for direction in np.eye(3))]
+    if joint.pair.name == "line-contact":
+        line = np.array(joint.axis2 or NORMAL)
+        line = _unit(line - (line @ axis) * axis)
+        # plane on plane, then the turn of the cylinder about its own axis
+        return [twists.along(line), twists.along(np.cross(axis, line)), twists.about(at, axis), twists.about(at, line)]
     return []
 
 

@@ -25,6 +25,7 @@ from dhcli.notation.writer import write
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
 from dhcli.render.text.matrix import matrix_lines
+from tests.nightly import some
 
 ROOT = Path(__file__).parents[2]
 NAMES = sorted(
@@ -102,7 +103,7 @@ def test_its_own_solution_is_right_in_every_spelling(name: str) -> None:
                 answers["screen"] = screen(exercise, part.question)
         else:
             answers = {"expected": solved(exercise, part)}
-        for spelling, answer in answers.items():
+        for spelling, answer in some([*answers.items()], 3):
             judged = mark(exercise, part, answer)
             assert judged.verdict is Verdict.RIGHT, (part.id, spelling, answer, judged.remarks)
             assert judged.earned == 1

@@ -88,6 +88,6 @@ def test_a_long_page_goes_to_the_pager(tmp_path: Path, monkeypatch: pytest.Monke
     pager.write_text("#!/bin/sh\necho the pager has $(wc -l) lines\n", "utf-8")
     pager.chmod(0o755)
     monkeypatch.setenv("PAGER", str(pager))
-    with Terminal(tmp_path, "help", "conventions") as terminal:
+    with Terminal(tmp_path, "help", "conventions", own_process=True) as terminal:
         assert "the pager has" in terminal.until(r"lines")
         assert terminal.end() == 0

@@ -52,10 +52,16 @@ def findings(folder: Path, text: str, name: str = "own.yaml") -> list[Broken]:
     return found
 
 
+_CLEAN: set[tuple[str, str]] = set()
+"""Files without a finding, by text and name."""
+
+
 def assert_told(folder: Path, clean: str, broken: Broken, name: str = "own.yaml") -> None:
     """The clean file has no finding, and with the change it has just the one expected."""
     assert clean.count(broken.old) == 1, broken.old
-    assert findings(folder, clean, name) == []
+    if (clean, name) not in _CLEAN:
+        assert findings(folder, clean, name) == []
+        _CLEAN.add((clean, name))
     (found,) = findings(folder, clean.replace(broken.old, broken.new), name)
     expected = Broken("", "", broken.at, broken.message, broken.hint, broken.is_warning)
     assert found == expected, f"{found}\n{expected}"

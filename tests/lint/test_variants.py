@@ -38,6 +38,7 @@ tests:
   - {part: tip, answer: "0.4997, 0.5752, 0", verdict: WRONG}
 """
 
+EVERY_SEED = variants.SEEDS
 BELOW = "dhcli writes the drawn numbers below the task; leave it out here"
 NUMBER = "theta1 varies, and this text gives it a number"
 SAID = "this text says 35°, which is theta1 in the file and another number in a variant"
@@ -115,6 +116,7 @@ def test_a_variant_whose_solution_is_not_right_is_told(tmp_path: Path) -> None:
 
 def test_two_hundred_seeds_are_drawn_and_every_part_of_each_is_solved(monkeypatch: pytest.MonkeyPatch) -> None:
     """The last of them as well as the first; numbers that were solved already are not solved again."""
+    monkeypatch.setattr(variants, "SEEDS", EVERY_SEED)
     exercise = load_exercise("yim/planar-in-numbers")
     drawn: list[Exercise] = []
     solved: list[tuple[str, str]] = []

@@ -7,7 +7,6 @@ look at the difference before it is committed.
 from __future__ import annotations
 
 import contextlib
-import io
 import os
 import re
 import shlex
@@ -82,24 +81,16 @@ def _played_commands(body: str) -> Iterator[str]:
 
 def output_of(command: str) -> str:
     """What a command prints, errors included; what stands before a `|` is read by what stands behind it."""
+    from tests.cli.running import run
+
     text = ""
     for part in re.split(r" \| (?=dhcli )", command):
         words = shlex.split(part)
         if words[0] == "cat":
             return Path(words[1]).read_text("utf-8")
         assert words[0] == "dhcli", part
-        text = _run(words[1:], text)
+        text = run(*words[1:], stdin=text or None, together=True).out
     return text
-
-
-def _run(words: list[str], typed: str) -> str:
-    from dhcli.cli.main import main
-
-    screen = io.TextIOWrapper(io.BytesIO(), encoding="utf-8", write_through=True)
-    keys = io.TextIOWrapper(io.BytesIO(typed.encode()), encoding="utf-8")
-    with patch.object(sys, "stdout", screen), patch.object(sys, "stderr", screen), patch.object(sys, "stdin", keys):
-        main(words)
-    return screen.buffer.getvalue().decode("utf-8")  # type: ignore[attr-defined]
 
 
 def main() -> None:

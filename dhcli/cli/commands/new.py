@@ -78,3 +78,36 @@ def exercise(
         make_folder(path.parent)
     write_file(path, text, force=force)
     say(f"wrote {path}\nnext: fill in what is empty, then dhcli lint {path}\n")
+
+
+@new.command(epilog="dhcli new linkage my-press --form joints")
+def linkage(
+    name: Annotated[str, typer.Argument(metavar="NAME", help="Name of the linkage.")],
+    form: Annotated[str, typer.Option(metavar="FORM", help="joints, bars, chain or loop.")] = "joints",
+    output: Annotated[
+        str | None,
+        typer.Option(
+            "-o",
+            "--output",
+            metavar="FILE",
+            help="Where to write; ./robots/linkages/NAME.yaml by default, - is stdout.",
+        ),
+    ] = None,
+    force: Force = False,
+) -> None:
+    """Write a commented linkage file that loads, for you to change."""
+    from dhcli.cli.shell.console import say, write_out
+    from dhcli.cli.shell.delivery import make_folder, write_file
+    from dhcli.files.yaml.linkage_template import linkage_template
+
+    text = linkage_template(name, form)
+    if output == "-":
+        write_out(text)
+        return
+    path = Path(output or f"robots/linkages/{name}.yaml")
+    if output is None:
+        make_folder(path.parent.parent)
+        make_folder(path.parent)
+    write_file(path, text, force=force)
+    asked = name if output is None else path
+    say(f"wrote {path}\nnext: dhcli show {asked}, then dhcli dof {asked}\n")

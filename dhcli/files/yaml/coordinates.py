@@ -96,7 +96,7 @@ class Coordinates:
         return _AXES["z"]
 
     def _coordinates(self, node: PlacedNode, key: str) -> Vector:
-        items = self.problems.sequence(node, key)
+        items = self.problems.sequence(node, key, "[x, y]" if self.dimensions < len(_AXES) else "[x, y, z]")
         if items and not self.dimensions <= len(items) <= len(_AXES):
             wanted = "two coordinates" if self.dimensions < len(_AXES) else "three coordinates"
             hint = "write [x, y]" if self.dimensions < len(_AXES) else "write [x, y, z]"

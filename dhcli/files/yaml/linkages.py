@@ -87,23 +87,24 @@ def read_linkage(text: str, source: str, name: str, tolerance: float = 0.0) -> L
     Raises:
         FileError: With all problems.
     """
-    root = read_yaml(text, source)
+    refused: list[Problem] = []
+    root = read_yaml(text, source, refused)
     if isinstance(root, PlacedMapping) and "variables" in {key.text for key, _ in root.entries}:
         from dhcli.files.yaml.robots import read_robot
 
-        robot = read_robot(text, source, name)
+        robot = read_robot(text, source, name)  # what was refused stands in its own error
         pairs = tuple(LETTERS[letter] for letter in robot.pattern)
         if not pairs:
             raise FileError(Problem(f"{name} has no joint, so there is nothing to count", Place(source)))
         return serial(name, pairs, title=robot.title, source=robot.source)
-    return _Loader(root, name, tolerance).linkage()
+    return _Loader(root, name, tolerance, refused).linkage()
 
 
 class _Loader:
     """One pass over a file; what is wrong is collected, and something harmless taken in its place."""
 
-    def __init__(self, root: PlacedNode, name: str, tolerance: float) -> None:
-        self.problems = Problems()
+    def __init__(self, root: PlacedNode, name: str, tolerance: float, refused: list[Problem]) -> None:
+        self.problems = Problems(refused)
         self.name = name
         self.tolerance = tolerance
         self.fields = self.problems.document(root, known=KEYS, required=("title", "source"))

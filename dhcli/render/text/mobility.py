@@ -192,11 +192,11 @@ def _details(found: Mobility, paper: Paper) -> str:
     if found.instantaneous is not None:
         rows.append(("at this instant", str(found.instantaneous)))
     if found.redundant:
-        many = plural(abs(found.redundant), "constraint")
+        many = plural(abs(found.redundant), "constraint") + (" repeats" if found.redundant == 1 else " repeat")
         rows.append(
             (
                 "redundant",
-                f"{many} repeat others" if found.redundant > 0 else f"{-found.redundant} freedoms less than counted",
+                f"{many} others" if found.redundant > 0 else f"{plural(-found.redundant, 'freedom')} less than counted",
             )
         )
     if found.motion:

@@ -13,7 +13,9 @@ from dhcli.files.library.lookup import Kind, entries
 from dhcli.files.yaml.exercise_template import exercise_template
 from dhcli.files.yaml.exercises import read_exercise
 from dhcli.files.yaml.robots import load_robot
+from dhcli.lint import variants
 from dhcli.lint.files import lint
+from tests.nightly import some
 
 ROBOTS = [entry.name for entry in entries(Kind.ROBOTS) if load_robot(entry.name).variables]
 
@@ -58,8 +60,9 @@ def test_a_template_lints_once_its_blanks_are_filled_in(name: str, tmp_path: Pat
 
 
 @pytest.mark.parametrize("name", ["planar-2r", "cartesian", "scara-yim", "dh-link-modified", "panda", "puma200"])
-def test_a_template_lints_in_numbers_too(name: str, tmp_path: Path) -> None:
-    """With the # taken away from its last lines."""
+def test_a_template_lints_in_numbers_too(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """With the # taken away from its last lines; a few variants of each are drawn."""
+    monkeypatch.setattr(variants, "SEEDS", some(variants.SEEDS, 50))
     text = in_numbers(exercise_template("c/new", load_robot(name)))
     assert "\nnumeric: true\n" in text
     assert errors(tmp_path, filled(text)) == []

@@ -7,7 +7,7 @@ import sys
 from collections.abc import Iterator
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from dhcli.errors import FileError, Place
@@ -333,7 +333,6 @@ def test_a_large_tree_is_refused_at_the_limit() -> None:
     assert problem.startswith(f"robot.yaml:{MOST_NODES}:3: the file holds more than 20,000 keys and values")
 
 
-@settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(st.text() | st.lists(st.sampled_from(PIECES), max_size=30).map("".join))
 def test_any_text_gives_a_tree_or_a_file_error(text: str) -> None:
     """Nothing else is ever raised; a word is found where its place says; every problem is in plain words."""

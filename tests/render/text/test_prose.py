@@ -1,5 +1,7 @@
 """Prose: folded in a window, paragraph by paragraph, and as it stands elsewhere."""
 
+from functools import cache
+
 import pytest
 
 from dhcli.files.library.lookup import Kind, entries
@@ -11,6 +13,7 @@ from dhcli.render.text.exercise import exercise_table
 from dhcli.render.text.marks import question_text
 from dhcli.render.text.prose import WIDEST, prose_lines
 
+loaded = cache(load_exercise)
 TEXT = "One two three\nfour five.\nSix seven.\n\n- eight nine\n  ten\n"
 
 
@@ -41,7 +44,7 @@ def test_the_page_of_every_exercise_fits_its_window(width: int) -> None:
     """Task, prompts, options and what is asked; never wider than is good to read."""
     paper = Paper(width, terminal=True)
     for entry in entries(Kind.EXERCISES):
-        exercise = load_exercise(entry.name)
+        exercise = loaded(entry.name)
         text = exercise_table(exercise, Look(paper=paper))
         text += "".join(question_text(exercise, part, paper) for part in exercise.parts)
         wide = [line for line in text.splitlines() if len(line) > min(width, WIDEST) and "dhcli start" not in line]
