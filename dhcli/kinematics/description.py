@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from types import MappingProxyType
 from typing import Literal, TypeAlias
 
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row
@@ -88,6 +89,11 @@ class Description:
     poses: Mapping[str, tuple[Value, ...]] = field(default_factory=dict)
     columns: tuple[str, ...] = COLUMNS
     notes: str = ""
+
+    def __post_init__(self) -> None:
+        """Let nobody change a mapping in place."""
+        for attribute in ("parameters", "limits", "poses"):
+            object.__setattr__(self, attribute, MappingProxyType(dict(getattr(self, attribute))))
 
     @cached_property
     def joints(self) -> tuple[Joint, ...]:

@@ -21,8 +21,7 @@ class Robot(Description):
 
     def __post_init__(self) -> None:
         """Refuse to exist with anything wrong."""
-        for attribute in ("parameters", "limits", "poses"):
-            object.__setattr__(self, attribute, MappingProxyType(dict(getattr(self, attribute))))
+        super().__post_init__()
         check(self)
 
     def __reduce__(self) -> tuple[type[Robot], tuple[object, ...]]:
