@@ -56,24 +56,7 @@ class Link:
 
 @dataclass(frozen=True)
 class Description:
-    """A serial robot as somebody describes it, valid or not.
-
-    Attributes:
-        name: The name it is asked for by.
-        title: What it is called.
-        source: Where its numbers come from.
-        convention: How its links are described.
-        variables: Joint variables in order.
-        links: The links in order.
-        parameters: Value of each length and constant angle; None where it has none.
-        base: Moves from frame `base` to the first frame.
-        tool: Moves from the last frame to frame `tool`.
-        first: Number of the first link.
-        limits: Lowest and highest value of joint variables.
-        poses: Named poses, a value for each variable.
-        columns: Order of the columns in which the table was written.
-        notes: What else a reader should know.
-    """
+    """A serial robot as somebody describes it, valid or not; its fields are explained at `robot.Robot`."""
 
     name: str
     title: str

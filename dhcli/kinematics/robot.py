@@ -13,10 +13,26 @@ __all__ = ["Joint", "Kind", "Link", "Robot", "Value", "check_robot"]
 
 
 class Robot(Description):
-    """A serial robot, with the fields of its `Description`.
+    """A serial robot.
+
+    Attributes:
+        name: The name it is asked for by.
+        title: What it is called.
+        source: Where its numbers come from.
+        convention: How its links are described.
+        variables: Joint variables in order.
+        links: The links in order.
+        parameters: Value of each length and constant angle; None where it has none.
+        base: Moves from frame `base` to the first frame.
+        tool: Moves from the last frame to frame `tool`.
+        first: Number of the first link.
+        limits: Lowest and highest value of joint variables.
+        poses: Named poses, a value for each variable.
+        columns: Order of the columns in which the table was written.
+        notes: What else a reader should know.
 
     Raises:
-        InvalidRobotError: With every finding, if its description is of no robot.
+        InvalidRobotError: With every finding, if it is not a robot.
     """
 
     def __post_init__(self) -> None:
