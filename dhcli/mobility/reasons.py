@@ -43,6 +43,9 @@ def reasons(linkage: Linkage, truth: Truth, formula: int, tolerance: float) -> t
     if len(truth.branches) > 1:
         sizes = " and ".join(map(str, truth.branches))
         found.append(f"Motions of different kinds meet in this position, with {sizes} freedoms.")
+    elif len(truth.kinds) > 1:
+        kinds = " on one, ".join(truth.kinds)
+        found.append(f"Motions of different kinds meet in this position: the output has {kinds} on another.")
     return tuple(found)
 
 
