@@ -6,18 +6,15 @@ import math
 from collections.abc import Collection, Mapping
 from fractions import Fraction
 from itertools import combinations
-from typing import TYPE_CHECKING
 
+from dhcli.checking.exercise import Exercise
 from dhcli.checking.tables.screws import Arm, Rigid, cross, plus, scaled
 from dhcli.errors import RobotError
 from dhcli.kinematics.moves import names
+from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Number
-
-if TYPE_CHECKING:
-    from dhcli.checking.exercise import Exercise
-    from dhcli.kinematics.robot import Robot, Value
 
 RIGHT_ANGLE = Fraction(90)
 NEAR = 0.1

@@ -9,11 +9,11 @@ from fractions import Fraction
 
 from dhcli.algebra.equality import equal
 from dhcli.algebra.floats import Floats
+from dhcli.checking.entries import Entries, Entry
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.questions import MatrixQuestion
-from dhcli.checking.reading import Entry
 from dhcli.checking.truth import Truth
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
+from dhcli.checking.wanted import Wanted
 from dhcli.kinematics.robot import Value
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr, Number
@@ -24,9 +24,7 @@ POINTS = 6
 SEED = 7
 
 
-def mark_symbols(
-    question: MatrixQuestion, truth: Truth, entries: tuple[tuple[Entry, ...], ...], exercise: Exercise
-) -> Mark:
+def mark_symbols(question: Wanted, truth: Truth, entries: Entries, exercise: Exercise) -> Mark:
     """Judge an answer in expressions, entry by entry.
 
     Args:
@@ -151,7 +149,7 @@ def _half_right(cells: tuple[CellMark, ...]) -> tuple[str, ...]:
     return () if in_position else ("the position is right; the rotation is not",)
 
 
-def _is_identity(entries: tuple[tuple[Entry, ...], ...]) -> bool:
+def _is_identity(entries: Entries) -> bool:
     return all(
         isinstance(entry.expr, Number) and entry.expr.value == (r == c)
         for r, row in enumerate(entries)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 from dhcli.checking.diagnosis.rows import RIGHT_ANGLE, other_unit, scale_of
-from dhcli.checking.diagnosis.work import Setting, Step, Work
+from dhcli.checking.diagnosis.work import Factor, Setting, Work
 from dhcli.kinematics.moves import Move, Rot, Trans, along
 from dhcli.notation.angle import Angle
 from dhcli.notation.factors import AXES
@@ -45,7 +45,7 @@ def missing(work: Work, _setting: Setting) -> Iterator[tuple[str, Work]]:
         if step.row is None and len(step.chain) > 1:
             for k in range(len(step.chain)):
                 chain = (*step.chain[:k], *step.chain[k + 1 :])
-                yield _where(step, k), work.with_step(index, Step(step.name, chain))
+                yield _where(step, k), work.with_step(index, Factor(step.name, chain))
 
 
 def _turns(work: Work, change: Callable[[Angle], Angle | None]) -> Iterator[tuple[str, Work]]:
@@ -66,10 +66,10 @@ def _shifts(work: Work, change: Callable[[Expr], Expr]) -> Iterator[tuple[str, W
                 changed = (along(axis, change(length)), *(one for one in others if any(p != ZERO for p in one.offset)))
                 where = f"{_where(step, k)} {axis}"
                 chain = (*step.chain[:k], *changed, *step.chain[k + 1 :])
-                yield where, work.with_step(index, Step(step.name, chain))
+                yield where, work.with_step(index, Factor(step.name, chain))
 
 
-def _moves(work: Work) -> Iterator[tuple[int, int, Step, Move]]:
+def _moves(work: Work) -> Iterator[tuple[int, int, Factor, Move]]:
     """Every move of the factors that have no row, with the numbers of the factor and of the move."""
     for index, step in enumerate(work.steps):
         if step.row is None:
@@ -77,10 +77,10 @@ def _moves(work: Work) -> Iterator[tuple[int, int, Step, Move]]:
                 yield index, k, step, move
 
 
-def _with_move(step: Step, k: int, move: Move) -> Step:
-    return Step(step.name, (*step.chain[:k], move, *step.chain[k + 1 :]))
+def _with_move(step: Factor, k: int, move: Move) -> Factor:
+    return Factor(step.name, (*step.chain[:k], move, *step.chain[k + 1 :]))
 
 
-def _where(step: Step, k: int) -> str:
+def _where(step: Factor, k: int) -> str:
     """The number of a move; in a link of several `2.1`."""
     return step.name if len(step.chain) == 1 else f"{step.name}.{k + 1}"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from dhcli.checking.diagnosis.work import Multiplied, Setting, Step, Work
+from dhcli.checking.diagnosis.work import Factor, Multiplied, Setting, Work
 from dhcli.kinematics.conventions import Row
 from dhcli.notation.tree import ZERO
 
@@ -51,7 +51,7 @@ def _factored(work: Work) -> Work:
     """The work with the moves of a single link as its factors."""
     if len(work.steps) > 1:
         return work
-    moves = tuple(Step(f"{step.name}.{k}", (move,)) for step in work.steps for k, move in enumerate(step.chain, 1))
+    moves = tuple(Factor(f"{step.name}.{k}", (move,)) for step in work.steps for k, move in enumerate(step.chain, 1))
     return replace(work, steps=moves)
 
 

@@ -8,7 +8,7 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import TypeAlias
 
-from dhcli.checking.diagnosis.work import Setting, Step, Work
+from dhcli.checking.diagnosis.work import Factor, Setting, Work
 from dhcli.kinematics.conventions import Convention, Row, moves_of
 from dhcli.kinematics.values import symbols_of
 from dhcli.notation.angle import Angle
@@ -51,9 +51,9 @@ def all_rows(change: Change) -> Callable[[Work, Setting], Iterator[tuple[str, Wo
     return made
 
 
-def in_row(step: Step, row: Row, convention: Convention) -> Step:
+def in_row(step: Factor, row: Row, convention: Convention) -> Factor:
     """The factor with another row."""
-    return Step(step.name, moves_of(row, convention), row)
+    return Factor(step.name, moves_of(row, convention), row)
 
 
 def alpha_sign(row: Row, _setting: Setting) -> Row | None:
@@ -183,7 +183,7 @@ def moves_reversed(work: Work, setting: Setting) -> Iterator[tuple[str, Work]]:
     for index, step in enumerate(work.steps):
         if step.row is not None and (len(work.steps) > 1 or setting.convention in OTHER):
             chain = moves_of(step.row, OTHER[setting.convention])
-            yield step.name, work.with_step(index, Step(step.name, chain, step.row))
+            yield step.name, work.with_step(index, Factor(step.name, chain, step.row))
 
 
 def convention(work: Work, setting: Setting) -> Iterator[tuple[str, Work]]:
@@ -233,7 +233,7 @@ def scale_of(setting: Setting) -> Expr | None:
 
 def _every(work: Work, moves: Callable[[Row], object]) -> Work:
     steps = tuple(
-        step if step.row is None else Step(step.name, moves(step.row), step.row)  # type: ignore[arg-type]
+        step if step.row is None else Factor(step.name, moves(step.row), step.row)  # type: ignore[arg-type]
         for step in work.steps
     )
     return replace(work, steps=steps)

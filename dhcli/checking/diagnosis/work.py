@@ -15,8 +15,8 @@ from typing import TypeAlias, TypeVar
 from dhcli.algebra.arithmetic import plus, times
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.terms import TERMS
-from dhcli.checking.questions import MatrixQuestion, Span
 from dhcli.checking.truth import piece_of
+from dhcli.checking.wanted import Span, Wanted
 from dhcli.errors import RobotError
 from dhcli.kinematics.conventions import Convention, Row
 from dhcli.kinematics.fold import fold
@@ -46,7 +46,7 @@ class Multiplied(Enum):
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Step:
+class Factor:
     """One factor: a link, the base, the tool, or a single move. It equals itself only, so that it is a cheap key.
 
     Attributes:
@@ -73,14 +73,14 @@ class Work:
         entry: Row and column of an entry of the answer that is not what comes out, and what stands there.
     """
 
-    question: MatrixQuestion
-    steps: tuple[Step, ...]
+    question: Wanted
+    steps: tuple[Factor, ...]
     multiplied: Multiplied = Multiplied.IN_ORDER
     inverted: bool = False
     rewritten: tuple[Rewriting[float] | Rewriting[Expr], ...] = ()
     entry: tuple[int, int, Expr] | None = None
 
-    def with_step(self, index: int, step: Step) -> Work:
+    def with_step(self, index: int, step: Factor) -> Work:
         """The same work with another factor in one place."""
         return replace(self, steps=(*self.steps[:index], step, *self.steps[index + 1 :]))
 
@@ -106,7 +106,7 @@ class Setting:
     unit: Fraction = Fraction(1)
 
 
-def right_work(question: MatrixQuestion, robot: Robot | None) -> Work:
+def right_work(question: Wanted, robot: Robot | None) -> Work:
     """The right way to an answer; the moves of a single link, or of a product, are factors of their own.
 
     Raises:
@@ -114,13 +114,13 @@ def right_work(question: MatrixQuestion, robot: Robot | None) -> Work:
     """
     source = question.source
     if not isinstance(source, Span):
-        steps = tuple(Step(str(k), (move,)) for k, move in enumerate(source.chain, 1))
+        steps = tuple(Factor(str(k), (move,)) for k, move in enumerate(source.chain, 1))
         return Work(question, steps, inverted=question.inverse)
     if robot is None:
         raise RobotError("this question needs a robot", "name one under robot:")
     first, last = (robot.frames.index(frame(robot, name)) for name in (source.start, source.end))
-    links = tuple(Step(str(link.number), link.moves, link.row) for link in robot.links)
-    every = (Step("base", robot.base), *links, Step("tool", robot.tool))
+    links = tuple(Factor(str(link.number), link.moves, link.row) for link in robot.links)
+    every = (Factor("base", robot.base), *links, Factor("tool", robot.tool))
     steps = tuple(step for step in every[min(first, last) : max(first, last)] if step.chain)
     return Work(question, steps, inverted=question.inverse is not (first > last))
 
@@ -132,12 +132,12 @@ MOST_KNOWN = 10_000
 class Folds:
     """The matrices of some factors at points seen before; a factor depends on few names, so that many are alike."""
 
-    def __init__(self, steps: Iterable[Step]) -> None:
+    def __init__(self, steps: Iterable[Factor]) -> None:
         """Take the factors."""
         self._names = {step: tuple(sorted(names(step.chain))) for step in steps}
-        self._known: dict[tuple[Step, tuple[float, ...]], Matrix[float]] = {}
+        self._known: dict[tuple[Factor, tuple[float, ...]], Matrix[float]] = {}
 
-    def at(self, over: Floats) -> dict[Step, Matrix[float]]:
+    def at(self, over: Floats) -> dict[Factor, Matrix[float]]:
         """The matrix of each factor at a point."""
         values = {name: over.symbol(name) for held in self._names.values() for name in held}
         found = {}
@@ -175,7 +175,7 @@ class Bench:
         """The finished matrix, shape (4, 4)."""
         return _finished(work, self._multiplied(work))
 
-    def matrix_of(self, step: Step) -> Matrix[float]:
+    def matrix_of(self, step: Factor) -> Matrix[float]:
         """The matrix of one factor."""
         if step not in self._known:
             self._known[step] = fold(step.chain, self._over)
