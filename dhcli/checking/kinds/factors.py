@@ -10,8 +10,8 @@ from typing import ClassVar, Self
 from dhcli.algebra.terms import TERMS
 from dhcli.checking.diagnosis.alternatives import Alternative, answer_of, changing
 from dhcli.checking.diagnosis.mistakes import Level
+from dhcli.checking.diagnosis.mistakes.changes import OTHER
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.diagnosis.rows import OTHER
 from dhcli.checking.diagnosis.slips import candidates, setting_of
 from dhcli.checking.diagnosis.work import Factor, Multiplied, Work
 from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown

@@ -8,7 +8,7 @@ from functools import partial
 from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.alternatives import Alternative, answer_of, changing
-from dhcli.checking.diagnosis.mistakes.of_values import IN_VALUES, ValueMistake
+from dhcli.checking.diagnosis.mistakes.values import IN_VALUES, ValueMistake
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
 from dhcli.checking.values import TypedValue, mark_value, quantity_of, read_value, spelled_value

@@ -7,7 +7,7 @@ from fractions import Fraction
 import pytest
 
 from dhcli import check, load_exercise
-from dhcli.checking.diagnosis.mistakes.of_values import IN_VALUES
+from dhcli.checking.diagnosis.mistakes.values import IN_VALUES
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.kinds.cell import CellQuestion
 from dhcli.checking.kinds.factors import FactorsQuestion
