@@ -89,7 +89,8 @@ def hidden_by_numbers(drawn: Judge, judge: Judge) -> Unclear:
     """
     if not judge.exercise.numeric:
         return frozenset()
-    unclear = drawn.unclear()
+    values = tuple(drawn.exercise.given[name] for name in judge.exercise.variants)
+    unclear = judge.memo.of(("unclear", values), drawn.unclear)
     return unclear and unclear - judge.memo.of("always unclear", lambda: _always(judge))
 
 
@@ -108,9 +109,9 @@ def _fair(judge: Judge, seed: str) -> Iterator[Judge]:
     from dhcli.checking.degenerate import flaw  # few sheets have a variant
 
     for attempt in range(MOST_DRAWS):
-        drawn = _draw(judge, seed, attempt)
-        if not flaw(drawn.exercise):
-            yield drawn
+        drawn = _draw(judge.exercise, seed, attempt)
+        if not flaw(judge.exercise, drawn):
+            yield _judge_of(judge, seed, drawn)
 
 
 def _plainest(judge: Judge, fair: Iterator[Judge]) -> Judge | None:
@@ -134,16 +135,19 @@ def _refuse(judge: Judge, seed: str) -> NoReturn:
 
     exercise = judge.exercise
     ranges = ", ".join(f"{name}: {range_.text}" for name, range_ in exercise.variants.items())
-    last = flaw(_draw(judge, seed, MOST_DRAWS - 1).exercise)
+    last = flaw(exercise, _draw(exercise, seed, MOST_DRAWS - 1))
     message = f"{exercise.id}: {MOST_DRAWS} draws gave no pose at which mistakes show; the last: {last}"
     raise DhcliError(message, f"widen the variants, {ranges}")
 
 
-def _draw(judge: Judge, seed: str, attempt: int) -> Judge:
-    exercise = judge.exercise
-    drawn = {name: _drawn(range_, exercise, seed, name, attempt) for name, range_ in exercise.variants.items()}
-    parts = tuple(replace(part, printed=None) for part in exercise.parts)
-    return judge.with_given({**exercise.given, **drawn}, variant=seed, parts=parts)
+def _draw(exercise: Exercise, seed: str, attempt: int) -> dict[str, Value]:
+    return {name: _drawn(range_, exercise, seed, name, attempt) for name, range_ in exercise.variants.items()}
+
+
+def _judge_of(judge: Judge, seed: str, drawn: Mapping[str, Value]) -> Judge:
+    """The judge of an exercise with the values drawn; what the document prints answers the numbers of the file."""
+    parts = tuple(replace(part, printed=None) for part in judge.exercise.parts)
+    return judge.with_given({**judge.exercise.given, **drawn}, variant=seed, parts=parts)
 
 
 def _drawn(range_: Range, exercise: Exercise, seed: str, name: str, attempt: int) -> Value:

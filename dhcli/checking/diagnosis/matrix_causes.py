@@ -32,7 +32,8 @@ def matrix_causes(case: Case, question: Wanted, entries: Entries) -> Causes:
 def answer_with(case: Case, question: Wanted, name: str) -> str | None:
     """What a student with a mistake types; None if it cannot be made."""
     exercise = case.exercise
-    for one in candidates(right_work(question, exercise.robot), setting_of(exercise), name=name):
+    setting = case.memo.of("setting", lambda: setting_of(exercise))
+    for one in candidates(right_work(question, exercise.robot, setting), setting, name=name):
         if one.slips[0].name == name:
             return typed_text(case, one.work)
     return None

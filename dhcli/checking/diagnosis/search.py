@@ -8,24 +8,23 @@ second; two expressions that agree at two general points to nine digits are the 
 from __future__ import annotations
 
 import math
-import random
 from array import array
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
+from dhcli.algebra.points import general
 from dhcli.checking.diagnosis.chance import Evidence, is_chance, lengths_of
 from dhcli.checking.diagnosis.mistakes import MISTAKES
 from dhcli.checking.diagnosis.slips import Candidate, candidates, setting_of
-from dhcli.checking.diagnosis.work import Bench, Folds, Matrix, Work, right_work
-from dhcli.checking.exercise import Exercise, Memo
+from dhcli.checking.diagnosis.work import Bench, Factor, Folds, Matrix, Work, right_work
+from dhcli.checking.exercise import Memo
 from dhcli.checking.truth import chain_of, is_length
 from dhcli.checking.wanted import Wanted
 from dhcli.kinematics.moves import names
 from dhcli.kinematics.robot import Value
 from dhcli.kinematics.values import numbers
-from dhcli.notation.angle import Angle
 from dhcli.notation.walk import symbols
 
 SEED = 11
@@ -46,17 +45,18 @@ Numbers: TypeAlias = Matrix[float]
 class Search:
     """The mistakes in one question of an exercise, evaluated once for all answers to it."""
 
-    def __init__(self, exercise: Exercise, question: Wanted, like: Search | None = None) -> None:
+    def __init__(self, memo: Memo, question: Wanted, like: Search | None = None) -> None:
         """Evaluate the right work, and every one with a single mistake.
 
         Args:
-            exercise: The exercise.
+            memo: The exercise, and what its searches share.
             question: One of its questions.
             like: The search for the same question where only the joints stand at other values, if there is one: most
                 of its work need not be done again.
         """
-        self.setting = setting_of(exercise)
-        self.right: Work = like.right if like else right_work(question, exercise.robot)
+        exercise = memo.exercise
+        self.setting = memo.of("setting", lambda: setting_of(exercise))
+        self.right: Work = like.right if like else right_work(question, exercise.robot, self.setting)
         needed = names(chain_of(question, exercise.robot)).union(*(symbols(e) for e in question.point))
         known = dict(exercise.values)
         self.is_known = exercise.numeric and needed <= known.keys()
@@ -66,10 +66,12 @@ class Search:
         seeds = (0,) if self.is_known else (SEED + 1, SEED + 2)
         self.points = tuple(point(self.names, known, seed) for seed in seeds)
         folds = like.folds if like else None
-        self.benches = tuple(Bench(self.right, over, folds) for over in self.points)
+        matrices: dict[Factor, Numbers] | None = memo.of("matrices", dict) if self.is_known else None
+        self.benches = tuple(Bench(self.right, over, folds, matrices) for over in self.points)
         self.truth = tuple(bench.entries(self.right) for bench in self.benches)
         self.tolerance = (exercise.tolerance.rotation, exercise.tolerance.position or 1e-3 * self._size())
         self.of_values = {one.slips[0].name: one for one in candidates(self.right, self.setting, among=OF_VALUES)}
+        self._folded: dict[object, Numbers] = memo.of("folded", dict)
         self._given: dict[str, list[array[float]]] = {}
         self.singles: tuple[Candidate, ...]
         if like and like.of_values.keys() == self.of_values.keys():
@@ -81,7 +83,7 @@ class Search:
     def folds(self) -> Folds:
         """The factors of all single mistakes that are made the same way whatever the values are."""
         lasting = (one.work for one in self.singles if one.slips[0].name not in self.of_values)
-        return Folds(step for work in (self.right, *lasting) for step in work.steps)
+        return Folds((step for work in (self.right, *lasting) for step in work.steps), self._folded)
 
     @cached_property
     def visible(self) -> tuple[Candidate, ...]:
@@ -215,16 +217,14 @@ def search_of(question: Wanted, memo: Memo) -> Search:
     """The search for one question, made once; with the joints at other values it saves work of the first one."""
 
     def made() -> Search:
-        return Search(memo.exercise, question, search_of(question, memo.like) if memo.like else None)
+        return Search(memo, question, search_of(question, memo.like) if memo.like else None)
 
     return memo.of(("search", question), made)
 
 
 def point(free: frozenset[str], known: dict[str, Value], seed: int) -> Floats:
     """Values for all names: those known, and for the others some between 0.2 and 1.3, the same for everybody."""
-    draw = random.Random(seed)  # noqa: S311
-    drawn: dict[str, Angle | float] = {name: draw.uniform(0.2, 1.3) for name in sorted(free)}
-    return Floats({**drawn, **numbers(known)})
+    return Floats({**next(general(free, seed)), **numbers(known)})
 
 
 def _flat(entries: Numbers) -> array[float]:

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from fractions import Fraction
+from functools import partial
 from typing import TypeAlias, TypeVar
 
 from dhcli.algebra.arithmetic import plus, times
@@ -96,6 +97,7 @@ class Setting:
         numeric: Whether the answer is in numbers.
         writing: How joint angles are written.
         unit: Metres in a bare length of the sheet; 0 where there is no unit.
+        factors: Factors made so far: one that several works hold is one object, and evaluated once.
     """
 
     convention: Convention = Convention.PRODUCT
@@ -104,10 +106,22 @@ class Setting:
     numeric: bool = False
     writing: Joints = THETAS
     unit: Fraction = Fraction(1)
+    factors: dict[object, Factor | None] = field(default_factory=dict, init=False, repr=False, compare=False)
+
+    def factor(self, key: object, make: Callable[[], Factor | None]) -> Factor | None:
+        """The factor of a key, made when it is first asked for; None where a mistake changes nothing."""
+        if key not in self.factors:
+            self.factors[key] = make()
+        return self.factors[key]
 
 
-def right_work(question: Wanted, robot: Robot | None) -> Work:
+def right_work(question: Wanted, robot: Robot | None, setting: Setting) -> Work:
     """The right way to an answer; the moves of a single link, or of a product, are factors of their own.
+
+    Args:
+        question: What is asked.
+        robot: The robot, if there is one.
+        setting: Keeps the links, which all works share.
 
     Raises:
         RobotError: The question needs a robot and there is none.
@@ -119,9 +133,11 @@ def right_work(question: Wanted, robot: Robot | None) -> Work:
     if robot is None:
         raise RobotError("this question needs a robot", "name one under robot:")
     first, last = (robot.frames.index(frame(robot, name)) for name in (source.start, source.end))
-    links = tuple(Factor(str(link.number), link.moves, link.row) for link in robot.links)
-    every = (Factor("base", robot.base), *links, Factor("tool", robot.tool))
-    steps = tuple(step for step in every[min(first, last) : max(first, last)] if step.chain)
+    ends = [("base", robot.base, None), ("tool", robot.tool, None)]
+    parts = [ends[0], *((str(link.number), link.moves, link.row) for link in robot.links), ends[1]]
+    wanted = parts[min(first, last) : max(first, last)]
+    every = (setting.factor(("link", part[0]), partial(Factor, *part)) for part in wanted)
+    steps = tuple(step for step in every if step is not None and step.chain)
     return Work(question, steps, inverted=question.inverse is not (first > last))
 
 
@@ -132,33 +148,48 @@ MOST_KNOWN = 10_000
 class Folds:
     """The matrices of some factors at points seen before; a factor depends on few names, so that many are alike."""
 
-    def __init__(self, steps: Iterable[Factor]) -> None:
-        """Take the factors."""
+    def __init__(self, steps: Iterable[Factor], known: dict[object, Matrix[float]]) -> None:
+        """Take the factors, and where to keep what comes out; others may keep theirs there, too."""
         self._names = {step: tuple(sorted(names(step.chain))) for step in steps}
-        self._known: dict[tuple[Factor, tuple[float, ...]], Matrix[float]] = {}
+        self._known = known
 
-    def at(self, over: Floats) -> dict[Factor, Matrix[float]]:
-        """The matrix of each factor at a point."""
+    def put(self, found: dict[Factor, Matrix[float]], over: Floats) -> None:
+        """Put the matrix of each factor at a point to those that were found already."""
         values = {name: over.symbol(name) for held in self._names.values() for name in held}
-        found = {}
         for step, held in self._names.items():
+            if step in found:
+                continue
             key = step, tuple(values[name] for name in held)
             if key not in self._known:
                 if len(self._known) >= MOST_KNOWN:
                     self._known.clear()
                 self._known[key] = fold(step.chain, over)
             found[step] = self._known[key]
-        return found
 
 
 class Bench:
     """Evaluates works at one point, in floats; what they share with the right one is multiplied once."""
 
-    def __init__(self, right: Work, over: Floats, folds: Folds | None = None) -> None:
-        """Take the work that most others resemble, the values of the names, and factors that other points share."""
+    def __init__(
+        self,
+        right: Work,
+        over: Floats,
+        folds: Folds | None = None,
+        known: dict[Factor, Matrix[float]] | None = None,
+    ) -> None:
+        """Make ready for works at a point.
+
+        Args:
+            right: The work that most others resemble.
+            over: The values of the names.
+            folds: Factors that other points share.
+            known: Matrices of factors at this point, which other benches share.
+        """
         self._over = over
         self._base = right.steps
-        self._known = folds.at(over) if folds else {}
+        self._known = {} if known is None else known
+        if folds:
+            folds.put(self._known, over)
         self._heads: list[Matrix[float]] = [_UNIT]
         self._tails: list[Matrix[float]] = [_UNIT]
         for step in self._base:

@@ -28,9 +28,9 @@ def each(change: Change) -> Maker:
 
     def made(work: Work, setting: Setting) -> Made:
         for index, step in enumerate(work.steps):
-            row = change(step.row, setting) if step.row is not None else None
-            if row is not None and row != step.row:
-                yield step.name, work.with_step(index, in_row(step, row, setting.convention))
+            changed = _changed(step, change, setting)
+            if changed is not None:
+                yield step.name, work.with_step(index, changed)
 
     return made
 
@@ -39,15 +39,21 @@ def all_rows(change: Change) -> Maker:
     """A mistake that is made in every row, where that is more than one."""
 
     def made(work: Work, setting: Setting) -> Made:
-        rows = [change(step.row, setting) if step.row is not None else None for step in work.steps]
-        steps = tuple(
-            step if row is None or row == step.row else in_row(step, row, setting.convention)
-            for step, row in zip(work.steps, rows, strict=True)
-        )
+        steps = tuple(_changed(step, change, setting) or step for step in work.steps)
         if sum(step is not other for step, other in zip(steps, work.steps, strict=True)) > 1:
             yield "", replace(work, steps=steps)
 
     return made
+
+
+def _changed(step: Factor, change: Change, setting: Setting) -> Factor | None:
+    """The factor with its row changed; None where it has none, or would not change."""
+
+    def made() -> Factor | None:
+        row = change(step.row, setting) if step.row is not None else None
+        return None if row is None or row == step.row else in_row(step, row, setting.convention)
+
+    return setting.factor((change, step), made)
 
 
 def in_row(step: Factor, row: Row, convention: Convention) -> Factor:

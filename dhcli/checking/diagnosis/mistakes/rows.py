@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from itertools import pairwise
 
 from dhcli.checking.diagnosis.mistakes.changes import (
@@ -112,7 +113,9 @@ def offset_added(work: Work, setting: Setting) -> Made:
             continue
         for degrees in OFFSETS:
             changed = replace(row, theta=row.theta + Angle.in_degrees(degrees))
-            yield f"{step.name} {degrees}°", work.with_step(index, in_row(step, changed, setting.convention))
+            factor = setting.factor((degrees, step), partial(in_row, step, changed, setting.convention))
+            if factor is not None:
+                yield f"{step.name} {degrees}°", work.with_step(index, factor)
 
 
 @IN_ROWS.in_each("a-sign", "the sign of a in row {where} is turned round", "look at the length a in row {where}")
@@ -159,7 +162,9 @@ def moves_reversed(work: Work, setting: Setting) -> Made:
     for index, step in enumerate(work.steps):
         if step.row is not None and (len(work.steps) > 1 or setting.convention in OTHER):
             chain = moves_of(step.row, OTHER[setting.convention])
-            yield step.name, work.with_step(index, Factor(step.name, chain, step.row))
+            factor = setting.factor(("reversed", step), partial(Factor, step.name, chain, step.row))
+            if factor is not None:
+                yield step.name, work.with_step(index, factor)
 
 
 @IN_ROWS(
