@@ -18,7 +18,7 @@ from dhcli.algebra.points import general
 from dhcli.checking.diagnosis.chance import Evidence, is_chance, lengths_of
 from dhcli.checking.diagnosis.mistakes import MISTAKES
 from dhcli.checking.diagnosis.slips import Candidate, candidates, setting_of
-from dhcli.checking.diagnosis.work import Bench, Factor, Folds, Matrix, Work, right_work
+from dhcli.checking.diagnosis.work import Bench, Folds, Matrix, Work, right_work
 from dhcli.checking.exercise import Memo
 from dhcli.checking.truth import chain_of, is_length
 from dhcli.checking.wanted import Wanted
@@ -66,7 +66,7 @@ class Search:
         seeds = (0,) if self.is_known else (SEED + 1, SEED + 2)
         self.points = tuple(point(self.names, known, seed) for seed in seeds)
         folds = like.folds if like else None
-        matrices: dict[Factor, Numbers] | None = memo.of("matrices", dict) if self.is_known else None
+        matrices: dict[object, Numbers] | None = memo.of("matrices", dict) if self.is_known else None
         self.benches = tuple(Bench(self.right, over, folds, matrices) for over in self.points)
         self.truth = tuple(bench.entries(self.right) for bench in self.benches)
         self.tolerance = (exercise.tolerance.rotation, exercise.tolerance.position or 1e-3 * self._size())

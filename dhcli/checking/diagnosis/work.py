@@ -141,6 +141,9 @@ def right_work(question: Wanted, robot: Robot | None, setting: Setting) -> Work:
     return Work(question, steps, inverted=question.inverse is not (first > last))
 
 
+MOST_SHARED = 2_000
+"""Products that are kept at a point: those with one mistake are looked at for every question, pairs are too many."""
+
 MOST_KNOWN = 10_000
 """Matrices of factors that are kept, some ten megabytes: where ranges are fine, hardly two of a class are alike."""
 
@@ -153,7 +156,7 @@ class Folds:
         self._names = {step: tuple(sorted(names(step.chain))) for step in steps}
         self._known = known
 
-    def put(self, found: dict[Factor, Matrix[float]], over: Floats) -> None:
+    def put(self, found: dict[object, Matrix[float]], over: Floats) -> None:
         """Put the matrix of each factor at a point to those that were found already."""
         values = {name: over.symbol(name) for held in self._names.values() for name in held}
         for step, held in self._names.items():
@@ -175,7 +178,7 @@ class Bench:
         right: Work,
         over: Floats,
         folds: Folds | None = None,
-        known: dict[Factor, Matrix[float]] | None = None,
+        known: dict[object, Matrix[float]] | None = None,
     ) -> None:
         """Make ready for works at a point.
 
@@ -183,11 +186,11 @@ class Bench:
             right: The work that most others resemble.
             over: The values of the names.
             folds: Factors that other points share.
-            known: Matrices of factors at this point, which other benches share.
+            known: Matrices of factors and of products at this point, which other benches share.
         """
         self._over = over
         self._base = right.steps
-        self._known = {} if known is None else known
+        self._known: dict[object, Matrix[float]] = {} if known is None else known
         if folds:
             folds.put(self._known, over)
         self._heads: list[Matrix[float]] = [_UNIT]
@@ -215,17 +218,25 @@ class Bench:
     def _multiplied(self, work: Work) -> Matrix[float]:
         if work.multiplied is Multiplied.ELEMENTWISE:
             return _elementwise([self.matrix_of(step) for step in work.steps])
-        steps, base = work.steps, self._base
+        total = self._known.get(work.steps)
+        if total is None:
+            total = self._in_order(work.steps)
+            if len(self._known) < MOST_SHARED:
+                self._known[work.steps] = total
+        if work.multiplied is Multiplied.UNROTATED:
+            return _added(total, [self.matrix_of(step) for step in work.steps])
+        return total
+
+    def _in_order(self, steps: tuple[Factor, ...]) -> Matrix[float]:
+        """The product; what stands first and last in the right one, too, is multiplied already."""
+        base = self._base
         shared = min(len(steps), len(base))
         head = next((k for k in range(shared) if steps[k] is not base[k]), shared)
         tail = next((k for k in range(shared - head) if steps[-1 - k] is not base[-1 - k]), shared - head)
         total = self._heads[head]
         for step in steps[head : len(steps) - tail]:
             total = product(total, self.matrix_of(step))
-        total = product(total, self._tails[tail]) if tail else total
-        if work.multiplied is Multiplied.UNROTATED:
-            return _added(total, [self.matrix_of(step) for step in steps])
-        return total
+        return product(total, self._tails[tail]) if tail else total
 
 
 def terms(work: Work, values: Values) -> Matrix[Expr]:

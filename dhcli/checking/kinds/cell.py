@@ -44,30 +44,24 @@ class CellQuestion(Question[TypedValue]):
         return cls(column, read_number(link, place))
 
     def check(self, robot: Robot | None) -> None:
-        """Make sure that there is such a row."""
         if found_link(robot, self.link).row is None and robot is not None:
             raise RobotError(f"{robot.name} is given as products and has no table")
 
     def describe(self, _exercise: Exercise) -> str:
-        """Column and row."""
         return f"{self.column} of link {self.link}"
 
     def expected(self, case: Case, _style: str = "short") -> str:
-        """The cell."""
         return spelled_value(getattr(link_of(case.exercise, self.link).row, self.column), case.exercise)
 
     def steps(self, case: Case) -> Iterable[Shown]:
-        """What is measured."""
         robot = case.exercise.robot
         if robot is not None and robot.convention in MEANINGS:
             yield Shown(f"What is measured is {MEANINGS[robot.convention][COLUMNS.index(self.column)]}")
 
     def read(self, case: Case, text: str, place: Place | None = None) -> TypedValue:
-        """A single value; a star may mark a joint variable."""
         return read_value(case.exercise, text.strip().removesuffix("*"), place)
 
     def mark(self, case: Case, reading: Reading[TypedValue]) -> Mark:
-        """Equal, or near enough."""
         row = link_of(case.exercise, self.link).row
         if row is None:
             raise RobotError(f"{case.exercise.id} asks for a cell, and its robot has no table")
@@ -77,15 +71,12 @@ class CellQuestion(Question[TypedValue]):
         return mark_value(case.memo.of("of table", lambda: _of_table(case.exercise)), right, typed, case.tolerance)
 
     def slips(self, case: Case) -> Iterable[Slip]:
-        """Slips in the row, and the neighbours of the cell."""
         return (one.slip for one in changing(case, self._alternatives(case)))
 
     def answer_with(self, case: Case, name: str) -> str | None:
-        """The cell with a slip."""
         return answer_of(changing(case, self._alternatives(case, name)), name)
 
     def causes(self, case: Case, reading: Reading[TypedValue]) -> Causes:
-        """The slips that give just this cell."""
         return tuple((one.slip,) for one in changing(case, self._alternatives(case), reading))
 
     def _alternatives(self, case: Case, name: str = "") -> Iterator[Alternative[TypedValue]]:
@@ -110,7 +101,6 @@ class CellQuestion(Question[TypedValue]):
                 yield from asked(Slip(f"neighbour {number}", words, hint), robot.links[other].row)
 
     def follows(self, case: Case, reading: Reading[TypedValue], earlier: Mapping[str, Reading[Any]]) -> tuple[str, ...]:
-        """The table in which the cell stands just as it is answered."""
         robot = case.exercise.robot
         for other in case.exercise.before(case.part):
             if robot is None or other.id not in earlier:

@@ -35,31 +35,25 @@ class ChoiceQuestion(Question[int]):
         return cls((), 0)
 
     def completed(self, besides: Besides) -> Self:
-        """With the statements, and which of them is right."""
         options, right = besides.texts("options"), besides.whole("right") or 0
         if not 1 <= right <= len(options):
             besides.refuse("right: should be the number of an option, counted from 1")
         return replace(self, options=options, right=right)
 
     def describe(self, _exercise: Exercise) -> str:
-        """What is asked for."""
         return "the number of one statement"
 
     @property
     def statements(self) -> tuple[str, ...]:
-        """The statements to choose from."""
         return self.options
 
     def expected(self, _case: Case, _style: str = "short") -> str:
-        """The number of the right one."""
         return str(self.right)
 
     def steps(self, _case: Case) -> Iterable[Shown]:
-        """The right statement."""
         yield Shown(f"The answer is {self.right}: {self.options[self.right - 1]}")
 
     def read(self, _case: Case, text: str, _place: Place | None = None) -> int:
-        """The number of the statement meant: by its number, its letter, its text, or number and text; 0 for none."""
         plain = [" ".join(option.split()).casefold() for option in self.options]
         answer = " ".join(text.split()).casefold()
         label = _LABEL.fullmatch(answer)
@@ -74,7 +68,6 @@ class ChoiceQuestion(Question[int]):
         return chosen
 
     def mark(self, _case: Case, reading: Reading[int]) -> Mark:
-        """Right or wrong."""
         verdict = Verdict.RIGHT if reading.value == self.right else Verdict.WRONG
         earned = float(verdict is Verdict.RIGHT)
         return Mark(verdict, self._told(reading.value), earned=earned, expected=self._told(self.right))

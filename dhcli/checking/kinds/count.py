@@ -54,15 +54,12 @@ class CountQuestion(Question[int]):
         return cls(what, linkage.strip())
 
     def completed(self, besides: Besides) -> Self:
-        """With the linkage that it counts."""
         return replace(self, found=besides.linkage(self.linkage))
 
     def describe(self, _exercise: Exercise) -> str:
-        """What is counted of what."""
         return f"{self.what} of {self.linkage}, a whole number"
 
     def expected(self, _case: Case, _style: str = "short") -> str:
-        """The right number."""
         return str(self._right())
 
     def _right(self) -> int:
@@ -73,7 +70,6 @@ class CountQuestion(Question[int]):
         return count(self.what, self.found)
 
     def steps(self, _case: Case) -> Iterable[Shown]:
-        """What is counted, and the formula if it is asked for."""
         from dhcli.mobility.counting import Counts
 
         if self.found is None:
@@ -88,7 +84,6 @@ class CountQuestion(Question[int]):
             yield Shown(f"Whether that is the truth, and why: dhcli dof {self.linkage}")
 
     def read(self, _case: Case, text: str, place: Place | None = None) -> int:
-        """A whole number; a calculation such as `3*(4 - 1) - 2*4` is worked out."""
         self._right()
         expr = parse(without_label(text), Scope(), place or Place("answer"))
         if any(isinstance(node, Unit) for node in walk(expr)):
@@ -99,7 +94,6 @@ class CountQuestion(Question[int]):
         return int(value)
 
     def mark(self, _case: Case, reading: Reading[int]) -> Mark:
-        """Right or wrong; then with the slips that give just this number."""
         right, typed = self._right(), reading.value
         if typed == right:
             return Mark(Verdict.RIGHT, str(typed), earned=1.0, expected=str(right))
@@ -108,15 +102,12 @@ class CountQuestion(Question[int]):
         return Mark(Verdict.WRONG, str(typed), remarks=remarks, expected=str(right))
 
     def slips(self, _case: Case) -> Iterator[Slip]:
-        """Slips that change the number."""
         return (slip for slip, _ in self._slips())
 
     def answer_with(self, _case: Case, name: str) -> str | None:
-        """The number of a slip."""
         return next((str(value) for slip, value in self._slips() if slip.name == name), None)
 
     def causes(self, _case: Case, reading: Reading[int]) -> Causes:
-        """The slips with just this number."""
         return tuple((slip,) for slip, value in self._slips() if value == reading.value)
 
     def _slips(self) -> tuple[tuple[Slip, int], ...]:

@@ -47,45 +47,35 @@ class FactorsQuestion(Question[Chain]):
         return cls(read_number(text.removeprefix("factors"), place))
 
     def check(self, robot: Robot | None) -> None:
-        """Make sure that there is such a link."""
         found_link(robot, self.link)
 
     def describe(self, _exercise: Exercise) -> str:
-        """Which link."""
         return f"the elementary moves of link {self.link}, in order"
 
     @property
     def has_cosines(self) -> bool:
-        """A move may be written as a matrix."""
         return True
 
     def expected(self, case: Case, _style: str = "short") -> str:
-        """The moves."""
         return _spelled(link_of(case.exercise, self.link).moves, case.exercise)
 
     def steps(self, case: Case) -> Iterable[Shown]:
-        """The order of the convention."""
         if case.exercise.robot is not None:
             yield Shown(ORDER[case.exercise.robot.convention])
 
     def read(self, case: Case, text: str, place: Place | None = None) -> Chain:
-        """Moves such as `Rot(z, theta1) Trans(0, 0, d1)`."""
         return read_chain(without_label(text), case.exercise.scope, place or Place("answer"))
 
     def mark(self, case: Case, reading: Reading[Chain]) -> Mark:
-        """The same moves in the same order, up to pairs that commute."""
         return _mark(case.exercise, link_of(case.exercise, self.link).moves, reading.value)
 
     def slips(self, case: Case) -> Iterable[Slip]:
-        """Slips in the moves."""
         return (one.slip for one in self._changing(case))
 
     def answer_with(self, case: Case, name: str) -> str | None:
-        """The moves with a slip."""
         return answer_of(changing(case, self._alternatives(case, name)), name)
 
     def causes(self, case: Case, reading: Reading[Chain]) -> Causes:
-        """The slips that give just these moves."""
         return tuple((one.slip,) for one in self._changing(case, reading))
 
     def _changing(self, case: Case, reading: Reading[Chain] | None = None) -> Iterator[Alternative[Chain]]:

@@ -55,18 +55,15 @@ class MatrixQuestion(Wanted, Question[Entries]):
         return cls(found.source, found.inverse, found.piece, found.index, found.point)
 
     def check(self, robot: Robot | None) -> None:
-        """Make sure that there are such frames."""
         if isinstance(self.source, Span):
             for name in (self.source.start, self.source.end):
                 frame(needed(robot), name)
 
     @property
     def needs_table(self) -> bool:
-        """A pose of the robot is worked out from its table."""
         return isinstance(self.source, Span)
 
     def describe(self, exercise: Exercise) -> str:
-        """Which matrix, or what of it, and in which form."""
         if isinstance(self.source, Span):
             start, end = self.source.start, self.source.end
             whole = f"A_{end}" if self.source.link else f"T_{start}{end}"
@@ -89,22 +86,18 @@ class MatrixQuestion(Wanted, Question[Entries]):
         return pieces[self.piece]
 
     def blank(self, _exercise: Exercise) -> tuple[int, int]:
-        """The shape of the answer; a column is typed in one row."""
         rows, columns = self.shape
         return (1, rows) if columns == 1 else (rows, columns)
 
     @property
     def in_rows(self) -> bool:
-        """Whether it is no column."""
         return self.shape[1] > 1
 
     @property
     def has_cosines(self) -> bool:
-        """Direction cosines are sums and products of them."""
         return True
 
     def is_whole(self, text: str) -> bool:
-        """Whether brackets close around it, or every row and coordinate is there."""
         if not Question.is_whole(self, text):
             return False
         if self.shape == (1, 1) or text.strip().startswith(("[", "array", "np.")):
@@ -115,19 +108,15 @@ class MatrixQuestion(Wanted, Question[Entries]):
 
     @property
     def names(self) -> frozenset[str]:
-        """Those of a product and of a point."""
         return names_in(self)
 
     def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
-        """Names that have no value."""
         return unvalued(self, exercise)
 
     def expected(self, case: Case, style: str = "short") -> str:
-        """The entries, numbers in the unit of the sheet."""
         return as_text(case, self, style)
 
     def shortest(self, case: Case) -> str:
-        """The entries with as few digits as will do."""
         return shortest(case, self, lambda text: self._is_right(case, text))
 
     def _is_right(self, case: Case, text: str) -> bool:
@@ -137,15 +126,12 @@ class MatrixQuestion(Wanted, Question[Entries]):
             return False
 
     def steps(self, case: Case) -> Iterable[Shown]:
-        """The factors and their products, then the piece."""
         return matrix_steps(case, self)
 
     def read(self, case: Case, text: str, place: Place | None = None) -> Entries:
-        """The entries, in the shape of the answer."""
         return read_entries(self, case.exercise, text, place)
 
     def mark(self, case: Case, reading: Reading[Entries]) -> Mark:
-        """Entry by entry: within tolerances in numbers, by equality in symbols."""
         exercise, entries = case.exercise, reading.value
         truth = truth_of(self, case)
         if exercise.numeric:
@@ -181,27 +167,21 @@ class MatrixQuestion(Wanted, Question[Entries]):
         return tuple(remarks)
 
     def slips(self, case: Case) -> Iterable[Slip]:
-        """Mistakes whose answer is not the right one at the values given."""
         return (one.slips[0] for one in search_of(self, case.memo).visible)
 
     def answer_with(self, case: Case, name: str) -> str | None:
-        """The entries with a mistake."""
         return answer_with(case, self, name)
 
     def hidden(self, case: Case) -> Iterable[Slip]:
-        """Mistakes that the values given do not show."""
         return (one.slips[0] for one in search_of(self, case.memo).hidden)
 
     def unclear(self, case: Case) -> Iterable[str]:
-        """Mistakes that the values given hardly show."""
         return (one.slips[0].name for one in search_of(self, case.memo).unclear)
 
     def causes(self, case: Case, reading: Reading[Entries]) -> Causes:
-        """One mistake, two, or one besides the unit."""
         return matrix_causes(case, self, reading.value)
 
     def told(self, case: Case, mark: Mark, reading: Reading[Entries]) -> Mark:
-        """By what the answer is off, in the place of which half is right."""
         try:
             typed = typed_answer(case, self, reading.value)
         except (UnreadableError, DhcliError):
@@ -211,13 +191,11 @@ class MatrixQuestion(Wanted, Question[Entries]):
         return replace(mark, remarks=(words, *others)) if words else mark
 
     def follows(self, case: Case, reading: Reading[Entries], earlier: Mapping[str, Reading[Any]]) -> tuple[str, ...]:
-        """The parts whose matrices and tables lead to the answer."""
         return follows(case, self, reading.value, earlier)
 
     def leads(
         self, case: Case, reading: Reading[Entries], span: tuple[int, int], _points: Points
     ) -> tuple[int, int, Matrices] | None:
-        """The student's own matrix, where it is a whole one that leads forward."""
         robot = case.exercise.robot
         if robot is None or not isinstance(self.source, Span) or self.piece != "pose" or self.inverse:
             return None

@@ -37,47 +37,37 @@ class ScalarQuestion(Question[TypedValue]):
         return cls(parse(text, scope, place), text)
 
     def describe(self, _exercise: Exercise) -> str:
-        """What is asked for; the expression would give it away."""
         return "one value"
 
     @property
     def has_cosines(self) -> bool:
-        """Whether there is a cosine or a sine in it."""
         return any(isinstance(node, Trig) for node in walk(self.expr))
 
     @property
     def names(self) -> frozenset[str]:
-        """The names in it."""
         return symbols(self.expr)
 
     def expected(self, case: Case, _style: str = "short") -> str:
-        """The value."""
         return spelled_value(quantity_of(self.expr, case.exercise), case.exercise)
 
     def steps(self, case: Case) -> Iterable[Shown]:
-        """The expression, where it is more than the answer."""
         if case.exercise.given or case.exercise.numeric:
             yield Shown(f"What is asked for is {self.text}")
 
     def read(self, case: Case, text: str, place: Place | None = None) -> TypedValue:
-        """A single value."""
         return read_value(case.exercise, text, place)
 
     def mark(self, case: Case, reading: Reading[TypedValue]) -> Mark:
-        """Equal, or near enough."""
         return mark_value(case.exercise, quantity_of(self.expr, case.exercise), reading.value, case.tolerance)
 
     def slips(self, case: Case) -> Iterable[Slip]:
-        """Mistakes in the expression."""
         return (one.slip for one in self._changing(case))
 
     def answer_with(self, case: Case, name: str) -> str | None:
-        """The value with a mistake."""
         kinds = [mistake for mistake in IN_VALUES if mistake.id == name.partition(" ")[0]]
         return answer_of(changing(case, self._alternatives(case, kinds)), name)
 
     def causes(self, case: Case, reading: Reading[TypedValue]) -> Causes:
-        """The mistakes that give just this value."""
         return tuple((one.slip,) for one in self._changing(case, reading))
 
     def _changing(self, case: Case, reading: Reading[TypedValue] | None = None) -> Iterator[Alternative[TypedValue]]:

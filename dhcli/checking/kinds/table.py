@@ -14,8 +14,8 @@ from dhcli.checking.kinds.linked import needed
 from dhcli.checking.tables.answer import own_rows
 from dhcli.checking.tables.cells import settled, table_text
 from dhcli.checking.tables.marking import mark_table, robot_of, write_table
-from dhcli.checking.tables.reading import TypedRow, read_table
 from dhcli.checking.tables.steps import MEANINGS, table_lines
+from dhcli.checking.tables.typed_rows import TypedRow, read_table
 from dhcli.checking.verdicts import Mark
 from dhcli.errors import NotationError, Place, Problem
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
@@ -53,32 +53,25 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         return cls(Convention(rest))
 
     def check(self, robot: Robot | None) -> None:
-        """Make sure that there is a robot; its own table may be in the other convention."""
         needed(robot)
 
     def describe(self, _exercise: Exercise) -> str:
-        """Which table."""
         return f"the {self.convention.value} DH table"
 
     def blank(self, exercise: Exercise) -> tuple[int, int]:
-        """A row for each link."""
         return (len(exercise.robot.links), len(COLUMNS)) if exercise.robot is not None else (1, 1)
 
     def notes(self, exercise: Exercise) -> Iterable[str]:
-        """The order of the columns."""
         if exercise.robot is not None:
             yield "columns: " + "  ".join(exercise.robot.columns) + "; angles in degrees"
 
     def is_whole(self, text: str) -> bool:
-        """Whether its brackets have closed; rows on lines of their own end with an empty one."""
         return Question.is_whole(self, text) and text.strip().startswith("[")
 
     def expected(self, case: Case, _style: str = "short") -> str:
-        """The table, columns in the robot's order."""
         return write_table(case.exercise, self.convention)
 
     def steps(self, case: Case) -> Iterable[Shown]:
-        """What the four parameters measure, then the rows."""
         exercise = case.exercise
         yield Shown("Each row leads from one frame to the next:\n" + "\n".join(MEANINGS[self.convention]))
         for robot in (exercise.robot, exercise.also and exercise.also[0]):
@@ -88,7 +81,6 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
                 return
 
     def findings(self, case: Case, where: tuple[str | int, ...]) -> Iterable[Finding]:
-        """A table that must give one motion needs a task that leaves nothing open."""
         if case.part.compare != "same-motion":
             return
         task = " ".join(case.exercise.task.lower().split())
@@ -97,20 +89,16 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
             yield Finding((*where, "compare"), message, "state it, or compare: same-robot")
 
     def read(self, case: Case, text: str, place: Place | None = None) -> tuple[TypedRow, ...]:
-        """The rows as typed."""
         exercise, robot = case.exercise, robot_of(case.exercise)
         return read_table(text, robot, exercise.scope, robot.columns, exercise.unit, place)
 
     def mark(self, case: Case, reading: Reading[tuple[TypedRow, ...]]) -> Mark:
-        """By its cells, or by the motion that it describes."""
         return mark_table(case.exercise, self.convention, reading.value, case.part.compare, case.tolerance)
 
     def slips(self, case: Case) -> Iterable[Slip]:
-        """Slips in the cells."""
         return (one.slips[0] for one in table_candidates(case.exercise, self.convention))
 
     def answer_with(self, case: Case, name: str) -> str | None:
-        """The table with a slip."""
         robot = case.exercise.robot
         for one in table_candidates(case.exercise, self.convention, name) if robot is not None else ():
             if one.slips[0].name == name and robot is not None:
@@ -119,15 +107,12 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         return None
 
     def causes(self, case: Case, reading: Reading[tuple[TypedRow, ...]]) -> Causes:
-        """Slips in the right table with the motion typed, or the robot."""
         return table_causes(case, self.convention, _settled(case, reading))
 
     def differs(self, mark: Mark) -> bool:
-        """A right table with frames of its own has other matrices than the solution."""
         return mark.verdict.passed is True and bool(mark.remarks)
 
     def rows(self, case: Case, reading: Reading[tuple[TypedRow, ...]]) -> tuple[Row, ...]:
-        """The rows; none where there is not one for each link of the robot."""
         robot = case.exercise.robot
         return _settled(case, reading) if robot and len(reading.value) == len(robot.links) else ()
 

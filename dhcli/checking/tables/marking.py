@@ -11,8 +11,8 @@ from dhcli.checking.tables.cells import table_text
 from dhcli.checking.tables.differences import end_rows, first_difference
 from dhcli.checking.tables.freedoms import end_freedoms
 from dhcli.checking.tables.motions import Outcome, oddity
-from dhcli.checking.tables.reading import TypedRow
 from dhcli.checking.tables.same_robot import Match
+from dhcli.checking.tables.typed_rows import TypedRow
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import CellMark, Mark, Verdict, worst
 from dhcli.errors import RobotError

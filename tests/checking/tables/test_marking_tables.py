@@ -17,7 +17,7 @@ from dhcli.checking.kinds.made import question_about_table
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.tables.cells import table_text
 from dhcli.checking.tables.marking import mark_table, write_table
-from dhcli.checking.tables.reading import read_table
+from dhcli.checking.tables.typed_rows import read_table
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import RobotError
 from dhcli.kinematics.conventions import Convention, moves_of

@@ -161,10 +161,7 @@ def moves_reversed(work: Work, setting: Setting) -> Made:
     """One row multiplied out as the other convention does it."""
     for index, step in enumerate(work.steps):
         if step.row is not None and (len(work.steps) > 1 or setting.convention in OTHER):
-            chain = moves_of(step.row, OTHER[setting.convention])
-            factor = setting.factor(("reversed", step), partial(Factor, step.name, chain, step.row))
-            if factor is not None:
-                yield step.name, work.with_step(index, factor)
+            yield step.name, work.with_step(index, _reversed(step, setting))
 
 
 @IN_ROWS(
@@ -174,7 +171,7 @@ def convention(work: Work, setting: Setting) -> Made:
     """All rows multiplied out as the other convention does it."""
     rows = [step for step in work.steps if step.row is not None]
     if len(rows) > 1:
-        yield "", _every(work, lambda row: moves_of(row, OTHER[setting.convention]))
+        yield "", replace(work, steps=tuple(_reversed(step, setting) for step in work.steps))
 
 
 @IN_ROWS.in_each(
@@ -220,12 +217,16 @@ def alpha_unit(row: Row, setting: Setting) -> Row | None:
 def angles_unit(work: Work, setting: Setting) -> Made:
     """All angles in the other unit, as on a calculator in the wrong mode."""
 
-    def changed(row: Row) -> Row:
-        alpha, theta = (other_unit(angle, setting) or angle for angle in (row.alpha, row.theta))
-        return replace(row, alpha=alpha, theta=theta)
+    def changed(step: Factor) -> Factor | None:
+        if step.row is None:
+            return step
+        alpha, theta = (other_unit(angle, setting) or angle for angle in (step.row.alpha, step.row.theta))
+        chain = moves_of(replace(step.row, alpha=alpha, theta=theta), setting.convention)
+        return Factor(step.name, chain, step.row)
 
     if setting.numeric and sum(step.row is not None for step in work.steps) > 1:
-        yield "", _every(work, lambda row: moves_of(changed(row), setting.convention))
+        steps = (setting.factor((angles_unit, step), partial(changed, step)) or step for step in work.steps)
+        yield "", replace(work, steps=tuple(steps))
 
 
 IN_ROWS(
@@ -254,12 +255,11 @@ def thetas_swapped(work: Work, setting: Setting) -> Made:
         if setting.numeric and _moved(one, setting) == _moved(two, setting):  # nobody could see it
             continue
         first, second = (replace(row.theta, terms=()) for row in (one, two))
-        changed = work
-        for index, theta in ((k, first + (two.theta - second)), (m, second + (one.theta - first))):
-            step = work.steps[index]
-            assert step.row is not None  # noqa: S101  it has been looked at
-            changed = changed.with_step(index, in_row(step, replace(step.row, theta=theta), setting.convention))
-        yield f"{work.steps[k].name} and {work.steps[m].name}", changed
+        changed, pair = work, (work.steps[k], work.steps[m])
+        for index, row, theta in ((k, one, first + (two.theta - second)), (m, two, second + (one.theta - first))):
+            made = partial(in_row, work.steps[index], replace(row, theta=theta), setting.convention)
+            changed = changed.with_step(index, setting.factor((thetas_swapped, index == k, *pair), made) or pair[0])
+        yield f"{pair[0].name} and {pair[1].name}", changed
 
 
 IN_ROWS("alpha-signs", "the sign of alpha is turned round in every row", "look at the sense of the twist")(
@@ -299,9 +299,11 @@ def _moved(row: Row, setting: Setting) -> Angle:
     return value_of(row.theta - replace(row.theta, terms=()), setting)
 
 
-def _every(work: Work, moves: Callable[[Row], object]) -> Work:
-    steps = tuple(
-        step if step.row is None else Factor(step.name, moves(step.row), step.row)  # type: ignore[arg-type]
-        for step in work.steps
-    )
-    return replace(work, steps=steps)
+def _reversed(step: Factor, setting: Setting) -> Factor:
+    """The factor with its row multiplied out as the other convention does it."""
+
+    def made() -> Factor | None:
+        row = step.row
+        return None if row is None else Factor(step.name, moves_of(row, OTHER[setting.convention]), row)
+
+    return setting.factor(("reversed", step), made) or step
