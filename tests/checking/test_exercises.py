@@ -23,8 +23,8 @@ from dhcli.notation.writer import write
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
 from dhcli.render.text.matrix import matrix_lines
-from tests.nightly import some
 from tests.judging import case_of, expected, mark, mark_sheet, solution
+from tests.nightly import some
 
 ROOT = Path(__file__).parents[2]
 NAMES = sorted(

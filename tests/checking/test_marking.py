@@ -29,8 +29,8 @@ from dhcli.notation.tree import Number, number
 from dhcli.notation.writer import write
 from dhcli.render.look import Look, render
 from dhcli.render.paper import Paper
-from tests.nightly import examples, some
 from tests.judging import expected, mark, mark_sheet
+from tests.nightly import examples, some
 from tests.strategies import polynomials
 
 COSINE, SINE = math.cos(math.radians(75)), math.sin(math.radians(75))

@@ -14,7 +14,7 @@ from dhcli.checking import variants as drawing
 from dhcli.checking.degenerate import flaw
 from dhcli.checking.diagnosis import work
 from dhcli.checking.diagnosis.search import Search, search_of
-from dhcli.checking.exercise import Exercise
+from dhcli.checking.exercise import Exercise, Memo
 from dhcli.checking.kinds.matrix import MatrixQuestion
 from dhcli.checking.verdicts import Verdict
 from dhcli.checking.written import Range
@@ -24,8 +24,8 @@ from dhcli.files.yaml.exercises import load_exercise as load_anew
 from dhcli.files.yaml.exercises import read_exercise
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Number
-from tests.nightly import NIGHT, examples
 from tests.judging import expected, hidden, judge_of, mark, vary
+from tests.nightly import NIGHT, examples
 
 VARIED = ("yim/planar-in-numbers", "yim/scara-in-numbers", "yim/stanford-in-numbers", "zhou/three-r-arm-tip-in-numbers")
 SEEDS = [str(number) for number in range(1, 41 if NIGHT else 10)]
@@ -233,8 +233,8 @@ def test_a_search_that_is_moved_to_a_draw_is_that_of_the_draw(name: str) -> None
         drawn = variant(name, seed)
         for question in {part.question for part in drawn.parts if isinstance(part.question, MatrixQuestion)}:
             afresh, moved = (
-                Search(drawn, question),
-                Search(drawn, question, search_of(question, judge_of(exercise).memo)),
+                Search(Memo(drawn), question),
+                Search(Memo(drawn), question, search_of(question, judge_of(exercise).memo)),
             )
             assert [one.slips for one in moved.singles] == [one.slips for one in afresh.singles]
             assert [moved.entries(one.work) for one in moved.singles] == [
@@ -250,7 +250,7 @@ def test_what_draws_share_stays_in_its_bounds(monkeypatch: pytest.MonkeyPatch) -
     shared = search_of(question, judge_of(exercise).memo)
     for seed in SEEDS[:5]:
         drawn = vary(exercise, seed)
-        afresh, moved = Search(drawn, question), Search(drawn, question, shared)
+        afresh, moved = Search(Memo(drawn), question), Search(Memo(drawn), question, shared)
         assert len(shared.folds._known) <= 7
         assert [moved.entries(one.work) for one in moved.singles] == [
             afresh.entries(one.work) for one in afresh.singles

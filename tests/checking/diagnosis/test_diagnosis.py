@@ -11,8 +11,8 @@ from dhcli.checking.kinds.made import question_about
 from dhcli.checking.kinds.registry import read_question
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import UnknownNameError
-from tests.nightly import some
 from tests.judging import answer_with, checked, expected, hidden, mark, mark_sheet, slips
+from tests.nightly import some
 
 ROBOTS = ("scara", "scara-yim", "stanford", "puma560", "zhou-3r")
 

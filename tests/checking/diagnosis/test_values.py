@@ -17,8 +17,8 @@ from dhcli.checking.verdicts import Verdict
 from dhcli.notation.angle import Angle
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Number
-from tests.nightly import some
 from tests.judging import answer_with, checked, mark, slips
+from tests.nightly import some
 
 EXERCISES = (
     "elementary-rotations",

@@ -25,8 +25,8 @@ from dhcli.kinematics.robot import Robot
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Symbol, number
 from tests.checking.tables.robots_with_tables import NAMES, Move, keeping, mutations, robot, rows_of
-from tests.nightly import NIGHT, some
 from tests.judging import answer_with, slips
+from tests.nightly import NIGHT, some
 
 MODIFIED, STANDARD = Convention.MODIFIED, Convention.STANDARD
 

@@ -14,8 +14,8 @@ from dhcli.files.yaml.exercises import read_exercise
 from dhcli.files.yaml.robots import load_robot
 from dhcli.lint import variants
 from dhcli.lint.files import lint
-from tests.nightly import some
 from tests.judging import expected
+from tests.nightly import some
 
 ROBOTS = [entry.name for entry in entries(Kind.ROBOTS) if load_robot(entry.name).variables]
 
