@@ -8,7 +8,6 @@ from dhcli.algebra.floats import Floats
 from dhcli.checking.entries import check_names
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.pasted import UnreadableError, without_label
-from dhcli.checking.symbolic import put, same
 from dhcli.checking.tolerance import Tolerance, is_rounding_of, judge
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
 from dhcli.errors import Place
@@ -66,6 +65,8 @@ def mark_value(exercise: Exercise, right: Value, answer: TypedValue, tolerance: 
 def _verdict_of_value(
     exercise: Exercise, typed: Value, right: Value, typed_expr: Expr, tolerance: Tolerance
 ) -> Verdict:
+    from dhcli.checking.symbolic import put, same
+
     if isinstance(right, Angle) or isinstance(typed, Angle):
         difference = constant_of(typed, exercise) - constant_of(right, exercise)
         if difference.terms:

@@ -5,22 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any, ClassVar, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from dhcli.checking.diagnosis.alternatives import Alternative, answer_of, changing
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.diagnosis.slips import table_candidates
 from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
 from dhcli.checking.kinds.linked import found_link, link_of, place_of, read_number
 from dhcli.checking.pasted import UnreadableError
-from dhcli.checking.tables.cells import own_values
-from dhcli.checking.tables.steps import MEANINGS
 from dhcli.checking.values import TypedValue, mark_value, read_value, spelled_value
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import DhcliError, NotationError, Place, Problem, RobotError
 from dhcli.kinematics.conventions import COLUMNS, Row
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.notation.scope import Scope
+
+if TYPE_CHECKING:
+    from dhcli.checking.diagnosis.alternatives import Alternative
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,6 +53,8 @@ class CellQuestion(Question[TypedValue]):
         return spelled_value(getattr(link_of(case.exercise, self.link).row, self.column), case.exercise)
 
     def steps(self, case: Case) -> Iterable[Shown]:
+        from dhcli.checking.tables.steps import MEANINGS
+
         robot = case.exercise.robot
         if robot is not None and robot.convention in MEANINGS:
             yield Shown(f"What is measured is {MEANINGS[robot.convention][COLUMNS.index(self.column)]}")
@@ -71,16 +72,25 @@ class CellQuestion(Question[TypedValue]):
         return mark_value(case.memo.of("of table", lambda: _of_table(case.exercise)), right, typed, case.tolerance)
 
     def slips(self, case: Case) -> Iterable[Slip]:
+        from dhcli.checking.diagnosis.alternatives import changing
+
         return (one.slip for one in changing(case, self._alternatives(case)))
 
     def answer_with(self, case: Case, name: str) -> str | None:
+        from dhcli.checking.diagnosis.alternatives import answer_of, changing
+
         return answer_of(changing(case, self._alternatives(case, name)), name)
 
     def causes(self, case: Case, reading: Reading[TypedValue]) -> Causes:
+        from dhcli.checking.diagnosis.alternatives import changing
+
         return tuple((one.slip,) for one in changing(case, self._alternatives(case), reading))
 
     def _alternatives(self, case: Case, name: str = "") -> Iterator[Alternative[TypedValue]]:
         """A slip in the row, or the same column of the row before or behind."""
+        from dhcli.checking.diagnosis.alternatives import Alternative
+        from dhcli.checking.diagnosis.slips import table_candidates
+
         robot = case.exercise.robot
         if robot is None:
             return
@@ -119,5 +129,7 @@ class CellQuestion(Question[TypedValue]):
 
 def _of_table(exercise: Exercise) -> Exercise:
     """The exercise as a cell of a table is judged: the robot's lengths may be in numbers, its joints may not."""
+    from dhcli.checking.tables.cells import own_values
+
     variables = exercise.robot.variables if exercise.robot else ()
     return replace(exercise, given={name: v for name, v in own_values(exercise).items() if name not in variables})

@@ -5,30 +5,26 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import partial
-from typing import ClassVar, Self
+from typing import TYPE_CHECKING, ClassVar, Self
 
 from dhcli.algebra.terms import TERMS
-from dhcli.checking.diagnosis.alternatives import Alternative, answer_of, changing
-from dhcli.checking.diagnosis.mistakes import Level
-from dhcli.checking.diagnosis.mistakes.changes import OTHER
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.diagnosis.slips import candidates, setting_of
-from dhcli.checking.diagnosis.work import Factor, Multiplied, Work
 from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
 from dhcli.checking.kinds.linked import found_link, link_of, place_of, read_number
 from dhcli.checking.pasted import without_label
-from dhcli.checking.symbolic import same
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.checking.wanted import Span, Wanted
 from dhcli.errors import Place
 from dhcli.kinematics.conventions import ORDER, moves_of
-from dhcli.kinematics.fold import fold
 from dhcli.kinematics.forward import spelled
 from dhcli.kinematics.moves import Chain, Fixed, Rot, Trans, along, read_chain
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.factors import AXES
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import ZERO
+
+if TYPE_CHECKING:
+    from dhcli.checking.diagnosis.alternatives import Alternative
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,16 +69,26 @@ class FactorsQuestion(Question[Chain]):
         return (one.slip for one in self._changing(case))
 
     def answer_with(self, case: Case, name: str) -> str | None:
+        from dhcli.checking.diagnosis.alternatives import answer_of, changing
+
         return answer_of(changing(case, self._alternatives(case, name)), name)
 
     def causes(self, case: Case, reading: Reading[Chain]) -> Causes:
         return tuple((one.slip,) for one in self._changing(case, reading))
 
     def _changing(self, case: Case, reading: Reading[Chain] | None = None) -> Iterator[Alternative[Chain]]:
+        from dhcli.checking.diagnosis.alternatives import changing
+
         return changing(case, self._alternatives(case), reading, distinct=not case.exercise.numeric)
 
     def _alternatives(self, case: Case, name: str = "") -> Iterator[Alternative[Chain]]:
         """Slips in the moves of the link, each move a factor of its own."""
+        from dhcli.checking.diagnosis.alternatives import Alternative
+        from dhcli.checking.diagnosis.mistakes import Level
+        from dhcli.checking.diagnosis.mistakes.changes import OTHER
+        from dhcli.checking.diagnosis.slips import candidates, setting_of
+        from dhcli.checking.diagnosis.work import Factor, Multiplied, Work
+
         exercise, robot = case.exercise, case.exercise.robot
         if robot is None:
             return
@@ -125,6 +131,8 @@ def _mark(exercise: Exercise, right: Chain, typed: Chain) -> Mark:
 
 def _elementary(chain: Chain) -> list[str]:
     """The moves about and along single axes that move anything, as text."""
+    from dhcli.checking.symbolic import same
+
     found: list[str] = []
     for move in chain:
         if isinstance(move, Rot) and not move.angle.is_zero:
@@ -138,5 +146,8 @@ def _elementary(chain: Chain) -> list[str]:
 
 
 def _same_product(first: Chain, second: Chain) -> bool:
+    from dhcli.checking.symbolic import same
+    from dhcli.kinematics.fold import fold
+
     rows = zip(fold(first, TERMS), fold(second, TERMS), strict=True)
     return all(same(a, b, {}) for one, other in rows for a, b in zip(one, other, strict=True))

@@ -6,22 +6,14 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar, Self
 
-from dhcli.checking.diagnosis.following import follows, span_of
-from dhcli.checking.diagnosis.geometry import HALVES, geometry
-from dhcli.checking.diagnosis.matrix_causes import answer_with, matrix_causes
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.diagnosis.search import search_of
-from dhcli.checking.diagnosis.typed import typed_answer
 from dhcli.checking.entries import Entries, entries_text, read_entries
 from dhcli.checking.exercise import Case, Causes, Exercise, Judged, Matrices, Points, Question, Reading, Shown
 from dhcli.checking.kinds.linked import needed
-from dhcli.checking.numeric import mark_numbers
 from dhcli.checking.pasted import UnreadableError
-from dhcli.checking.symbolic import mark_symbols, same
 from dhcli.checking.truth import names_in, truth_of, unvalued
 from dhcli.checking.verdicts import UNSOLVED, Mark, Verdict
 from dhcli.checking.wanted import Span, Wanted, read_wanted
-from dhcli.checking.workings import as_text, coordinates, matrix_steps, shortest
 from dhcli.errors import DhcliError, Place, RobotError
 from dhcli.kinematics.frames import frame
 from dhcli.kinematics.robot import Robot
@@ -64,6 +56,8 @@ class MatrixQuestion(Wanted, Question[Entries]):
         return isinstance(self.source, Span)
 
     def describe(self, exercise: Exercise) -> str:
+        from dhcli.checking.workings import coordinates
+
         if isinstance(self.source, Span):
             start, end = self.source.start, self.source.end
             whole = f"A_{end}" if self.source.link else f"T_{start}{end}"
@@ -114,9 +108,13 @@ class MatrixQuestion(Wanted, Question[Entries]):
         return unvalued(self, exercise)
 
     def expected(self, case: Case, style: str = "short") -> str:
+        from dhcli.checking.workings import as_text
+
         return as_text(case, self, style)
 
     def shortest(self, case: Case) -> str:
+        from dhcli.checking.workings import shortest
+
         return shortest(case, self, lambda text: self._is_right(case, text))
 
     def _is_right(self, case: Case, text: str) -> bool:
@@ -126,12 +124,17 @@ class MatrixQuestion(Wanted, Question[Entries]):
             return False
 
     def steps(self, case: Case) -> Iterable[Shown]:
+        from dhcli.checking.workings import matrix_steps
+
         return matrix_steps(case, self)
 
     def read(self, case: Case, text: str, place: Place | None = None) -> Entries:
         return read_entries(self, case.exercise, text, place)
 
     def mark(self, case: Case, reading: Reading[Entries]) -> Mark:
+        from dhcli.checking.numeric import mark_numbers
+        from dhcli.checking.symbolic import mark_symbols
+
         exercise, entries = case.exercise, reading.value
         truth = truth_of(self, case)
         if exercise.numeric:
@@ -154,6 +157,8 @@ class MatrixQuestion(Wanted, Question[Entries]):
         The right entry is told only where the exercise shows what was expected: a misprint is no reason to give it
         away.
         """
+        from dhcli.checking.symbolic import same
+
         exercise, remarks, cells = case.exercise, [], judged.mark.cells
         if judged.mark.verdict not in UNSOLVED or judged.reading is None or printed.reading is None:
             return ()
@@ -167,21 +172,34 @@ class MatrixQuestion(Wanted, Question[Entries]):
         return tuple(remarks)
 
     def slips(self, case: Case) -> Iterable[Slip]:
+        from dhcli.checking.diagnosis.search import search_of
+
         return (one.slips[0] for one in search_of(self, case.memo).visible)
 
     def answer_with(self, case: Case, name: str) -> str | None:
+        from dhcli.checking.diagnosis.matrix_causes import answer_with
+
         return answer_with(case, self, name)
 
     def hidden(self, case: Case) -> Iterable[Slip]:
+        from dhcli.checking.diagnosis.search import search_of
+
         return (one.slips[0] for one in search_of(self, case.memo).hidden)
 
     def unclear(self, case: Case) -> Iterable[str]:
+        from dhcli.checking.diagnosis.search import search_of
+
         return (one.slips[0].name for one in search_of(self, case.memo).unclear)
 
     def causes(self, case: Case, reading: Reading[Entries]) -> Causes:
+        from dhcli.checking.diagnosis.matrix_causes import matrix_causes
+
         return matrix_causes(case, self, reading.value)
 
     def told(self, case: Case, mark: Mark, reading: Reading[Entries]) -> Mark:
+        from dhcli.checking.diagnosis.geometry import HALVES, geometry
+        from dhcli.checking.diagnosis.typed import typed_answer
+
         try:
             typed = typed_answer(case, self, reading.value)
         except (UnreadableError, DhcliError):
@@ -191,11 +209,16 @@ class MatrixQuestion(Wanted, Question[Entries]):
         return replace(mark, remarks=(words, *others)) if words else mark
 
     def follows(self, case: Case, reading: Reading[Entries], earlier: Mapping[str, Reading[Any]]) -> tuple[str, ...]:
+        from dhcli.checking.diagnosis.following import follows
+
         return follows(case, self, reading.value, earlier)
 
     def leads(
         self, case: Case, reading: Reading[Entries], span: tuple[int, int], _points: Points
     ) -> tuple[int, int, Matrices] | None:
+        from dhcli.checking.diagnosis.following import span_of
+        from dhcli.checking.diagnosis.typed import typed_answer
+
         robot = case.exercise.robot
         if robot is None or not isinstance(self.source, Span) or self.piece != "pose" or self.inverse:
             return None

@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import partial
-from typing import ClassVar, Self
+from typing import TYPE_CHECKING, ClassVar, Self
 
-from dhcli.checking.diagnosis.alternatives import Alternative, answer_of, changing
-from dhcli.checking.diagnosis.mistakes.values import IN_VALUES, ValueMistake
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
 from dhcli.checking.values import TypedValue, mark_value, quantity_of, read_value, spelled_value
@@ -18,6 +16,9 @@ from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr, Trig
 from dhcli.notation.walk import symbols, walk
+
+if TYPE_CHECKING:
+    from dhcli.checking.diagnosis.alternatives import Alternative
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,18 +65,25 @@ class ScalarQuestion(Question[TypedValue]):
         return (one.slip for one in self._changing(case))
 
     def answer_with(self, case: Case, name: str) -> str | None:
-        kinds = [mistake for mistake in IN_VALUES if mistake.id == name.partition(" ")[0]]
-        return answer_of(changing(case, self._alternatives(case, kinds)), name)
+        from dhcli.checking.diagnosis.alternatives import answer_of, changing
+
+        return answer_of(changing(case, self._alternatives(case, name)), name)
 
     def causes(self, case: Case, reading: Reading[TypedValue]) -> Causes:
         return tuple((one.slip,) for one in self._changing(case, reading))
 
     def _changing(self, case: Case, reading: Reading[TypedValue] | None = None) -> Iterator[Alternative[TypedValue]]:
         """In symbols mistakes that are the same have one name; in numbers they only happen to agree."""
+        from dhcli.checking.diagnosis.alternatives import changing
+
         return changing(case, self._alternatives(case), reading, distinct=not case.exercise.numeric)
 
-    def _alternatives(self, case: Case, kinds: Iterable[ValueMistake] = IN_VALUES) -> Iterator[Alternative[TypedValue]]:
-        for mistake in kinds:
+    def _alternatives(self, case: Case, name: str = "") -> Iterator[Alternative[TypedValue]]:
+        from dhcli.checking.diagnosis.alternatives import Alternative
+        from dhcli.checking.diagnosis.mistakes.values import IN_VALUES
+
+        kind = name.partition(" ")[0]
+        for mistake in (one for one in IN_VALUES if kind in ("", one.id)):
             for where, expr in mistake.made(self.expr, case.exercise):
                 slip = Slip(f"{mistake.id} {where}".strip(), mistake.words.format(where=where), mistake.hint)
                 value = quantity_of(expr, case.exercise)

@@ -7,14 +7,8 @@ from dataclasses import dataclass
 from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.diagnosis.slips import table_candidates
-from dhcli.checking.diagnosis.table_causes import table_causes
 from dhcli.checking.exercise import Case, Causes, Exercise, Matrices, Points, Question, Reading, Shown
 from dhcli.checking.kinds.linked import needed
-from dhcli.checking.tables.answer import own_rows
-from dhcli.checking.tables.cells import settled, table_text
-from dhcli.checking.tables.marking import mark_table, robot_of, write_table
-from dhcli.checking.tables.steps import MEANINGS, table_lines
 from dhcli.checking.tables.typed_rows import TypedRow, read_table
 from dhcli.checking.verdicts import Mark
 from dhcli.errors import NotationError, Place, Problem
@@ -69,9 +63,14 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         return Question.is_whole(self, text) and text.strip().startswith("[")
 
     def expected(self, case: Case, _style: str = "short") -> str:
+        from dhcli.checking.tables.marking import write_table
+
         return write_table(case.exercise, self.convention)
 
     def steps(self, case: Case) -> Iterable[Shown]:
+        from dhcli.checking.tables.answer import own_rows
+        from dhcli.checking.tables.steps import MEANINGS, table_lines
+
         exercise = case.exercise
         yield Shown("Each row leads from one frame to the next:\n" + "\n".join(MEANINGS[self.convention]))
         for robot in (exercise.robot, exercise.also and exercise.also[0]):
@@ -89,16 +88,25 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
             yield Finding((*where, "compare"), message, "state it, or compare: same-robot")
 
     def read(self, case: Case, text: str, place: Place | None = None) -> tuple[TypedRow, ...]:
+        from dhcli.checking.tables.marking import robot_of
+
         exercise, robot = case.exercise, robot_of(case.exercise)
         return read_table(text, robot, exercise.scope, robot.columns, exercise.unit, place)
 
     def mark(self, case: Case, reading: Reading[tuple[TypedRow, ...]]) -> Mark:
+        from dhcli.checking.tables.marking import mark_table
+
         return mark_table(case.exercise, self.convention, reading.value, case.part.compare, case.tolerance)
 
     def slips(self, case: Case) -> Iterable[Slip]:
+        from dhcli.checking.diagnosis.slips import table_candidates
+
         return (one.slips[0] for one in table_candidates(case.exercise, self.convention))
 
     def answer_with(self, case: Case, name: str) -> str | None:
+        from dhcli.checking.diagnosis.slips import table_candidates
+        from dhcli.checking.tables.cells import table_text
+
         robot = case.exercise.robot
         for one in table_candidates(case.exercise, self.convention, name) if robot is not None else ():
             if one.slips[0].name == name and robot is not None:
@@ -107,6 +115,8 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         return None
 
     def causes(self, case: Case, reading: Reading[tuple[TypedRow, ...]]) -> Causes:
+        from dhcli.checking.diagnosis.table_causes import table_causes
+
         return table_causes(case, self.convention, _settled(case, reading))
 
     def differs(self, mark: Mark) -> bool:
@@ -134,4 +144,6 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
 
 
 def _settled(case: Case, reading: Reading[tuple[TypedRow, ...]]) -> tuple[Row, ...]:
+    from dhcli.checking.tables.cells import settled
+
     return tuple(settled(typed.row, case.tolerance) for typed in reading.value)
