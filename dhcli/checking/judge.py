@@ -88,7 +88,7 @@ class Judge:
             answer: What the student typed; blank is skipped.
             place: Where it stands, for errors.
         """
-        return self._explained(part, self._judged(part, answer, place))
+        return self.explained(part, self.judged(part, answer, place))
 
     def mark(self, part: Part, answer: str, place: Place | None = None) -> Mark:
         """Judge an answer to one part, without looking for the slip behind a wrong one.
@@ -96,7 +96,7 @@ class Judge:
         Returns:
             The judgement. An answer that cannot be read gets one too: CAN'T READ, with what would be read.
         """
-        return self._judged(part, answer, place).mark
+        return self.judged(part, answer, place).mark
 
     def sheet(
         self, answers: Mapping[str, str], places: Mapping[str, Place] | None = None, only: str | None = None
@@ -115,8 +115,8 @@ class Judge:
             self.exercise.part(name)
         judged: dict[str, Judged[Any]] = {}
         for part in self.exercise.parts:
-            one = self._judged(part, answers.get(part.id, ""), (places or {}).get(part.id))
-            one = replace(one, mark=self._explained(part, one))
+            one = self.judged(part, answers.get(part.id, ""), (places or {}).get(part.id))
+            one = replace(one, mark=self.explained(part, one))
             judged[part.id] = replace(one, mark=self._followed(part, one, judged))
         parts = (part for part in self.exercise.parts if only in (None, part.id))
         return SheetMark(self.exercise, tuple(PartMark(part, judged[part.id].mark) for part in parts))
@@ -171,7 +171,7 @@ class Judge:
     def _case(self, part: Part) -> Case:
         return Case(part, self.memo)
 
-    def _judged(self, part: Part, answer: str, place: Place | None = None) -> Judged[Any]:
+    def judged(self, part: Part, answer: str, place: Place | None = None) -> Judged[Any]:
         """Read an answer and mark it, beside what the document prints if it does."""
         if BLANK.fullmatch(answer):
             return Judged(Mark(Verdict.SKIPPED))
@@ -195,7 +195,7 @@ class Judge:
             remarks = tuple(str(problem) for problem in error.problems)
         return Judged(Mark(Verdict.CANNOT_READ, answer.strip(), remarks=remarks), reading)
 
-    def _explained(self, part: Part, judged: Judged[Any]) -> Mark:
+    def explained(self, part: Part, judged: Judged[Any]) -> Mark:
         """The mark with the slip behind a wrong answer, or with what can be said of one that has no name."""
         mark, reading = judged.mark, judged.reading
         if reading is None or not is_explained(part, mark):

@@ -77,7 +77,11 @@ def _compute(question: Wanted, case: Case) -> Truth:
     if named - values.keys():
         return Truth(rows, None, 0.0, structural)
     over = Floats(numbers(values))
-    matrix = fold(merge(put_in(chain, values)), over)  # merged, so that angles which add up to 60° give exactly 1/2
+
+    def multiplied() -> tuple[tuple[float, ...], ...]:
+        return fold(merge(put_in(chain, values)), over)  # merged, so that angles which add up to 60° give exactly 1/2
+
+    matrix = case.memo.of(("product", question.source, question.inverse), multiplied)
     return Truth(rows, piece_of(matrix, question, over), _size(chain, question, exercise, values), structural)
 
 

@@ -98,11 +98,11 @@ def singles(judge: Judge, part: Part, tally: Tally) -> None:
     for slip in judge.slips(part):
         answers.setdefault(judge.answer_with(part, slip.name), set()).add(slip.name)
     for answer, makers in answers.items():
-        judged = judge.mark(part, answer)
-        if judged.verdict not in UNSOLVED:
+        judged = judge.judged(part, answer)
+        if judged.mark.verdict not in UNSOLVED:
             continue
         start = time.perf_counter()
-        found = judge.check(part, answer).diagnosis or Diagnosis()
+        found = judge.explained(part, judged).diagnosis or Diagnosis()
         tally.seconds.append(time.perf_counter() - start)
         tally.made += 1
         hit = any(name in makers for name in found.ids)
@@ -141,11 +141,11 @@ def pairs(judge: Judge, part: Part, tally: Tally, count: int, draw: random.Rando
     works = {" + ".join(slip.name for slip in one.slips): one.work for one in every}
     for pair in draw.sample(every, min(count, len(every))):
         answer = typed_text(case, pair.work)
-        judged = judge.mark(part, answer)
-        if judged.verdict not in UNSOLVED:
+        judged = judge.judged(part, answer)
+        if judged.mark.verdict not in UNSOLVED:
             continue
         start = time.perf_counter()
-        found = judge.check(part, answer).diagnosis or Diagnosis()
+        found = judge.explained(part, judged).diagnosis or Diagnosis()
         tally.seconds.append(time.perf_counter() - start)
         wanted = " + ".join(slip.name for slip in pair.slips)
         tally.made += 1
