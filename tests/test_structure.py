@@ -10,8 +10,6 @@ ROOT = Path(__file__).parents[1] / "dhcli"
 
 KNOWN = (
     {"dhcli.notation.tree", "dhcli.notation.writer"},  # a tree shows itself as text by its writer, which walks it
-    {"dhcli.kinematics.robot", "dhcli.kinematics.validity"},
-    {"dhcli.kinematics.orientation", "dhcli.kinematics.pose", "dhcli.kinematics.words"},
     {"dhcli.mobility.large", "dhcli.mobility.truth"},
 )
 """Rings that are there; only the first has a reason to stay."""

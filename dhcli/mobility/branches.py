@@ -12,11 +12,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from dhcli.geometry.rank import orthonormal, spaces
+from dhcli.geometry.twists import Array
 from dhcli.mobility.landing import FARTHEST, ROUNDING, close
 from dhcli.mobility.model import Model
 from dhcli.mobility.motion import residual
-from dhcli.mobility.rank import orthonormal, spaces
-from dhcli.mobility.screws import Array
 from dhcli.mobility.second_order import CLEAR, quadratic_forms, size_of_curvature
 
 LANDED = 1e-5

@@ -16,10 +16,10 @@ from itertools import pairwise
 
 import numpy as np
 
+from dhcli.geometry.rank import spaces
+from dhcli.geometry.twists import Array
 from dhcli.mobility.model import Model
 from dhcli.mobility.motion import residual
-from dhcli.mobility.rank import spaces
-from dhcli.mobility.screws import Array
 
 AMPLITUDES = (0.3, 0.1, 0.03)
 FAR = (0.9, 1.8)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from dhcli.geometry.rank import spaces
+from dhcli.geometry.twists import Array
 from dhcli.mobility.landing import AMPLITUDES, CLOSED, close
 from dhcli.mobility.model import Model
 from dhcli.mobility.motion import residual
-from dhcli.mobility.rank import spaces
-from dhcli.mobility.screws import Array
 
 LOOSE = 1e-6
 """Relative tolerance of an output link's motion."""

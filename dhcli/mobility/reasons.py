@@ -11,12 +11,12 @@ from itertools import pairwise
 
 import numpy as np
 
+from dhcli.geometry.rank import TIGHT, Rank, rank_of, spaces
 from dhcli.mobility.copies import disturbed, generic, twisted
 from dhcli.mobility.linkage import Linkage
 from dhcli.mobility.loops import shortest_lambdas
 from dhcli.mobility.model import Model, model_of
 from dhcli.mobility.pairs import LinkageError
-from dhcli.mobility.rank import TIGHT, Rank, rank_of, spaces
 from dhcli.mobility.truth import Truth
 
 DISTURBANCE = 0.02

@@ -10,9 +10,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from dhcli.mobility import screws
+from dhcli.geometry.twists import Array, brackets
 from dhcli.mobility.model import Model
-from dhcli.mobility.screws import Array
 
 ROUNDS = 400
 ROUNDING = 1e-10
@@ -161,7 +160,7 @@ def _curvature(model: Model, row: int, motions: Array, twists: Array | None = No
     seen = model.twists if twists is None else twists
     moving = (senses[:, None] * seen[order])[:, None, :] * motions[order][:, :, None]
     before = np.cumsum(moving, axis=0) - moving
-    found = screws.brackets(before[:, :, None, :], moving[:, None, :, :]).sum(axis=0) / 2
+    found = brackets(before[:, :, None, :], moving[:, None, :, :]).sum(axis=0) / 2
     return np.asarray(found + found.transpose(1, 0, 2)) / 2
 
 

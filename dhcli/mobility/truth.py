@@ -10,6 +10,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from dhcli.geometry.rank import TIGHT, Rank, orthonormal, spaces
+from dhcli.geometry.twists import Array
 from dhcli.mobility.branches import LANDED, branch_at
 from dhcli.mobility.idle import Idle, idle_freedoms, still_idle
 from dhcli.mobility.landing import Path, Trial, attempt
@@ -17,8 +19,6 @@ from dhcli.mobility.linkage import Linkage
 from dhcli.mobility.loops import lambdas
 from dhcli.mobility.model import Model, model_of
 from dhcli.mobility.outputs import motion_nearby, motion_type, twists_nearby
-from dhcli.mobility.rank import TIGHT, Rank, orthonormal, spaces
-from dhcli.mobility.screws import Array
 from dhcli.mobility.second_order import common_zero, possible, proves_rigid, quadratic_forms, vanish_nowhere
 from dhcli.mobility.verdicts import Landed, Setting, Verdict, decided
 

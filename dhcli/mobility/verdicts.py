@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from dhcli.geometry.twists import Array
 from dhcli.mobility.branches import Branch
 from dhcli.mobility.landing import SHAKY, Path, Trial
 from dhcli.mobility.model import Model
 from dhcli.mobility.outputs import freedoms_of, motion_type
-from dhcli.mobility.screws import Array
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dhcli.mobility.screws import Array
+from dhcli.geometry.twists import Array
 from dhcli.mobility.second_order import common_zero, possible, proves_rigid, vanish_nowhere
 
 seeds = st.integers(0, 10_000)
