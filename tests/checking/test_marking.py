@@ -438,7 +438,7 @@ def shown(exercise: Exercise, part: Part, judged: Mark) -> str:
     from dhcli.checking.judge import PartMark
 
     text = render("marks", SheetMark(exercise, (PartMark(part, judged),)), Look(paper=Paper()))
-    assert part.question.describe(exercise).split("\n")[0][:10] in text
+    assert part.heading(exercise).split("\n")[0][:10] in text
     return text
 
 

@@ -22,12 +22,6 @@ from dhcli.notation.angle import Angle
 Q = (10, 20, 30, 40, 50, 60)
 ORDERS = tuple(f"{kind} {axes}" for kind in ("euler", "fixed") for axes in AXES)
 FORMS = ("rpy", "quaternion", "axis-angle", "rotation-vector", *ORDERS)
-    "rpy",
-    "quaternion",
-    "axis-angle",
-    "rotation-vector",
-    *(f"{k} {axes}" for k in ("euler", "fixed") for axes in AXES),
-)
 
 
 def asked(form: str, q: tuple[float, ...] = Q) -> Exercise:
