@@ -1,0 +1,172 @@
+"""Whose velocity is asked for, of which point, in whose axes; and the chains from which its columns follow."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from dhcli.algebra.sizes import SIZES
+from dhcli.errors import RobotError
+from dhcli.kinematics.forward import LONGEST
+from dhcli.kinematics.frames import between, ends, frame
+from dhcli.kinematics.merge import merge
+from dhcli.kinematics.moves import Chain, Rot, Trans, inverse_of, names, substituted
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.velocity.steps import Step, fold_columns, steps_of
+from dhcli.notation.angle import Angle
+from dhcli.notation.tree import ZERO, Expr, Symbol
+
+VIRTUAL = "ε"
+"""A small turn or slide besides that of a joint, where the joint itself occurs on the way back as well."""
+
+ORIGIN = (ZERO, ZERO, ZERO)
+
+Offset = tuple[Expr, Expr, Expr]
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """What a Jacobian is of.
+
+    Attributes:
+        start: The frame that is held still.
+        end: The frame that moves; the joints between the two have a column each.
+        axes: The frame along whose axes the rows are written.
+        place: The frame at whose origin the moving body's velocity is taken, as if that origin were fixed to it.
+        point: A point of `place` that is taken instead of the origin [m].
+    """
+
+    start: str
+    end: str
+    axes: str
+    place: str
+    point: Offset = ORIGIN
+
+    @classmethod
+    def of(
+        cls,
+        robot: Robot,
+        start: str | int | None = None,
+        end: str | int | None = None,
+        axes: str | int | None = None,
+        place: str | int | None = None,
+        point: Offset = ORIGIN,
+    ) -> View:
+        """A view by the names that a person gives; the axes are those of the start, the place is the end, by default.
+
+        Raises:
+            UnknownNameError: The robot has no such frame.
+        """
+        first, last = ends(robot, start, end)
+        in_axes = first if axes is None else frame(robot, axes)
+        return cls(first, last, in_axes, last if place is None else frame(robot, place), point)
+
+
+def joints_between(robot: Robot, start: str, end: str) -> tuple[str, ...]:
+    """The joints that move one frame against another, in joint order."""
+    inside = names(between(robot, start, end))
+    return tuple(name for name in robot.variables if name in inside)
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A chain from which some columns of a Jacobian follow in one fold.
+
+    Attributes:
+        joints: The joints whose columns they are, by their places among all columns.
+        steps: The moves, with how those joints change them.
+        chain: The moves, without that.
+    """
+
+    joints: tuple[int, ...]
+    steps: tuple[Step, ...]
+    chain: Chain
+
+
+def parts(
+    robot: Robot, view: View, joints: tuple[str, ...], *, merged: bool, chain: Chain | None = None
+) -> Iterator[Part]:
+    """The chains from the axes to the point, in which each joint occurs once as the one that moves.
+
+    Joints that stand on no way back share one chain, and one fold gives the columns of all of them. A joint that does
+    is turned by a virtual angle besides, in the place where it moves the end, and what stands on both sides of it and
+    cancels is left out: merged, this gives the shortest form in any frame.
+
+    Args:
+        robot: The robot.
+        view: What is asked.
+        joints: Names of the joints in question.
+        merged: Whether parallel joints are merged, as a textbook does.
+        chain: The moves between start and end, if not the robot's own.
+    """
+    ahead = between(robot, view.axes, view.start)
+    moving = between(robot, view.start, view.end) if chain is None else chain
+    behind = between(robot, view.end, view.place)
+    if view.point != ORIGIN:
+        behind = (*behind, Trans(*view.point))
+    taken = names(ahead) | names(behind)
+    alone = [name for name in joints if name not in taken]
+    if alone:
+        path = _without_detours(ahead, moving, behind, alone)
+        columns = {name: k for k, name in enumerate(alone)}
+        whole = merge(path) if merged else path
+        yield Part(tuple(map(joints.index, alone)), steps_of(whole, columns), whole)
+    for name in joints:
+        if name in taken:
+            turned = substituted(moving, {name: Symbol(name) + Symbol(VIRTUAL)}, {name: _angle(name)})
+            path = _without_detours(ahead, turned, behind, (VIRTUAL,))
+            whole = merge(path) if merged else path
+            steps = tuple(map(_settled, steps_of(whole, {VIRTUAL: 0})))
+            yield Part((joints.index(name),), steps, tuple(step.move for step in steps))
+
+
+def _angle(name: str) -> Angle:
+    return Angle.of(name) + Angle.of(VIRTUAL)
+
+
+def _settled(step: Step) -> Step:
+    """A step with the virtual turn gone, once it is known what it changes."""
+    nothing = {VIRTUAL: ZERO}, {VIRTUAL: Angle()}
+    (move,) = substituted((step.move,), *nothing)
+    if not step.sliding:
+        return Step(move, step.turning)
+    still = [(column, substituted((Trans(*offset),), *nothing)[0]) for column, offset in step.sliding]
+    return Step(move, step.turning, tuple((column, trans.offset) for column, trans in still))  # type: ignore[union-attr]
+
+
+def _without_detours(ahead: Chain, moving: Chain, behind: Chain, joints: Iterable[str]) -> Chain:
+    """A path without moves that are undone at once; those that hold a joint which moves are not."""
+    kept = frozenset(joints)
+    path = list(ahead)
+    for move in moving:
+        if path and not kept & names((move,)) and path[-1] == inverse_of(move):
+            path.pop()
+        else:
+            path.append(move)
+    for move in behind:
+        if path and not kept & names((path[-1],)) and path[-1] == inverse_of(move):
+            path.pop()
+        else:
+            path.append(move)
+    return tuple(path)
+
+
+def check_size(made: Iterable[Part]) -> None:
+    """Make sure that columns in terms would not be longer than anybody can read.
+
+    Raises:
+        RobotError: They would be.
+    """
+    size = 0
+    for part in made:
+        columns = fold_columns(part.steps, len(part.joints), SIZES)
+        vectors = (*columns.linear, *columns.angular)
+        size += sum(1 if isinstance(entry, int) else entry.count for vector in vectors for entry in vector)
+    if size > LONGEST:
+        message = f"the result would be {size} symbols long, more than the {LONGEST} that are written"
+        raise RobotError(message, "ask for fewer frames with --from and --to, or put values in")
+
+
+def turns(step: Step) -> bool:
+    """Whether a step is a rotation."""
+    return isinstance(step.move, Rot)
