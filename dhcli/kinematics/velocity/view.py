@@ -7,11 +7,12 @@ from dataclasses import dataclass
 
 from dhcli.algebra.sizes import SIZES
 from dhcli.errors import RobotError
-from dhcli.kinematics.forward import LONGEST
+from dhcli.kinematics.forward import LONGEST, put_in
 from dhcli.kinematics.frames import between, ends, frame
 from dhcli.kinematics.merge import merge
-from dhcli.kinematics.moves import Chain, Rot, Trans, inverse_of, names, substituted
-from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.moves import Chain, Trans, inverse_of, names, substituted
+from dhcli.kinematics.robot import Robot, Value
+from dhcli.kinematics.values import Values
 from dhcli.kinematics.velocity.steps import Step, fold_columns, steps_of
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO, Expr, Symbol
@@ -84,44 +85,52 @@ class Part:
 
 
 def parts(
-    robot: Robot, view: View, joints: tuple[str, ...], *, merged: bool, chain: Chain | None = None
+    robot: Robot, view: View, joints: tuple[str, ...], *, merged: bool, values: Values | None = None
 ) -> Iterator[Part]:
     """The chains from the axes to the point, in which each joint occurs once as the one that moves.
 
-    Joints that stand on no way back share one chain, and one fold gives the columns of all of them. A joint that does
-    is turned by a virtual angle besides, in the place where it moves the end, and what stands on both sides of it and
-    cancels is left out: merged, this gives the shortest form in any frame.
+    Joints that stand on no way back share one chain, and one fold gives the columns of all of them. A joint that does,
+    or has a value, is turned by a virtual angle besides, in the place where it moves the end, and what stands on both
+    sides of it and cancels is left out: merged, this gives the shortest form in any frame.
 
     Args:
         robot: The robot.
         view: What is asked.
         joints: Names of the joints in question.
         merged: Whether parallel joints are merged, as a textbook does.
-        chain: The moves between start and end, if not the robot's own.
+        values: Exact values to put in.
+
+    Raises:
+        RobotError: A value cannot be put in.
     """
     ahead = between(robot, view.axes, view.start)
-    moving = between(robot, view.start, view.end) if chain is None else chain
+    moving = between(robot, view.start, view.end)
     behind = between(robot, view.end, view.place)
     if view.point != ORIGIN:
         behind = (*behind, Trans(*view.point))
-    taken = names(ahead) | names(behind)
+    taken = (names(ahead) | names(behind) if ahead or behind else frozenset()) | (values.keys() if values else set())
+    if values:
+        ahead, behind = put_in(ahead, values), put_in(behind, values)
     alone = [name for name in joints if name not in taken]
     if alone:
-        path = _without_detours(ahead, moving, behind, alone)
+        path = _without_detours(ahead, put_in(moving, values) if values else moving, behind, alone)
         columns = {name: k for k, name in enumerate(alone)}
         whole = merge(path) if merged else path
         yield Part(tuple(map(joints.index, alone)), steps_of(whole, columns), whole)
     for name in joints:
         if name in taken:
-            turned = substituted(moving, {name: Symbol(name) + Symbol(VIRTUAL)}, {name: _angle(name)})
+            turned = put_in(moving, {**(values or {}), name: _besides(robot, name, (values or {}).get(name))})
             path = _without_detours(ahead, turned, behind, (VIRTUAL,))
             whole = merge(path) if merged else path
             steps = tuple(map(_settled, steps_of(whole, {VIRTUAL: 0})))
             yield Part((joints.index(name),), steps, tuple(step.move for step in steps))
 
 
-def _angle(name: str) -> Angle:
-    return Angle.of(name) + Angle.of(VIRTUAL)
+def _besides(robot: Robot, name: str, value: Value | None) -> Value:
+    """The value of a joint, or its name, and a virtual turn or slide."""
+    if name in robot.angles:
+        return (value if isinstance(value, Angle) else Angle.of(name)) + Angle.of(VIRTUAL)
+    return (value if isinstance(value, Expr) else Symbol(name)) + Symbol(VIRTUAL)
 
 
 def _settled(step: Step) -> Step:
@@ -136,6 +145,8 @@ def _settled(step: Step) -> Step:
 
 def _without_detours(ahead: Chain, moving: Chain, behind: Chain, joints: Iterable[str]) -> Chain:
     """A path without moves that are undone at once; those that hold a joint which moves are not."""
+    if not ahead and not behind:
+        return moving
     kept = frozenset(joints)
     path = list(ahead)
     for move in moving:
@@ -165,8 +176,3 @@ def check_size(made: Iterable[Part]) -> None:
     if size > LONGEST:
         message = f"the result would be {size} symbols long, more than the {LONGEST} that are written"
         raise RobotError(message, "ask for fewer frames with --from and --to, or put values in")
-
-
-def turns(step: Step) -> bool:
-    """Whether a step is a rotation."""
-    return isinstance(step.move, Rot)
