@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from dhcli.algebra.sizes import SIZES
@@ -103,32 +103,58 @@ def parts(
     Raises:
         RobotError: A value cannot be put in.
     """
-    ahead = between(robot, view.axes, view.start)
-    moving = between(robot, view.start, view.end)
     behind = between(robot, view.end, view.place)
     if view.point != ORIGIN:
         behind = (*behind, Trans(*view.point))
-    taken = (names(ahead) | names(behind) if ahead or behind else frozenset()) | (values.keys() if values else set())
-    if values:
-        ahead, behind = put_in(ahead, values), put_in(behind, values)
-    alone = [name for name in joints if name not in taken]
-    if alone:
-        path = _without_detours(ahead, put_in(moving, values) if values else moving, behind, alone)
-        columns = {name: k for k, name in enumerate(alone)}
-        whole = merge(path) if merged else path
-        yield Part(tuple(map(joints.index, alone)), steps_of(whole, columns), whole)
-    for name in joints:
-        if name in taken:
-            turned = put_in(moving, {**(values or {}), name: _besides(robot, name, (values or {}).get(name))})
-            path = _without_detours(ahead, turned, behind, (VIRTUAL,))
+    way = Way(between(robot, view.axes, view.start), between(robot, view.start, view.end), behind)
+    return way.parts(joints, robot.angles, merged=merged, values=values)
+
+
+@dataclass(frozen=True, slots=True)
+class Way:
+    """A path in three pieces, of which joints move the middle one.
+
+    Attributes:
+        ahead: From the axes that the rows are written along to where the motion starts.
+        moving: From there to the body that moves.
+        behind: From that body to the point whose velocity it is.
+    """
+
+    ahead: Chain
+    moving: Chain
+    behind: Chain = ()
+
+    def parts(
+        self, joints: Sequence[str], angles: Collection[str], *, merged: bool, values: Values | None = None
+    ) -> Iterator[Part]:
+        """The chains from which the columns of some joints follow; see `parts`.
+
+        Args:
+            joints: Names of the joints in question.
+            angles: Names that stand for angles.
+            merged: Whether parallel joints are merged.
+            values: Exact values to put in.
+        """
+        values = values or {}
+        ahead, behind = (put_in(chain, values) if values else chain for chain in (self.ahead, self.behind))
+        taken = (names(self.ahead) | names(self.behind)) | values.keys() if ahead or behind or values else frozenset()
+        alone = {name: k for k, name in enumerate(name for name in joints if name not in taken)}
+        if alone:
+            path = _without_detours(ahead, put_in(self.moving, values) if values else self.moving, behind, alone)
             whole = merge(path) if merged else path
-            steps = tuple(map(_settled, steps_of(whole, {VIRTUAL: 0})))
-            yield Part((joints.index(name),), steps, tuple(step.move for step in steps))
+            yield Part(tuple(k for k, name in enumerate(joints) if name in alone), steps_of(whole, alone), whole)
+        for k, name in enumerate(joints):
+            if name in taken:
+                turned = put_in(self.moving, {**values, name: _besides(name, values.get(name), name in angles)})
+                path = _without_detours(ahead, turned, behind, (VIRTUAL,))
+                whole = merge(path) if merged else path
+                steps = tuple(map(_settled, steps_of(whole, {VIRTUAL: 0})))
+                yield Part((k,), steps, tuple(step.move for step in steps))
 
 
-def _besides(robot: Robot, name: str, value: Value | None) -> Value:
+def _besides(name: str, value: Value | None, turns: bool) -> Value:  # noqa: FBT001  turns or slides
     """The value of a joint, or its name, and a virtual turn or slide."""
-    if name in robot.angles:
+    if turns:
         return (value if isinstance(value, Angle) else Angle.of(name)) + Angle.of(VIRTUAL)
     return (value if isinstance(value, Expr) else Symbol(name)) + Symbol(VIRTUAL)
 
