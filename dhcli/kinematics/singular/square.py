@@ -105,8 +105,7 @@ def choices(
             patterns_v.setdefault(pattern, (place, axes))
     patterns_w: dict[tuple[int, ...], int] = {}
     for axes in point.arm.turning if len(linear) < len(kept) else [0]:
-        turning = [point.along((0, 0, 0) if c.less is not None else point.angular[c.joint], axes) for c in columns]
-        pattern = _pattern(turning, len(kept) - len(linear))
+        pattern = _pattern([point.along(_spin(point, c), axes) for c in columns], len(kept) - len(linear))
         if pattern is not None:
             patterns_w.setdefault(pattern, axes)
     for (upper, (place, axes)), (lower, other) in pairs(patterns_v.items(), patterns_w.items()):
@@ -119,9 +118,29 @@ def choices(
             yield Choice((axes, other), place, columns, tuple(k for k, _ in rows), blocks)
 
 
+def choices_of_rows(
+    point: Point, columns: tuple[Difference, ...], places: Sequence[int], kept: Sequence[int]
+) -> Iterator[tuple[tuple[int, int], int, tuple[int, ...]]]:
+    """Axes of v and of ω, a place, and for each of the six rows the columns that are not zero there, as bits."""
+    linear, turning = kept[0] < 3, kept[-1] > 2  # noqa: PLR2004  whether there are rows of v, and of ω
+    for place, axes, other in pairs(places, point.arm.turning, point.arm.turning if turning else [0]):
+        upper = _bits([point.along(_velocity(point, c, place), axes) for c in columns]) if linear else (0, 0, 0)
+        lower = _bits([point.along(_spin(point, c), other) for c in columns]) if turning else (0, 0, 0)
+        yield (axes, other), place, (*upper, *lower)
+
+
+def _spin(point: Point, column: Difference) -> Triple:
+    return (0, 0, 0) if column.less is not None else point.angular[column.joint]
+
+
+def _bits(vectors: Sequence[Triple]) -> tuple[int, ...]:
+    """For each of three rows the columns that are not zero, as bits."""
+    return tuple(sum(bool(vector[k]) << c for c, vector in enumerate(vectors)) for k in range(3))
+
+
 def _pattern(vectors: Sequence[Triple], wanted: int) -> tuple[int, ...] | None:
     """For each of three rows the columns that are not zero, as bits; None if more rows are filled than wanted."""
-    pattern = tuple(sum(bool(vector[k]) << c for c, vector in enumerate(vectors)) for k in range(3))
+    pattern = _bits(vectors)
     return pattern if sum(map(bool, pattern)) <= wanted or not wanted else None
 
 

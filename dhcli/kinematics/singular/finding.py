@@ -1,0 +1,207 @@
+"""Where a robot loses motions, by rules: the task, its determinant in factors or its conditions, and what they mean."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from itertools import combinations, product as every
+
+from dhcli.algebra.arithmetic import CannotHoldError
+from dhcli.errors import RobotError
+from dhcli.kinematics.forward import Given, put_in
+from dhcli.kinematics.frames import between, ends
+from dhcli.kinematics.robot import Robot, check_robot
+from dhcli.kinematics.singular.arm import Arm, Point
+from dhcli.kinematics.singular.conditions import UnreadableError, conditions, moving
+from dhcli.kinematics.singular.forms import TooLongError, product
+from dhcli.kinematics.singular.modular import determinant, rank
+from dhcli.kinematics.singular.result import Factor, Singularities
+from dhcli.kinematics.singular.square import best_places, factored
+from dhcli.kinematics.singular.vanishing import fresh, right_angles, vanishing, variables_of
+from dhcli.kinematics.singular.words import Geometry, Place, angle_words
+from dhcli.kinematics.values import Values, given_parameters
+from dhcli.kinematics.velocity.jacobian import GEOMETRIC, Which, moving_joints
+from dhcli.kinematics.velocity.view import View
+from dhcli.notation.tree import Expr, Trig, negate
+from dhcli.notation.walk import operations
+
+MOST_JOINTS = 9
+"""Arms with more joints have too many determinants."""
+
+MOST_TOGETHER = 2
+"""Joints that are put at right angles at once where no list is readable."""
+
+
+def singularities(
+    robot: Robot,
+    *,
+    start: str | int | None = None,
+    end: str | int | None = None,
+    part: Which | None = None,
+    parameters: Given | None = None,
+) -> Singularities:
+    """Where the Jacobian of a robot loses rank: its determinant in factors, or conditions where it is not square.
+
+    The determinant is the product of the factors for all joint values, sign included: that is proved in residues, with
+    an error below 2^-100. It is that of the rows which the joints can move at all, in the axes of `start`.
+
+    Args:
+        robot: The robot.
+        start: The frame that is held still; the first numbered one by default.
+        end: The frame that moves, and whose origin the velocity is of; the last numbered one by default.
+        part: The task: `all` rows, `linear` or `angular`; by default all, or for up to three joints one of the others
+            if that has as many freedoms as there are joints.
+        parameters: Lengths and angles to put in exactly; all others stay symbols.
+
+    Returns:
+        What was found, with the picture and the lost motion of each factor in words.
+
+    Raises:
+        RobotError: Nothing of the robot moves, or it has a number that no residue stands for.
+        UnknownNameError: The robot has no such frame or length.
+    """
+    check_robot(robot)
+    first, last = ends(robot, start, end)
+    return find(robot, first, last, part, given_parameters(robot, parameters or {}))
+
+
+def find(robot: Robot, start: str, end: str, part: Which | None, values: Values) -> Singularities:
+    """The same between two frames, with values that are known; see `singularities`."""
+    joints = moving_joints(robot, View(start, end, start, end))
+    lengths = {name: value for name, value in values.items() if name not in robot.variables}
+    chain = between(robot, start, end)
+    arm = Arm(robot, start, end, joints, put_in(chain, lengths) if lengths else chain)
+    try:
+        return _found(arm, part)
+    except CannotHoldError:
+        message = f"{robot.name} has a number or an angle for which singularities cannot be proved"
+        raise RobotError(message, "write it as a fraction, a root, or in whole degrees, or give it a name") from None
+
+
+def _found(arm: Arm, part: Which | None) -> Singularities:
+    point = Point.of(arm, fresh(arm))
+    task = part or task_of(point)
+    kept = task_rows(point, task)
+    labels = tuple(GEOMETRIC.labels[k] for k in kept)
+    reached = rank([point.rows()[k] for k in kept], point.field) if kept else 0
+    place = place_of(point, kept)
+
+    def found(finding: str, **more: object) -> Singularities:
+        return Singularities(
+            finding, arm.start, arm.end, task, labels, arm.joints, reached, place.words, writing=arm.robot.writing, **more  # type: ignore[arg-type]
+        )
+
+    if not kept or reached < min(len(kept), len(arm.joints)):
+        return found("everywhere")
+    if len(arm.joints) > MOST_JOINTS:
+        return found("unreadable")
+    try:
+        if len(kept) == len(arm.joints):
+            whole, factors = _square(arm, point, kept)
+            described = tuple(_described(arm, point, place, kept, (one,), n) for one, n in factors.items())
+            return found("factors" if described else "never", determinant=whole, factors=described)
+        listed = conditions(arm, point, kept)
+        described = tuple(_described(arm, point, place, kept, zeros, 1) for zeros in listed)
+    except (UnreadableError, TooLongError):
+        return found("unreadable", probed=probed(arm, kept, reached))
+    return found("conditions" if described else "never", factors=described)
+
+
+def task_of(point: Point) -> Which:
+    """The rows of which a robot has as many as joints: of v alone for a 3R arm, of ω alone for a wrist."""
+    count = len(point.linear)
+    rows = point.rows()
+    everything = [k for k in range(6) if any(rows[k])]
+    if count > 3 or len(everything) == count:  # noqa: PLR2004  no part has more rows
+        return "all"
+    if rank(rows[:3], point.field) == count:
+        return "linear"
+    if rank(rows[3:], point.field) == count:
+        return "angular"
+    return "linear" if any(map(any, rows[:3])) else "angular"
+
+
+def task_rows(point: Point, task: Which) -> tuple[int, ...]:
+    """The rows of a task that the joints can move at all, along the axes of the start."""
+    rows = point.rows()
+    wanted = {"all": range(6), "linear": range(3), "angular": range(3, 6)}[task]
+    return tuple(k for k in wanted if any(rows[k]))
+
+
+def _square(arm: Arm, point: Point, kept: Sequence[int]) -> tuple[Expr, dict[Expr, int]]:
+    """The determinant, and those of its factors that joints can make zero."""
+    found = factored(arm, point, range(len(arm.joints)), kept)
+    if found is None:
+        raise UnreadableError
+    value, factors, _ = found
+    whole = product(value, factors)
+    point = Point.of(arm, fresh(arm))  # another one than the structure was read off
+    rows = point.rows()
+    true = determinant([rows[k] for k in kept], point.field)
+    seen = point.over.value(whole)
+    if (seen - true) % point.field.prime:
+        if (seen + true) % point.field.prime:
+            raise ArithmeticError("the factors of a determinant do not multiply to it")
+        whole = negate(whole)
+    movable = moving(factors, arm)
+    return whole, {factor: exponent for factor, exponent in factors.items() if factor in movable}
+
+
+def place_of(point: Point, kept: Sequence[int]) -> Place:
+    """The point that sentences are about: the one which the fewest joints move, or the end's own."""
+    arm, end = point.arm, len(point.arm.chain)
+    name = f"the origin of {'frame ' if arm.end.isdigit() else ''}{arm.end}"
+    if not kept or kept[-1] < 3 or kept[0] > 2:  # noqa: PLR2004  v alone, or ω alone
+        return Place(end, name)
+    place = best_places(point, range(len(arm.joints)))[-1]
+    still = [
+        j for j in range(len(arm.joints)) if any(point.angular[j]) and not any(point.velocity(j, point.origins[place]))
+    ]
+    if still == list(range(len(arm.joints)))[-3:]:
+        return Place(place, "the wrist centre")
+    if len(still) > 1:
+        return Place(place, f"the point where axes {' and '.join(str(number_of(arm, j)) for j in still)} meet")
+    frame = arm.frame_at(place)
+    return Place(place, f"the origin of frame {frame}" if frame.isdigit() else name)
+
+
+def number_of(arm: Arm, joint: int) -> int:
+    """The number of a joint as its robot counts."""
+    return arm.robot.first + arm.robot.variables.index(arm.joints[joint])
+
+
+def _described(
+    arm: Arm, point: Point, place: Place, kept: Sequence[int], zeros: tuple[Expr, ...], exponent: int
+) -> Factor:
+    """A factor or condition with what it means."""
+    simple = sorted(zeros, key=lambda zero: (not isinstance(zero, Trig), operations(zero)))
+    angles = " and ".join(angle_words(zero, arm.robot.writing) for zero in simple if not operations(zero))
+    plain = Factor(zeros, exponent, variables_of(zeros, arm.joints), angles)
+    here = next((Point.of(arm, over) for over in vanishing(arm, simple)), None)
+    if here is None:
+        return plain
+    numbers = [number_of(arm, j) for j in range(len(arm.joints))]
+    geometry = Geometry(here, point, place, numbers)
+    dependent = geometry.moving_alike(kept)
+    words = next(geometry.sentences(dependent), "")
+    lost = geometry.lost(kept)
+    return Factor(zeros, exponent, plain.joints, angles, words, tuple(arm.joints[j] for j in dependent), lost)
+
+
+def probed(arm: Arm, kept: Sequence[int], full: int) -> tuple[Mapping[str, int], ...]:
+    """Where the rank falls when one or two joints stand at right angles and all others anywhere.
+
+    Returns:
+        For each finding the joints and their multiples of a right angle, none of which follows from another.
+    """
+    turning = [joint for joint, hinge in zip(arm.joints, arm.is_hinge, strict=True) if hinge]
+    found: list[dict[str, int]] = []
+    for count in range(1, MOST_TOGETHER + 1):
+        for names in combinations(turning, count):
+            for quarters in every(range(4), repeat=count):
+                turns = dict(zip(names, quarters, strict=True))
+                if any(known.items() <= turns.items() for known in found):
+                    continue
+                rows = Point.of(arm, right_angles(arm, turns)).rows()
+                if rank([rows[k] for k in kept], fresh(arm).field) < full:
+                    found.append(turns)
+    return tuple(found)
