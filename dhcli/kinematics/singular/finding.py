@@ -9,6 +9,7 @@ from dhcli.algebra.arithmetic import CannotHoldError
 from dhcli.errors import RobotError
 from dhcli.kinematics.forward import Given, put_in
 from dhcli.kinematics.frames import between, ends
+from dhcli.kinematics.moves import Trans
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.singular.arm import Arm, Point
 from dhcli.kinematics.singular.conditions import UnreadableError, conditions, moving
@@ -17,10 +18,10 @@ from dhcli.kinematics.singular.modular import determinant, rank
 from dhcli.kinematics.singular.result import Factor, Singularities
 from dhcli.kinematics.singular.square import best_places, factored
 from dhcli.kinematics.singular.vanishing import fresh, right_angles, vanishing, variables_of
-from dhcli.kinematics.singular.words import Geometry, Place, angle_words
+from dhcli.kinematics.singular.words import Geometry, Place, angle_words, listed
 from dhcli.kinematics.values import Values, given_parameters
 from dhcli.kinematics.velocity.jacobian import GEOMETRIC, Which, moving_joints
-from dhcli.kinematics.velocity.view import View
+from dhcli.kinematics.velocity.view import ORIGIN, View, offset_of
 from dhcli.notation.tree import Expr, Trig, negate
 from dhcli.notation.walk import operations
 
@@ -36,6 +37,7 @@ def singularities(
     *,
     start: str | int | None = None,
     end: str | int | None = None,
+    point: Sequence[float | str] | None = None,
     part: Which | None = None,
     parameters: Given | None = None,
 ) -> Singularities:
@@ -48,6 +50,7 @@ def singularities(
         robot: The robot.
         start: The frame that is held still; the first numbered one by default.
         end: The frame that moves, and whose origin the velocity is of; the last numbered one by default.
+        point: A point of the end frame whose velocity is meant instead of its origin's, numbers [m] or names.
         part: The task: `all` rows, `linear` or `angular`; by default all, or for up to three joints one of the others
             if that has as many freedoms as there are joints.
         parameters: Lengths and angles to put in exactly; all others stay symbols.
@@ -61,14 +64,18 @@ def singularities(
     """
     check_robot(robot)
     first, last = ends(robot, start, end)
-    return find(robot, first, last, part, given_parameters(robot, parameters or {}))
+    view = View(first, last, first, last, offset_of(point))
+    return find(robot, view, part, given_parameters(robot, parameters or {}))
 
 
-def find(robot: Robot, start: str, end: str, part: Which | None, values: Values) -> Singularities:
-    """The same between two frames, with values that are known; see `singularities`."""
-    joints = moving_joints(robot, View(start, end, start, end))
+def find(robot: Robot, view: View, part: Which | None, values: Values) -> Singularities:
+    """The same for a view, with values that are known; see `singularities`."""
+    joints = moving_joints(robot, view)
+    start, end = view.start, view.end
     lengths = {name: value for name, value in values.items() if name not in robot.variables}
     chain = between(robot, start, end)
+    if view.point != ORIGIN:
+        chain = (*chain, Trans(*view.point))
     arm = Arm(robot, start, end, joints, put_in(chain, lengths) if lengths else chain)
     try:
         return _found(arm, part)
@@ -82,15 +89,28 @@ def _found(arm: Arm, part: Which | None) -> Singularities:
     task = part or task_of(point)
     kept = task_rows(point, task)
     labels = tuple(GEOMETRIC.labels[k] for k in kept)
-    reached = rank([point.rows()[k] for k in kept], point.field) if kept else 0
+    rows = [point.rows()[k] for k in kept]
+    reached = rank(rows, point.field) if kept else 0
+    still = tuple(joint for j, joint in enumerate(arm.joints) if not any(row[j] for row in rows))
     place = place_of(point, kept)
 
     def found(finding: str, **more: object) -> Singularities:
         return Singularities(
-            finding, arm.start, arm.end, task, labels, arm.joints, reached, place.words, writing=arm.robot.writing, **more  # type: ignore[arg-type]
+            finding,  # type: ignore[arg-type]
+            arm.start,
+            arm.end,
+            task,
+            labels,
+            arm.joints,
+            reached,
+            still,
+            place.words,
+            writing=arm.robot.writing,
+            **more,  # type: ignore[arg-type]
         )
 
-    if not kept or reached < min(len(kept), len(arm.joints)):
+    wanted = min(len(kept), len(arm.joints))
+    if reached < wanted or (still and len(arm.joints) <= 3):  # noqa: PLR2004  rows of a part: a 3x3 of rank 2
         return found("everywhere")
     if len(arm.joints) > MOST_JOINTS:
         return found("unreadable")
@@ -149,7 +169,8 @@ def _square(arm: Arm, point: Point, kept: Sequence[int]) -> tuple[Expr, dict[Exp
 def place_of(point: Point, kept: Sequence[int]) -> Place:
     """The point that sentences are about: the one which the fewest joints move, or the end's own."""
     arm, end = point.arm, len(point.arm.chain)
-    name = f"the origin of {'frame ' if arm.end.isdigit() else ''}{arm.end}"
+    own = len(between(arm.robot, arm.start, arm.end)) == end
+    name = f"the origin of {'frame ' if arm.end.isdigit() else ''}{arm.end}" if own else "the point"
     if not kept or kept[-1] < 3 or kept[0] > 2:  # noqa: PLR2004  v alone, or ω alone
         return Place(end, name)
     place = best_places(point, range(len(arm.joints)))[-1]
@@ -159,7 +180,7 @@ def place_of(point: Point, kept: Sequence[int]) -> Place:
     if still == list(range(len(arm.joints)))[-3:]:
         return Place(place, "the wrist centre")
     if len(still) > 1:
-        return Place(place, f"the point where axes {' and '.join(str(number_of(arm, j)) for j in still)} meet")
+        return Place(place, f"the point where axes {listed(number_of(arm, j) for j in still)} meet")
     frame = arm.frame_at(place)
     return Place(place, f"the origin of frame {frame}" if frame.isdigit() else name)
 
@@ -181,10 +202,10 @@ def _described(
         return plain
     numbers = [number_of(arm, j) for j in range(len(arm.joints))]
     geometry = Geometry(here, point, place, numbers)
-    dependent = geometry.moving_alike(kept)
-    words = next(geometry.sentences(dependent), "")
-    lost = geometry.lost(kept)
-    return Factor(zeros, exponent, plain.joints, angles, words, tuple(arm.joints[j] for j in dependent), lost)
+    part, dependent = geometry.moving_alike(kept)
+    names = tuple(arm.joints[j] for j in dependent)
+    words = next(geometry.sentences(dependent), f"the columns of {listed(names)} become dependent")
+    return Factor(zeros, exponent, plain.joints, angles, words, names, geometry.lost(kept, part))
 
 
 def probed(arm: Arm, kept: Sequence[int], full: int) -> tuple[Mapping[str, int], ...]:

@@ -10,7 +10,23 @@ from fractions import Fraction
 from itertools import combinations
 from typing import TypeAlias
 
-from dhcli.notation.tree import ONE, ZERO, Expr, Number, Power, Product, Sum, Trig, add, multiply, negate, number, power
+from dhcli.notation.tree import (
+    ZERO,
+    Expr,
+    Number,
+    Power,
+    Product,
+    Sum,
+    Trig,
+    add,
+    factor_key,
+    is_negative,
+    multiply,
+    negate,
+    number,
+    power,
+    split,
+)
 from dhcli.notation.trig import cosine, sine
 from dhcli.notation.walk import operations
 
@@ -147,8 +163,28 @@ def _shortest(expr: Sum) -> tuple[Fraction, dict[Expr, int]]:
         candidates += [_written(fewer), grouped(fewer)]
     except TooLongError:
         pass
-    split = [factors_of(candidate) for candidate in candidates]
-    return min(split, key=lambda found: operations(product(*found)))
+    ways = [factors_of(candidate) for candidate in candidates]
+    value, factors = min(ways, key=lambda found: operations(product(*found)))
+    found: dict[Expr, int] = {}
+    for base, exponent in factors.items():
+        ordered = _in_order(base)
+        if ordered is not base and is_negative(ordered.terms[0]):  # type: ignore[attr-defined]
+            ordered, value = negate(ordered), value * (-1) ** exponent
+        found[ordered] = exponent
+    return value, found
+
+
+def _in_order(base: Expr) -> Expr:
+    """A bracket with the terms in front that begin with a length, as the rest of a book does it."""
+    if type(base) is not Sum:
+        return base
+    terms = tuple(sorted(base.terms, key=lambda term: _leading(term) > 2))  # noqa: PLR2004  lengths are of class 2
+    return base if terms == base.terms else Sum(terms)
+
+
+def _leading(term: Expr) -> int:
+    _, rest = split(term)
+    return factor_key(rest.factors[0] if type(rest) is Product else rest)[0]
 
 
 def expanded(expr: Expr) -> Polynomial:
@@ -299,8 +335,3 @@ def grouped(terms: Polynomial) -> Expr:
 
 def _written(terms: Polynomial) -> Expr:
     return add(*(product(value, dict(monomial)) for monomial, value in terms.items())) if terms else ZERO
-
-
-def joined(value: Fraction, factors: dict[Expr, int]) -> Expr:
-    """Factors as one expression; no factor at all is the number."""
-    return product(value, factors) if factors else multiply(number(value), ONE)

@@ -54,6 +54,7 @@ class Singularities:
         rows: Labels of those rows of the six that the joints can move at all.
         joints: The joints, a column each.
         rank: The rank at almost all joint values.
+        still: Joints that do not move the task at all.
         place: The point whose velocity the sentences speak of, in words.
         determinant: The determinant in factors, or None.
         factors: What makes the rank fall; each alone.
@@ -68,6 +69,7 @@ class Singularities:
     rows: tuple[str, ...]
     joints: tuple[str, ...]
     rank: int
+    still: tuple[str, ...] = ()
     place: str = ""
     determinant: Expr | None = None
     factors: tuple[Factor, ...] = ()

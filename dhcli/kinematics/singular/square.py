@@ -13,12 +13,16 @@ from fractions import Fraction
 from functools import cache
 from itertools import product as pairs
 
+from dhcli.algebra.sizes import SIZES
 from dhcli.kinematics.singular.arm import Arm, Point, Triple
 from dhcli.kinematics.singular.blocks import Block, blocks_of
-from dhcli.kinematics.singular.forms import determinant, product, shortest
+from dhcli.kinematics.singular.forms import TooLongError, determinant, product, shortest
 from dhcli.kinematics.singular.modular import minus
-from dhcli.notation.tree import ZERO, Expr, Number, number
+from dhcli.notation.tree import Expr, number
 from dhcli.notation.walk import operations
+
+LONGEST_BLOCK = 1500
+"""Symbols of the longest block that is multiplied out; the one of the PUMA 200 as printed has under 100."""
 
 MOST_TRIED = 4
 """Choices of frames, alike in their blocks, whose determinants are all written, for the shortest."""
@@ -179,12 +183,22 @@ class Writing:
         entry = entries[row % 3]
         return number(entry) if isinstance(entry, int) else entry
 
+    def block(self, choice: Choice, block: Block) -> list[list[Expr]]:
+        """One block on the diagonal.
+
+        Raises:
+            TooLongError: Its determinant would be longer than anybody reads.
+        """
+        rows = [[self.entry(choice, choice.rows[r], choice.columns[c]) for c in block[1]] for r in block[0]]
+        if size_of(rows) > LONGEST_BLOCK:
+            raise TooLongError
+        return rows
+
     def factors(self, choice: Choice) -> tuple[Fraction, dict[Expr, int]]:
         """The determinant up to sign, in factors."""
         value, found = Fraction(1), dict[Expr, int]()
-        for rows, columns in choice.blocks:
-            block = [[self.entry(choice, choice.rows[r], choice.columns[c]) for c in columns] for r in rows]
-            own, factors = shortest(determinant(block))
+        for block in choice.blocks:
+            own, factors = shortest(determinant(self.block(choice, block)))
             value *= own
             for base, exponent in factors.items():
                 found[base] = found.get(base, 0) + exponent
@@ -217,6 +231,21 @@ def factored(
     return min(tried, key=lambda one: operations(product(one[0], one[1])))
 
 
-def is_zero(expr: Expr) -> bool:
-    """Whether an expression is the number 0."""
-    return type(expr) is Number and expr == ZERO
+def size_of(rows: Sequence[Sequence[Expr]]) -> int:
+    """The symbols of a determinant that is multiplied out over its rows, counted before it is."""
+    over = [[SIZES.length(entry) for entry in row] for row in rows]
+    counts = [[0 if entry == 0 else 1 if isinstance(entry, int) else entry.count for entry in row] for row in over]
+
+    @cache
+    def below(row: int, taken: frozenset[int]) -> tuple[int, int]:
+        """How many products the rows from one on have, and how many symbols."""
+        if row == len(counts):
+            return 1, 0
+        products, symbols = 0, 0
+        for column, count in enumerate(counts[row]):
+            if count and column not in taken:
+                many, long = below(row + 1, taken | {column})
+                products, symbols = products + many, symbols + long + many * count
+        return products, symbols
+
+    return below(0, frozenset())[1]

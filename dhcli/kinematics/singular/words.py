@@ -6,7 +6,7 @@ elsewhere; nothing is known of the names of robots.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -38,6 +38,12 @@ def angle_words(factor: Expr, joints: Joints) -> str:
     if isinstance(factor, Symbol):
         return f"{factor.name} is 0"
     return f"{write(factor, 'short', joints)} is 0"
+
+
+def listed(names: Iterable[object]) -> str:
+    """`4`, `4 and 6`, `2, 3 and 4`."""
+    *before, last = map(str, names)
+    return f"{', '.join(before)} and {last}" if before else last
 
 
 class Geometry:
@@ -126,24 +132,24 @@ class Geometry:
         basis = null_space([rows[k] for k in kept], self.here.field)
         return tuple(j for j in range(len(self.here.linear)) if any(vector[j] for vector in basis))
 
-    def moving_alike(self, kept: Sequence[int]) -> tuple[int, ...]:
-        """The fewest joints whose dependence is the reason.
+    def moving_alike(self, kept: Sequence[int]) -> tuple[str, tuple[int, ...]]:
+        """The fewest joints whose dependence is the reason, and by what: their velocities, their turning, or both.
 
-        Where others turn the body about the point at will, those that move the point are asked alone; else those that
-        turn it; else all of them.
+        Where others turn the body about the point at will, those that move the point are asked alone; where others
+        move it at will, those that only turn the body.
         """
         rows = self.here.rows(self._point(self.here))
         generic = self.elsewhere.rows(self._point(self.elsewhere))
-        for part in ([k for k in kept if k < 3], [k for k in kept if k > 2]):  # noqa: PLR2004  v, then ω
-            still = [j for j in range(len(rows[0])) if not any(generic[k][j] for k in kept if k not in part)]
-            moving = [j for j in range(len(rows[0])) if any(generic[k][j] for k in part)]
-            if not part or len(part) == len(kept):
-                continue
-            for joints in (still, moving):
-                found = self._dependent_in(part, joints, rows, generic)
-                if found:
-                    return found
-        return self.dependent(kept)
+        count = range(len(rows[0]))
+        for name, part in (("v", [k for k in kept if k < 3]), ("ω", [k for k in kept if k > 2])):  # noqa: PLR2004
+            if part and len(part) < len(kept):
+                only = [j for j in count if not any(generic[k][j] for k in kept if k not in part)]
+                every = [j for j in count if any(generic[k][j] for k in part)]
+                for joints in (only, every):
+                    found = self._dependent_in(part, joints, rows, generic)
+                    if found:
+                        return name, found
+        return "", self.dependent(kept)
 
     def _dependent_in(
         self, part: Sequence[int], joints: Sequence[int], rows: Table, generic: Table
@@ -157,24 +163,43 @@ class Geometry:
         basis = null_space([[rows[k][j] for j in joints] for k in part], field)
         return tuple(joint for c, joint in enumerate(joints) if any(vector[c] for vector in basis))
 
-    def lost(self, kept: Sequence[int]) -> str:
-        """The motion that the arm cannot make here, in words; empty if it has none."""
+    def lost(self, kept: Sequence[int], part: str) -> str:
+        """The motion that the arm cannot make here, in words; empty if it has none.
+
+        What no joint can do is the wrench on which none of them works: a force at the point, a moment, or both, of
+        which that is told which is the reason.
+
+        Args:
+            kept: The rows of the task.
+            part: Whether the reason lies in `v` or in `ω`, or nothing if in both.
+        """
         here, prime = self.here, self.here.field.prime
         rows = here.rows(self._point(here))
-        columns = [[rows[k][j] for k in kept] for j in range(len(here.linear))]
-        basis = null_space(columns, here.field)
+        basis = null_space([[rows[k][j] for k in kept] for j in range(len(here.linear))], here.field)
         if not basis:
             return ""
         full = [0] * 6
         for k, value in zip(kept, basis[0], strict=True):
             full[k] = value % prime
-        force, moment = tuple(full[:3]), tuple(full[3:])
-        if any(moment):
-            about = self._direction(moment, turning=True)  # type: ignore[arg-type]
+        force: Triple = (full[0], full[1], full[2])
+        moment: Triple = (full[3], full[4], full[5])
+        along = self._line(force) if any(force) else ""
+        about = self._direction(moment, turning=True) if any(moment) else ""
+        if any(moment) and (part == "ω" or not any(force) or (about and not along)):
             rest = f", with {self.place.words} at rest" if kept[0] < 3 else ""  # noqa: PLR2004  rows of v
             return f"turning about {about or 'one direction'}{rest}"
-        along = self._direction(force, turning=False)  # type: ignore[arg-type]
         return f"moving {self.place.words} {along or 'in one direction'}"
+
+    def _line(self, vector: Triple) -> str:
+        """A direction of a velocity by what else points along it, or by a plane that it lies in."""
+        if named := self._direction(vector, turning=False):
+            return named
+        here, prime = self.here, self.here.field.prime
+        for j in self.hinges:
+            normal = cross(here.angular[j], minus(self._point(here), here.on_axis(j), prime), prime)
+            if any(normal) and not dot(normal, vector, prime):
+                return f"in one direction of the plane through it and axis {self.numbers[j]}"
+        return ""
 
     def _direction(self, vector: Triple, *, turning: bool) -> str:
         """A direction by what else points along it."""

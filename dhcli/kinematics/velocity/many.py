@@ -19,7 +19,6 @@ from dhcli.kinematics.fold import fold_rows
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.frames import between
 from dhcli.kinematics.merge import merge
-from dhcli.kinematics.pose import coordinates
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.values import JointInput, given_parameters, joint_values, numbers, parameter_values
 from dhcli.kinematics.velocity.analytic import TINY, Triple
@@ -34,7 +33,7 @@ from dhcli.kinematics.velocity.jacobian import (
     six_rows,
     textbook_jacobian,
 )
-from dhcli.kinematics.velocity.view import ORIGIN, View, parts
+from dhcli.kinematics.velocity.view import View, offset_of, parts
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr
 
@@ -85,7 +84,7 @@ def jacobian(
         UnknownNameError: The robot has no such frame, joint or length.
     """
     check_robot(robot)
-    view = View.of(robot, start, end, axes, place, _offset(point))
+    view = View.of(robot, start, end, axes, place, offset_of(point))
     form = Form(checked_part(part), angular_first, analytic)
     if _is_many(q):
         return _many(robot, cast("ArrayLike", q), view, form, parameters or {})
@@ -130,7 +129,7 @@ def symbolic_jacobian(
         UnknownNameError: The robot has no such frame, joint or length.
     """
     check_robot(robot)
-    view = View.of(robot, start, end, axes, place, _offset(point))
+    view = View.of(robot, start, end, axes, place, offset_of(point))
     form = Form(checked_part(part), angular_first, analytic)
     values = {**given_parameters(robot, parameters or {}), **joint_values(robot, q)}
     return textbook_jacobian(robot, values, view, form)
@@ -145,15 +144,6 @@ def checked_part(part: str) -> Which:
     if part not in {"all", "linear", "angular"}:
         raise RobotError(f"a Jacobian has no part {part}", "parts: all, linear, angular")
     return cast("Which", part)
-
-
-def _offset(point: Point) -> tuple[Expr, Expr, Expr]:
-    if point is None:
-        return ORIGIN
-    given = coordinates(point)
-    if len(given) != 3:  # noqa: PLR2004
-        raise RobotError(f"a point has three coordinates, not {len(given)}")
-    return given[0], given[1], given[2]
 
 
 def _is_many(q: object) -> bool:

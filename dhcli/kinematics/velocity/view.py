@@ -11,6 +11,7 @@ from dhcli.kinematics.forward import LONGEST, put_in
 from dhcli.kinematics.frames import between, ends, frame
 from dhcli.kinematics.merge import merge
 from dhcli.kinematics.moves import Chain, Trans, inverse_of, names, substituted
+from dhcli.kinematics.pose import coordinates
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import Values
 from dhcli.kinematics.velocity.steps import Step, fold_columns, steps_of
@@ -61,6 +62,21 @@ class View:
         first, last = ends(robot, start, end)
         in_axes = first if axes is None else frame(robot, axes)
         return cls(first, last, in_axes, last if place is None else frame(robot, place), point)
+
+
+def offset_of(point: Sequence[float | str] | None) -> Offset:
+    """A point that a person gives, in numbers [m] or names; the origin if they give none.
+
+    Raises:
+        RobotError: It has not three coordinates, or one is no number.
+        NotationError: A text cannot be read.
+    """
+    if point is None:
+        return ORIGIN
+    given = coordinates(point)
+    if len(given) != 3:  # noqa: PLR2004
+        raise RobotError(f"a point has three coordinates, not {len(given)}")
+    return given[0], given[1], given[2]
 
 
 def joints_between(robot: Robot, start: str, end: str) -> tuple[str, ...]:
