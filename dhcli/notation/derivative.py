@@ -2,7 +2,22 @@
 
 from __future__ import annotations
 
-from dhcli.notation.tree import ONE, ZERO, Call, Expr, Power, Product, Sum, Symbol, Trig, add, multiply, number, power
+from dhcli.notation.tree import (
+    ONE,
+    ZERO,
+    Call,
+    Expr,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    Trig,
+    add,
+    multiply,
+    negate,
+    number,
+    power,
+)
 from dhcli.notation.trig import cosine, sine
 from dhcli.notation.walk import symbols
 
@@ -24,7 +39,8 @@ def derivative(expr: Expr, name: str) -> Expr:
             factor = next((factor for own, factor in angle.terms if own == name), None)
             if factor is None:
                 return ZERO
-            return multiply(number(factor), cosine(angle)) if function == "sin" else multiply(number(-factor), sine(angle))
+            changed = cosine(angle) if function == "sin" else negate(sine(angle))
+            return multiply(number(factor), changed)
         case Sum(terms):
             return add(*(derivative(term, name) for term in terms))
         case Product(factors):

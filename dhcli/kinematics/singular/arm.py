@@ -176,7 +176,9 @@ class Point:
         """All six rows, v of a point above ω; of the end's origin by default."""
         count = range(len(self.linear))
         linear = self.linear if point is None else tuple(self.velocity(j, point) for j in count)
-        return [[linear[j][k] for j in count] for k in range(3)] + [[self.angular[j][k] for j in count] for k in range(3)]
+        return [[linear[j][k] for j in count] for k in range(3)] + [
+            [self.angular[j][k] for j in count] for k in range(3)
+        ]
 
     def parallel(self, i: int, j: int) -> int:
         """1 or -1 if two hinges turn about parallel axes, by which sense; 0 if not."""

@@ -134,33 +134,37 @@ class _Splitting:
         if common:
             self.split([one - common for one in least], zeros)
             return
-        for factor in sorted(min(least, key=lambda one: (len(one), sum(map(operations, one)))), key=_plainness):
-            rest = [one for one in least if factor not in one]
-            self.split([self.given(one, factor) for one in rest], zeros | {factor})
+        fewest: Zeros = min(least, key=_fewest)
+        for factor in sorted(fewest, key=_plainness):
+            rest = (self.given(one, factor) for one in least if factor not in one)
+            self.split([one for one in rest if one is not None], zeros | {factor})
 
-    def given(self, minor: Zeros, zero: Expr) -> Zeros:
-        """A determinant where something is zero: simpler factors, or none that can vanish."""
+    def given(self, minor: Zeros, zero: Expr) -> Zeros | None:
+        """A determinant where something is zero: simpler factors, none that can vanish, or None if it vanishes too."""
         if not isinstance(zero, Trig):
             return minor
         kept: set[Expr] = set()
         for factor in minor:
             branches = [self.simpler(factor, values) for values in _right_angles(zero, self.arm.joints)]
-            if branches[0] != branches[1]:
+            if branches == [None, None]:
+                return None
+            if branches[0] is None or branches[0] != branches[1]:
                 kept.add(factor)  # another one on each branch: it stays as it is
             else:
                 kept |= branches[0]
         return frozenset(kept)
 
-    def simpler(self, factor: Expr, values: dict[str, Angle]) -> Zeros:
-        """The factors that are left of one when a joint has a value; itself if it is no shorter."""
+    def simpler(self, factor: Expr, values: dict[str, Angle]) -> Zeros | None:
+        """The factors that are left of one when a joint has a value; itself if it is no shorter, None if it is 0."""
         put = substitute(factor, {}, values)
         if put == factor:
             return frozenset({factor})
         value, factors = shortest(put)
+        if not value:
+            return None
         left = moving(factors, self.arm)
-        if value and left and sum(map(operations, left)) >= operations(factor):
-            return frozenset({factor})
-        return left if value else frozenset({factor})
+        shorter = not left or sum(map(operations, left)) < operations(factor)
+        return left if shorter else frozenset({factor})
 
 
 def _right_angles(zero: Trig, joints: Sequence[str]) -> list[dict[str, Angle]]:
@@ -174,3 +178,7 @@ def _right_angles(zero: Trig, joints: Sequence[str]) -> list[dict[str, Angle]]:
 
 def _plainness(factor: Expr) -> tuple[int, str]:
     return operations(factor), str(factor)
+
+
+def _fewest(minor: Zeros) -> tuple[int, int]:
+    return len(minor), sum(map(operations, minor))

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from itertools import combinations, product as every
+from itertools import combinations
+from itertools import product as every
 
 from dhcli.algebra.arithmetic import CannotHoldError
 from dhcli.errors import RobotError
 from dhcli.kinematics.forward import Given, put_in
-from dhcli.kinematics.frames import between, ends
+from dhcli.kinematics.frames import between
 from dhcli.kinematics.moves import Trans
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.singular.arm import Arm, Point
@@ -21,7 +22,7 @@ from dhcli.kinematics.singular.vanishing import fresh, right_angles, vanishing, 
 from dhcli.kinematics.singular.words import Geometry, Place, angle_words, listed
 from dhcli.kinematics.values import Values, given_parameters
 from dhcli.kinematics.velocity.jacobian import GEOMETRIC, Which, moving_joints
-from dhcli.kinematics.velocity.view import ORIGIN, View, offset_of
+from dhcli.kinematics.velocity.view import ORIGIN, View
 from dhcli.notation.tree import Expr, Trig, negate
 from dhcli.notation.walk import operations
 
@@ -63,25 +64,37 @@ def singularities(
         UnknownNameError: The robot has no such frame or length.
     """
     check_robot(robot)
-    first, last = ends(robot, start, end)
-    view = View(first, last, first, last, offset_of(point))
+    view = View.of(robot, start=start, end=end, point=point)
     return find(robot, view, part, given_parameters(robot, parameters or {}))
+
+
+def task_by_default(robot: Robot, view: View) -> Which:
+    """The rows that are taken for the task of a robot where nobody says; see `singularities`."""
+    arm = _arm(robot, view, {})
+    try:
+        return task_of(Point.of(arm, fresh(arm)))
+    except CannotHoldError:
+        return "all"
 
 
 def find(robot: Robot, view: View, part: Which | None, values: Values) -> Singularities:
     """The same for a view, with values that are known; see `singularities`."""
+    arm = _arm(robot, view, values)
+    try:
+        return _found(arm, part)
+    except CannotHoldError:
+        message = f"{robot.name} has a number or an angle for which singularities cannot be proved"
+        raise RobotError(message, "write it as a fraction, a root, or in whole degrees, or give it a name") from None
+
+
+def _arm(robot: Robot, view: View, values: Values) -> Arm:
     joints = moving_joints(robot, view)
     start, end = view.start, view.end
     lengths = {name: value for name, value in values.items() if name not in robot.variables}
     chain = between(robot, start, end)
     if view.point != ORIGIN:
         chain = (*chain, Trans(*view.point))
-    arm = Arm(robot, start, end, joints, put_in(chain, lengths) if lengths else chain)
-    try:
-        return _found(arm, part)
-    except CannotHoldError:
-        message = f"{robot.name} has a number or an angle for which singularities cannot be proved"
-        raise RobotError(message, "write it as a fraction, a root, or in whole degrees, or give it a name") from None
+    return Arm(robot, start, end, joints, put_in(chain, lengths) if lengths else chain)
 
 
 def _found(arm: Arm, part: Which | None) -> Singularities:
@@ -205,7 +218,22 @@ def _described(
     part, dependent = geometry.moving_alike(kept)
     names = tuple(arm.joints[j] for j in dependent)
     words = next(geometry.sentences(dependent), f"the columns of {listed(names)} become dependent")
+    if len(zeros) > 1:
+        words = _one_by_one(arm, point, place, simple) or words
     return Factor(zeros, exponent, plain.joints, angles, words, names, geometry.lost(kept, part))
+
+
+def _one_by_one(arm: Arm, point: Point, place: Place, zeros: Sequence[Expr]) -> str:
+    """What each of several zeros means by itself; empty if one cannot be said so."""
+    numbers = [number_of(arm, j) for j in range(len(arm.joints))]
+    said = []
+    for zero in zeros:
+        here = next((Point.of(arm, over) for over in vanishing(arm, (zero,))), None)
+        if here is None:
+            return ""
+        geometry = Geometry(here, point, place, numbers)
+        said.append(next(geometry.sentences(range(len(arm.joints))), angle_words(zero, arm.robot.writing)))
+    return " and ".join(dict.fromkeys(said))
 
 
 def probed(arm: Arm, kept: Sequence[int], full: int) -> tuple[Mapping[str, int], ...]:

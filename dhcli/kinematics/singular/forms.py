@@ -1,4 +1,4 @@
-"""Three ways to write a polynomial in lengths, cosines and sines: nested, multiplied out, contracted; the shortest wins.
+"""Three ways to write a polynomial in lengths, cosines, sines: nested, multiplied out, contracted; the shortest wins.
 
 A cosine and a sine of sums stay as they are; `c3*c23 + s3*s23` becomes `c2` only where somebody asks for `contracted`.
 """
@@ -67,11 +67,7 @@ def factors_of(expr: Expr) -> tuple[Fraction, dict[Expr, int]]:
 def _shared(expr: Sum) -> tuple[Fraction, dict[Expr, int]]:
     """What all terms of a sum have as a factor, and the bracket that is left."""
     taken = [factors_of(term) for term in expr.terms]
-    common = {
-        base: least
-        for base in taken[0][1]
-        if (least := min(factors.get(base, 0) for _, factors in taken)) > 0
-    }
+    common = {base: least for base in taken[0][1] if (least := min(factors.get(base, 0) for _, factors in taken)) > 0}
     sign = -1 if taken[0][0] < 0 else 1
     sizes = {abs(value) for value, _ in taken}
     size = sizes.pop() if len(sizes) == 1 else Fraction(1)
@@ -79,7 +75,8 @@ def _shared(expr: Sum) -> tuple[Fraction, dict[Expr, int]]:
         rest = negate(expr) if sign < 0 else expr
         return Fraction(sign), {rest: 1}
     terms = [
-        product(value / (size * sign), {b: e - common.get(b, 0) for b, e in factors.items()}) for value, factors in taken
+        product(value / (size * sign), {b: e - common.get(b, 0) for b, e in factors.items()})
+        for value, factors in taken
     ]
     value, found = factors_of(add(*terms))
     for base, exponent in common.items():
@@ -124,9 +121,7 @@ def _without_common(rows: Sequence[Sequence[Expr]]) -> tuple[Fraction, dict[Expr
                 continue
             common = {b: least for b in filled[0][1] if (least := min(f.get(b, 0) for _, f in filled)) > 0}
             if common:
-                table[k] = [
-                    entry if entry == ZERO else _divided(entry, common) for entry in row
-                ]
+                table[k] = [entry if entry == ZERO else _divided(entry, common) for entry in row]
                 for base, exponent in common.items():
                     taken[base] = taken.get(base, 0) + exponent
         table = [list(column) for column in zip(*table, strict=True)]
@@ -155,7 +150,7 @@ def shortest(expr: Expr) -> tuple[Fraction, dict[Expr, int]]:
 
 
 def _shortest(expr: Sum) -> tuple[Fraction, dict[Expr, int]]:
-    candidates = [expr]
+    candidates: list[Expr] = [expr]
     try:
         terms = expanded(expr)
         candidates += [_written(terms), grouped(terms)]
@@ -309,8 +304,7 @@ def _together(first: tuple[Trig, Trig], second: tuple[Trig, Trig], sign: Fractio
         return result if functions == "coscos" or sign > 0 else negate(result)
     if functions == "sincos":
         return sine(a.angle + b.angle * (1 if sign > 0 else -1))
-    result = sine(b.angle + a.angle * (1 if sign > 0 else -1))
-    return result
+    return sine(b.angle + a.angle * (1 if sign > 0 else -1))
 
 
 def grouped(terms: Polynomial) -> Expr:

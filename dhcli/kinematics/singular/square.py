@@ -82,9 +82,7 @@ def differences(point: Point, joints: Sequence[int]) -> tuple[Difference, ...]:
 def best_places(point: Point, joints: Sequence[int]) -> tuple[int, ...]:
     """The places whose point the fewest of the joints move; of several with one point, the last."""
     origins = {origin: place for place, origin in ((k, point.origins[k]) for k in point.arm.places)}
-    moving = {
-        place: sum(any(point.velocity(joint, origin)) for joint in joints) for origin, place in origins.items()
-    }
+    moving = {place: sum(any(point.velocity(joint, origin)) for joint in joints) for origin, place in origins.items()}
     fewest = min(moving.values())
     return tuple(place for place, count in moving.items() if count == fewest)
 

@@ -73,34 +73,46 @@ class Geometry:
         Args:
             joints: The joints whose columns are dependent, about which it must be.
         """
-        point, of = self.place.words, self.numbers
         hinges = [j for j in self.hinges if j in joints]
         pairs = sorted(combinations(hinges, 2), key=lambda pair: (pair[1] - pair[0], -pair[0]))
-        for i, j in pairs:
-            if self.becomes(lambda at, i=i, j=j: _in_line(at, i, j)):  # type: ignore[misc]
-                yield f"axes {of[i]} and {of[j]} fall in line"
-        for i in hinges:
-            if self.becomes(lambda at, i=i: not any(at.velocity(i, self._point(at)))):  # type: ignore[misc]
-                yield f"{point} lies on axis {of[i]}"
-        for i, j in pairs:
-            if self.becomes(lambda at, i=i, j=j: bool(at.parallel(i, j))):  # type: ignore[misc]
-                yield f"axes {of[i]} and {of[j]} are parallel"
-        for i, j, k in combinations(hinges, 3):
-            if self.elsewhere.parallel(i, j) and self.elsewhere.parallel(j, k):
-                if self.becomes(lambda at, i=i, j=j, k=k: _in_plane(at, i, j, at.on_axis(k))):  # type: ignore[misc]
-                    axes = f"axes {of[i]}, {of[j]} and {of[k]}"
-                    yield f"{axes} lie in one plane: the arm is stretched or folded"
-        for i, j in pairs:
-            if self.elsewhere.parallel(i, j) and self.becomes(
-                lambda at, i=i, j=j: _in_plane(at, i, j, self._point(at))  # type: ignore[misc]
-            ):
-                axes = f"axes {of[i]} and {of[j]} and {point}"
-                yield f"{axes} lie in one plane: the arm is stretched or folded"
+        yield from self._in_line(pairs)
+        yield from self._on_axes(hinges)
+        yield from self._parallel(pairs)
+        yield from self._stretched(hinges, pairs)
         yield from self._planes(hinges)
         yield from self._of_slides(joints)
         for i, j, k in combinations(hinges, 3):
             if self.becomes(lambda at, i=i, j=j, k=k: not _volume(at, i, j, k)):  # type: ignore[misc]
-                yield f"axes {of[i]}, {of[j]} and {of[k]} are parallel to one plane"
+                yield f"{self._axes(i, j, k)} are parallel to one plane"
+
+    def _axes(self, *joints: int) -> str:
+        return f"axes {listed(self.numbers[j] for j in joints)}"
+
+    def _in_line(self, pairs: Sequence[tuple[int, int]]) -> Iterator[str]:
+        for i, j in pairs:
+            if self.becomes(lambda at, i=i, j=j: _in_line(at, i, j)):  # type: ignore[misc]
+                yield f"{self._axes(i, j)} fall in line"
+
+    def _on_axes(self, hinges: Sequence[int]) -> Iterator[str]:
+        for i in hinges:
+            if self.becomes(lambda at, i=i: not any(at.velocity(i, self._point(at)))):  # type: ignore[misc]
+                yield f"{self.place.words} lies on axis {self.numbers[i]}"
+
+    def _parallel(self, pairs: Sequence[tuple[int, int]]) -> Iterator[str]:
+        for i, j in pairs:
+            if self.becomes(lambda at, i=i, j=j: bool(at.parallel(i, j))):  # type: ignore[misc]
+                yield f"{self._axes(i, j)} are parallel"
+
+    def _stretched(self, hinges: Sequence[int], pairs: Sequence[tuple[int, int]]) -> Iterator[str]:
+        """Three parallel axes, or two and the point, in one plane."""
+        parallel = self.elsewhere.parallel
+        for i, j, k in combinations(hinges, 3):
+            alike = parallel(i, j) and parallel(j, k)
+            if alike and self.becomes(lambda at, i=i, j=j, k=k: _in_plane(at, i, j, at.on_axis(k))):  # type: ignore[misc]
+                yield f"{self._axes(i, j, k)} lie in one plane: the arm is stretched or folded"
+        for i, j in pairs:
+            if parallel(i, j) and self.becomes(lambda at, i=i, j=j: _in_plane(at, i, j, self._point(at))):  # type: ignore[misc]
+                yield f"{self._axes(i, j)} and {self.place.words} lie in one plane: the arm is stretched or folded"
 
     def _planes(self, hinges: Sequence[int]) -> Iterator[str]:
         """The point in a plane that goes through one axis and lies along another."""
@@ -151,9 +163,7 @@ class Geometry:
                         return name, found
         return "", self.dependent(kept)
 
-    def _dependent_in(
-        self, part: Sequence[int], joints: Sequence[int], rows: Table, generic: Table
-    ) -> tuple[int, ...]:
+    def _dependent_in(self, part: Sequence[int], joints: Sequence[int], rows: Table, generic: Table) -> tuple[int, ...]:
         """Joints that are dependent in some rows here and not elsewhere."""
         if not joints:
             return ()

@@ -20,7 +20,7 @@ TRIPLES = {"rpy": (2, 1, 0)} | {
     for axes in product(range(3), repeat=3)
     if axes[0] != axes[1] and axes[1] != axes[2]
 }
-"""Orders of axes by name, each turned about where those before it have put it: rpy is yaw, pitch, roll about z, y, x."""
+"""Orders of axes by name, each turned about where those before have put it: rpy is yaw, pitch, roll about z, y, x."""
 
 TINY = 1e-9
 """Below this a sine or cosine counts as zero."""

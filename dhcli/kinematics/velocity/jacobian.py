@@ -13,8 +13,8 @@ from dhcli.algebra.terms import TERMS
 from dhcli.errors import RobotError
 from dhcli.kinematics.fold import fold_rows
 from dhcli.kinematics.frames import between
-from dhcli.kinematics.pose import DIGITS, rounded
 from dhcli.kinematics.moves import Trans
+from dhcli.kinematics.pose import DIGITS, rounded
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values, numbers, require
 from dhcli.kinematics.velocity.analytic import TINY, Triple
@@ -272,7 +272,11 @@ def check_values(robot: Robot, view: View, form: Form, values: Values) -> None:
     free = frozenset().union(*map(symbols, view.point)) - values.keys() if view.point is not ORIGIN else frozenset()
     if unknown := sorted(free - robot.parameters.keys() - {*robot.variables}):
         raise RobotError(f"{', '.join(unknown)} of the point has no value", "write numbers, or ask with --symbolic")
-    way = between(robot, view.axes, view.start), between(robot, view.start, view.end), between(robot, view.end, view.place)
+    way = (
+        between(robot, view.axes, view.start),
+        between(robot, view.start, view.end),
+        between(robot, view.end, view.place),
+    )
     require(robot, (*way[0], *way[1], *way[2], Trans(*view.point)), values)
 
 

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from fractions import Fraction
 from functools import lru_cache
-from typing import TYPE_CHECKING, TypeAlias, cast
+from typing import TYPE_CHECKING, TypeAlias, Unpack, cast
 
 import numpy as np
 
 from dhcli.algebra.arithmetic import plus, settled, times
 from dhcli.algebra.columns import Columns
 from dhcli.algebra.program import Program, assemble
-from dhcli.algebra.tape import Tape
+from dhcli.algebra.tape import Number, Tape
 from dhcli.errors import RobotError
 from dhcli.kinematics.batch import BLOCK, MODEST, Known, joint_rows
 from dhcli.kinematics.fold import fold_rows
@@ -33,7 +32,7 @@ from dhcli.kinematics.velocity.jacobian import (
     six_rows,
     textbook_jacobian,
 )
-from dhcli.kinematics.velocity.view import View, offset_of, parts
+from dhcli.kinematics.velocity.view import View, Viewing, parts
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr
 
@@ -42,37 +41,27 @@ if TYPE_CHECKING:
 
     Table: TypeAlias = NDArray[np.float64]
 
-Point: TypeAlias = "Sequence[float | str] | None"
-
 
 def jacobian(
     robot: Robot,
     q: JointInput | ArrayLike = None,
     *,
-    start: str | int | None = None,
-    end: str | int | None = None,
-    axes: str | int | None = None,
-    place: str | int | None = None,
-    point: Point = None,
     part: Which = "all",
     angular_first: bool = False,
     analytic: str = "",
     parameters: Given | None = None,
+    **viewing: Unpack[Viewing],
 ) -> Table:
     """The Jacobian of a robot in numbers: velocity of a point and of a frame for each joint's own.
 
     Args:
         robot: The robot.
         q: Joint values in radians and metres, in any form that `forward` takes; or many, shape (N, n), a row for each.
-        start: The frame that is held still; the first numbered one by default.
-        end: The frame that moves; the last numbered one by default. Joints between the two have a column each.
-        axes: The frame along whose axes the rows are written; `start` by default.
-        place: The frame at whose origin the velocity is taken, as if that origin were fixed to `end`; `end` by default.
-        point: A point of `place` that is taken instead of its origin, shape (3,) [m].
         part: `all` six rows, or the three of v, `linear`, or of ω, `angular`.
         angular_first: Whether ω stands above v.
         analytic: Angles whose rates are wanted in the place of ω: `rpy`, or three axes such as `zyz`.
         parameters: Lengths and angles to use instead of the robot's own.
+        **viewing: Between which frames, along which axes, of which point; see `Viewing`.
 
     Returns:
         Shape (6, n), or (3, n) of one part; for many rows with N in front. Rows v [m/s] above ω [rad/s] for joint
@@ -84,7 +73,7 @@ def jacobian(
         UnknownNameError: The robot has no such frame, joint or length.
     """
     check_robot(robot)
-    view = View.of(robot, start, end, axes, place, offset_of(point))
+    view = View.of(robot, **viewing)
     form = Form(checked_part(part), angular_first, analytic)
     if _is_many(q):
         return _many(robot, cast("ArrayLike", q), view, form, parameters or {})
@@ -96,30 +85,22 @@ def symbolic_jacobian(
     robot: Robot,
     q: JointInput = None,
     *,
-    start: str | int | None = None,
-    end: str | int | None = None,
-    axes: str | int | None = None,
-    place: str | int | None = None,
-    point: Point = None,
     part: Which = "all",
     angular_first: bool = False,
     analytic: str = "",
     parameters: Given | None = None,
+    **viewing: Unpack[Viewing],
 ) -> Jacobian[Expr]:
     """The Jacobian of a robot in textbook form, `-a1*s1 - a2*s12`.
 
     Args:
         robot: The robot.
         q: Joint values to put in exactly; all others stay symbols, and every joint keeps its column.
-        start: As in `jacobian`; so for those that are not listed here.
-        end: The frame that moves.
-        axes: The frame along whose axes the rows are written; one within the arm often gives the shortest form.
-        place: The frame at whose origin the velocity is taken.
-        point: A point of `place`, in numbers or text with any names, `(0, 0, "c")`.
         part: `all`, `linear` or `angular`.
         angular_first: Whether ω stands above v.
         analytic: Angles whose rates are wanted; they stand in the result by name, `roll`, `pitch` and `yaw`.
         parameters: Lengths and angles to put in exactly; all others stay symbols.
+        **viewing: Between which frames, along which axes, of which point; see `Viewing`.
 
     Returns:
         The Jacobian, of expressions.
@@ -129,7 +110,7 @@ def symbolic_jacobian(
         UnknownNameError: The robot has no such frame, joint or length.
     """
     check_robot(robot)
-    view = View.of(robot, start, end, axes, place, offset_of(point))
+    view = View.of(robot, **viewing)
     form = Form(checked_part(part), angular_first, analytic)
     values = {**given_parameters(robot, parameters or {}), **joint_values(robot, q)}
     return textbook_jacobian(robot, values, view, form)
@@ -186,12 +167,16 @@ def recorded(robot: Robot, view: View, form: Form, values: Known, *, merged: boo
     joints = moving_joints(robot, view)
     tape = Tape(robot.variables, dict(values))
     linear, angular = six_rows(tuple(parts(robot, view, joints, merged=merged)), len(joints), tape)
-    results = []
+    results: list[Number] = []
     if form.analytic:
         chain = between(robot, view.start, view.end)
-        x, y, other = Triple.called(form.analytic).seen(fold_rows(merge(chain) if merged else chain, tape))
-        square = plus(times(x, x), times(y, y))
-        over = tape.power(settled(square, tape), Fraction(-1, 2))
-        angular = rates_of(form, angular, (times(x, over), times(y, over)), (over, other), tape)
-        results = [settled(square, tape)]
+        rows: list[list[Number | int]] = fold_rows(merge(chain) if merged else chain, tape)
+        x, y, other = Triple.called(form.analytic).seen(rows)
+        total: Number | int = plus(times(x, x), times(y, y))
+        square: Number = settled(total, tape)
+        over: Number = tape.power(square, Fraction(-1, 2))
+        cos: Number | int = times(x, over)
+        sin: Number | int = times(y, over)
+        angular = rates_of(form, angular, (cos, sin), (over, other), tape)
+        results = [square]
     return assemble(tape, [entry for row in form.chosen(linear, angular) for entry in row] + results)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from typing import TypeAlias, TypedDict, Unpack
 
 from dhcli.algebra.sizes import SIZES
 from dhcli.errors import RobotError
@@ -23,7 +24,26 @@ VIRTUAL = "ε"
 
 ORIGIN = (ZERO, ZERO, ZERO)
 
-Offset = tuple[Expr, Expr, Expr]
+Offset: TypeAlias = tuple[Expr, Expr, Expr]
+
+
+class Viewing(TypedDict, total=False):
+    """What a caller may say of a view; all of it has a default.
+
+    Attributes:
+        start: The frame that is held still; the first numbered one by default.
+        end: The frame that moves; the last numbered one by default. Joints between the two have a column each.
+        axes: The frame along whose axes vectors are written; `start` by default.
+        place: The frame at whose origin the velocity is taken, or a force acts, as if that origin were fixed to `end`;
+            `end` by default.
+        point: A point of `place` that is taken instead of its origin, shape (3,) [m]; text may hold names.
+    """
+
+    start: str | int | None
+    end: str | int | None
+    axes: str | int | None
+    place: str | int | None
+    point: Sequence[float | str] | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,23 +65,22 @@ class View:
     point: Offset = ORIGIN
 
     @classmethod
-    def of(
-        cls,
-        robot: Robot,
-        start: str | int | None = None,
-        end: str | int | None = None,
-        axes: str | int | None = None,
-        place: str | int | None = None,
-        point: Offset = ORIGIN,
-    ) -> View:
-        """A view by the names that a person gives; the axes are those of the start, the place is the end, by default.
+    def of(cls, robot: Robot, **viewing: Unpack[Viewing]) -> View:
+        """A view by the names that a person gives.
 
         Raises:
+            RobotError: The point is none.
             UnknownNameError: The robot has no such frame.
         """
-        first, last = ends(robot, start, end)
-        in_axes = first if axes is None else frame(robot, axes)
-        return cls(first, last, in_axes, last if place is None else frame(robot, place), point)
+        first, last = ends(robot, viewing.get("start"), viewing.get("end"))
+        axes, place = viewing.get("axes"), viewing.get("place")
+        return cls(
+            first,
+            last,
+            first if axes is None else frame(robot, axes),
+            last if place is None else frame(robot, place),
+            offset_of(viewing.get("point")),
+        )
 
 
 def offset_of(point: Sequence[float | str] | None) -> Offset:
