@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Generic, Literal, TypeAlias, TypeVar
 
-from dhcli.algebra.arithmetic import Arithmetic, settled
+from dhcli.algebra.arithmetic import Arithmetic, Evaluator, plus, settled, times
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.terms import TERMS
 from dhcli.errors import RobotError
@@ -198,13 +199,11 @@ def numeric_jacobian(robot: Robot, values: Values, view: View, form: Form = GEOM
     if not all(math.isfinite(entry) for row in (*linear, *angular) for entry in row):
         raise RobotError("the Jacobian has an entry that is not a real number")
     if form.analytic:
-        triple = Triple.called(form.analytic)
-        x, y, other = triple.seen(fold_rows(between(robot, view.start, view.end), over))
-        size = math.hypot(x, y)
-        if size < TINY:
+        angular, square = rates_by(form, fold_rows(between(robot, view.start, view.end), over), angular, over)
+        if square < TINY**2:
+            triple = Triple.called(form.analytic)
             hint = "leave --analytic out, or take angles that are singular elsewhere"
             raise RobotError(f"{triple.singular}, where there are no rates of {triple.name}", hint)
-        angular = rates_of(form, angular, (x / size, y / size), (1 / size, other), over)
     return Jacobian(form.chosen(linear, angular), form.labels, joints, view, form, robot.writing)
 
 
@@ -225,6 +224,16 @@ def textbook_jacobian(robot: Robot, values: Values, view: View, form: Form = GEO
         vanishing, other = (sine(beta), cosine(beta)) if triple.is_proper else (cosine(beta), sine(beta))
         angular = rates_of(form, angular, (cosine(alpha), sine(alpha)), (power(vanishing, -1), other), TERMS)
     return Jacobian(form.chosen(linear, angular), form.labels, joints, view, form, robot.writing)
+
+
+def rates_by(
+    form: Form, rotation: Sequence[Sequence[N | int]], angular: Rows[N], over: Evaluator[N]
+) -> tuple[Rows[N], N]:
+    """Rows of rates of the angles that an orientation has, and the square of what vanishes where there are none."""
+    x, y, other = Triple.called(form.analytic).seen(rotation)
+    square = settled(plus(times(x, x), times(y, y)), over)
+    root = over.power(square, Fraction(-1, 2))
+    return rates_of(form, angular, (times(x, root), times(y, root)), (root, other), over), square
 
 
 def rates_of(

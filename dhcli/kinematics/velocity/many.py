@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
 from functools import lru_cache
 from typing import TYPE_CHECKING, TypeAlias, Unpack, cast
 
 import numpy as np
 
-from dhcli.algebra.arithmetic import plus, settled, times
 from dhcli.algebra.columns import Columns
 from dhcli.algebra.program import Program, assemble
 from dhcli.algebra.tape import Number, Tape
@@ -20,7 +18,7 @@ from dhcli.kinematics.frames import between
 from dhcli.kinematics.merge import merge
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.values import JointInput, given_parameters, joint_values, numbers, parameter_values
-from dhcli.kinematics.velocity.analytic import TINY, Triple
+from dhcli.kinematics.velocity.analytic import TINY
 from dhcli.kinematics.velocity.jacobian import (
     Form,
     Jacobian,
@@ -28,7 +26,7 @@ from dhcli.kinematics.velocity.jacobian import (
     check_values,
     moving_joints,
     numeric_jacobian,
-    rates_of,
+    rates_by,
     six_rows,
     textbook_jacobian,
 )
@@ -170,13 +168,6 @@ def recorded(robot: Robot, view: View, form: Form, values: Known, *, merged: boo
     results: list[Number] = []
     if form.analytic:
         chain = between(robot, view.start, view.end)
-        rows: list[list[Number | int]] = fold_rows(merge(chain) if merged else chain, tape)
-        x, y, other = Triple.called(form.analytic).seen(rows)
-        total: Number | int = plus(times(x, x), times(y, y))
-        square: Number = settled(total, tape)
-        over: Number = tape.power(square, Fraction(-1, 2))
-        cos: Number | int = times(x, over)
-        sin: Number | int = times(y, over)
-        angular = rates_of(form, angular, (cos, sin), (over, other), tape)
+        angular, square = rates_by(form, fold_rows(merge(chain) if merged else chain, tape), angular, tape)
         results = [square]
     return assemble(tape, [entry for row in form.chosen(linear, angular) for entry in row] + results)
