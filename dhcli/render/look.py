@@ -29,6 +29,10 @@ _NOUNS = {
     "library": "a list",
     "lint": "findings",
     "sweep": "a sweep",
+    "jacobian": "a Jacobian",
+    "singularities": "singularities",
+    "torques": "torques",
+    "velocity": "rates and velocities",
 }
 """What each kind of result is called in messages."""
 
@@ -84,6 +88,30 @@ _RENDERERS = {
     ("library", "csv"): "dhcli.render.text.library:library_csv",
     ("sweep", "table"): "dhcli.render.text.sweep:sweep_table",
     ("sweep", "csv"): "dhcli.render.text.sweep:sweep_csv",
+    ("jacobian", "table"): "dhcli.render.text.velocity:jacobian_table",
+    ("jacobian", "latex"): "dhcli.render.code.velocity:jacobian_code",
+    ("jacobian", "matlab"): "dhcli.render.code.velocity:jacobian_code",
+    ("jacobian", "numpy"): "dhcli.render.code.velocity:jacobian_code",
+    ("jacobian", "sympy"): "dhcli.render.code.velocity:jacobian_code",
+    ("jacobian", "csv"): "dhcli.render.code.velocity:jacobian_csv",
+    ("singularities", "table"): "dhcli.render.text.singular:singular_table",
+    ("singularities", "latex"): "dhcli.render.code.velocity:singular_code",
+    ("singularities", "matlab"): "dhcli.render.code.velocity:singular_code",
+    ("singularities", "numpy"): "dhcli.render.code.velocity:singular_code",
+    ("singularities", "sympy"): "dhcli.render.code.velocity:singular_code",
+    ("singularities", "csv"): "dhcli.render.code.velocity:singular_csv",
+    ("torques", "table"): "dhcli.render.text.velocity:torques_table",
+    ("torques", "latex"): "dhcli.render.code.velocity:torques_code",
+    ("torques", "matlab"): "dhcli.render.code.velocity:torques_code",
+    ("torques", "numpy"): "dhcli.render.code.velocity:torques_code",
+    ("torques", "sympy"): "dhcli.render.code.velocity:torques_code",
+    ("torques", "csv"): "dhcli.render.code.velocity:torques_csv",
+    ("velocity", "table"): "dhcli.render.text.velocity:velocity_table",
+    ("velocity", "latex"): "dhcli.render.code.velocity:velocity_code",
+    ("velocity", "matlab"): "dhcli.render.code.velocity:velocity_code",
+    ("velocity", "numpy"): "dhcli.render.code.velocity:velocity_code",
+    ("velocity", "sympy"): "dhcli.render.code.velocity:velocity_code",
+    ("velocity", "csv"): "dhcli.render.code.velocity:velocity_csv",
 }
 """Where the renderer of each kind of result and format stands; it is imported when it is needed."""
 
@@ -104,6 +132,10 @@ _CONTENTS = {
     "library": "dhcli.render.text.library:library_content",
     "lint": "dhcli.render.text.lint:lint_content",
     "sweep": "dhcli.render.text.sweep:sweep_content",
+    "jacobian": "dhcli.render.json.velocity:jacobian_content",
+    "singularities": "dhcli.render.json.velocity:singular_content",
+    "torques": "dhcli.render.json.velocity:torques_content",
+    "velocity": "dhcli.render.json.velocity:velocity_content",
 }
 """Where each kind of result becomes what stands under `data` in JSON."""
 

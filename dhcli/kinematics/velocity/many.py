@@ -74,7 +74,7 @@ def jacobian(
     view = View.of(robot, **viewing)
     form = Form(checked_part(part), angular_first, analytic)
     if _is_many(q):
-        return _many(robot, cast("ArrayLike", q), view, form, parameters or {})
+        return jacobians(robot, cast("ArrayLike", q), view, form, parameters or {})
     values = {**parameter_values(robot, parameters or {}), **joint_values(robot, cast("JointInput", q))}
     return numeric_jacobian(robot, values, view, form).matrix
 
@@ -134,7 +134,8 @@ def _is_many(q: object) -> bool:
     return isinstance(q, list | tuple) and bool(q) and not isinstance(q[0], str) and hasattr(q[0], "__len__")
 
 
-def _many(robot: Robot, Q: ArrayLike, view: View, form: Form, parameters: Given) -> Table:  # noqa: N803
+def jacobians(robot: Robot, Q: ArrayLike, view: View, form: Form, parameters: Given) -> Table:  # noqa: N803
+    """The Jacobians for many joint values, shape (N, n): shape (N, rows, joints); see `jacobian`."""
     q = joint_rows(robot, Q)
     lengths = parameter_values(robot, parameters)
     joints = moving_joints(robot, view)
