@@ -68,13 +68,22 @@ def singularities(
     return find(robot, view, part, given_parameters(robot, parameters or {}))
 
 
-def task_by_default(robot: Robot, view: View) -> Which:
-    """The rows that are taken for the task of a robot where nobody says; see `singularities`."""
+def task_at(robot: Robot, view: View, part: Which | None) -> tuple[Which, tuple[int, ...]]:
+    """The rows that are taken for the task of a robot, and the places of those among them that its joints can move.
+
+    Args:
+        robot: The robot.
+        view: Between which frames, of which point.
+        part: The task, if somebody says it; see `singularities`.
+    """
     arm = _arm(robot, view, {})
     try:
-        return task_of(Point.of(arm, fresh(arm)))
+        point = Point.of(arm, fresh(arm))
     except CannotHoldError:
-        return "all"
+        task = part or "all"
+        return task, tuple(range(6 if task == "all" else 3))
+    task = part or task_of(point)
+    return task, tuple(k - 3 if task == "angular" else k for k in task_rows(point, task))
 
 
 def find(robot: Robot, view: View, part: Which | None, values: Values) -> Singularities:

@@ -58,7 +58,9 @@ def standing_at(robot: Robot, values: Values, view: View, found: Singularities) 
     Raises:
         RobotError: A value is missing.
     """
-    measures = measures_of(numeric_jacobian(robot, values, view, Form(found.part)).matrix)
+    form = Form(found.part)
+    rows = [form.labels.index(label) for label in found.rows]
+    measures = measures_of(numeric_jacobian(robot, values, view, form).matrix, rows)
     over = Floats(numbers(values))
     distances = [Distance(k, *_distance(factor.zeros, found.joints, over)) for k, factor in enumerate(found.factors)]
     determinant = None if found.determinant is None else over.value(found.determinant)

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeAlias, Unpack
 
 import numpy as np
 
-from dhcli.errors import RobotError
 from dhcli.kinematics.velocity.many import jacobian
 from dhcli.kinematics.velocity.view import View, Viewing
 
@@ -52,28 +52,28 @@ class Measures:
         return self.values[-1] if self.values else 0.0
 
 
-def measures_of(matrix: ArrayLike) -> Measures:
-    """The measures of one Jacobian, shape (rows, joints).
+def measures_of(matrix: ArrayLike, rows: Sequence[int] | None = None) -> Measures:
+    """The measures of one Jacobian.
 
-    Rows of zeros only, such as those of a planar arm that lead out of its plane, are left aside.
+    Args:
+        matrix: The Jacobian, shape (rows, joints).
+        rows: The rows that count; those which no joint can ever move, such as the one that leads out of the plane of a
+            planar arm, would make every volume 0. All by default.
 
     Source: T. Yoshikawa, Manipulability of robotic mechanisms, IJRR 4, 1985.
     """
     table = np.asarray(matrix, dtype=np.float64)
-    filled = np.abs(table).max(axis=1, initial=0.0) > TIGHT * np.abs(table).max(initial=0.0)
-    directions = np.zeros((0, len(table)))
-    values = np.zeros(0)
-    if filled.any():
-        left, values, _ = np.linalg.svd(table[filled], full_matrices=False)
-        directions = np.zeros((len(values), len(table)))
-        directions[:, filled] = left.T
+    kept = list(range(len(table)) if rows is None else rows)
+    left, values, _ = np.linalg.svd(table[kept], full_matrices=False)
+    directions = np.zeros((len(values), len(table)))
+    directions[:, kept] = left.T
     largest = float(values[0]) if len(values) else 0.0
     rank = int(np.count_nonzero(values > TIGHT * largest)) if largest > 0 else 0
     full = 0 < rank == len(values)
     return Measures(
         rank,
         tuple(map(float, values)),
-        float(np.prod(values)) if len(values) else 0.0,
+        float(np.prod(values)) if full else 0.0,
         largest / float(values[-1]) if full else None,
         tuple(tuple(map(float, _pointed(row))) for row in directions),
     )
@@ -105,34 +105,21 @@ def manipulability(
         **viewing: Between which frames, of which point; see `Viewing`.
 
     Returns:
-        A number, or shape (N,): with fewer joints than rows √det(Jᵀ J). Rows that no joint moves are left aside, and
-        for as many joints as rows it is the size of the determinant. In m for each joint that moves the point.
+        A number, or shape (N,), NaN where a joint value is: with fewer joints than rows √det(Jᵀ J). Rows that no joint
+        can ever move are left aside, and for as many joints as rows it is the size of the determinant. In m for each
+        joint that moves the point.
 
     Raises:
         RobotError: A value is missing or no number, or no joint moves `end`.
         UnknownNameError: The robot has no such frame, joint or length.
     """
-    from dhcli.kinematics.singular.finding import task_by_default
+    from dhcli.kinematics.singular.finding import task_at
 
-    rows = part or task_by_default(robot, View.of(robot, **viewing))
+    rows, kept = task_at(robot, View.of(robot, **viewing), part)
     found = jacobian(robot, q, part=rows, parameters=parameters, **viewing)
     if found.ndim == 2:  # noqa: PLR2004  one matrix
-        return measures_of(found).manipulability
-    filled = (np.abs(np.nan_to_num(found)).max(axis=(0, 2), initial=0.0)) > TIGHT
-    chosen = found[:, filled]
-    if not chosen.size:
-        return np.zeros(len(found))
-    good = np.isfinite(chosen).all(axis=(1, 2))
+        return measures_of(found, kept).manipulability
+    good = np.isfinite(found).all(axis=(1, 2))
     volumes = np.full(len(found), np.nan)
-    volumes[good] = np.prod(np.linalg.svd(chosen[good], compute_uv=False), axis=-1)
+    volumes[good] = np.prod(np.linalg.svd(found[good][:, kept], compute_uv=False), axis=-1)
     return volumes
-
-
-def check_real(values: Table, what: str) -> None:
-    """Make sure that all numbers are real ones.
-
-    Raises:
-        RobotError: One is not.
-    """
-    if not np.isfinite(values).all():
-        raise RobotError(f"{what} holds something that is not a real number")

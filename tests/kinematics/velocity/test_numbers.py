@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 
 from dhcli import forward, jacobian, load_robot, symbolic_jacobian
 from dhcli.algebra.floats import Floats
@@ -20,6 +21,9 @@ from dhcli.kinematics.velocity.analytic import TRIPLES
 from dhcli.kinematics.velocity.jacobian import six_rows
 from dhcli.kinematics.velocity.view import View, Viewing, joints_between, parts
 from tests.kinematics.arms import PAN_TILT, hinges, joint_point, moving_robots, with_values
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 ROBOTS = moving_robots()
 VIEWS: list[Viewing] = [
@@ -170,9 +174,7 @@ def test_rates_of_rpy_are_the_slopes_of_rpy() -> None:
     q = joint_point(robot, 1)
     found = jacobian(robot, q, part="angular", analytic="rpy")
     for k in range(6):
-        up, down = (
-            forward(robot, [v + s * 1e-6 * (j == k) for j, v in enumerate(q)]).rpy for s in (1, -1)
-        )
+        up, down = (forward(robot, [v + s * 1e-6 * (j == k) for j, v in enumerate(q)]).rpy for s in (1, -1))
         slopes = [(up.roll - down.roll), (up.pitch - down.pitch), (up.yaw - down.yaw)]
         assert np.allclose(np.array(slopes) / 2e-6, found[:, k], atol=1e-7)
 

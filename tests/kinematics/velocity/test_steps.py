@@ -74,7 +74,16 @@ def test_columns_in_terms_are_columns_in_residues(chain: Chain) -> None:
 @settings(max_examples=30)
 @given(
     st.sampled_from(
-        ["a*c1 + b*s12", "(a + b*c1)^3*s1", "d*c(2*theta1 - 30°)", "a/d + d^2", "sqrt(a)*s1", "c1^2 + s1^2", "7", "pi*a"]
+        [
+            "a*c1 + b*s12",
+            "(a + b*c1)^3*s1",
+            "d*c(2*theta1 - 30°)",
+            "a/d + d^2",
+            "sqrt(a)*s1",
+            "c1^2 + s1^2",
+            "7",
+            "pi*a",
+        ]
     ),
     st.sampled_from(["a", "b", "d", "theta1", "theta2"]),
     st.floats(0.3, 2.0),
