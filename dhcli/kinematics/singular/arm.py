@@ -14,8 +14,9 @@ from dhcli.kinematics.frames import between
 from dhcli.kinematics.moves import Chain, Rot, inverse, names
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.singular.modular import Table, cross, dot, minus
-from dhcli.kinematics.velocity.steps import Columns, Vector, fold_columns
-from dhcli.kinematics.velocity.view import Way
+from dhcli.kinematics.velocity.jacobian import columns_over
+from dhcli.kinematics.velocity.steps import Columns, fold_columns
+from dhcli.kinematics.velocity.view import Part, Way
 from dhcli.notation.tree import Expr
 
 Triple: TypeAlias = tuple[int, int, int]
@@ -66,6 +67,17 @@ class Arm:
         """Places whose point may be a new one: behind every move that is no rotation, and the end."""
         moved = {k + 1 for k, move in enumerate(self.chain) if not isinstance(move, Rot)}
         return tuple(sorted({0, len(self.chain), *moved}))
+
+    @cached_property
+    def parts(self) -> tuple[Part, ...]:
+        """The chain ready to be folded with its columns."""
+        return tuple(Way((), self.chain).parts(self.joints, self.robot.angles, merged=False))
+
+    def velocities(self, over: Residues) -> tuple[tuple[Triple, ...], tuple[Triple, ...]]:
+        """For each joint the velocity of the end's origin, and the angular velocity, along the axes of the start."""
+        linear, angular = columns_over(self.parts, len(self.joints), over)
+        prime = over.field.prime
+        return tuple(_triple(v, prime) for v in linear), tuple(_triple(w, prime) for w in angular)
 
     def frame_at(self, place: int) -> str:
         """The frame that stands at a place, or nothing where none does."""
@@ -138,15 +150,7 @@ class Point:
                     ]
                     for row in rows
                 ]
-        columns: list[tuple[Vector[int], Vector[int]]] = []
-        (*made,) = Way((), arm.chain).parts(arm.joints, arm.robot.angles, merged=False)
-        found: dict[int, tuple[Vector[int], Vector[int]]] = {}
-        for part in made:
-            folded = fold_columns(part.steps, len(part.joints), over)
-            for k, joint in enumerate(part.joints):
-                found[joint] = folded.linear[k], folded.angular[k]
-        columns = [found[k] for k in range(len(arm.joints))]
-        linear, angular = (tuple(_triple(pair[k], prime) for pair in columns) for k in (0, 1))
+        linear, angular = arm.velocities(over)
         return cls(arm, over, linear, angular, tuple(rotations), tuple(origins))
 
     @property

@@ -259,7 +259,9 @@ def probed(arm: Arm, kept: Sequence[int], full: int) -> tuple[Mapping[str, int],
                 turns = dict(zip(names, quarters, strict=True))
                 if any(known.items() <= turns.items() for known in found):
                     continue
-                rows = Point.of(arm, right_angles(arm, turns)).rows()
-                if rank([rows[k] for k in kept], fresh(arm).field) < full:
+                over = right_angles(arm, turns)
+                linear, angular = arm.velocities(over)
+                rows = (*zip(*linear, strict=True), *zip(*angular, strict=True))
+                if rank([rows[k] for k in kept], over.field) < full:
                     found.append(turns)
     return tuple(found)

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.singular.result import Factor
-from dhcli.kinematics.singular.standing import Standing
 from dhcli.kinematics.values import Values
 from dhcli.kinematics.velocity.asked import JacobianAnswer, SingularAnswer, TorquesAnswer, VelocityAnswer
 from dhcli.kinematics.velocity.view import View
@@ -15,6 +14,9 @@ from dhcli.render.code.matrices import exact
 from dhcli.render.json.contents import number, plain_number
 from dhcli.render.look import Look
 from dhcli.render.text.quantities import in_units
+
+if TYPE_CHECKING:  # it comes with numpy
+    from dhcli.kinematics.singular.standing import Standing
 
 
 def jacobian_content(result: JacobianAnswer, look: Look) -> dict[str, Any]:

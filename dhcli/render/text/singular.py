@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterator
+from typing import TYPE_CHECKING
 
 from dhcli.kinematics.singular.result import Factor
-from dhcli.kinematics.singular.standing import Standing
 from dhcli.kinematics.velocity.asked import SingularAnswer
 from dhcli.notation.writer import write
 from dhcli.render.look import Look
 from dhcli.render.text.forward import frame_words, legend, packed
 from dhcli.render.text.quantities import value_lines
 from dhcli.render.text.velocity import point_words
+
+if TYPE_CHECKING:  # it comes with numpy
+    from dhcli.kinematics.singular.standing import Standing
 
 TASKS = {"all": "v and ω", "linear": "v", "angular": "ω"}
 
