@@ -21,7 +21,7 @@ from dhcli.kinematics.singular.modular import minus
 from dhcli.notation.tree import Expr, number
 from dhcli.notation.walk import operations
 
-LONGEST_BLOCK = 1500
+LONGEST_BLOCK = 600
 """Symbols of the longest block that is multiplied out; the one of the PUMA 200 as printed has under 100."""
 
 MOST_TRIED = 4
