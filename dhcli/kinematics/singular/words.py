@@ -84,6 +84,24 @@ class Geometry:
         for i, j, k in combinations(hinges, 3):
             if self.becomes(lambda at, i=i, j=j, k=k: not _volume(at, i, j, k)):  # type: ignore[misc]
                 yield f"{self._axes(i, j, k)} are parallel to one plane"
+        yield from self._velocities(joints)
+
+    def _velocities(self, joints: Sequence[int]) -> Iterator[str]:
+        """The point moved along one line by two joints, or in one plane by three."""
+        for i, j in combinations(joints, 2):
+            if self.becomes(lambda at, i=i, j=j: not any(self._normal(at, i, j))):  # type: ignore[misc]
+                yield f"joints {listed((self.numbers[i], self.numbers[j]))} move {self.place.words} along one line"
+        for i, j, k in combinations(joints, 3):
+            if self.becomes(
+                lambda at, i=i, j=j, k=k: not dot(self._normal(at, i, j), self._moved(at, k), at.field.prime)  # type: ignore[misc]
+            ):
+                yield f"joints {listed(self.numbers[n] for n in (i, j, k))} move {self.place.words} in one plane"
+
+    def _moved(self, at: Point, joint: int) -> Triple:
+        return at.velocity(joint, self._point(at))
+
+    def _normal(self, at: Point, i: int, j: int) -> Triple:
+        return cross(self._moved(at, i), self._moved(at, j), at.field.prime)
 
     def _axes(self, *joints: int) -> str:
         return f"axes {listed(self.numbers[j] for j in joints)}"
