@@ -107,7 +107,7 @@ def jacobian(
     from dhcli.cli.shell.moving import form_of, twist_view, view_of
     from dhcli.errors import DhcliError
     from dhcli.files.yaml.robots import load_robot
-    from dhcli.kinematics.velocity.jacobian import Form
+    from dhcli.kinematics.velocity.form import Form
 
     many = rows is not None or skip_bad or ignore_columns or index
     if many:

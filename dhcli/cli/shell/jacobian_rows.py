@@ -18,7 +18,7 @@ from dhcli.kinematics.many import numbered
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.tally import Tally
 from dhcli.kinematics.values import parameter_values
-from dhcli.kinematics.velocity.jacobian import Form
+from dhcli.kinematics.velocity.form import Form
 from dhcli.kinematics.velocity.rows import JacobianRows, is_finite
 from dhcli.kinematics.velocity.view import View
 from dhcli.render.code.pose_rows import INDEX

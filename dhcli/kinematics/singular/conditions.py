@@ -10,8 +10,9 @@ from typing import TypeAlias
 
 from dhcli.kinematics.singular.arm import Arm, Point
 from dhcli.kinematics.singular.blocks import blocks_of
-from dhcli.kinematics.singular.forms import TooLongError, shortest
+from dhcli.kinematics.singular.forms import shortest
 from dhcli.kinematics.singular.modular import determinant
+from dhcli.kinematics.singular.polynomial import TooLongError
 from dhcli.kinematics.singular.square import Choice, Writing, best_places, choices_of_rows, differences, factored
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr, Trig

@@ -8,21 +8,20 @@ from itertools import product as every
 
 from dhcli.algebra.arithmetic import CannotHoldError
 from dhcli.errors import RobotError
-from dhcli.kinematics.forward import Given, put_in
-from dhcli.kinematics.frames import between
-from dhcli.kinematics.moves import Trans
+from dhcli.kinematics.forward import Given
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.singular.arm import Arm, Point
 from dhcli.kinematics.singular.conditions import UnreadableError, conditions, moving
-from dhcli.kinematics.singular.forms import TooLongError, product
 from dhcli.kinematics.singular.modular import determinant, rank
+from dhcli.kinematics.singular.polynomial import TooLongError, product
 from dhcli.kinematics.singular.result import Factor, Singularities
-from dhcli.kinematics.singular.square import best_places, factored
+from dhcli.kinematics.singular.square import factored
+from dhcli.kinematics.singular.task import arm_of, number_of, place_of, task_of, task_rows
 from dhcli.kinematics.singular.vanishing import fresh, right_angles, vanishing, variables_of
 from dhcli.kinematics.singular.words import Geometry, Place, angle_words, listed
 from dhcli.kinematics.values import Values, given_parameters
-from dhcli.kinematics.velocity.jacobian import GEOMETRIC, Which, moving_joints
-from dhcli.kinematics.velocity.view import ORIGIN, View
+from dhcli.kinematics.velocity.form import GEOMETRIC, Which
+from dhcli.kinematics.velocity.view import View
 from dhcli.notation.tree import Expr, Trig, negate
 from dhcli.notation.walk import operations
 
@@ -68,42 +67,14 @@ def singularities(
     return find(robot, view, part, given_parameters(robot, parameters or {}))
 
 
-def task_at(robot: Robot, view: View, part: Which | None) -> tuple[Which, tuple[int, ...]]:
-    """The rows that are taken for the task of a robot, and the places of those among them that its joints can move.
-
-    Args:
-        robot: The robot.
-        view: Between which frames, of which point.
-        part: The task, if somebody says it; see `singularities`.
-    """
-    arm = _arm(robot, view, {})
-    try:
-        point = Point.of(arm, fresh(arm))
-    except CannotHoldError:
-        task = part or "all"
-        return task, tuple(range(6 if task == "all" else 3))
-    task = part or task_of(point)
-    return task, tuple(k - 3 if task == "angular" else k for k in task_rows(point, task))
-
-
 def find(robot: Robot, view: View, part: Which | None, values: Values) -> Singularities:
     """The same for a view, with values that are known; see `singularities`."""
-    arm = _arm(robot, view, values)
+    arm = arm_of(robot, view, values)
     try:
         return _found(arm, part)
     except CannotHoldError:
         message = f"{robot.name} has a number or an angle for which singularities cannot be proved"
         raise RobotError(message, "write it as a fraction, a root, or in whole degrees, or give it a name") from None
-
-
-def _arm(robot: Robot, view: View, values: Values) -> Arm:
-    joints = moving_joints(robot, view)
-    start, end = view.start, view.end
-    lengths = {name: value for name, value in values.items() if name not in robot.variables}
-    chain = between(robot, start, end)
-    if view.point != ORIGIN:
-        chain = (*chain, Trans(*view.point))
-    return Arm(robot, start, end, joints, put_in(chain, lengths) if lengths else chain)
 
 
 def _found(arm: Arm, part: Which | None) -> Singularities:
@@ -148,27 +119,6 @@ def _found(arm: Arm, part: Which | None) -> Singularities:
     return found("conditions" if described else "never", factors=described)
 
 
-def task_of(point: Point) -> Which:
-    """The rows of which a robot has as many as joints: of v alone for a 3R arm, of ω alone for a wrist."""
-    count = len(point.linear)
-    rows = point.rows()
-    everything = [k for k in range(6) if any(rows[k])]
-    if count > 3 or len(everything) == count:  # noqa: PLR2004  no part has more rows
-        return "all"
-    if rank(rows[:3], point.field) == count:
-        return "linear"
-    if rank(rows[3:], point.field) == count:
-        return "angular"
-    return "linear" if any(map(any, rows[:3])) else "angular"
-
-
-def task_rows(point: Point, task: Which) -> tuple[int, ...]:
-    """The rows of a task that the joints can move at all, along the axes of the start."""
-    rows = point.rows()
-    wanted = {"all": range(6), "linear": range(3), "angular": range(3, 6)}[task]
-    return tuple(k for k in wanted if any(rows[k]))
-
-
 def _square(arm: Arm, point: Point, kept: Sequence[int]) -> tuple[Expr, dict[Expr, int]]:
     """The determinant, and those of its factors that joints can make zero."""
     found = factored(arm, point, range(len(arm.joints)), kept)
@@ -186,30 +136,6 @@ def _square(arm: Arm, point: Point, kept: Sequence[int]) -> tuple[Expr, dict[Exp
         whole = negate(whole)
     movable = moving(factors, arm)
     return whole, {factor: exponent for factor, exponent in factors.items() if factor in movable}
-
-
-def place_of(point: Point, kept: Sequence[int]) -> Place:
-    """The point that sentences are about: the one which the fewest joints move, or the end's own."""
-    arm, end = point.arm, len(point.arm.chain)
-    own = len(between(arm.robot, arm.start, arm.end)) == end
-    name = f"the origin of {'frame ' if arm.end.isdigit() else ''}{arm.end}" if own else "the point"
-    if not kept or kept[-1] < 3 or kept[0] > 2:  # noqa: PLR2004  v alone, or ω alone
-        return Place(end, name)
-    place = best_places(point, range(len(arm.joints)))[-1]
-    still = [
-        j for j in range(len(arm.joints)) if any(point.angular[j]) and not any(point.velocity(j, point.origins[place]))
-    ]
-    if still == list(range(len(arm.joints)))[-3:]:
-        return Place(place, "the wrist centre")
-    if len(still) > 1:
-        return Place(place, f"the point where axes {listed(number_of(arm, j) for j in still)} meet")
-    frame = arm.frame_at(place)
-    return Place(place, f"the origin of frame {frame}" if frame.isdigit() else name)
-
-
-def number_of(arm: Arm, joint: int) -> int:
-    """The number of a joint as its robot counts."""
-    return arm.robot.first + arm.robot.variables.index(arm.joints[joint])
 
 
 def _described(

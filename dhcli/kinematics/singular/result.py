@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
-from dhcli.kinematics.velocity.jacobian import Which
+from dhcli.kinematics.velocity.form import Which
 from dhcli.notation.styles import THETAS, Joints
 from dhcli.notation.tree import Expr
 from dhcli.notation.writer import write

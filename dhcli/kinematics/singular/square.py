@@ -16,8 +16,9 @@ from itertools import product as pairs
 from dhcli.algebra.sizes import SIZES
 from dhcli.kinematics.singular.arm import Arm, Point, Triple
 from dhcli.kinematics.singular.blocks import Block, blocks_of
-from dhcli.kinematics.singular.forms import TooLongError, determinant, product, shortest
+from dhcli.kinematics.singular.forms import determinant, shortest
 from dhcli.kinematics.singular.modular import minus
+from dhcli.kinematics.singular.polynomial import TooLongError, product
 from dhcli.notation.tree import Expr, number
 from dhcli.notation.walk import operations
 

@@ -9,7 +9,8 @@ from dhcli.algebra.floats import Floats
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.singular.result import Singularities
 from dhcli.kinematics.values import Values, numbers
-from dhcli.kinematics.velocity.jacobian import Form, numeric_jacobian
+from dhcli.kinematics.velocity.form import Form
+from dhcli.kinematics.velocity.jacobian import numeric_jacobian
 from dhcli.kinematics.velocity.measures import Measures, measures_of
 from dhcli.kinematics.velocity.view import View
 from dhcli.notation.derivative import derivative

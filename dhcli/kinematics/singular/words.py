@@ -12,6 +12,7 @@ from itertools import combinations
 
 from dhcli.kinematics.singular.arm import Point, Triple
 from dhcli.kinematics.singular.modular import Table, cross, dot, minus, null_space
+from dhcli.kinematics.singular.statements import alike, in_line, in_plane, volume
 from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Expr, Symbol, Trig
 from dhcli.notation.writer import write, write_angle
@@ -82,7 +83,7 @@ class Geometry:
         yield from self._planes(hinges)
         yield from self._of_slides(joints)
         for i, j, k in combinations(hinges, 3):
-            if self.becomes(lambda at, i=i, j=j, k=k: not _volume(at, i, j, k)):  # type: ignore[misc]
+            if self.becomes(lambda at, i=i, j=j, k=k: not volume(at, i, j, k)):  # type: ignore[misc]
                 yield f"{self._axes(i, j, k)} are parallel to one plane"
         yield from self._velocities(joints)
 
@@ -108,7 +109,7 @@ class Geometry:
 
     def _in_line(self, pairs: Sequence[tuple[int, int]]) -> Iterator[str]:
         for i, j in pairs:
-            if self.becomes(lambda at, i=i, j=j: _in_line(at, i, j)):  # type: ignore[misc]
+            if self.becomes(lambda at, i=i, j=j: in_line(at, i, j)):  # type: ignore[misc]
                 yield f"{self._axes(i, j)} fall in line"
 
     def _on_axes(self, hinges: Sequence[int]) -> Iterator[str]:
@@ -126,10 +127,10 @@ class Geometry:
         parallel = self.elsewhere.parallel
         for i, j, k in combinations(hinges, 3):
             alike = parallel(i, j) and parallel(j, k)
-            if alike and self.becomes(lambda at, i=i, j=j, k=k: _in_plane(at, i, j, at.on_axis(k))):  # type: ignore[misc]
+            if alike and self.becomes(lambda at, i=i, j=j, k=k: in_plane(at, i, j, at.on_axis(k))):  # type: ignore[misc]
                 yield f"{self._axes(i, j, k)} lie in one plane: the arm is stretched or folded"
         for i, j in pairs:
-            if parallel(i, j) and self.becomes(lambda at, i=i, j=j: _in_plane(at, i, j, self._point(at))):  # type: ignore[misc]
+            if parallel(i, j) and self.becomes(lambda at, i=i, j=j: in_plane(at, i, j, self._point(at))):  # type: ignore[misc]
                 yield f"{self._axes(i, j)} and {self.place.words} lie in one plane: the arm is stretched or folded"
 
     def _planes(self, hinges: Sequence[int]) -> Iterator[str]:
@@ -149,7 +150,7 @@ class Geometry:
                 if j == slide:
                     continue
                 other = j in self.slides
-                if self.becomes(lambda at, s=slide, j=j, o=other: _alike(at, s, j, slide=o)):  # type: ignore[misc]
+                if self.becomes(lambda at, s=slide, j=j, o=other: alike(at, s, j, slide=o)):  # type: ignore[misc]
                     what = "slide" if other else "axis"
                     yield f"slide {self.numbers[slide]} is parallel to {what} {self.numbers[j]}"
 
@@ -254,25 +255,3 @@ class Geometry:
                 named = f"axes {of[i]} and {of[j]}" if a == b == "axis" else f"{a} {of[i]} and {b} {of[j]}"
                 return f"the perpendicular to {named}" if turning else f"perpendicular to {named}"
         return ""
-
-
-def _in_line(at: Point, i: int, j: int) -> bool:
-    between = minus(at.on_axis(j), at.on_axis(i), at.field.prime)
-    return bool(at.parallel(i, j)) and not any(cross(at.angular[i], between, at.field.prime))
-
-
-def _in_plane(at: Point, i: int, j: int, point: Triple) -> bool:
-    """Whether a point lies in the plane of two parallel axes."""
-    prime = at.field.prime
-    normal = cross(at.angular[i], minus(at.on_axis(j), at.on_axis(i), prime), prime)
-    return not dot(normal, minus(point, at.on_axis(i), prime), prime)
-
-
-def _volume(at: Point, i: int, j: int, k: int) -> int:
-    prime = at.field.prime
-    return dot(at.angular[i], cross(at.angular[j], at.angular[k], prime), prime)
-
-
-def _alike(at: Point, one: int, other: int, *, slide: bool) -> bool:
-    direction = at.linear[other] if slide else at.angular[other]
-    return not any(cross(at.linear[one], direction, at.field.prime))

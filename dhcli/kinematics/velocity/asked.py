@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, TypeAlias
 from dhcli.errors import RobotError
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values, warnings
-from dhcli.kinematics.velocity.jacobian import GEOMETRIC, Form, Jacobian, numeric_jacobian, textbook_jacobian
+from dhcli.kinematics.velocity.form import GEOMETRIC, Form
+from dhcli.kinematics.velocity.jacobian import Jacobian, numeric_jacobian, textbook_jacobian
 from dhcli.kinematics.velocity.statics import Torques, Wrench, numeric_torques, product, textbook_torques
 from dhcli.kinematics.velocity.view import View
 from dhcli.notation.tree import ZERO, Expr, Symbol, number

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Generic, Literal, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, TypeAlias, TypeVar
 
 from dhcli.algebra.arithmetic import Arithmetic, Evaluator, plus, settled, times
 from dhcli.algebra.floats import Floats
@@ -19,6 +19,7 @@ from dhcli.kinematics.pose import DIGITS, rounded
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values, numbers, require
 from dhcli.kinematics.velocity.analytic import TINY, Triple
+from dhcli.kinematics.velocity.form import GEOMETRIC, Form
 from dhcli.kinematics.velocity.steps import Vector, fold_columns
 from dhcli.kinematics.velocity.view import ORIGIN, Part, View, check_size, joints_between, parts
 from dhcli.notation.angle import Angle
@@ -35,44 +36,6 @@ if TYPE_CHECKING:
 
 N = TypeVar("N")
 Rows: TypeAlias = tuple[tuple[N, ...], ...]
-Which = Literal["all", "linear", "angular"]
-
-LINEAR = ("v_x", "v_y", "v_z")
-ANGULAR = ("ω_x", "ω_y", "ω_z")
-
-
-@dataclass(frozen=True, slots=True)
-class Form:
-    """Which rows a Jacobian has, and in what order.
-
-    Attributes:
-        part: All six rows, or those of v or ω alone.
-        angular_first: Whether ω stands above v, as in Lynch and Park.
-        analytic: Name of the angles whose rates stand in the place of ω, `rpy` or `zyz`; empty for ω itself.
-    """
-
-    part: Which = "all"
-    angular_first: bool = False
-    analytic: str = ""
-
-    @property
-    def labels(self) -> tuple[str, ...]:
-        """What each row is."""
-        angular = ANGULAR
-        if self.analytic:
-            triple = Triple.called(self.analytic)
-            one, two, three = (triple.angles[k] + "'" for k in triple.order)
-            angular = (one, two, three)
-        return self.chosen(LINEAR, angular)
-
-    def chosen(self, linear: tuple[N, ...], angular: tuple[N, ...]) -> tuple[N, ...]:
-        """The rows that are asked for, in their order."""
-        upper = linear if self.part != "angular" else ()
-        lower = angular if self.part != "linear" else ()
-        return (*lower, *upper) if self.angular_first else (*upper, *lower)
-
-
-GEOMETRIC = Form()
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,10 +19,9 @@ from dhcli.kinematics.merge import merge
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.values import JointInput, given_parameters, joint_values, numbers, parameter_values
 from dhcli.kinematics.velocity.analytic import TINY
+from dhcli.kinematics.velocity.form import Form, Which
 from dhcli.kinematics.velocity.jacobian import (
-    Form,
     Jacobian,
-    Which,
     check_values,
     moving_joints,
     numeric_jacobian,

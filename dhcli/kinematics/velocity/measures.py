@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from dhcli.kinematics.forward import Given
     from dhcli.kinematics.robot import Robot
     from dhcli.kinematics.values import JointInput
-    from dhcli.kinematics.velocity.jacobian import Which
+    from dhcli.kinematics.velocity.form import Which
 
     Table: TypeAlias = NDArray[np.float64]
 
@@ -113,7 +113,7 @@ def manipulability(
         RobotError: A value is missing or no number, or no joint moves `end`.
         UnknownNameError: The robot has no such frame, joint or length.
     """
-    from dhcli.kinematics.singular.finding import task_at
+    from dhcli.kinematics.singular.task import task_at
 
     rows, kept = task_at(robot, View.of(robot, **viewing), part)
     found = jacobian(robot, q, part=rows, parameters=parameters, **viewing)

@@ -12,7 +12,8 @@ from dhcli.errors import RobotError
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.values import JointInput, Values, joint_values, parameter_values
-from dhcli.kinematics.velocity.jacobian import Form, Which, numeric_jacobian
+from dhcli.kinematics.velocity.form import Form, Which
+from dhcli.kinematics.velocity.jacobian import numeric_jacobian
 from dhcli.kinematics.velocity.measures import TIGHT
 from dhcli.kinematics.velocity.statics import three_numbers
 from dhcli.kinematics.velocity.view import View, Viewing

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhcli.kinematics.robot import Robot, Value
-from dhcli.kinematics.velocity.jacobian import Form, moving_joints
+from dhcli.kinematics.velocity.form import Form
+from dhcli.kinematics.velocity.jacobian import moving_joints
 from dhcli.kinematics.velocity.many import jacobians
 from dhcli.kinematics.velocity.view import View
 

@@ -9,7 +9,7 @@ from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values
 from dhcli.kinematics.velocity.analytic import Triple
 from dhcli.kinematics.velocity.asked import JacobianAnswer, TorquesAnswer, VelocityAnswer
-from dhcli.kinematics.velocity.jacobian import ANGULAR
+from dhcli.kinematics.velocity.form import ANGULAR
 from dhcli.kinematics.velocity.view import ORIGIN, View
 from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Expr

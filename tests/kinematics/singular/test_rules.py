@@ -15,18 +15,10 @@ from dhcli.algebra.residues import field_of_the_day, random_below
 from dhcli.kinematics.frames import between
 from dhcli.kinematics.singular.arm import Arm, Point
 from dhcli.kinematics.singular.blocks import blocks_of
-from dhcli.kinematics.singular.forms import (
-    TooLongError,
-    contracted,
-    determinant,
-    expanded,
-    factors_of,
-    grouped,
-    product,
-    shortest,
-)
+from dhcli.kinematics.singular.forms import determinant, factors_of, shortest
 from dhcli.kinematics.singular.modular import determinant as modular
 from dhcli.kinematics.singular.modular import null_space, rank, square_root
+from dhcli.kinematics.singular.polynomial import TooLongError, contracted, expanded, grouped, product
 from dhcli.kinematics.singular.square import size_of
 from dhcli.kinematics.singular.vanishing import fresh, right_angles, vanishing
 from dhcli.notation.parser import parse

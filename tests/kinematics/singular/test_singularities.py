@@ -18,7 +18,8 @@ from dhcli.kinematics.singular.finding import MOST_JOINTS
 from dhcli.kinematics.singular.modular import determinant
 from dhcli.kinematics.singular.result import Singularities
 from dhcli.kinematics.values import numbers, parameter_values
-from dhcli.kinematics.velocity.jacobian import GEOMETRIC, six_rows
+from dhcli.kinematics.velocity.form import GEOMETRIC
+from dhcli.kinematics.velocity.jacobian import six_rows
 from dhcli.kinematics.velocity.view import View, parts
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO, Expr, Product, Symbol, number
