@@ -124,6 +124,8 @@ def _rotate(vectors: list[Vector[N]], plane: tuple[int, int], cos: N | int, sin:
     minus = times(-1, sin)
     for vector in vectors:
         u, v = vector[first], vector[second]
+        if type(u) is int and type(v) is int and not u and not v:
+            continue
         vector[first] = plus(times(cos, u), times(minus, v))
         vector[second] = plus(times(sin, u), times(cos, v))
 

@@ -100,8 +100,9 @@ def offset_of(point: Sequence[float | str] | None) -> Offset:
 
 def joints_between(robot: Robot, start: str, end: str) -> tuple[str, ...]:
     """The joints that move one frame against another, in joint order."""
-    inside = names(between(robot, start, end))
-    return tuple(name for name in robot.variables if name in inside)
+    first, last = sorted((robot.frames.index(start), robot.frames.index(end)))
+    inside = frozenset(robot.frames[first + 1 : last + 1])
+    return tuple(joint.name for joint in robot.joints if str(joint.link) in inside)
 
 
 @dataclass(frozen=True, slots=True)
