@@ -35,11 +35,16 @@ def batch(rounds: int, robots: tuple[str, ...] = ROBOTS, size: int = MANY) -> It
         row = side_by_side(work, ours, poses, lambda one, other: len(one) == len(other), rounds=rounds)
         yield replace(row, note=f"{number(row.seconds / size * 1e9)} ns a Jacobian")
         for peer in PEERS:
-            if not peer.version:
-                yield Row(work, ours.name, peer.name)
-                continue
-            many = peer.many(robot)
-            yield side_by_side(work, ours, Task(peer.name, lambda many=many, q=q: many(q)), equal, rounds=rounds)
+            yield beside_peer(robot, q[: peer.most], peer, rounds)
+
+
+def beside_peer(robot: Robot, q: Array, peer: JacobianPeer, rounds: int) -> Row:
+    """Many Jacobians beside a peer, or a row that says that it is not there."""
+    work, ours = f"{len(q)} Jacobians of {robot.name}", Task("jacobian(robot, Q)", lambda: jacobian(robot, q))
+    if not peer.version:
+        return Row(work, ours.name, peer.name)
+    many = peer.many(robot)
+    return side_by_side(work, ours, Task(peer.name, lambda: many(q)), equal, rounds=rounds)
 
 
 def one(rounds: int, robots: tuple[str, ...] = ROBOTS) -> Iterator[Row]:
@@ -212,7 +217,13 @@ def by_jax(robot: Robot) -> Callable[[Array], Array]:
 
 @dataclass(frozen=True)
 class JacobianPeer(Peer):
-    """Something else that computes Jacobians; `build` gives a function to shape (6, n)."""
+    """Something else that computes Jacobians; `build` gives a function to shape (6, n).
+
+    Attributes:
+        most: A peer that takes half a millisecond for each is run for at most so many.
+    """
+
+    most: int = MANY
 
     def many(self, robot: Robot) -> Callable[[Array], Array]:
         """A function from joint values, shape (N, n), to Jacobians, shape (N, 6, n)."""
@@ -222,7 +233,7 @@ class JacobianPeer(Peer):
 
 PEERS = (
     JacobianPeer("numpy, z × (p - o)", "numpy", by_numpy),
-    JacobianPeer("Robotics Toolbox, jacob0", "roboticstoolbox-python", by_toolbox, stacks=False),
+    JacobianPeer("Robotics Toolbox, jacob0", "roboticstoolbox-python", by_toolbox, stacks=False, most=2000),
     JacobianPeer("pinocchio, computeFrameJacobian", "pin", by_pinocchio, stacks=False),
     JacobianPeer("JAX, jit, vmap, jacfwd", "jax", by_jax),
 )
