@@ -31,6 +31,12 @@ def test_the_jacobian_of_the_book_is_shown_with_what_it_is(dhcli: Run) -> None:
     )
 
 
+def test_rates_of_angles_say_where_they_are_none(dhcli: Run) -> None:
+    """And which angles stand in the formulas."""
+    out = dhcli("jacobian", "articulated", "-s", "--analytic", "rpy", "--part", "angular").out
+    assert out.endswith("yaw and pitch are those of the pose; no rates where pitch is ±90°\n")
+
+
 def test_a_long_result_names_the_frame_in_which_it_is_short(dhcli: Run) -> None:
     """One entry a line, and a hint."""
     lines = dhcli("jacobian", "puma560", "-s").out.splitlines()
@@ -160,6 +166,14 @@ def test_singularities_have_exactly_these_keys(dhcli: Run) -> None:
     assert set(there) == {"rank", "singular_values", "manipulability", "condition", "determinant", "factors"}
     assert (there["rank"], there["condition"]) == (5, None)
     assert set(there["factors"][0]) == {"factor", "values", "distance"}
+
+
+def test_a_pose_from_which_no_small_motion_leads_is_told(dhcli: Run) -> None:
+    """The arm stretched out level: no joint changes the distance from axis 1 at first; JSON has no infinity."""
+    words = ("singularities", "articulated", "--q", "0,0,0")
+    assert "a2*c2 + a3*c23 = 0: 0.7 here, out of reach from here\n" in dhcli(*words).out
+    there = dhcli(*words, "--format", "json").data["at"]["factors"]
+    assert [one["distance"] for one in there] == [0.0, None]
 
 
 @pytest.mark.parametrize(

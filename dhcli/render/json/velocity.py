@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any
 
 from dhcli.kinematics.robot import Robot
@@ -91,7 +92,11 @@ def _standing(standing: Standing) -> dict[str, Any]:
         "condition": None if measures.condition is None else exact(measures.condition),
         "determinant": None if standing.determinant is None else exact(standing.determinant),
         "factors": [
-            {"factor": one.factor, "values": [exact(value) for value in one.values], "distance": exact(one.distance)}
+            {
+                "factor": one.factor,
+                "values": [exact(value) for value in one.values],
+                "distance": exact(one.distance) if math.isfinite(one.distance) else None,
+            }
             for one in standing.distances
         ],
     }

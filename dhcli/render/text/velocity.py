@@ -33,8 +33,9 @@ def jacobian_table(result: JacobianAnswer, look: Look) -> str:
         lines.append(f"{paper.ink('let', 'dim')} {paper.ink(one.name, 'cyan')} = {value}")
     lines += _matrix(result, look)
     if found.form.analytic and found.is_symbolic:
-        angles = ", ".join(Triple.called(found.form.analytic).angles[:2])
-        lines.append(paper.ink(paper.spell(f"{angles}: those of the pose between the two frames"), "dim"))
+        triple = Triple.called(found.form.analytic)
+        note = f"{' and '.join(triple.angles[:2])} are those of the pose; no rates where {triple.singular}"
+        lines.append(paper.ink(paper.spell(note), "dim"))
     if result.hint:
         lines.append(paper.ink(paper.spell(result.hint), "dim"))
     return "\n".join(lines) + "\n"

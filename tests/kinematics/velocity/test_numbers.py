@@ -68,12 +68,27 @@ def test_symbols_with_numbers_put_in_are_floats_and_columns(name: str) -> None:
     q = joint_point(robot, 3)
     at = Floats({**numbers(parameter_values(robot, parameters)), **dict(zip(robot.variables, q, strict=True))})
     inside: Viewing = {"start": "base", "end": "tool", "axes": robot.frames[2]}
-    for viewing in (*VIEWS, inside):
+    further: Viewing = {"start": robot.frames[1], "axes": "base", "place": robot.frames[2], "point": (0.1, 0.2, 0)}
+    for viewing in (*VIEWS, inside, further):
         one = jacobian(robot, q, parameters=parameters, **viewing)
         many = jacobian(robot, np.array([q, q]), parameters=parameters, **viewing)
         terms = [[at.value(entry) for entry in row] for row in symbolic_jacobian(robot, **viewing).rows]
         assert np.allclose(many, one, atol=1e-13)
         assert np.allclose(terms, one, atol=1e-13)
+
+
+@pytest.mark.parametrize("name", ["stanford", "puma560", "scara", "ur5e"])
+@pytest.mark.parametrize("viewing", VIEWS[:5])
+def test_values_put_in_exactly_are_those_values(name: str, viewing: Viewing) -> None:
+    """Every other joint and one length; the others are put in afterwards."""
+    robot = load_robot(name)
+    q = dict(zip(robot.variables, joint_point(robot, 2), strict=True))
+    some = {joint: q[joint] for joint in robot.variables[::2]}
+    length = next(name for name in robot.parameters if name not in robot.angles)
+    at = Floats({**numbers(parameter_values(robot, {})), **q})
+    put = symbolic_jacobian(robot, some, parameters={length: 0.31}, **viewing)
+    expected = jacobian(robot, list(q.values()), parameters={length: 0.31}, **viewing)
+    assert np.allclose([[at.value(entry) for entry in row] for row in put.rows], expected, atol=1e-12)
 
 
 @pytest.mark.parametrize("name", ["planar-2r", "stanford", "puma560", "ur5e", "scara"])
