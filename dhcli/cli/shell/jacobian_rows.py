@@ -11,8 +11,8 @@ from dhcli.cli.shell.given import settings_of
 from dhcli.cli.shell.rows import RowDelivery
 from dhcli.errors import DhcliError, Place, Problem
 from dhcli.files.rows.blocks import MOST
-from dhcli.files.rows.columns import Asked
-from dhcli.files.rows.reading import rows_of
+from dhcli.files.rows.columns import JointTable
+from dhcli.files.rows.formats import joint_rows
 from dhcli.files.rows.source import open_source
 from dhcli.kinematics.many import numbered
 from dhcli.kinematics.robot import Robot
@@ -20,7 +20,7 @@ from dhcli.kinematics.tally import Tally
 from dhcli.kinematics.values import parameter_values
 from dhcli.kinematics.velocity.form import Form
 from dhcli.kinematics.velocity.rows import JacobianRows, is_finite
-from dhcli.kinematics.velocity.view import View
+from dhcli.kinematics.velocity.view import MotionView
 from dhcli.render.code.pose_rows import INDEX
 from dhcli.render.code.rows import Group, Layout
 from dhcli.render.paper import Paper
@@ -44,7 +44,7 @@ def check_options(path: str | None, robot: str, others: Mapping[str, object]) ->
         raise DhcliError(f"{' and '.join(given)} {verb} not go with --rows", "rows are numbers, csv, jsonl or npy")
 
 
-def rows_wanted(robot: Robot, view: View, form: Form, settings: Sequence[str]) -> JacobianRows:
+def rows_wanted(robot: Robot, view: MotionView, form: Form, settings: Sequence[str]) -> JacobianRows:
     """What the options ask of each row, looked at before there are any.
 
     Raises:
@@ -64,7 +64,7 @@ def jacobian_layout(wanted: JacobianRows, *, index: bool) -> Layout:
 
 
 def jacobian_rows(
-    wanted: JacobianRows, asked: Asked, path: str, delivery: RowDelivery, *, skip_bad: bool, index: bool = False
+    wanted: JacobianRows, asked: JointTable, path: str, delivery: RowDelivery, *, skip_bad: bool, index: bool = False
 ) -> None:
     """Compute a Jacobian for each row of a file, and hand them over as they come; see `fk_rows`.
 
@@ -76,7 +76,7 @@ def jacobian_rows(
     tally, bad = Tally(wanted.robot), BadRows(path, skip=skip_bad)
     to_file = delivery.output is not None or not sys.stdout.isatty()
     with open_source(path) as source:
-        rows = rows_of(source, asked)
+        rows = joint_rows(source, asked)
         with delivery.open(layout) as sink, row_progress(sys.stderr, wanted=to_file) as tell:
             for block in rows.blocks():
                 bad.take(block.bad, block.bad_rows)

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from dhcli.cli.shell.given import open_scope, point_of
 from dhcli.errors import DhcliError
+from dhcli.kinematics.frames import ORIGIN
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.velocity.analytic import Triple
 from dhcli.kinematics.velocity.form import Form, Which
-from dhcli.kinematics.velocity.view import ORIGIN, View
+from dhcli.kinematics.velocity.view import MotionView
 
 PARTS: dict[str, Which] = {"linear": "linear", "angular": "angular", "all": "all"}
 ORDERS = {"linear-first": False, "angular-first": True}
 
 
-def view_of(robot: Robot, start: str | None, end: str | None, axes: str | None, at: str | None, option: str) -> View:
+def view_of(
+    robot: Robot, start: str | None, end: str | None, axes: str | None, at: str | None, option: str
+) -> MotionView:
     """Between which frames, along which axes, of which point.
 
     Args:
@@ -29,8 +32,8 @@ def view_of(robot: Robot, start: str | None, end: str | None, axes: str | None, 
     """
     is_frame = at is not None and option != "--point" and "," not in at
     point = ORIGIN if at is None or is_frame else point_of(at, option, open_scope(robot))
-    view = View.of(robot, start=start, end=end, axes=axes, place=at if is_frame else None)
-    return View(view.start, view.end, view.axes, view.place, point)
+    view = MotionView.of(robot, start=start, end=end, axes=axes, place=at if is_frame else None)
+    return MotionView(view.start, view.end, view.axes, view.place, point)
 
 
 def part_of(text: str | None) -> Which | None:
@@ -58,7 +61,7 @@ def form_of(part: str | None, order: str | None, analytic: str | None) -> Form:
     return Form(part_of(part) or "all", ORDERS[order or "linear-first"], name)
 
 
-def twist_view(robot: Robot, view: View, others: dict[str, object], *, space: bool, body: bool) -> View:
+def twist_view(robot: Robot, view: MotionView, others: dict[str, object], *, space: bool, body: bool) -> MotionView:
     """The view of a space or body Jacobian: both say axes and point, and put ω first.
 
     Raises:
@@ -71,4 +74,4 @@ def twist_view(robot: Robot, view: View, others: dict[str, object], *, space: bo
         verb = "does" if len(given) == 1 else "do"
         raise DhcliError(f"{' and '.join(given)} {verb} not go with {mine}", f"{mine} says axes, point and order")
     frame = view.start if space else view.end
-    return View.of(robot, start=view.start, end=view.end, axes=frame, place=frame)
+    return MotionView.of(robot, start=view.start, end=view.end, axes=frame, place=frame)

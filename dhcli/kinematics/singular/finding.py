@@ -21,7 +21,7 @@ from dhcli.kinematics.singular.vanishing import fresh, right_angles, vanishing, 
 from dhcli.kinematics.singular.words import Geometry, Place, angle_words, listed
 from dhcli.kinematics.values import Values, given_parameters
 from dhcli.kinematics.velocity.form import GEOMETRIC, Which
-from dhcli.kinematics.velocity.view import View
+from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.tree import Expr, Trig, negate
 from dhcli.notation.walk import operations
 
@@ -63,11 +63,11 @@ def singularities(
         UnknownNameError: The robot has no such frame or length.
     """
     check_robot(robot)
-    view = View.of(robot, start=start, end=end, point=point)
+    view = MotionView.of(robot, start=start, end=end, point=point)
     return find(robot, view, part, given_parameters(robot, parameters or {}))
 
 
-def find(robot: Robot, view: View, part: Which | None, values: Values) -> Singularities:
+def find(robot: Robot, view: MotionView, part: Which | None, values: Values) -> Singularities:
     """The same for a view, with values that are known; see `singularities`."""
     arm = arm_of(robot, view, values)
     try:

@@ -12,7 +12,7 @@ from dhcli.kinematics.values import Values, numbers
 from dhcli.kinematics.velocity.form import Form
 from dhcli.kinematics.velocity.jacobian import numeric_jacobian
 from dhcli.kinematics.velocity.measures import Measures, measures_of
-from dhcli.kinematics.velocity.view import View
+from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.derivative import derivative
 from dhcli.notation.tree import Expr, Trig
 
@@ -47,7 +47,7 @@ class Standing:
     distances: tuple[Distance, ...]
 
 
-def standing_at(robot: Robot, values: Values, view: View, found: Singularities) -> Standing:
+def standing_at(robot: Robot, values: Values, view: MotionView, found: Singularities) -> Standing:
     """How an arm stands at joint values.
 
     Args:

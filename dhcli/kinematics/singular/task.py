@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from dhcli.algebra.arithmetic import CannotHoldError
 from dhcli.kinematics.forward import put_in
-from dhcli.kinematics.frames import between
+from dhcli.kinematics.frames import ORIGIN, between
 from dhcli.kinematics.moves import Trans
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.singular.arm import Arm, Point
@@ -17,10 +17,10 @@ from dhcli.kinematics.singular.words import Place, listed
 from dhcli.kinematics.values import Values
 from dhcli.kinematics.velocity.form import Which
 from dhcli.kinematics.velocity.jacobian import moving_joints
-from dhcli.kinematics.velocity.view import ORIGIN, View
+from dhcli.kinematics.velocity.view import MotionView
 
 
-def arm_of(robot: Robot, view: View, values: Values) -> Arm:
+def arm_of(robot: Robot, view: MotionView, values: Values) -> Arm:
     """The arm that a view is about, with values put in."""
     joints = moving_joints(robot, view)
     start, end = view.start, view.end
@@ -31,7 +31,7 @@ def arm_of(robot: Robot, view: View, values: Values) -> Arm:
     return Arm(robot, start, end, joints, put_in(chain, lengths) if lengths else chain)
 
 
-def task_at(robot: Robot, view: View, part: Which | None) -> tuple[Which, tuple[int, ...]]:
+def task_at(robot: Robot, view: MotionView, part: Which | None) -> tuple[Which, tuple[int, ...]]:
     """The rows that are taken for the task of a robot, and the places of those among them that its joints can move.
 
     Args:

@@ -4,22 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import product
 from typing import TypeVar
 
 from dhcli.algebra.arithmetic import plus, times
 from dhcli.errors import UnknownNameError, did_you_mean
-from dhcli.notation.factors import AXES
+from dhcli.geometry.euler import AXES
 
 N = TypeVar("N")
 
 CYCLIC = frozenset(((0, 1, 2), (1, 2, 0), (2, 0, 1)))
 
-TRIPLES = {"rpy": (2, 1, 0)} | {
-    "".join(AXES[k] for k in axes): axes
-    for axes in product(range(3), repeat=3)
-    if axes[0] != axes[1] and axes[1] != axes[2]
-}
+TRIPLES = {"rpy": (2, 1, 0)} | {axes: tuple(map("xyz".index, axes)) for axes in AXES}
 """Orders of axes by name, each turned about where those before have put it: rpy is yaw, pitch, roll about z, y, x."""
 
 TINY = 1e-9

@@ -12,7 +12,7 @@ from dhcli.kinematics.values import Values, warnings
 from dhcli.kinematics.velocity.form import GEOMETRIC, Form
 from dhcli.kinematics.velocity.jacobian import Jacobian, numeric_jacobian, textbook_jacobian
 from dhcli.kinematics.velocity.statics import Torques, Wrench, numeric_torques, product, textbook_torques
-from dhcli.kinematics.velocity.view import View
+from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.tree import ZERO, Expr, Symbol, number
 from dhcli.notation.walk import operations
 
@@ -67,7 +67,7 @@ class SingularAnswer:
 
     robot: Robot
     values: Values
-    view: View
+    view: MotionView
     found: Singularities
     standing: Standing | None = None
     warnings: tuple[str, ...] = ()
@@ -108,7 +108,7 @@ class VelocityAnswer:
 
     robot: Robot
     values: Values
-    view: View
+    view: MotionView
     joints: tuple[str, ...]
     rates: tuple[float, ...] | tuple[Expr, ...]
     labels: tuple[str, ...]
@@ -118,7 +118,7 @@ class VelocityAnswer:
 
 
 def answer_jacobian(
-    robot: Robot, values: Values, view: View, form: Form = GEOMETRIC, *, symbolic: bool = False, let: bool = False
+    robot: Robot, values: Values, view: MotionView, form: Form = GEOMETRIC, *, symbolic: bool = False, let: bool = False
 ) -> JacobianAnswer:
     """The Jacobian of a robot, in numbers or in symbols.
 
@@ -156,7 +156,7 @@ def _operations(found: Jacobian[Expr]) -> int:
 
 
 def answer_torques(
-    robot: Robot, values: Values, view: View, wrench: tuple[Sequence[Expr], Sequence[Expr]], *, symbolic: bool
+    robot: Robot, values: Values, view: MotionView, wrench: tuple[Sequence[Expr], Sequence[Expr]], *, symbolic: bool
 ) -> TorquesAnswer:
     """The joint torques for a force and a moment.
 
@@ -174,7 +174,7 @@ def answer_torques(
 
 
 def answer_velocity(
-    robot: Robot, values: Values, view: View, rates: Sequence[Expr] | None, *, symbolic: bool
+    robot: Robot, values: Values, view: MotionView, rates: Sequence[Expr] | None, *, symbolic: bool
 ) -> VelocityAnswer:
     """The velocity for joint rates; in symbols without rates for those called `dtheta1`.
 
@@ -201,7 +201,7 @@ def answer_velocity(
 def answer_rates(
     robot: Robot,
     values: Values,
-    view: View,
+    view: MotionView,
     wanted: tuple[Sequence[Expr] | None, Sequence[Expr] | None],
     damping: float = 0.0,
 ) -> VelocityAnswer:
@@ -217,7 +217,7 @@ def answer_rates(
 
 
 def answer_singularities(
-    robot: Robot, values: Values, view: View, found: Singularities, *, at_values: bool
+    robot: Robot, values: Values, view: MotionView, found: Singularities, *, at_values: bool
 ) -> SingularAnswer:
     """Where a robot is singular, with how it stands at joint values if these are given.
 

@@ -13,7 +13,7 @@ from dhcli.algebra.floats import Floats
 from dhcli.algebra.terms import TERMS
 from dhcli.errors import RobotError
 from dhcli.kinematics.fold import fold_rows
-from dhcli.kinematics.frames import between
+from dhcli.kinematics.frames import ORIGIN, between
 from dhcli.kinematics.moves import Trans
 from dhcli.kinematics.pose import DIGITS, rounded
 from dhcli.kinematics.robot import Robot
@@ -21,7 +21,7 @@ from dhcli.kinematics.values import Values, numbers, require
 from dhcli.kinematics.velocity.analytic import TINY, Triple
 from dhcli.kinematics.velocity.form import GEOMETRIC, Form
 from dhcli.kinematics.velocity.steps import Vector, fold_columns
-from dhcli.kinematics.velocity.view import ORIGIN, Part, View, check_size, joints_between, parts
+from dhcli.kinematics.velocity.view import MotionView, Part, check_size, joints_between, parts
 from dhcli.notation.angle import Angle
 from dhcli.notation.styles import THETAS, Joints
 from dhcli.notation.tree import Expr, power
@@ -54,7 +54,7 @@ class Jacobian(Generic[N]):
     rows: Rows[N]
     labels: tuple[str, ...]
     joints: tuple[str, ...]
-    view: View
+    view: MotionView
     form: Form = GEOMETRIC
     writing: Joints = field(default=THETAS, compare=False, repr=False)
 
@@ -146,7 +146,7 @@ def six_rows(made: Sequence[Part], count: int, over: Arithmetic[N]) -> tuple[Row
     return linear, angular
 
 
-def numeric_jacobian(robot: Robot, values: Values, view: View, form: Form = GEOMETRIC) -> Jacobian[float]:
+def numeric_jacobian(robot: Robot, values: Values, view: MotionView, form: Form = GEOMETRIC) -> Jacobian[float]:
     """The Jacobian at known values, without numpy; see `jacobian`.
 
     Raises:
@@ -170,7 +170,7 @@ def numeric_jacobian(robot: Robot, values: Values, view: View, form: Form = GEOM
     return Jacobian(form.chosen(linear, angular), form.labels, joints, view, form, robot.writing)
 
 
-def textbook_jacobian(robot: Robot, values: Values, view: View, form: Form = GEOMETRIC) -> Jacobian[Expr]:
+def textbook_jacobian(robot: Robot, values: Values, view: MotionView, form: Form = GEOMETRIC) -> Jacobian[Expr]:
     """The Jacobian in terms, with some values put in; see `symbolic_jacobian`.
 
     Raises:
@@ -219,7 +219,7 @@ def free_name(robot: Robot, name: str) -> str:
     return name
 
 
-def moving_joints(robot: Robot, view: View) -> tuple[str, ...]:
+def moving_joints(robot: Robot, view: MotionView) -> tuple[str, ...]:
     """The joints that have a column.
 
     Raises:
@@ -234,7 +234,7 @@ def moving_joints(robot: Robot, view: View) -> tuple[str, ...]:
     return joints
 
 
-def check_values(robot: Robot, view: View, form: Form, values: Values) -> None:
+def check_values(robot: Robot, view: MotionView, form: Form, values: Values) -> None:
     """Make sure that every name has a value, those of the point too.
 
     Raises:
@@ -252,7 +252,7 @@ def check_values(robot: Robot, view: View, form: Form, values: Values) -> None:
     require(robot, (*way[0], *way[1], *way[2], Trans(*view.point)), values)
 
 
-def _check_axes(view: View, form: Form) -> None:
+def _check_axes(view: MotionView, form: Form) -> None:
     if form.analytic and view.axes != view.start:
         name = Triple.called(form.analytic).name
         message = f"rates of {name} are those of frame {view.end} seen from frame {view.start}, in no other axes"

@@ -29,7 +29,7 @@ from dhcli.kinematics.velocity.jacobian import (
     six_rows,
     textbook_jacobian,
 )
-from dhcli.kinematics.velocity.view import View, Viewing, parts
+from dhcli.kinematics.velocity.view import MotionView, Viewing, parts
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr
 
@@ -70,7 +70,7 @@ def jacobian(
         UnknownNameError: The robot has no such frame, joint or length.
     """
     check_robot(robot)
-    view = View.of(robot, **viewing)
+    view = MotionView.of(robot, **viewing)
     form = Form(checked_part(part), angular_first, analytic)
     if _is_many(q):
         return jacobians(robot, cast("ArrayLike", q), view, form, parameters or {})
@@ -107,7 +107,7 @@ def symbolic_jacobian(
         UnknownNameError: The robot has no such frame, joint or length.
     """
     check_robot(robot)
-    view = View.of(robot, **viewing)
+    view = MotionView.of(robot, **viewing)
     form = Form(checked_part(part), angular_first, analytic)
     values = {**given_parameters(robot, parameters or {}), **joint_values(robot, q)}
     return textbook_jacobian(robot, values, view, form)
@@ -133,7 +133,7 @@ def _is_many(q: object) -> bool:
     return isinstance(q, list | tuple) and bool(q) and not isinstance(q[0], str) and hasattr(q[0], "__len__")
 
 
-def jacobians(robot: Robot, Q: ArrayLike, view: View, form: Form, parameters: Given) -> Table:  # noqa: N803
+def jacobians(robot: Robot, Q: ArrayLike, view: MotionView, form: Form, parameters: Given) -> Table:  # noqa: N803
     """The Jacobians for many joint values, shape (N, n): shape (N, rows, joints); see `jacobian`."""
     q = joint_rows(robot, Q)
     lengths = parameter_values(robot, parameters)
@@ -157,7 +157,7 @@ def jacobians(robot: Robot, Q: ArrayLike, view: View, form: Form, parameters: Gi
 
 
 @lru_cache(maxsize=32)
-def recorded(robot: Robot, view: View, form: Form, values: Known, *, merged: bool) -> Program:
+def recorded(robot: Robot, view: MotionView, form: Form, values: Known, *, merged: bool) -> Program:
     """The steps from joint values to the entries of a Jacobian, row by row.
 
     For rates of angles one number follows: the square of what vanishes where there are none.

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, TypeAlias, Unpack
 
 import numpy as np
 
+from dhcli.geometry.rank import decided
 from dhcli.kinematics.velocity.many import jacobian
-from dhcli.kinematics.velocity.view import View, Viewing
+from dhcli.kinematics.velocity.view import MotionView, Viewing
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -20,9 +21,6 @@ if TYPE_CHECKING:
     from dhcli.kinematics.velocity.form import Which
 
     Table: TypeAlias = NDArray[np.float64]
-
-TIGHT = 1e-9
-"""Relative to the largest, below this a singular value counts as zero."""
 
 NEAR_AXIS = 1e-6
 """A direction this close to an axis is said to be along it."""
@@ -68,7 +66,7 @@ def measures_of(matrix: ArrayLike, rows: Sequence[int] | None = None) -> Measure
     directions = np.zeros((len(values), len(table)))
     directions[:, kept] = left.T
     largest = float(values[0]) if len(values) else 0.0
-    rank = int(np.count_nonzero(values > TIGHT * largest)) if largest > 0 else 0
+    rank = decided(values).rank
     full = 0 < rank == len(values)
     return Measures(
         rank,
@@ -115,7 +113,7 @@ def manipulability(
     """
     from dhcli.kinematics.singular.task import task_at
 
-    rows, kept = task_at(robot, View.of(robot, **viewing), part)
+    rows, kept = task_at(robot, MotionView.of(robot, **viewing), part)
     found = jacobian(robot, q, part=rows, parameters=parameters, **viewing)
     if found.ndim == 2:  # noqa: PLR2004  one matrix
         return measures_of(found, kept).manipulability

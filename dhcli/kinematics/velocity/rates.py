@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING, TypeAlias, Unpack
 import numpy as np
 
 from dhcli.errors import RobotError
+from dhcli.geometry.rank import decided, rank_of
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.values import JointInput, Values, joint_values, parameter_values
 from dhcli.kinematics.velocity.form import Form, Which
 from dhcli.kinematics.velocity.jacobian import numeric_jacobian
-from dhcli.kinematics.velocity.measures import TIGHT
 from dhcli.kinematics.velocity.statics import three_numbers
-from dhcli.kinematics.velocity.view import View, Viewing
+from dhcli.kinematics.velocity.view import MotionView, Viewing
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -53,7 +53,7 @@ class Rates:
     full: int
     damping: float
     idle: tuple[tuple[float, ...], ...]
-    view: View
+    view: MotionView
 
     @property
     def is_reached(self) -> bool:
@@ -107,7 +107,7 @@ def joint_rates(
     Source: Y. Nakamura and H. Hanafusa, Inverse kinematic solutions with singularity robustness, 1986.
     """
     check_robot(robot)
-    view = View.of(robot, **viewing)
+    view = MotionView.of(robot, **viewing)
     values = {**parameter_values(robot, parameters or {}), **joint_values(robot, q)}
     return rates_at(robot, values, view, velocity, angular, damping)
 
@@ -115,7 +115,7 @@ def joint_rates(
 def rates_at(
     robot: Robot,
     values: Values,
-    view: View,
+    view: MotionView,
     velocity: Sequence[float] | None,
     angular: Sequence[float] | None,
     damping: float = 0.0,
@@ -133,7 +133,7 @@ def rates_at(
     ]
     matrix = found.matrix
     left, sizes, right = np.linalg.svd(matrix)
-    rank = int(np.count_nonzero(sizes > TIGHT * sizes[0])) if sizes[0] > 0 else 0
+    rank = decided(sizes).rank
     kept = sizes[:rank]
     factors = kept / (kept**2 + damping**2)
     rates = right[:rank].T @ (factors * (left[:, :rank].T @ np.array(wanted)))
@@ -151,20 +151,19 @@ def rates_at(
     )
 
 
-def _full_rank(matrix: Table, robot: Robot, values: Values, view: View, part: Which) -> int:
+def _full_rank(matrix: Table, robot: Robot, values: Values, view: MotionView, part: Which) -> int:
     """The rank at almost all joint values, by two that have nothing special about them."""
     from dhcli.notation.angle import Angle
     from dhcli.notation.tree import number
 
-    ranks = [np.linalg.matrix_rank(matrix, tol=TIGHT * max(1.0, float(np.abs(matrix).max(initial=0.0))))]
+    ranks = [rank_of(matrix).rank]
     for seed in (1, 2):
         other = dict(values)
         for k, name in enumerate(robot.variables):
-            turned = 37 * seed + 53 * k
-            other[name] = Angle.in_degrees(turned) if name in robot.angles else number(seed + k) * number(seed) * 1
+            other[name] = Angle.in_degrees(37 * seed + 53 * k) if name in robot.angles else number(seed + k)
         elsewhere = numeric_jacobian(robot, other, view, Form(part)).matrix
-        ranks.append(np.linalg.matrix_rank(elsewhere, tol=TIGHT * max(1.0, float(np.abs(elsewhere).max(initial=0.0)))))
-    return int(max(ranks))
+        ranks.append(rank_of(elsewhere).rank)
+    return max(ranks)
 
 
 def velocity_of(
@@ -191,7 +190,7 @@ def velocity_of(
         RobotError: A value is missing or no number, or there are too many or too few rates.
     """
     check_robot(robot)
-    view = View.of(robot, **viewing)
+    view = MotionView.of(robot, **viewing)
     values = {**parameter_values(robot, parameters or {}), **joint_values(robot, q)}
     found = numeric_jacobian(robot, values, view)
     return moved(found.rows, found.joints, rates)

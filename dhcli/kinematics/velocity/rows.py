@@ -12,7 +12,7 @@ from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.velocity.form import Form
 from dhcli.kinematics.velocity.jacobian import moving_joints
 from dhcli.kinematics.velocity.many import jacobians
-from dhcli.kinematics.velocity.view import View
+from dhcli.kinematics.velocity.view import MotionView
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -30,7 +30,7 @@ class JacobianRows:
     """
 
     robot: Robot
-    view: View
+    view: MotionView
     form: Form
     parameters: Mapping[str, Value]
 

@@ -14,7 +14,7 @@ from dhcli.kinematics.pose import coordinates
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.values import JointInput, Values, given_parameters, joint_values, parameter_values
 from dhcli.kinematics.velocity.jacobian import Jacobian, numeric_jacobian, textbook_jacobian
-from dhcli.kinematics.velocity.view import View, Viewing
+from dhcli.kinematics.velocity.view import MotionView, Viewing
 from dhcli.notation.styles import THETAS, Joints
 from dhcli.notation.tree import ZERO, Expr, number
 
@@ -59,7 +59,7 @@ class Torques(Generic[N]):
     joints: tuple[str, ...]
     kinds: tuple[str, ...]
     wrench: Wrench[N]
-    view: View
+    view: MotionView
     writing: Joints = field(default=THETAS, compare=False, repr=False)
 
     @property
@@ -99,7 +99,7 @@ def torques(
     Source: Craig, eq. 5.96; Spong, Hutchinson and Vidyasagar, eq. 4.118.
     """
     check_robot(robot)
-    view = View.of(robot, **viewing)
+    view = MotionView.of(robot, **viewing)
     values = {**parameter_values(robot, parameters or {}), **joint_values(robot, q)}
     wrench = Wrench(three_numbers(force, "a force"), three_numbers(moment, "a moment"))
     return numeric_torques(robot, values, view, wrench).values
@@ -120,13 +120,13 @@ def symbolic_torques(
         RobotError: It would be longer than anybody can read, or a vector has not three numbers.
     """
     check_robot(robot)
-    view = View.of(robot, **viewing)
+    view = MotionView.of(robot, **viewing)
     values = {**given_parameters(robot, parameters or {}), **joint_values(robot, q)}
     wrench = Wrench(three_terms(force, "a force"), three_terms(moment, "a moment"))
     return textbook_torques(robot, values, view, wrench).values
 
 
-def numeric_torques(robot: Robot, values: Values, view: View, wrench: Wrench[float]) -> Torques[float]:
+def numeric_torques(robot: Robot, values: Values, view: MotionView, wrench: Wrench[float]) -> Torques[float]:
     """The torques at known values, without numpy; see `torques`."""
     found = numeric_jacobian(robot, values, view)
     return _borne(
@@ -134,7 +134,7 @@ def numeric_torques(robot: Robot, values: Values, view: View, wrench: Wrench[flo
     )
 
 
-def textbook_torques(robot: Robot, values: Values, view: View, wrench: Wrench[Expr]) -> Torques[Expr]:
+def textbook_torques(robot: Robot, values: Values, view: MotionView, wrench: Wrench[Expr]) -> Torques[Expr]:
     """The torques in terms, with some values put in; see `symbolic_torques`."""
     found = textbook_jacobian(robot, values, view)
     six: tuple[Expr | int, ...] = tuple(0 if part == ZERO else part for part in wrench.six)

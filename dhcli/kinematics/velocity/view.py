@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import TypeAlias, TypedDict, Unpack
+from typing import TypedDict, Unpack
 
 from dhcli.algebra.sizes import SIZES
 from dhcli.errors import RobotError
 from dhcli.kinematics.forward import LONGEST, put_in
-from dhcli.kinematics.frames import between, ends, frame
+from dhcli.kinematics.frames import ORIGIN, Point, between, ends, frame
 from dhcli.kinematics.merge import merge
 from dhcli.kinematics.moves import Chain, Trans, inverse_of, names, substituted
 from dhcli.kinematics.pose import coordinates
@@ -21,10 +21,6 @@ from dhcli.notation.tree import ZERO, Expr, Symbol
 
 VIRTUAL = "ε"
 """A small turn or slide besides that of a joint, where the joint itself occurs on the way back as well."""
-
-ORIGIN = (ZERO, ZERO, ZERO)
-
-Offset: TypeAlias = tuple[Expr, Expr, Expr]
 
 
 class Viewing(TypedDict, total=False):
@@ -47,7 +43,7 @@ class Viewing(TypedDict, total=False):
 
 
 @dataclass(frozen=True, slots=True)
-class View:
+class MotionView:
     """What a Jacobian is of.
 
     Attributes:
@@ -62,10 +58,10 @@ class View:
     end: str
     axes: str
     place: str
-    point: Offset = ORIGIN
+    point: Point = ORIGIN
 
     @classmethod
-    def of(cls, robot: Robot, **viewing: Unpack[Viewing]) -> View:
+    def of(cls, robot: Robot, **viewing: Unpack[Viewing]) -> MotionView:
         """A view by the names that a person gives.
 
         Raises:
@@ -83,7 +79,7 @@ class View:
         )
 
 
-def offset_of(point: Sequence[float | str] | None) -> Offset:
+def offset_of(point: Sequence[float | str] | None) -> Point:
     """A point that a person gives, in numbers [m] or names; the origin if they give none.
 
     Raises:
@@ -121,7 +117,7 @@ class Part:
 
 
 def parts(
-    robot: Robot, view: View, joints: tuple[str, ...], *, merged: bool, values: Values | None = None
+    robot: Robot, view: MotionView, joints: tuple[str, ...], *, merged: bool, values: Values | None = None
 ) -> Iterator[Part]:
     """The chains from the axes to the point, in which each joint occurs once as the one that moves.
 

@@ -9,7 +9,7 @@ from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.singular.result import Factor
 from dhcli.kinematics.values import Values
 from dhcli.kinematics.velocity.asked import JacobianAnswer, SingularAnswer, TorquesAnswer, VelocityAnswer
-from dhcli.kinematics.velocity.view import View
+from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.styles import Joints
 from dhcli.render.code.matrices import exact
 from dhcli.render.json.contents import number, plain_number
@@ -38,7 +38,7 @@ def jacobian_content(result: JacobianAnswer, look: Look) -> dict[str, Any]:
     return content
 
 
-def view_content(view: View, joints: Joints, look: Look) -> dict[str, Any]:
+def view_content(view: MotionView, joints: Joints, look: Look) -> dict[str, Any]:
     """The frame along whose axes things are written, the two frames, and the point in the frame it is given in."""
     return {
         "frame": view.axes,

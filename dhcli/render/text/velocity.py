@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
+from dhcli.kinematics.frames import ORIGIN
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values
 from dhcli.kinematics.velocity.analytic import Triple
 from dhcli.kinematics.velocity.asked import JacobianAnswer, TorquesAnswer, VelocityAnswer
 from dhcli.kinematics.velocity.form import ANGULAR
-from dhcli.kinematics.velocity.view import ORIGIN, View
+from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Expr
 from dhcli.notation.writer import write
@@ -53,7 +54,7 @@ def title(result: JacobianAnswer) -> str:
     return f"{kind} of {result.robot.name}: {frame_words(view.end)} against {frame_words(view.start)}"
 
 
-def point_words(view: View, joints: Joints, style: str = "short") -> str:
+def point_words(view: MotionView, joints: Joints, style: str = "short") -> str:
     """The point of which a velocity is, or at which a force acts."""
     if view.point != ORIGIN:
         point = f"({', '.join(write(c, style, joints) for c in view.point)}) of {frame_words(view.place)}"

@@ -20,7 +20,7 @@ from dhcli.kinematics.singular.result import Singularities
 from dhcli.kinematics.values import numbers, parameter_values
 from dhcli.kinematics.velocity.form import GEOMETRIC
 from dhcli.kinematics.velocity.jacobian import six_rows
-from dhcli.kinematics.velocity.view import View, parts
+from dhcli.kinematics.velocity.view import MotionView, parts
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO, Expr, Product, Symbol, number
 from dhcli.notation.walk import operations
@@ -76,7 +76,7 @@ def test_the_factors_multiply_to_the_determinant(name: str) -> None:
     robot = load_robot(name)
     found = singularities(robot)
     assert found.determinant is not None
-    view = View.of(robot)
+    view = MotionView.of(robot)
     joints = found.joints
     made = tuple(parts(robot, view, joints, merged=False))
     kept = [GEOMETRIC.labels.index(label) for label in found.rows]

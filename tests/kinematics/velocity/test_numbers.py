@@ -19,7 +19,7 @@ from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import numbers, parameter_values
 from dhcli.kinematics.velocity.analytic import TRIPLES
 from dhcli.kinematics.velocity.jacobian import six_rows
-from dhcli.kinematics.velocity.view import View, Viewing, joints_between, parts
+from dhcli.kinematics.velocity.view import MotionView, Viewing, joints_between, parts
 from tests.kinematics.arms import PAN_TILT, hinges, joint_point, moving_robots, with_values
 
 if TYPE_CHECKING:
@@ -96,7 +96,7 @@ def test_values_put_in_exactly_are_those_values(name: str, viewing: Viewing) -> 
 def test_symbols_are_residues(name: str, viewing: Viewing) -> None:
     """At a random point of the field, exactly, from the plain chain."""
     robot = load_robot(name)
-    view = View.of(robot, **viewing)
+    view = MotionView.of(robot, **viewing)
     joints = joints_between(robot, view.start, view.end)
     at = Residues(angles=[move.angle for move in robot.chain if isinstance(move, Rot)])
     linear, angular = six_rows(tuple(parts(robot, view, joints, merged=False)), len(joints), at)

@@ -22,7 +22,7 @@ from dhcli.errors import DhcliError, RobotError
 from dhcli.kinematics.singular.standing import standing_at
 from dhcli.kinematics.values import joint_values, numbers, parameter_values
 from dhcli.kinematics.velocity.measures import measures_of
-from dhcli.kinematics.velocity.view import View, Viewing
+from dhcli.kinematics.velocity.view import MotionView, Viewing
 from tests.kinematics.arms import IIWA, joint_point, moving_robots, with_values
 
 FORCE, MOMENT = (3.0, -5.0, 7.0), (0.4, 0.2, -0.6)
@@ -155,7 +155,7 @@ def test_an_arm_knows_how_far_it_stands_from_each_factor() -> None:
     robot = load_robot("puma560")
     found = singularities(robot)
     values = {**parameter_values(robot, {}), **joint_values(robot, "10°, -45°, 20°, 30°, 10°, 5°")}
-    standing = standing_at(robot, values, View.of(robot), found)
+    standing = standing_at(robot, values, MotionView.of(robot), found)
     first = standing.distances[0]
     assert str(found.factors[first.factor].zeros[0]) == "s5"
     assert first.distance == pytest.approx(math.radians(10))
@@ -163,7 +163,7 @@ def test_an_arm_knows_how_far_it_stands_from_each_factor() -> None:
         np.linalg.det(jacobian(robot, "10°, -45°, 20°, 30°, 10°, 5°")), rel=1e-9
     )
     at_wrist = {**values, **joint_values(robot, "theta5=0")}
-    assert standing_at(robot, at_wrist, View.of(robot), found).measures.rank == 5
+    assert standing_at(robot, at_wrist, MotionView.of(robot), found).measures.rank == 5
 
 
 def test_the_distance_of_a_condition_is_that_to_all_its_zeros() -> None:
@@ -171,7 +171,7 @@ def test_the_distance_of_a_condition_is_that_to_all_its_zeros() -> None:
     found = singularities(IIWA)
     lengths = dict.fromkeys(IIWA.parameters, 0.4)
     q = joint_values(IIWA, "10°, 3°, 40°, 50°, 60°, 4°, 0")
-    standing = standing_at(IIWA, {**parameter_values(IIWA, lengths), **q}, View.of(IIWA), found)
+    standing = standing_at(IIWA, {**parameter_values(IIWA, lengths), **q}, MotionView.of(IIWA), found)
     first = standing.distances[0]
     assert [str(zero) for zero in found.factors[first.factor].zeros] == ["s2", "s6"]
     assert math.degrees(first.distance) == pytest.approx(5)
