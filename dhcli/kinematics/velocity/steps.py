@@ -11,6 +11,7 @@ from fractions import Fraction
 from typing import Generic, TypeAlias, TypeVar
 
 from dhcli.algebra.arithmetic import Arithmetic, plus, times
+from dhcli.geometry.motion import Rows, dot, rotate
 from dhcli.kinematics.moves import PLANES, Chain, Fixed, Move, Rot, Trans, expressions
 from dhcli.notation.derivative import derivative
 from dhcli.notation.factors import AXES, Axis
@@ -94,59 +95,49 @@ def fold_columns(steps: Sequence[Step], count: int, over: Arithmetic[N]) -> Colu
 
     Source: z_i × (p - o_i) of Spong, Hutchinson and Vidyasagar, eq. 4.57, in the frame where z_i is an axis.
     """
-    position: Vector[N] = [0, 0, 0]
-    linear: list[Vector[N]] = [[0, 0, 0] for _ in range(count)]
-    angular: list[Vector[N]] = [[0, 0, 0] for _ in range(count)]
-    moving: list[Vector[N]] = [position]
-    seen: set[int] = set()
+    rows: Rows[N] = [[0], [0], [0]]  # the position, then v and ω of each joint that has been met
+    places: dict[int, int] = {}
     for step in reversed(steps):
         move = step.move
         if isinstance(move, Rot):
-            _rotate(moving, PLANES[move.axis], *over.cos_sin(move.angle))
-            for column, factor in step.turning:
-                rate: N | int = int(factor) if factor in (1, -1) else over.length(number(factor))
-                _turn(position, linear[column], angular[column], move.axis, rate)
+            rotate(rows, PLANES[move.axis], *over.cos_sin(move.angle))
         elif isinstance(move, Trans):
-            _shift(position, move.offset, over)
+            _shift(rows, 0, move.offset, over)
         else:
-            _transform(moving, move, over)
-            _shift(position, tuple(row[3] for row in move.rows), over)
+            rows = _transformed(rows, move, over)
+            _shift(rows, 0, tuple(row[3] for row in move.rows), over)
+        for column in [c for c, _ in (*step.turning, *step.sliding) if c not in places]:
+            places[column] = len(rows[0])
+            for row in rows:
+                row.extend((0, 0))
+        for column, factor in step.turning:
+            rate: N | int = int(factor) if factor in (1, -1) else over.length(number(factor))
+            _turn(rows, places[column], step.move.axis, rate)  # type: ignore[union-attr]  # a joint turns in a rotation
         for column, offset in step.sliding:
-            _shift(linear[column], offset, over)
-        for column in [c for c, _ in (*step.turning, *step.sliding) if c not in seen]:
-            seen.add(column)
-            moving += (linear[column], angular[column])
-    return Columns(position, linear, angular)
+            _shift(rows, places[column], offset, over)
+    linear, angular = (
+        [[row[places[c] + k] if c in places else 0 for row in rows] for c in range(count)] for k in (0, 1)
+    )
+    return Columns([row[0] for row in rows], linear, angular)
 
 
-def _rotate(vectors: list[Vector[N]], plane: tuple[int, int], cos: N | int, sin: N | int) -> None:
-    first, second = plane
-    minus = times(-1, sin)
-    for vector in vectors:
-        u, v = vector[first], vector[second]
-        if type(u) is int and type(v) is int and not u and not v:
-            continue
-        vector[first] = plus(times(cos, u), times(minus, v))
-        vector[second] = plus(times(sin, u), times(cos, v))
-
-
-def _turn(position: Vector[N], linear: Vector[N], angular: Vector[N], axis: Axis, rate: N | int) -> None:
+def _turn(rows: Rows[N], place: int, axis: Axis, rate: N | int) -> None:
+    """A turn of the position about an axis, in front of the columns that a joint has."""
     first, second = PLANES[axis]
-    linear[first] = plus(times(-1, times(rate, position[second])), linear[first])
-    linear[second] = plus(times(rate, position[first]), linear[second])
+    rows[first][place] = plus(times(-1, times(rate, rows[second][0])), rows[first][place])
+    rows[second][place] = plus(times(rate, rows[first][0]), rows[second][place])
     k = AXES.index(axis)
-    angular[k] = plus(rate, angular[k])
+    rows[k][place + 1] = plus(rate, rows[k][place + 1])
 
 
-def _shift(vector: Vector[N], offset: Sequence[Expr], over: Arithmetic[N]) -> None:
-    for k, length in enumerate(offset):
+def _shift(rows: Rows[N], place: int, offset: Sequence[Expr], over: Arithmetic[N]) -> None:
+    for row, length in zip(rows, offset, strict=True):
         if length is not ZERO:
-            vector[k] = plus(over.length(length), vector[k])
+            row[place] = plus(over.length(length), row[place])
 
 
-def _transform(vectors: list[Vector[N]], move: Fixed, over: Arithmetic[N]) -> None:
-    rows = [[over.length(entry) for entry in row[:3]] for row in move.rows]
-    for vector in vectors:
-        old = list(vector)
-        for k, row in enumerate(rows):
-            vector[k] = plus(plus(times(row[0], old[0]), times(row[1], old[1])), times(row[2], old[2]))
+def _transformed(rows: Rows[N], move: Fixed, over: Arithmetic[N]) -> Rows[N]:
+    """The columns turned by the cosines of a literal matrix."""
+    columns = list(zip(*rows, strict=True))
+    cosines = [[over.length(entry) for entry in row[:3]] for row in move.rows]
+    return [[dot(row, column) for column in columns] for row in cosines]
