@@ -6,7 +6,7 @@ from fractions import Fraction
 from itertools import permutations
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from dhcli import load_robot
@@ -24,6 +24,7 @@ from dhcli.kinematics.singular.vanishing import fresh, right_angles, vanishing
 from dhcli.notation.parser import parse
 from dhcli.notation.tree import ZERO, Expr, add, multiply, negate
 from dhcli.notation.walk import operations
+from tests.nightly import examples
 
 FIELD = field_of_the_day()
 
@@ -43,14 +44,13 @@ def by_permutations(rows: list[list[Expr]]) -> Expr:
     return add(*terms)
 
 
-@settings(max_examples=60)
+@examples(2)
 @given(matrices)
 def test_a_determinant_by_laplace_is_that_by_permutations(rows: list[list[Expr]]) -> None:
     """Common factors out or not."""
     assert equal(determinant(rows), by_permutations(rows))
 
 
-@settings(max_examples=40)
 @given(st.integers(2, 5).flatmap(lambda n: st.lists(st.integers(0, 2**n - 1), min_size=n, max_size=n)))
 def test_blocks_hold_the_determinant(pattern: list[int]) -> None:
     """Random entries where the pattern has any: the product of the blocks up to sign; zero where there is no choice."""
@@ -75,7 +75,6 @@ def test_a_triangle_falls_into_single_entries() -> None:
     assert sorted(len(columns) for _, columns in blocks) == [1, 1, 1]
 
 
-@settings(max_examples=30)
 @given(st.lists(st.lists(st.integers(-3, 3), min_size=4, max_size=4), min_size=2, max_size=4))
 def test_the_null_space_is_what_a_matrix_sends_to_zero(rows: list[list[int]]) -> None:
     """As many vectors as the rank lacks, and the determinant of a square is zero exactly if there is one."""
@@ -115,7 +114,7 @@ def test_the_shortest_form_is_taken(text: str, best: str) -> None:
     assert operations(found) <= operations(parse(best))
 
 
-@settings(max_examples=60)
+@examples(2)
 @given(
     st.lists(
         st.sampled_from(["a", "-b", "c1*c2", "s1*s2", "2*s1*c2", "-c1*s2", "a*(b + c1)", "c1^2", "s1^2"]),

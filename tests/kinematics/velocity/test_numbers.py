@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from dhcli import forward, jacobian, load_robot, symbolic_jacobian
@@ -21,6 +21,7 @@ from dhcli.kinematics.velocity.analytic import TRIPLES
 from dhcli.kinematics.velocity.jacobian import six_rows
 from dhcli.kinematics.velocity.view import MotionView, Viewing, joints_between, parts
 from tests.kinematics.arms import PAN_TILT, hinges, joint_point, moving_robots, with_values
+from tests.nightly import examples
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -210,7 +211,7 @@ def test_rates_of_angles_have_no_other_axes() -> None:
         jacobian(load_robot("puma560"), "ready", axes=3, analytic="rpy")
 
 
-@settings(max_examples=20)
+@examples(0.5)
 @given(st.lists(st.floats(-9, 9), min_size=6, max_size=6), st.sampled_from(["puma560", "stanford", "ur5e"]))
 def test_many_are_one_row_by_row(q: list[float], name: str) -> None:
     """Wherever the joints stand."""

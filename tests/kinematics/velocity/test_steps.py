@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from dhcli.algebra.arithmetic import evaluate_settled
@@ -34,7 +34,6 @@ def moving(chain: Chain) -> dict[str, int]:
     return {name: k for k, name in enumerate(sorted(names(chain) & {*THETAS, *LENGTHS}))}
 
 
-@settings(max_examples=40)
 @given(any_chains)
 def test_columns_are_the_derivative_of_the_pose(chain: Chain) -> None:
     """Linear of the position, angular of the rotation: the skew part of R' Rᵀ; decided in residues."""
@@ -50,7 +49,6 @@ def test_columns_are_the_derivative_of_the_pose(chain: Chain) -> None:
             assert at.value(found.angular[column][k]) == turning
 
 
-@settings(max_examples=40)
 @given(any_chains)
 def test_merged_and_plain_chains_have_the_same_columns(chain: Chain) -> None:
     """In residues, for every joint."""
@@ -60,7 +58,6 @@ def test_merged_and_plain_chains_have_the_same_columns(chain: Chain) -> None:
         assert [[at.value(part) for part in v] for v in some] == [[at.value(part) for part in v] for v in others]
 
 
-@settings(max_examples=30)
 @given(any_chains)
 def test_columns_in_terms_are_columns_in_residues(chain: Chain) -> None:
     """One fold, two kinds of number."""
@@ -71,7 +68,6 @@ def test_columns_in_terms_are_columns_in_residues(chain: Chain) -> None:
         assert [[at.value(part) for part in v] for v in some] == [[at.value(part) for part in v] for v in others]
 
 
-@settings(max_examples=30)
 @given(
     st.sampled_from(
         [
