@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TypeAlias
 
@@ -17,6 +17,7 @@ from dhcli.kinematics.singular.modular import Table, cross, dot, minus
 from dhcli.kinematics.velocity.jacobian import columns_over
 from dhcli.kinematics.velocity.steps import Columns, fold_columns
 from dhcli.kinematics.velocity.view import Part, Way
+from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr
 
 Triple: TypeAlias = tuple[int, int, int]
@@ -32,6 +33,7 @@ class Arm:
         end: The frame that moves.
         joints: The joints between the two, in joint order.
         chain: The moves between the two, with exact values put in.
+        constants: Angles that stand in it by a name, see `constants`.
     """
 
     robot: Robot
@@ -39,6 +41,7 @@ class Arm:
     end: str
     joints: tuple[str, ...]
     chain: Chain
+    constants: Mapping[str, Angle] = field(default_factory=dict)
 
     @cached_property
     def homes(self) -> tuple[tuple[int, ...], ...]:

@@ -12,6 +12,7 @@ from dhcli.kinematics.forward import Given
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.singular.arm import Arm, Point
 from dhcli.kinematics.singular.conditions import UnreadableError, conditions, moving
+from dhcli.kinematics.singular.constants import put_back
 from dhcli.kinematics.singular.modular import determinant, rank
 from dhcli.kinematics.singular.polynomial import TooLongError, product
 from dhcli.kinematics.singular.result import Factor, Singularities
@@ -71,10 +72,10 @@ def find(robot: Robot, view: MotionView, part: Which | None, values: Values) -> 
     """The same for a view, with values that are known; see `singularities`."""
     arm = arm_of(robot, view, values)
     try:
-        return _found(arm, part)
+        return put_back(_found(arm, part), arm.constants)
     except CannotHoldError:
-        message = f"{robot.name} has a number or an angle for which singularities cannot be proved"
-        raise RobotError(message, "write it as a fraction, a root, or in whole degrees, or give it a name") from None
+        message = f"{robot.name} has a number for which singularities cannot be proved"
+        raise RobotError(message, "give it a name, and its value under parameters") from None
 
 
 def _found(arm: Arm, part: Which | None) -> Singularities:

@@ -17,6 +17,8 @@ Monomial: TypeAlias = frozenset[tuple[Expr, int]]
 
 Polynomial: TypeAlias = dict[Monomial, Fraction]
 
+MOST_DECIMALS = 16
+
 MOST_TERMS = 400
 """More terms than this are not multiplied out."""
 
@@ -26,8 +28,16 @@ class TooLongError(ArithmeticError):
 
 
 def product(value: Fraction, factors: dict[Expr, int]) -> Expr:
-    """A number times factors with exponents."""
-    return multiply(number(value), *(power(base, exponent) for base, exponent in factors.items() if exponent))
+    """A number times factors with exponents; a number of tenths is written with decimals, as lengths are."""
+    places = _decimals(value)
+    return multiply(number(value, places), *(power(base, exponent) for base, exponent in factors.items() if exponent))
+
+
+def _decimals(value: Fraction) -> int | None:
+    """Decimals of a number such as 0.12; None for one that is better shown as a fraction, such as 1/4 or 1/3."""
+    if value.denominator % 5:
+        return None
+    return next((places for places in range(1, MOST_DECIMALS) if 10**places % value.denominator == 0), None)
 
 
 def expanded(expr: Expr) -> Polynomial:

@@ -10,6 +10,7 @@ from dhcli.kinematics.frames import ORIGIN, between
 from dhcli.kinematics.moves import Trans
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.singular.arm import Arm, Point
+from dhcli.kinematics.singular.constants import with_names
 from dhcli.kinematics.singular.modular import rank
 from dhcli.kinematics.singular.square import best_places
 from dhcli.kinematics.singular.vanishing import fresh
@@ -28,7 +29,8 @@ def arm_of(robot: Robot, view: MotionView, values: Values) -> Arm:
     chain = between(robot, start, end)
     if view.point != ORIGIN:
         chain = (*chain, Trans(*view.point))
-    return Arm(robot, start, end, joints, put_in(chain, lengths) if lengths else chain)
+    named, constants = with_names(put_in(chain, lengths) if lengths else chain)
+    return Arm(robot, start, end, joints, named, constants)
 
 
 def task_at(robot: Robot, view: MotionView, part: Which | None) -> tuple[Which, tuple[int, ...]]:

@@ -53,11 +53,13 @@ def vanishing(arm: Arm, factors: Sequence[Expr]) -> Iterator[Chosen]:
         arm: The arm.
         factors: Sums, cosines, sines, or names of slides; simple ones are best given first.
 
-    Raises:
-        CannotHoldError: A number is no residue.
+    Where a joint stands in fractions of its angle no such point is looked for.
     """
     for turn in range(4):
-        over = _vanishing(arm, factors, turn)
+        try:
+            over = _vanishing(arm, factors, turn)
+        except CannotHoldError:
+            return
         if over is not None:
             yield over
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from fractions import Fraction
 from itertools import pairwise
 
 import numpy as np
@@ -12,6 +13,7 @@ from dhcli import jacobian, load_robot, singularities
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.residues import Residues
 from dhcli.errors import RobotError
+from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.moves import Rot, Trans
 from dhcli.kinematics.robot import Link, Robot
 from dhcli.kinematics.singular.finding import MOST_JOINTS
@@ -22,7 +24,7 @@ from dhcli.kinematics.velocity.form import GEOMETRIC
 from dhcli.kinematics.velocity.jacobian import six_rows
 from dhcli.kinematics.velocity.view import MotionView, parts
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import ZERO, Expr, Product, Symbol, number
+from dhcli.notation.tree import ZERO, Expr, Product, Symbol, number, power
 from dhcli.notation.walk import operations
 from dhcli.notation.writer import write
 from tests.kinematics.arms import FIVE, IIWA, PAN_TILT, PLANAR_4R, hinges, joint_point, moving_robots, with_values
@@ -336,17 +338,57 @@ def test_lengths_may_be_put_in() -> None:
     assert factors_in(str(found.determinant)) == factors_in("-a2*d4*s5*c3*(a2*c2 - d4*s23)".replace("s5*c3", "c3*s5"))
 
 
-def test_an_angle_that_is_no_residue_is_told() -> None:
-    """A twist in bare radians has no place in the field."""
+def test_an_angle_that_is_no_residue_is_put_back() -> None:
+    """Twists of 1.1 rad: what is proved for any twist is written with this one."""
+    twist = Angle(radians=Fraction(11, 10))
+    robot = three_axes(twist, -twist)
+    found = singularities(robot)
+    assert found.determinant is not None
+    assert "1.1" in str(found.determinant)
+    q = [0.4, 0.7, 1.1]
+    matrix = jacobian(robot, q, part="linear")
+    at = Floats(dict(zip(robot.variables, q, strict=True)))
+    assert at.value(found.determinant) == pytest.approx(np.linalg.det(matrix))
+
+
+def three_axes(first: Angle, second: Angle) -> Robot:
+    """Three hinges, a metre and a twist apart."""
+    twists = (first, second, Angle())
     links = tuple(
-        Link(
-            k, (Rot("z", Angle.of(f"theta{k}")), Trans(number(1), ZERO, ZERO), Rot("x", Angle(radians=number(1).value)))
-        )
-        for k in (1, 2)
+        Link(k, (Rot("z", Angle.of(f"theta{k}")), Trans(number(1), ZERO, ZERO), Rot("x", twist)))
+        for k, twist in enumerate(twists, 1)
     )
-    robot = Robot("odd", "odd", "here", load_robot("scara").convention, ("theta1", "theta2"), links)
+    variables = ("theta1", "theta2", "theta3")
+    return Robot("odd", "odd", "here", Convention.PRODUCT, variables, links)
+
+
+def test_a_root_that_is_no_residue_is_told() -> None:
+    """The field holds the roots of small primes only."""
+    root = power(number(37), Fraction(1, 2))
+    robot = three_axes(Angle.in_degrees(90), Angle())
+    links = (*robot.links[:2], Link(3, (*robot.links[2].moves, Trans(root, ZERO, ZERO))))
     with pytest.raises(RobotError, match="cannot be proved"):
-        singularities(robot)
+        singularities(Robot("odd", "odd", "here", Convention.PRODUCT, robot.variables, links))
+
+
+def test_numbers_in_the_table_stay_decimals() -> None:
+    """0.4 times 0.3 is 0.12."""
+    robot = load_robot("planar-2r")
+    found = singularities(robot, parameters={"a1": "0.4 m", "a2": "0.3 m"})
+    assert str(found.determinant) == "0.12*s2"
+
+
+def test_a_coupled_joint_has_a_determinant_without_a_picture() -> None:
+    """Half of its angle stands in the table; the determinant is proved all the same."""
+    half = Angle.of("theta2") * Fraction(1, 2)
+    links = (
+        Link(1, (Rot("z", Angle.of("theta1")), Trans(Symbol("a"), ZERO, ZERO))),
+        Link(2, (Rot("z", half), Trans(Symbol("b"), ZERO, ZERO))),
+    )
+    robot = Robot("gear", "gear", "here", Convention.PRODUCT, ("theta1", "theta2"), links, {"a": None, "b": None})
+    found = singularities(robot)
+    assert str(found.determinant) == "a*b*s(theta2/2)/2"
+    assert [factor.joints for factor in found.factors] == [("theta2",)]
 
 
 def test_determinants_have_no_more_operations_than_in_the_books() -> None:
