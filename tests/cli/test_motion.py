@@ -350,3 +350,33 @@ def test_no_command_about_motion_imports_sympy_and_symbols_no_numpy(process: Run
     ):
         done = process(script=f'"$0" -c "{script.format(words=words, bad=bad)}"')
         assert done.code == 0, done.err
+
+
+def test_dof_says_what_the_end_frame_has_lost(dhcli: Run) -> None:
+    """At joint values of a robot: how many freedoms, and why."""
+    out = dhcli("dof", "puma560", "--q", "10,20,30,40,0,60", "--deg").out
+    assert "  5 freedoms in v_x, v_y, v_z, ω_x, ω_y, ω_z: 1 of 6 lost\n" in out
+    assert "  s5 = 0: axes 4 and 6 fall in line\n" in out
+    assert (
+        "6 freedoms in v_x, v_y, v_z, ω_x, ω_y, ω_z: none is lost" in dhcli("dof", "puma560", "--pose", "nominal").out
+    )
+    end = dhcli("dof", "puma560", "--pose", "stretch", "--format", "json").data["end"]
+    assert set(end) == {"values", "rows", "freedoms", "lost", "reasons"}
+    assert (end["freedoms"], end["lost"]) == (5, 1)
+    assert {frozenset(reason) for reason in end["reasons"]} == {frozenset(("text", "words", "lost"))}
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ("dof bennett --q 0", "is the name of a linkage"),
+        ("dof 6R --pose zero", "there is no robot"),
+        ("dof --planar --links 4 --joints 4R --q 0", "joint values are those of a robot"),
+        ("dof puma560 --q 0", "6 joints"),
+    ],
+)
+def test_dof_at_joint_values_is_for_robots(dhcli: Run, words: str, message: str) -> None:
+    """A linkage has no end frame."""
+    done = dhcli(*words.split())
+    assert (done.code, done.out) == (2, "")
+    assert message in done.err
