@@ -9,7 +9,7 @@ from dataclasses import replace
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values
 from dhcli.scene.bodies import body_of
-from dhcli.scene.fan import HALF, Slid, fanned
+from dhcli.scene.fan import HALF, NEAR, Slid, fanned
 from dhcli.scene.primitives import Anchor, Arrow, Box, Dimension, Drum, Hand, Plate, Rod, Scene, Solid
 from dhcli.scene.skeleton import Axis, Skeleton
 from dhcli.scene.vectors import NULL, Frame, Vec, across, add, cross, dot, norm, scaled, sub, unit
@@ -144,7 +144,7 @@ def _with_hand(scene: Scene, skeleton: Skeleton, slid: tuple[Slid, ...]) -> Scen
     reach = 0.0
     for solid in scene.solids:
         span = body_of(scene, solid).span(frame.origin, forward)
-        if span and span[1] > 0 and span[0] < scene.unit:
+        if span and span[1] > 0 and span[0] < NEAR * scene.unit:
             reach = max(reach, span[1])
     local = _local(frame, forward)
     wrist = scaled(local, reach + 0.5 * scene.unit if reach else 0.0)

@@ -105,7 +105,7 @@ def view_score(scene: Scene, camera: Camera) -> float:
             seen = math.hypot(*camera.flat_direction(sub(other, one)))
             apart.append(min(1.0, seen / (3 * scene.unit)))
     clearness = _mean(clear) + 0.5 * min(clear, default=0.5)
-    return 1.5 * _mean(shown) + clearness + 1.5 * _mean(apart) + _tips(scene, camera) - 2.5 * hidden(scene, camera) + _corners(scene, camera)
+    return 1.5 * _mean(shown) + clearness + 2.5 * _mean(apart) + _tips(scene, camera) - 3.5 * hidden(scene, camera) + _corners(scene, camera)
 
 
 def hidden(scene: Scene, camera: Camera) -> float:
