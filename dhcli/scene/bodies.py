@@ -178,6 +178,7 @@ class Sheet:
 
     centre: Vec
     corners: tuple[Vec, ...]
+    look: str = "sheet"
 
     def span(self, point: Vec, towards: Vec) -> tuple[float, float] | None:
         """Where a line goes through; see Body."""
@@ -200,7 +201,7 @@ class Sheet:
 
     def shapes(self, camera: Camera) -> list[Shape]:
         """The outline, filled."""
-        return [Shape(tuple(map(camera.flat, self.corners)), "sheet", closed=True)]
+        return [Shape(tuple(map(camera.flat, self.corners)), self.look, closed=True)]
 
 
 def body_of(scene: Scene, solid: Solid) -> Body:
@@ -208,7 +209,7 @@ def body_of(scene: Scene, solid: Solid) -> Body:
     if isinstance(solid, Face):
         corners = tuple(scene.point(corner) for corner in solid.corners)
         middle = scaled((sum(c[0] for c in corners), sum(c[1] for c in corners), sum(c[2] for c in corners)), 1 / len(corners))
-        return Sheet(middle, corners)
+        return Sheet(middle, corners, "ground-sheet" if solid.ground else "sheet")
     centre = scene.point(solid.centre)
     if isinstance(solid, Ball):
         return Sphere(centre, solid.radius)

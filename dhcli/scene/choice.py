@@ -11,9 +11,8 @@ from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import Values, parameter_values
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Number
-from dhcli.scene.arm import is_planar
 from dhcli.scene.bodies import body_of
-from dhcli.scene.camera import VIEWS, Camera
+from dhcli.scene.camera import Camera
 from dhcli.scene.primitives import Arrow, Scene
 from dhcli.scene.skeleton import Skeleton
 from dhcli.scene.vectors import Frame, along, cross, dot, norm, sub, unit
@@ -75,11 +74,9 @@ def pose_score(skeleton: Skeleton) -> float:
     return bends + 0.6 * oblique + 1.5 * distinct + 0.5 * turned + 0.3 * spread
 
 
-def best_view(scene: Scene, skeleton: Skeleton) -> tuple[float, float]:
-    """The view with least foreshortening and the joints apart; a planar arm is seen from above."""
-    if is_planar(skeleton):
-        return VIEWS["top"]
-    best = (-math.inf, VIEWS["iso"])
+def best_view(scene: Scene) -> tuple[float, float]:
+    """The view with least foreshortening and the joints apart."""
+    best = (-math.inf, SEEN_FROM[0])
     for number, view in enumerate(SEEN_FROM):
         score = view_score(scene, Camera.at(*view)) - BIAS * number
         if score > best[0]:

@@ -90,7 +90,8 @@ def _single(skeleton: Skeleton, axis: Axis, unit_length: float, *, first: bool) 
     ahead = _link(skeleton, axis, before=False)
     if first and ahead and axis.kind == "revolute" and not _link(skeleton, axis, before=True):
         length = _length(skeleton, axis)
-        return Slid(axis, ahead * min(length / 2, 2.2 * unit_length))
+        clear = max(length - (1.15 + HALF) * unit_length, 0.6 * unit_length)  # of a drum across the end of that link
+        return Slid(axis, ahead * min(length / 2, clear, 2.2 * unit_length))
     return Slid(axis)
 
 

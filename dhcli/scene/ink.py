@@ -14,8 +14,8 @@ CELL = 4
 LINE, AREA = 6, 1
 """Weight of a line and of a filled area: a label may stand on a body before it stands on a line."""
 
-_AREAS = frozenset({"drum", "cap", "link", "plate", "face", "face-light", "face-dark", "ball", "sheet", "knob", "bar"})
-_LIGHT = frozenset({"plate", "hatch", "halo"})
+_AREAS = frozenset({"drum", "cap", "link", "plate", "face", "face-light", "face-dark", "ball", "sheet", "knob", "bar", "ground-link"})
+_LIGHT = frozenset({"plate", "hatch", "halo", "ground-sheet"})
 
 
 class Ink:
@@ -35,7 +35,7 @@ class Ink:
                 continue
             if shape.closed:
                 self._area(shape.points)
-            if shape.look != "link":
+            if shape.look not in ("link", "ground-link"):
                 self._line((*shape.points, shape.points[0]) if shape.closed else shape.points)
 
     def amount(self, left: float, top: float, right: float, bottom: float) -> int:

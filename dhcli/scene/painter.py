@@ -108,15 +108,15 @@ def _one_rod(
     if not length:
         return
     width = max(2 * rod.thickness * camera.scale, 3.0)
-    way = unit(sub(end, start))
+    way, look = unit(sub(end, start)), "ground-link" if rod.ground else "link"
     for low, high in _outside(start, way, length, bodies):
         count = max(1, min(MOST_PIECES, math.ceil((high - low) / (PIECE * unit_length))))
         points = [along(start, way, low + (high - low) * i / count) for i in range(count + 1)]
         for a, b in zip(points, points[1:], strict=False):
-            yield Piece(middle(a, b), (camera.flat(a), camera.flat(b)), "link", number, width)
+            yield Piece(middle(a, b), (camera.flat(a), camera.flat(b)), look, number, width)
     for point in (start, end):
         if not _is_inside(point, bodies, camera):
-            yield Piece(along(point, camera.towards, -0.02 * unit_length), (camera.flat(point),), "link", number, width)
+            yield Piece(along(point, camera.towards, -0.02 * unit_length), (camera.flat(point),), look, number, width)
 
 
 def _outside(start: Vec, way: Vec, length: float, bodies: list[Body]) -> list[tuple[float, float]]:
@@ -208,7 +208,7 @@ def _drawn(piece: Piece, run: list[Flat]) -> list[Shape]:
     fill = tuple(
         (x + s * ex, y + s * ey) for (x, y), s in zip((a, b, c, d), (-1, 1, 1, -1), strict=True)
     )  # a hair longer, or the seams between pieces would shine through
-    return [Shape(fill, "link", closed=True), Shape((a, b), "edge"), Shape((d, c), "edge")]
+    return [Shape(fill, piece.look, closed=True), Shape((fill[0], fill[1]), "edge"), Shape((fill[3], fill[2]), "edge")]
 
 
 def ground(scene: Scene, plate: Plate, camera: Camera) -> Iterator[Shape]:

@@ -29,11 +29,13 @@ class Rod:
         start: One end.
         end: The other.
         thickness: Half of how thick it is [m].
+        ground: Whether it is the link that stands still.
     """
 
     start: Anchor
     end: Anchor
     thickness: float
+    ground: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,9 +91,15 @@ class Ball:
 
 @dataclass(frozen=True, slots=True)
 class Face:
-    """A flat link with three corners or more."""
+    """A flat link with three corners or more.
+
+    Attributes:
+        corners: Its corners in order.
+        ground: Whether it is the link that stands still.
+    """
 
     corners: tuple[Anchor, ...]
+    ground: bool = False
 
 
 Solid: TypeAlias = Drum | Box | Ball | Face

@@ -12,8 +12,8 @@ from dhcli.kinematics.values import JointInput, Values, joint_values, require
 from dhcli.kinematics.validity import in_floats
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import Bare
-from dhcli.scene.arm import arm_scene
-from dhcli.scene.camera import Camera
+from dhcli.scene.arm import arm_scene, is_planar
+from dhcli.scene.camera import VIEWS, Camera
 from dhcli.scene.choice import best_pose, best_view, with_examples
 from dhcli.scene.ink import Ink
 from dhcli.scene.labels import PRINT, Lettering, Rect, Wish, placed
@@ -22,7 +22,7 @@ from dhcli.scene.painter import painted
 from dhcli.scene.primitives import Ball, Box, Drum, Face, Scene
 from dhcli.scene.shapes import Figure, Shape, Text
 from dhcli.scene.skeleton import Skeleton
-from dhcli.scene.vectors import Vec, along, dot
+from dhcli.scene.vectors import Vec, along
 from dhcli.scene.words import Run, named, plain
 
 WIDTH, HEIGHT = 820.0, 640.0
@@ -97,7 +97,7 @@ def stage_arm(
     require(robot, robot.chain, every)
     scene = arm_scene(robot, every)
     if view is None:
-        view = best_view(scene, Skeleton.of(robot, every))
+        view = VIEWS["top"] if is_planar(Skeleton.of(robot, every)) else best_view(scene)
     examples = ", ".join(f"{plain(named(name))} = {_shown(every[name])}" for name in made)
     caption = " · ".join(
         part for part in (robot.name, NAMES[robot.convention], shown, f"example: {examples}" * bool(made)) if part
@@ -116,7 +116,7 @@ def figure_of(staged: Staged, paper: Paper | None = None, *, worksheet: bool = F
     paper = paper or Paper()
     camera = fitted(staged.scene, staged.view, paper)
     scene = staged.scene
-    shapes = [*pins(scene, camera, scene.pinned), *painted(scene, camera, turns=not worksheet)]
+    shapes = [*pins(scene, camera, scene.pinned), *painted(scene, camera, turns=bool(scene.arrows) and not worksheet)]
     ink = Ink(paper.width, paper.height)
     ink.add(shapes)
     wishes: list[Wish] = []
@@ -128,11 +128,15 @@ def figure_of(staged: Staged, paper: Paper | None = None, *, worksheet: bool = F
         axes, names = frames(scene, camera)
         ink.add(axes)
         lines, lengths = dimensions(scene, camera, ink)
-        over, wishes = [*lines, *axes], [*names, *lengths, *turn_wishes(scene, camera)]
+        turns = turn_wishes(scene, camera) if scene.arrows else ()
+        over, wishes = [*lines, *axes], [*names, *lengths, *turns]
+        wishes += [Wish((camera.flat(scene.point(mark.at)),), mark.words, "mark") for mark in scene.marks]
     room = Rect(3, 3, paper.width - 3, paper.height - max(paper.foot, 3))
     leaders, texts = placed(wishes, ink, room, paper.lettering)
-    texts += _caption(staged, paper)
-    return Figure(paper.width, paper.height, (*shapes, *leaders, *over), tuple(texts), staged.title, staged.caption)
+    azimuth, elevation = staged.view
+    caption = f"{staged.caption} · az {azimuth:.4g}°, el {elevation:.4g}°"
+    texts += foot(staged.title, caption, paper)
+    return Figure(paper.width, paper.height, (*shapes, *leaders, *over), tuple(texts), staged.title, caption)
 
 
 def fitted(scene: Scene, view: tuple[float, float], paper: Paper) -> Camera:
@@ -206,11 +210,11 @@ def _shown(value: Value) -> str:
     return f"{in_floats(value):.4g} m"
 
 
-def _caption(staged: Staged, paper: Paper) -> list[Text]:
+def foot(title: str, caption: str, paper: Paper) -> list[Text]:
+    """The line under a figure."""
     if not paper.foot:
         return []
-    azimuth, elevation = staged.view
-    text = f"{staged.title} · {staged.caption} · az {azimuth:.4g}°, el {elevation:.4g}°"
+    text = f"{title} · {caption}"
     text = "".join(letter if letter.isprintable() else " " for letter in text)
     size = 12.5
     most = int((paper.width - 32) / (0.53 * size))
@@ -218,5 +222,3 @@ def _caption(staged: Staged, paper: Paper) -> list[Text]:
         text = text[: most - 1] + "…"
     return [Text((16.0, paper.height - 14.0), (Run(text),), "caption", size)]
 
-
-__all__ = ["Paper", "Staged", "dot", "figure_of", "stage_arm"]

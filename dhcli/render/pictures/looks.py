@@ -51,6 +51,8 @@ COLOURS = {
 
 LOOKS = {
     "link": Look("metal"),
+    "ground-link": Look("hatch"),
+    "ground-sheet": Look("ground", "hatch", 1.2, (), round=True),
     "edge": Look("", "line", 1.2),
     "knob": Look("metal", "line", 1.2),
     "drum": Look("shade", "line", 1.3),
