@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from dhcli.scene.ink import Ink
@@ -32,17 +32,23 @@ class Lettering:
         wide: Width of a letter in parts of its height; generous, because fonts differ.
         below: Height of an index in parts of a letter.
         height: Height of a line in parts of a letter.
+        spell: How a label is spelled where each letter has a cell of its own; None where indices are small.
+        pad: Room that a label keeps free beside it [px].
     """
 
     size: float = 17.0
     wide: float = 0.66
     below: float = 0.72
     height: float = 1.42
+    spell: Callable[[Words], str] | None = None
+    pad: float = 2.0
 
     def box(self, words: Words) -> Flat:
         """Width and height of a label [px]."""
+        if self.spell:
+            return len(self.spell(words)) * self.wide * self.size + self.pad, self.height * self.size
         letters = sum(len(run.text) * (self.below if run.below else 1) for run in words)
-        return letters * self.wide * self.size + 2, self.height * self.size
+        return letters * self.wide * self.size + self.pad, self.height * self.size
 
 
 PRINT = Lettering()
