@@ -105,6 +105,14 @@ def stage_arm(
     return Staged(scene, view, robot.title, caption, robot.first)
 
 
+def values_at(
+    robot: Robot, q: JointInput, pose: str | None, parameters: Values | None, bare: Bare = "rad"
+) -> dict[str, Value]:
+    """Values of all joints and lengths of a figure, examples included; see `stage_arm`."""
+    full, _ = with_examples(robot, parameters or {})
+    return {**full, **_posed(robot, q, pose, full, bare)[1]}
+
+
 def figure_of(staged: Staged, paper: Paper | None = None, *, worksheet: bool = False) -> Figure:
     """The figure of a staged scene.
 

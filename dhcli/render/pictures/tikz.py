@@ -38,7 +38,7 @@ def tikz(figure: Figure, *, dark: bool = False, size: tuple[int, int] | None = N
         f"% {_comment(figure.title)}: {_comment(figure.caption)}\n"
         "% Include it with \\input; the preamble needs \\usepackage{tikz}. Alone it is a document of its own.\n"
         "\\ifdefined\\tikzpicture\\def\\dhend{}\\else\n"
-        "\\documentclass[border=4pt]{standalone}\\usepackage{tikz}\\begin{document}\\def\\dhend{\\end{document}}\\fi\n"
+        "\\documentclass{article}\\usepackage{tikz}\\pagestyle{empty}\\begin{document}\\def\\dhend{\\end{document}}\\fi\n"
         f"{colours}\n"
         f"\\begin{{tikzpicture}}[x={_number(pixel)}pt, y=-{_number(pixel)}pt, inner sep=0pt,\n  {styles}]\n"
         f"\\path (0,0) rectangle ({_number(figure.width)},{_number(figure.height)});\n"
