@@ -30,15 +30,19 @@ if TYPE_CHECKING:
     from dhcli.kinematics.pose import Pose as Pose
     from dhcli.kinematics.robot import Robot as Robot
     from dhcli.kinematics.sweep.asked import sweep as sweep
+    from dhcli.render.pictures.picture import Picture as Picture
+    from dhcli.render.pictures.picture import draw as draw
 
 __version__ = "0.1.0"
 
 _HOMES = {
     "DhcliError": "dhcli.errors",
+    "Picture": "dhcli.render.pictures.picture",
     "Pose": "dhcli.kinematics.pose",
     "Robot": "dhcli.kinematics.robot",
     "axis_angles": "dhcli.geometry.many",
     "check": "dhcli.checking.judge",
+    "draw": "dhcli.render.pictures.picture",
     "forward": "dhcli.kinematics.forward",
     "forward_batch": "dhcli.kinematics.batch",
     "load_exercise": "dhcli.files.yaml.exercises",
@@ -51,11 +55,13 @@ _HOMES = {
 
 __all__ = [
     "DhcliError",
+    "Picture",
     "Pose",
     "Robot",
     "__version__",
     "axis_angles",
     "check",
+    "draw",
     "forward",
     "forward_batch",
     "load_exercise",

@@ -72,6 +72,11 @@ function settle(x) { // Newton back onto what the joints demand; null if it does
   }
   return Math.max(0, ...demands(y)[0].map(Math.abs)) < 1e-11 ? y : null;
 }
+function track() { // what the point to be traced has come by, step for step
+  const t = D.points[$("trace").value]; if (!t) return;
+  const p = moved(X, t[2], unitOf(t[1])).map((v) => v * L); if (last && far(p, last) < 0.002 * L) return;
+  trail.push(p); last = p; if (trail.length > 4000) trail.shift();
+}
 const SHORT = 0.02, THIN = 0.0015;
 function step(want) { // move along the freedom towards a wanted displacement of all links, a short way; false at a dead position
   for (let h = SHORT; h > 1e-4; h /= 2) {
@@ -80,9 +85,9 @@ function step(want) { // move along the freedom towards a wanted displacement of
     const size = Math.max(...d.map(Math.abs)); if (size < 1e-12) return false;
     const k = Math.min(1, h / size), go = d.map((v) => v * k), y = settle(X.map((v, i) => v + go[i])); if (!y) continue;
     const jump = y.map((v, i) => v - X[i]), long = Math.hypot(...jump); if (long > 3 * Math.hypot(...go) + 1e-12) continue;
-    const after = svd(demands(y)[1]); if (RANK && after.S[RANK - 1] < THIN * after.S[0]) { const over = leap(go); if (over) { X = over; return true; } return false; }
+    const after = svd(demands(y)[1]); if (RANK && after.S[RANK - 1] < THIN * after.S[0]) { const over = leap(go); if (over) { X = over; track(); return true; } return false; }
     const back = after.V.slice(RANK).reduce((s, z) => s + dotn(z, jump) ** 2, 0); if (long > 1e-9 && back < 0.9 * long * long) continue; // another branch
-    X = y; return true;
+    X = y; track(); return true;
   }
   return false;
 }
@@ -131,6 +136,7 @@ function driveTo(value) { // turn a link to an angle, or slide it; where it cann
 }
 window.dhcli = { drive: (name, v) => { driver = drivers.find((d) => D.links[d.l][0] === name); driveTo(v); draw(); return driver.read(X); }, drag: (name, to) => { const p = D.points.find((q) => q[0].map((r) => r[0]).join("") === name); dragTo(p[2], unitOf(p[1]), unitOf(to)); draw(); }, at: (name) => { const p = D.points.find((q) => q[0].map((r) => r[0]).join("") === name); return moved(X, p[2], unitOf(p[1])).map((v) => v * L); }, gap: () => Math.max(0, ...demands(X)[0].map(Math.abs)) * L, freedom: F, state: () => X.slice(), home: () => { X = X.map(() => 0); draw(); }, note: () => note };
 
+const signed = (v, k) => { const t = v.toFixed(k); return (+t === 0 ? t.replace("-", "") : t).replace("-", "−"); };
 const every = D.links.flatMap((l) => l[1]).concat(D.joints.map((j) => j.p), D.circles.flatMap(([, c, r]) => [[c[0] - r, c[1] - r], [c[0] + r, c[1] + r]]));
 const span = [0, 1].map((i) => [Math.min(...every.map((p) => p[i])), Math.max(...every.map((p) => p[i]))]);
 let K = Math.min((W - 180) / Math.max(span[0][1] - span[0][0], 1e-9), (H - 180) / Math.max(span[1][1] - span[1][0], 1e-9), 460 / (0.5 * L)), O = [W / 2 - (K * (span[0][0] + span[0][1])) / 2, H / 2 + (K * (span[1][0] + span[1][1])) / 2];
@@ -175,7 +181,7 @@ function draw() {
   }
   seen.length = 0;
   for (const j of D.joints) if (["revolute", "slot", "bar"].includes(j.t)) { const p = there(j.t === "slot" || j.a === G ? j.b : j.a, j.p); if (!same(p)) shapes.push(poly(ring(p, 5.5, 20), "pin")); }
-  const t = D.points[$("trace").value]; if (t) { const p = moved(X, t[2], unitOf(t[1])).map((v) => v * L); if (!last || far(p, last) > 0.002 * L) { trail.push(p); last = p; if (trail.length > 4000) trail.shift(); } if (trail.length > 1) shapes.push(line(trail.map(flat), "trace")); }
+  if ($("trace").value !== "") { track(); if (trail.length > 1) shapes.push(line(trail.map(flat), "trace")); }
   const ink = Ink(W, H); ink.add(shapes); const wishes = [];
   if ($("on-names").checked) {
     for (const [words, p, l] of D.points) wishes.push({ p: [there(l, p)], words, look: "mark", away: [0.6, -1] });
@@ -183,8 +189,8 @@ function draw() {
   }
   const [leaders, texts] = placed(wishes, ink, [3, 3, W - 3, H - 3]);
   svg.innerHTML = svgOf(shapes.concat(leaders), texts);
-  $("pins").innerHTML = "<tr><th></th><th>x</th><th>y</th></tr>" + D.points.map(([words, p, l]) => { const v = moved(X, l, unitOf(p)); return `<tr><td>${htmlOf(words)}</td>` + v.map((c) => `<td>${(c * L).toFixed(4).replace("-0.0000", "0.0000").replace("-", "−")}</td>`).join("") + "</tr>"; }).join("");
-  const s = driver ? driver.read(X) : 0; $("far").textContent = driver ? (driver.slide ? `${(s * L).toFixed(4).replace("-", "−")} m` : `${((s * 180) / Math.PI).toFixed(1).replace("-", "−")}°`) + " from the drawing" : "";
+  $("pins").innerHTML = "<tr><th></th><th>x</th><th>y</th></tr>" + D.points.map(([words, p, l]) => { const v = moved(X, l, unitOf(p)); return `<tr><td>${htmlOf(words)}</td>` + v.map((c) => `<td>${signed(c * L, 4)}</td>`).join("") + "</tr>"; }).join("");
+  const s = driver ? driver.read(X) : 0; $("far").textContent = driver ? (driver.slide ? `${signed(s * L, 4)} m` : `${signed((s * 180) / Math.PI, 1)}°`) + " from the drawing" : "";
   if (document.activeElement !== $("drive") || note) $("drive").value = driver ? (driver.slide ? s * 360 : (s * 180) / Math.PI) : 0;
   $("note").textContent = note;
 }
@@ -211,6 +217,6 @@ $("trace").innerHTML = "<option value=''>none</option>" + D.points.map((p, i) =>
 $("trace").onchange = () => { trail = []; last = null; draw(); };
 $("png").onclick = () => savePng(svg, D.name);
 $("play").onclick = () => { const go = (playing = playing ? 0 : 1), tick = () => { if (!playing) return; const was = driver.read(X); driveTo(was + (playing * Math.PI) / 90); if (note === DEAD) { note = ""; playing = -playing; } draw(); requestAnimationFrame(tick); }; if (go && F) tick(); };
-const tied = new Set(D.joints.flatMap((j) => (j.a === G ? [j.b] : j.b === G ? [j.a] : []))), begin = drivers.findIndex((d) => tied.has(d.l)); if (begin > 0) { driver = drivers[begin]; $("driver").value = begin; }
+const tied = new Set(D.joints.flatMap((j) => (j.a === G ? [j.b] : j.b === G ? [j.a] : []))), crank = drivers.findIndex((d) => D.links[d.l][0] === "crank"), begin = crank >= 0 ? crank : drivers.findIndex((d) => tied.has(d.l)); if (begin > 0) { driver = drivers[begin]; $("driver").value = begin; }
 const out = D.points.findIndex((p) => p[2] === D.output); if (out >= 0) $("trace").value = out;
 $("seen").textContent = F ? `${F} freedom${F > 1 ? "s" : ""} here` : "rigid"; draw();

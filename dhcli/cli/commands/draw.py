@@ -1,0 +1,222 @@
+"""`dhcli draw`: a robot, a linkage or the sheet of an exercise as a picture, in the terminal or in a file."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from dhcli.cli.shell.options import Force, RobotName, Settings, complete_pose
+from dhcli.errors import DhcliError, Place, Problem
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.robot import Robot
+    from dhcli.mobility.linkage import Linkage
+    from dhcli.render.pictures.picture import Picture
+
+EXAMPLES = """
+[bold]Examples[/]
+
+dhcli draw puma560
+
+dhcli draw scara --pose pick -o scara.svg
+
+dhcli draw panda --worksheet --table -o sheet.pdf
+
+dhcli draw peaucellier --open
+"""
+
+LOOK = "How it looks"
+
+
+def complete_view(incomplete: str) -> list[str]:
+    """Named views."""
+    return [name for name in ("iso", "front", "side", "top") if name.startswith(incomplete)]
+
+
+def draw(
+    robot: RobotName,
+    q: Annotated[
+        str | None, typer.Option("--q", metavar="VALUES", help="Joint values; by default the pose that shows it best.")
+    ] = None,
+    pose: Annotated[
+        str | None, typer.Option("--pose", metavar="NAME", help="A named pose.", autocompletion=complete_pose)
+    ] = None,
+    deg: Annotated[bool, typer.Option("--deg", help="Bare numbers of revolute joints are degrees.")] = False,
+    set_: Settings = None,
+    view: Annotated[
+        str | None,
+        typer.Option(
+            "--view",
+            metavar="VIEW",
+            help="iso, front, side, top, or azimuth and elevation such as 30,20; by default the best.",
+            rich_help_panel=LOOK,
+            autocompletion=complete_view,
+        ),
+    ] = None,
+    size: Annotated[
+        str | None,
+        typer.Option(
+            "--size", metavar="WxH", help="Pixels such as 820x640, or columns and rows of letters.", rich_help_panel=LOOK
+        ),
+    ] = None,
+    dark: Annotated[bool, typer.Option("--dark", help="Light on dark.", rich_help_panel=LOOK)] = False,
+    worksheet: Annotated[
+        bool, typer.Option("--worksheet", help="Leave the frames to the student.", rich_help_panel=LOOK)
+    ] = False,
+    table: Annotated[bool, typer.Option("--table", help="Put the DH table beside.", rich_help_panel=LOOK)] = False,
+    output: Annotated[
+        str | None,
+        typer.Option(
+            "-o",
+            "--output",
+            metavar="FILE",
+            help="Write a file: .svg .tex .png .pdf .html, or .txt for letters.",
+            rich_help_panel="Output",
+        ),
+    ] = None,
+    open_: Annotated[
+        bool, typer.Option("--open", help="Open it in the browser; without -o as a page.", rich_help_panel="Output")
+    ] = False,
+    force: Force = False,
+) -> None:
+    """Draw a robot at a pose, or a linkage: with frames and dimensions, in the terminal or in a file."""
+    from dhcli.cli.shell.delivery import check_force
+    from dhcli.render.pictures.picture import Picture, format_of
+    from dhcli.scene.camera import read_view
+
+    check_force(output, force=force)
+    name = None if output in (None, "-") else format_of(output or "")
+    what = find(robot)
+    picture = Picture(
+        what,
+        view=None if view is None else read_view(view),
+        dark=dark,
+        worksheet=worksheet,
+        table=table,
+        **_posed(what, q, pose, set_ or [], degrees=deg),  # type: ignore[arg-type]
+    )
+    pixels = None if size is None else _sides(size)
+    if name is None and not open_:
+        _in_letters(picture, pixels)
+        return
+    if pixels is not None:
+        picture = _sized(picture, pixels, letters=name == "terminal")
+    path = _opened_page(picture, what.name or "linkage") if name is None else _written(picture, output or "", name, force)
+    if open_:
+        import webbrowser
+        from pathlib import Path
+
+        webbrowser.open(Path(path).resolve().as_uri())
+
+
+def find(name: str) -> Robot | Linkage:
+    """The robot or linkage of a name, a file, or standard input.
+
+    Raises:
+        DhcliError: It is neither, or a linkage of which only counts are known.
+    """
+    from dhcli.files.library.kinds import kind_of
+
+    kind = kind_of(name).noun
+    if kind == "linkage":
+        from dhcli.files.yaml.linkages import load_linkage
+        from dhcli.mobility.linkage import Linkage
+
+        linkage = load_linkage(name)
+        if not isinstance(linkage, Linkage):
+            raise DhcliError(f"of {name} only counts are known: there is nothing to draw", "dhcli dof counts it")
+        return linkage
+    if kind == "exercise":
+        raise DhcliError(f"{name} is an exercise", "dhcli draw takes a robot or a linkage; dhcli show shows the task")
+    from dhcli.files.yaml.robots import load_robot
+
+    return load_robot(name)
+
+
+def _posed(
+    what: Robot | Linkage, q: str | None, pose: str | None, settings: list[str], *, degrees: bool
+) -> dict[str, object]:
+    """Joint values, pose and lengths, as far as a robot has them."""
+    from dhcli.kinematics.robot import Robot
+
+    if not isinstance(what, Robot):
+        if q is not None or pose is not None or settings:
+            raise DhcliError(f"{what.name} is a linkage: --q, --pose and --set are for robots")
+        return {}
+    from dhcli.cli.shell.given import settings_of, values_of
+    from dhcli.kinematics.values import given_parameters
+
+    lengths = given_parameters(what, settings_of(settings), Place("--set", text=" ".join(settings)))
+    if q is None:
+        return {"pose": pose, "parameters": lengths}
+    values = values_of(what, q, pose, settings, degrees=degrees, symbolic=False)
+    joints = {name: value for name, value in values.items() if name in what.variables}
+    return {"q": joints, "parameters": lengths}
+
+
+def _sides(text: str) -> tuple[int, int]:
+    """`820x640` in numbers."""
+    import re
+
+    match = re.fullmatch(r"\s*(\d{1,5})\s*[x×,]\s*(\d{1,5})\s*", text, re.ASCII)
+    if match is None:
+        raise DhcliError(Problem(f"'{text}' is no size", Place("--size"), "write width and height, such as 820x640"))
+    return int(match[1]), int(match[2])
+
+
+def _sized(picture: Picture, sides: tuple[int, int], *, letters: bool) -> Picture:
+    from dataclasses import replace
+
+    from dhcli.render.pictures.picture import check_size
+
+    if letters:
+        return picture
+    check_size(sides)
+    return replace(picture, size=sides)
+
+
+def _in_letters(picture: Picture, sides: tuple[int, int] | None) -> None:
+    """The picture on standard output, as large as the window allows."""
+    import shutil
+
+    from dhcli.cli.shell.console import write_out
+    from dhcli.render.paper import Paper
+
+    paper = Paper.of(sys.stdout)
+    columns, rows = sides or (min(paper.width, 120), None)
+    if sides is None and paper.terminal:
+        rows = max(8, min(round(columns * 0.42), shutil.get_terminal_size((80, 24)).lines - 3))
+    write_out(picture.terminal(paper, columns, rows))
+
+
+def _written(picture: Picture, output: str, name: str, force: bool) -> str:  # noqa: FBT001  the option as it came
+    """Write the file.
+
+    Raises:
+        FileError: It exists already, or cannot be written.
+    """
+    from dhcli.cli.shell.console import say
+    from dhcli.cli.shell.delivery import check_free
+    from dhcli.files.atomic import write_whole
+
+    check_free(output, force=force)
+    write_whole(output, picture.rendered(name), overwrite=force)
+    say(f"wrote {output}\n")
+    return output
+
+
+def _opened_page(picture: Picture, name: str) -> str:
+    """A page in a folder of its own that the system clears."""
+    import re
+    import tempfile
+    from pathlib import Path
+
+    from dhcli.cli.shell.console import say
+
+    folder = tempfile.mkdtemp(prefix="dhcli-")
+    path = Path(folder) / f"{re.sub(r'[^A-Za-z0-9_-]+', '-', name) or 'page'}.html"
+    path.write_text(picture.page(), encoding="utf-8")
+    say(f"wrote {path}\n")
+    return str(path)
