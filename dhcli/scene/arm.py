@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import pairwise
 
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values
@@ -38,7 +39,7 @@ def arm_scene(robot: Robot, values: Values) -> Scene:
     skeleton = Skeleton.of(robot, values)
     size = drum_radius(skeleton)
     slid = fanned(skeleton, size)
-    solids = tuple(_body(skeleton, each, size) for each in slid)
+    solids = tuple(_body(each, size) for each in slid)
     flat = is_planar(skeleton)
     plate = None if flat else _plate(skeleton, solids, slid, size)
     scene = Scene(
@@ -62,7 +63,7 @@ def drum_radius(skeleton: Skeleton) -> float:
     if extent <= 0:
         return DRUM
     places = [skeleton.place(axis)[0] for axis in skeleton.axes]
-    gaps = [norm(sub(b, a)) for a, b in zip(places, places[1:], strict=False)]
+    gaps = [norm(sub(b, a)) for a, b in pairwise(places)]
     wide = [gap for gap in gaps if gap > NEAR_JOINTS * extent]
     return min(DRUM * extent, max(min(wide, default=extent) * 0.45, LEAST_DRUM * extent))
 
@@ -72,10 +73,10 @@ def is_planar(skeleton: Skeleton) -> bool:
     turning = all(axis.kind == "revolute" for axis in skeleton.axes) and bool(skeleton.axes)
     level = all(abs(skeleton.place(axis)[1][2]) > PARALLEL for axis in skeleton.axes)
     heights = [frame.origin[2] for frame in skeleton.states]
-    return turning and level and max(heights) - min(heights) < SAME
+    return turning and level and max(heights) - min(heights) < SAME * drum_radius(skeleton)
 
 
-def _body(skeleton: Skeleton, slid: Slid, size: float) -> Solid:
+def _body(slid: Slid, size: float) -> Solid:
     axis = slid.axis
     centre = Anchor(axis.state, scaled(axis.direction, slid.shift))
     if axis.kind == "revolute":

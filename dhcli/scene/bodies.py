@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 from typing import Protocol
 
 from dhcli.scene.camera import Camera
-from dhcli.scene.primitives import Ball, Box, Drum, Face, Scene, Solid
+from dhcli.scene.primitives import Ball, Drum, Face, Scene, Solid
 from dhcli.scene.shapes import Shape, hull, ring
-from dhcli.scene.vectors import Flat, Vec, add, along, cross, dot, norm, scaled, sub, unit
+from dhcli.scene.vectors import Vec, add, along, cross, dot, norm, scaled, sub, unit
 
 RIM = 32
 """Corners of the rim of a drum."""
@@ -22,7 +22,9 @@ INSIDE = 0.98
 class Body(Protocol):
     """A solid in the world."""
 
-    centre: Vec
+    @property
+    def centre(self) -> Vec:
+        """Its middle."""
 
     def span(self, point: Vec, towards: Vec) -> tuple[float, float] | None:
         """Where a line through a point enters and leaves the body, counted along a direction; None past it."""
@@ -65,13 +67,15 @@ class Cylinder:
         middle = along(self.centre, self.axis, end * self.half)
         u, v = self.across
         turns = [2 * math.pi * i / RIM for i in range(RIM)]
-        return tuple(
-            along(along(middle, u, self.radius * math.cos(t)), v, self.radius * math.sin(t)) for t in turns
-        )
+        return tuple(along(along(middle, u, self.radius * math.cos(t)), v, self.radius * math.sin(t)) for t in turns)
 
     def samples(self) -> tuple[Vec, ...]:
         """Points of both rims, and of the middle."""
-        return (*self.rim(1)[::4], *self.rim(-1)[::4], *(add(p, scaled(self.axis, -self.half)) for p in self.rim(1)[::4]))
+        return (
+            *self.rim(1)[::4],
+            *self.rim(-1)[::4],
+            *(add(p, scaled(self.axis, -self.half)) for p in self.rim(1)[::4]),
+        )
 
     def shapes(self, camera: Camera) -> list[Shape]:
         """The side, shaded across, and the end that faces the reader."""
@@ -208,7 +212,9 @@ def body_of(scene: Scene, solid: Solid) -> Body:
     """A solid of a scene in the world."""
     if isinstance(solid, Face):
         corners = tuple(scene.point(corner) for corner in solid.corners)
-        middle = scaled((sum(c[0] for c in corners), sum(c[1] for c in corners), sum(c[2] for c in corners)), 1 / len(corners))
+        middle = scaled(
+            (sum(c[0] for c in corners), sum(c[1] for c in corners), sum(c[2] for c in corners)), 1 / len(corners)
+        )
         return Sheet(middle, corners, "ground-sheet" if solid.ground else "sheet")
     centre = scene.point(solid.centre)
     if isinstance(solid, Ball):
@@ -261,5 +267,3 @@ def _is_behind(one: Body, other: Body, camera: Camera) -> bool:
             if span is not None:
                 votes += sign if span[0] + span[1] > 0 else -sign
     return votes > 0
-
-

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from fractions import Fraction
+from itertools import pairwise
 
 from dhcli.kinematics.robot import Joint, Robot, Value
 from dhcli.kinematics.validity import in_floats
@@ -17,7 +18,9 @@ from dhcli.scene.primitives import Arrow, Scene
 from dhcli.scene.skeleton import Skeleton
 from dhcli.scene.vectors import Frame, along, cross, dot, norm, sub, unit
 
-SEEN_FROM = tuple((az, el) for el in (26.0, 18.0, 34.0) for az in (37.0, 25.0, 52.0, -37.0, -52.0, 128.0, 143.0, -143.0))
+SEEN_FROM = tuple(
+    (az, el) for el in (26.0, 18.0, 34.0) for az in (37.0, 25.0, 52.0, -37.0, -52.0, 128.0, 143.0, -143.0)
+)
 """The views that are tried, the best known first: it wins where others are hardly better."""
 
 BIAS = 0.006
@@ -63,7 +66,7 @@ def pose_score(skeleton: Skeleton) -> float:
             directions.append(unit(sub(end, start)))
         else:
             directions.append((0.0, 0.0, 0.0))  # a slider at its zero shows nothing
-    pairs = list(zip(directions, directions[1:], strict=False))
+    pairs = list(pairwise(directions))
     bends = _mean([1 - abs(dot(a, b)) ** 4 for a, b in pairs])
     oblique = _mean([min(1.0, 2 * (1 - max(map(abs, d)))) if any(d) else -1.0 for d in directions])
     places = [frame.origin for _, frame in _frames(skeleton)]
@@ -102,7 +105,14 @@ def view_score(scene: Scene, camera: Camera) -> float:
             seen = math.hypot(*camera.flat_direction(sub(other, one)))
             apart.append(min(1.0, seen / (3 * scene.unit)))
     clearness = _mean(clear) + 0.5 * min(clear, default=0.5)
-    return 1.5 * _mean(shown) + clearness + 2.5 * _mean(apart) + _tips(scene, camera) - 3.5 * hidden(scene, camera) + _corners(scene, camera)
+    return (
+        1.5 * _mean(shown)
+        + clearness
+        + 2.5 * _mean(apart)
+        + _tips(scene, camera)
+        - 3.5 * hidden(scene, camera)
+        + _corners(scene, camera)
+    )
 
 
 def hidden(scene: Scene, camera: Camera) -> float:
@@ -126,7 +136,7 @@ def _corners(scene: Scene, camera: Camera) -> float:
     """How well corners between links look like corners; one that looks straight is a trap."""
     ways = [sub(scene.point(rod.end), scene.point(rod.start)) for rod in scene.rods]
     seen = []
-    for one, other in zip(ways, ways[1:], strict=False):
+    for one, other in pairwise(ways):
         if norm(cross(unit(one), unit(other))) > 0.3:  # noqa: PLR2004  a corner in space
             (a, b), (c, d) = camera.flat_direction(one), camera.flat_direction(other)
             lengths = math.hypot(a, b) * math.hypot(c, d)

@@ -51,7 +51,9 @@ def graph_figure(linkage: Linkage, paper: Paper, caption: list[Text]) -> Figure:
         wishes.append(Wish(((x, y - 6), (x, y + 18)), (Run(link),), "dim", (0.0, -1.0)))
     ink = Ink(paper.width, paper.height)
     ink.add(shapes)
-    leaders, texts = placed(wishes, ink, Rect(3, 3, paper.width - 3, paper.height - max(paper.foot, 3)), paper.lettering)
+    leaders, texts = placed(
+        wishes, ink, Rect(3, 3, paper.width - 3, paper.height - max(paper.foot, 3)), paper.lettering
+    )
     return Figure(paper.width, paper.height, (*shapes, *leaders), (*texts, *caption), linkage.title)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from itertools import pairwise
 
 from dhcli.scene.shapes import Shape
 from dhcli.scene.vectors import Flat
@@ -14,7 +15,9 @@ CELL = 4
 LINE, AREA = 6, 1
 """Weight of a line and of a filled area: a label may stand on a body before it stands on a line."""
 
-_AREAS = frozenset({"drum", "cap", "link", "plate", "face", "face-light", "face-dark", "ball", "sheet", "knob", "bar", "ground-link"})
+_AREAS = frozenset(
+    {"drum", "cap", "link", "plate", "face", "face-light", "face-dark", "ball", "sheet", "knob", "bar", "ground-link"}
+)
 _LIGHT = frozenset({"plate", "hatch", "halo", "ground-sheet"})
 
 
@@ -59,7 +62,7 @@ class Ink:
 
     def _line(self, points: tuple[Flat, ...]) -> None:
         cells, columns, rows = self.cells, self.columns, self.rows
-        for a, b in zip(points, points[1:], strict=False):
+        for a, b in pairwise(points):
             steps = max(1, min(4000, int(math.dist(a, b) / (CELL * 0.6)) + 1))
             dx, dy = (b[0] - a[0]) / steps, (b[1] - a[1]) / steps
             for n in range(steps + 1):

@@ -84,10 +84,7 @@ class Rect:
     def meets(self, other: Rect) -> bool:
         """Whether they overlap."""
         return (
-            self.left < other.right
-            and other.left < self.right
-            and self.top < other.bottom
-            and other.top < self.bottom
+            self.left < other.right and other.left < self.right and self.top < other.bottom and other.top < self.bottom
         )
 
     def cuts(self, a: Flat, b: Flat) -> bool:
@@ -126,7 +123,7 @@ def placed(wishes: list[Wish], ink: Ink, room: Rect, lettering: Lettering = PRIN
         best: tuple[float, Rect, Flat] | None = None
         for rings in (RINGS, FAR_RINGS):
             for cost, rect, point in _places(wish, box, rings, room):
-                if best and cost >= best[0] or any(rect.meets(other) for other in taken):
+                if (best and cost >= best[0]) or any(rect.meets(other) for other in taken):
                     continue
                 full = cost + _under(rect, point, ink, taken, leaders)
                 if best is None or full < best[0] - 1e-9:

@@ -164,8 +164,14 @@ def _dimension(a: Flat, b: Flat, dimension: Dimension, look: str, ink: Ink) -> t
     ]
     if length < SHORT:
         e, f = (c[0] - dx * 14, c[1] - dy * 14), (d[0] + dx * 14, d[1] + dy * 14)
-        shapes += [Shape((e, f), look), *(Shape(arrowhead(t, u, 7.0), f"{look}-head", closed=True) for t, u in ((c, e), (d, f)))]
+        shapes += [
+            Shape((e, f), look),
+            *(Shape(arrowhead(t, u, 7.0), f"{look}-head", closed=True) for t, u in ((c, e), (d, f))),
+        ]
     else:
-        shapes += [Shape((c, d), look), *(Shape(arrowhead(t, u, 8.0), f"{look}-head", closed=True) for t, u in ((c, d), (d, c)))]
+        shapes += [
+            Shape((c, d), look),
+            *(Shape(arrowhead(t, u, 8.0), f"{look}-head", closed=True) for t, u in ((c, d), (d, c))),
+        ]
     points = tuple((c[0] + (d[0] - c[0]) * t, c[1] + (d[1] - c[1]) * t) for t in (0.5, 0.38, 0.62))
     return shapes, Wish(points, dimension.words, look, (nx, ny))

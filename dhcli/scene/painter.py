@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 
 from dhcli.scene.bodies import Body, Cylinder, body_of, ordered
 from dhcli.scene.camera import Camera
@@ -88,7 +89,7 @@ def turn_arc(body: Cylinder, camera: Camera) -> list[Vec]:
 
 def _turn_pieces(body: Cylinder, camera: Camera, owner: int) -> Iterator[Piece]:
     arc = turn_arc(body, camera)
-    for a, b in zip(arc, arc[1:], strict=False):
+    for a, b in pairwise(arc):
         yield Piece(middle(a, b), (camera.flat(a), camera.flat(b)), "turn", owner)
     flats = camera.flat(arc[-1]), camera.flat(arc[-3])
     yield Piece(arc[-1], arrowhead(*flats, 9.0), "turn-head", owner)
@@ -112,7 +113,7 @@ def _one_rod(
     for low, high in _outside(start, way, length, bodies):
         count = max(1, min(MOST_PIECES, math.ceil((high - low) / (PIECE * unit_length))))
         points = [along(start, way, low + (high - low) * i / count) for i in range(count + 1)]
-        for a, b in zip(points, points[1:], strict=False):
+        for a, b in pairwise(points):
             yield Piece(middle(a, b), (camera.flat(a), camera.flat(b)), look, number, width)
     for point in (start, end):
         if not _is_inside(point, bodies, camera):
@@ -244,4 +245,3 @@ def _break(centre: Vec, normal: Vec, size: float, camera: Camera) -> Iterator[Sh
         t, bend = i / 8, math.sin(i / 8 * math.pi) * wide * 0.35
         points.append((x + ax * t * wide + fx / length * bend, y + ay * t * wide + fy / length * bend))
     yield Shape(tuple(points), "break")
-

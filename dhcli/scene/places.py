@@ -42,9 +42,9 @@ class Places:
         self.at = tuple(self._place(joint) for joint in linkage.joints)
         self.links: dict[str, list[Vec]] = {link: [] for link in linkage.links}
         for joint, at in zip(linkage.joints, self.at, strict=True):
-            for link, point in self._held(joint, at):
-                if all(not self.same(point, other) for other in self.links[link]):
-                    self.links[link].append(point)
+            for link, held in self._held(joint, at):
+                if all(not self.same(held, other) for other in self.links[link]):
+                    self.links[link].append(held)
         for point in linkage.points:
             if point.link:
                 self.links[point.link].append(point.at)
@@ -74,7 +74,9 @@ class Places:
         for link in joint.links:
             others = [o.point for o in self.linkage.joints if link in o.links and o is not joint and o.point]
             if others and (link != self.linkage.ground or not found):
-                middle = scaled((sum(p[0] for p in others), sum(p[1] for p in others), sum(p[2] for p in others)), 1 / len(others))
+                middle = scaled(
+                    (sum(p[0] for p in others), sum(p[1] for p in others), sum(p[2] for p in others)), 1 / len(others)
+                )
                 found.append((len(others) + 10 * (link == self.linkage.ground), middle))
         if joint.pair.name == "prismatic" and joint.axis and len(found) == 2 and max(n for n, _ in found) < 10:  # noqa: PLR2004
             (_, a), (_, b) = found

@@ -135,7 +135,7 @@ def _links(places: Places, sheet: Sheet) -> Iterator[Shape]:
         if link == linkage.ground and not _is_bar(places):
             continue
         apart = [p for i, p in enumerate(points) if not any(places.same(p, q) for q in points[:i])]
-        if len(apart) < 2 or link in round_links and len(apart) < 2:  # noqa: PLR2004  a bar has two ends
+        if len(apart) < 2 or (link in round_links and len(apart) < 2):  # noqa: PLR2004  a bar has two ends
             continue
         straight = is_straight(apart, places.size)
         ends = list(farthest(apart)) if straight else corners(apart)
@@ -196,7 +196,10 @@ def _slider(joint: Joint, at: Flat, *, on_ground: bool) -> Iterator[Shape]:
         dx, dy = -dx, -dy
     nx, ny = -dy, dx
     w, h = SLIDER
-    box = [(at[0] + s * w * dx + t * h * nx, at[1] + s * w * dy + t * h * ny) for s, t in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+    box = [
+        (at[0] + s * w * dx + t * h * nx, at[1] + s * w * dy + t * h * ny)
+        for s, t in ((-1, -1), (1, -1), (1, 1), (-1, 1))
+    ]
     a, b = ((at[0] + s * GUIDE * dx + h * nx, at[1] + s * GUIDE * dy + h * ny) for s in (-1, 1))
     yield Shape((a, b), "ground-line")
     if on_ground:

@@ -100,12 +100,10 @@ class Skeleton:
     def legs(self) -> tuple[Leg, ...]:
         """The straight pieces, without those of no length that no joint can lengthen."""
         floats = Floats(numbers(self.values))
-        found = []
+        found: list[Leg] = []
         for state, move in enumerate(self.chain):
-            for leg in _legs_of(state, move, floats, self.robot):
-                if leg.variable or norm(sub(leg.end, leg.start)) > 0:
-                    found.append(leg)
-        return tuple(found)
+            found += _legs_of(state, move, floats, self.robot)
+        return tuple(leg for leg in found if leg.variable or norm(sub(leg.end, leg.start)) > 0)
 
     def ends(self, leg: Leg) -> tuple[Vec, Vec]:
         """Where a piece starts and ends in the world [m]."""
@@ -147,7 +145,7 @@ def _mix(a: Vec, b: Vec, cos: float, sin: float) -> Vec:
 
 def _axes(robot: Robot, given: Given) -> list[Axis]:
     """Every move that holds one joint variable, as an axis."""
-    found = []
+    found: list[Axis] = []
     for state, move in enumerate(robot.chain):
         if isinstance(move, Rot):
             for name, factor in move.angle.terms:
@@ -155,8 +153,8 @@ def _axes(robot: Robot, given: Given) -> list[Axis]:
                     sign = 1.0 if factor > 0 else -1.0
                     found.append(Axis(name, "revolute", state, scaled(AXES[move.axis], sign)))
         elif isinstance(move, Trans):
-            for name in variables_of(move, robot):
-                found.append(Axis(name, "prismatic", state, unit(slope(move, name, given))))
+            sliding = variables_of(move, robot)
+            found += (Axis(name, "prismatic", state, unit(slope(move, name, given))) for name in sliding)
     return found
 
 
@@ -204,4 +202,3 @@ def _stretches(state: int, lengths: list[Expr], floats: Floats, robot: Robot) ->
 def _positive(expr: Expr) -> Expr:
     """A number without its sign: a dimension is as long as it is."""
     return Number(abs(expr.value), expr.places) if isinstance(expr, Number) else expr
-

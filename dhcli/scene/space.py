@@ -24,12 +24,14 @@ def space_scene(linkage: Linkage) -> Scene:
     size = SIZE * places.size if len({tuple(p) for p in places.at}) > 1 else 0.09
     slid = [_shift(places, i, size) for i in range(len(linkage.joints))]
     solids = [
-        body for joint, at, shift in zip(linkage.joints, places.at, slid, strict=True) for body in _bodies(joint, at, shift, size)
+        body
+        for joint, at, shift in zip(linkage.joints, places.at, slid, strict=True)
+        for body in _bodies(joint, at, shift, size)
     ]
     rods: list[Rod] = []
     for joint, at, shift in zip(linkage.joints, places.at, slid, strict=True):
         if shift and joint.axis:
-            rods.append(_rod(at, along(at, unit(joint.axis), shift), size, joint.links))
+            rods.append(_rod(at, along(at, unit(joint.axis), shift), size))
         rods += _arms(joint, at, size)
     for link, points in places.links.items():
         made, faces = _link(linkage, link, points, places.size, size)
@@ -69,9 +71,7 @@ def _arms(joint: Joint, at: Vec, size: float) -> Iterator[Rod]:
             yield Rod(ends[0], ends[1], 0.12 * size)
 
 
-def _link(
-    linkage: Linkage, link: str, points: list[Vec], extent: float, size: float
-) -> tuple[list[Rod], list[Face]]:
+def _link(linkage: Linkage, link: str, points: list[Vec], extent: float, size: float) -> tuple[list[Rod], list[Face]]:
     """A rod between two points, a plate through three and more."""
     is_ground = link == linkage.ground
     if len(points) < 2:  # noqa: PLR2004  nothing between
@@ -94,5 +94,5 @@ def _shafts(places: Places, slid: list[float], size: float) -> Iterator[Rod]:
             yield Rod(Anchor(0, start), Anchor(0, end), ROD * size, ground=places.linkage.ground in joint.links)
 
 
-def _rod(start: Vec, end: Vec, size: float, links: tuple[str, str]) -> Rod:
+def _rod(start: Vec, end: Vec, size: float) -> Rod:
     return Rod(Anchor(0, start), Anchor(0, end), ROD * size)

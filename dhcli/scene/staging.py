@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from dhcli.errors import RobotError
 from dhcli.kinematics.conventions import NAMES
 from dhcli.kinematics.robot import Robot, Value
-from dhcli.kinematics.values import JointInput, Values, joint_values, require
 from dhcli.kinematics.validity import in_floats
+from dhcli.kinematics.values import JointInput, Values, joint_values, require
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import Bare
 from dhcli.scene.arm import arm_scene, is_planar
@@ -149,7 +149,12 @@ def figure_of(staged: Staged, paper: Paper | None = None, *, worksheet: bool = F
 
 def fitted(scene: Scene, view: tuple[float, float], paper: Paper) -> Camera:
     """The camera that has everything of a scene on paper; the same for a figure and its worksheet."""
-    room = (paper.margin, paper.margin * 0.8, paper.width - paper.margin, paper.height - paper.foot - paper.margin * 0.7)
+    room = (
+        paper.margin,
+        paper.margin * 0.8,
+        paper.width - paper.margin,
+        paper.height - paper.foot - paper.margin * 0.7,
+    )
     most = LARGEST_DRUM / scene.unit * min(paper.width / WIDTH, paper.height / HEIGHT)
     return Camera.at(*view).fitted(extent(scene), room, most)
 
@@ -189,9 +194,7 @@ def add_flat(point: Vec, x: float, y: float) -> Vec:
 _AXES: tuple[Vec, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
-def _posed(
-    robot: Robot, q: JointInput, pose: str | None, full: Values, bare: Bare
-) -> tuple[str, Mapping[str, Value]]:
+def _posed(robot: Robot, q: JointInput, pose: str | None, full: Values, bare: Bare) -> tuple[str, Mapping[str, Value]]:
     """The pose to draw, and how a caption says it."""
     if q is not None and pose is not None:
         raise RobotError("joint values and a pose are two answers to one question", "give one of the two")
@@ -202,8 +205,8 @@ def _posed(
         return f"pose {pose}", dict(zip(robot.variables, robot.poses[pose], strict=True))
     if q is not None:
         values = joint_values(robot, q, bare=bare)
-        known = [name for name, own in robot.poses.items() if tuple(values.get(v) for v in robot.variables) == own]
-        return (f"pose {known[0]}" if known else _listed(values)), values
+        named_so = [name for name, own in robot.poses.items() if tuple(values.get(v) for v in robot.variables) == own]
+        return (f"pose {named_so[0]}" if named_so else _listed(values)), values
     name, values = best_pose(robot, full)
     return (f"pose {name}" if name else _listed(values)), values
 
@@ -229,4 +232,3 @@ def foot(title: str, caption: str, paper: Paper) -> list[Text]:
     if len(text) > most:
         text = text[: most - 1] + "…"
     return [Text((16.0, paper.height - 14.0), (Run(text),), "caption", size)]
-

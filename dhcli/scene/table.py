@@ -31,7 +31,10 @@ def with_table(figure: Figure, robot: Robot) -> Figure:
         for start, words in zip(starts, row, strict=True)
     ]
     low = top + LINE * (len(rows) - 1)
-    rules = [Shape(((left, y), (right - GAP / 2, y)), "rule") for y in (top - LINE * 0.75, top + 0.35 * LINE, low + 0.35 * LINE)]
+    rules = [
+        Shape(((left, y), (right - GAP / 2, y)), "rule")
+        for y in (top - LINE * 0.75, top + 0.35 * LINE, low + 0.35 * LINE)
+    ]
     height = max(figure.height, low + 2 * LINE)
     return replace(figure, width=right, height=height, shapes=(*figure.shapes, *rules), texts=(*figure.texts, *texts))
 

@@ -81,7 +81,7 @@ def unit(a: Vec) -> Vec:
 
 def across(axis: Vec) -> Vec:
     """Some direction of length one at right angles to an axis, always the same."""
-    other: Vec = (1.0, 0.0, 0.0) if abs(axis[0]) < 0.6 * norm(axis) else (0.0, 1.0, 0.0)  # noqa: PLR2004  not along it
+    other: Vec = (1.0, 0.0, 0.0) if abs(axis[0]) < 0.6 * norm(axis) else (0.0, 1.0, 0.0)
     return unit(cross(axis, other))
 
 

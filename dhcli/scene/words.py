@@ -31,7 +31,7 @@ Words: TypeAlias = tuple[Run, ...]
 def named(name: str) -> Words:
     """A name: `theta1` is θ with the index 1, `d_f` is d with the index f."""
     stem, index = parts(name)
-    runs = (Run(_LETTERS.get(stem, stem)), Run(index.replace("-", "−"), below=True))  # noqa: RUF001  a minus sign
+    runs = (Run(_LETTERS.get(stem, stem)), Run(index.replace("-", "−"), below=True))
     return tuple(run for run in runs if run.text)
 
 
@@ -61,4 +61,4 @@ def plain(words: Words) -> str:
 
 
 def _plain(text: str) -> str:
-    return text.replace("-", "−").replace("*", "·").replace(" ", "")  # noqa: RUF001  a minus sign
+    return text.replace("-", "−").replace("*", "·").replace(" ", "")

@@ -58,7 +58,10 @@ def draw(
     size: Annotated[
         str | None,
         typer.Option(
-            "--size", metavar="WxH", help="Pixels such as 820x640, or columns and rows of letters.", rich_help_panel=LOOK
+            "--size",
+            metavar="WxH",
+            help="Pixels such as 820x640, or columns and rows of letters.",
+            rich_help_panel=LOOK,
         ),
     ] = None,
     dark: Annotated[bool, typer.Option("--dark", help="Light on dark.", rich_help_panel=LOOK)] = False,
@@ -103,7 +106,9 @@ def draw(
         return
     if pixels is not None:
         picture = _sized(picture, pixels, letters=name == "terminal")
-    path = _opened_page(picture, what.name or "linkage") if name is None else _written(picture, output or "", name, force)
+    path = (
+        _opened_page(picture, what.name or "linkage") if name is None else _written(picture, output or "", name, force)
+    )
     if open_:
         import webbrowser
         from pathlib import Path
@@ -191,7 +196,7 @@ def _in_letters(picture: Picture, sides: tuple[int, int] | None) -> None:
     write_out(picture.terminal(paper, columns, rows))
 
 
-def _written(picture: Picture, output: str, name: str, force: bool) -> str:  # noqa: FBT001  the option as it came
+def _written(picture: Picture, output: str, name: str, force: bool) -> str:
     """Write the file.
 
     Raises:

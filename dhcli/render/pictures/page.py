@@ -38,7 +38,9 @@ def page(picture: Picture) -> str:
     """
     what = picture.what
     if isinstance(what, Robot):
-        return _page(what.title, NAMES[what.convention], _arm_controls(what), arm_model(picture), ("paint", "arm"), picture)
+        return _page(
+            what.title, NAMES[what.convention], _arm_controls(what), arm_model(picture), ("paint", "arm"), picture
+        )
     subtitle = f"{len(what.links)} links, {what.pattern}"
     if not what.is_placed:
         return _still(what, picture.figure(), picture)
@@ -71,9 +73,10 @@ def _still(linkage: Linkage, figure: Figure, picture: Picture) -> str:
     from dhcli.render.pictures.svg import svg
 
     title = escape(_clean(linkage.title))
+    drawn = svg(figure, dark=picture.dark)
     return (
         f'<!DOCTYPE html>\n<html lang="en">\n<head><meta charset="utf-8"><title>{title}</title></head>\n'
-        f"<body>{svg(figure, dark=picture.dark)}<p>{title}: no points are known, so nothing can move.</p></body></html>\n"
+        f"<body>{drawn}<p>{title}: no points are known, so nothing can move.</p></body></html>\n"
     )
 
 
@@ -103,7 +106,9 @@ def _looks() -> str:
     rules.append(".halo-text{fill:none;stroke:var(--paper);stroke-width:3.6;stroke-linejoin:round}")
     rules += [f".s-{name}{{stop-color:var(--{name})}}" for name in ("shadow", "shine", "metal")]
     for name, look in LOOKS.items():
-        parts = [f"fill:var(--{look.fill})"] if look.fill and look.fill != "shade" else [] if look.fill else ["fill:none"]
+        parts = (
+            [f"fill:var(--{look.fill})"] if look.fill and look.fill != "shade" else [] if look.fill else ["fill:none"]
+        )
         if look.stroke:
             parts.append(f"stroke:var(--{look.stroke});stroke-width:{look.width:g}")
         if look.dash:
@@ -140,7 +145,7 @@ _ORBIT = (
 )
 _LINKAGE = (
     '<h2>Move</h2><div class="controls"><select id="driver" aria-label="link to move"></select></div>\n'
-    '<input type="range" id="drive" min="-360" max="360" step="any" value="0" style="width:100%" aria-label="how far">\n'
+    '<input type="range" id="drive" min="-360" max="360" step="any" value="0" aria-label="how far">\n'
     '<p id="far"></p><div class="controls"><button id="play">play</button><button id="home">as drawn</button>'
     '<label><input type="checkbox" id="on-names" checked> names</label>'
     '<label>trace <select id="trace" aria-label="trace of"></select></label><button id="png">PNG</button></div>\n'

@@ -1,4 +1,4 @@
-"""What a page must know: the chain of moves, the scene in the states of that chain, the table, the joints of a linkage."""
+"""What a page must know: the chain of moves, the scene in its states, the table; the joints of a linkage."""
 
 from __future__ import annotations
 
@@ -116,7 +116,7 @@ def _joint(robot: Robot, name: str, value: Value) -> dict[str, Any]:
         "kind": joint.kind,
         "lo": low,
         "hi": high,
-        "from": min(-reach if joint.kind == "revolute" else -reach, at),
+        "from": min(-reach, at),
         "till": max(reach, at),
         "q": at,
     }

@@ -7,6 +7,7 @@ pymupdf ignores the style sheet and paints a black page.
 from __future__ import annotations
 
 import zlib
+from itertools import pairwise
 
 from dhcli.notation.names import GREEK
 from dhcli.render.pictures.looks import COLOURS, LOOKS, TEXTS, UPRIGHT
@@ -23,7 +24,7 @@ _ITALIC = (
     667, 722, 611, 722, 611, 500, 556, 722, 611, 833, 611, 556, 556, 389, 278, 389, 422, 500, 333, 500, 500, 444, 500,
     444, 278, 500, 500, 278, 278, 444, 278, 722, 500, 500, 500, 500, 389, 389, 278, 500, 444, 667, 444, 444, 389,
 )  # fmt: skip
-_SYMBOL = dict(zip("αβγδεζηθικλμνξπρστφχψω−", "abgdezhqiklmnxprstjcyw-", strict=True))  # noqa: RUF001  a minus sign
+_SYMBOL = dict(zip("αβγδεζηθικλμνξπρστφχψω−", "abgdezhqiklmnxprstjcyw-", strict=True))
 _ROMAN, _SLANTED, _GREEK = "F1", "F2", "F3"
 
 
@@ -48,7 +49,9 @@ def pdf(figure: Figure, *, dark: bool = False, size: tuple[int, int] | None = No
 
 def _shape(shape: Shape, shadings: list[str], *, dark: bool) -> str:
     look = LOOKS[shape.look]
-    path = " ".join(f"{_n(x)} {_n(y)} {'l' if i else 'm'}" for i, (x, y) in enumerate(shape.points)) + " h" * shape.closed
+    path = (
+        " ".join(f"{_n(x)} {_n(y)} {'l' if i else 'm'}" for i, (x, y) in enumerate(shape.points)) + " h" * shape.closed
+    )
     before = ""
     if shape.shade:
         shadings.append(_shading(shape.shade, dark=dark))
@@ -103,9 +106,7 @@ def _escaped(font: str, letter: str) -> str:
 def _shading(shade: tuple[Flat, Flat], *, dark: bool) -> str:
     (x1, y1), (x2, y2) = shade
     stops = [_colour(name, dark) for name in ("shadow", "shine", "metal")]
-    parts = " ".join(
-        f"<< /FunctionType 2 /Domain [0 1] /C0 [{a}] /C1 [{b}] /N 1 >>" for a, b in zip(stops, stops[1:], strict=False)
-    )
+    parts = " ".join(f"<< /FunctionType 2 /Domain [0 1] /C0 [{a}] /C1 [{b}] /N 1 >>" for a, b in pairwise(stops))
     function = f"<< /FunctionType 3 /Domain [0 1] /Functions [{parts}] /Bounds [0.42] /Encode [0 1 0 1] >>"
     ends = " ".join(map(_n, (x1, y1, x2, y2)))
     return f"<< /ShadingType 2 /ColorSpace /DeviceRGB /Coords [{ends}] /Function {function} /Extend [true true] >>"
@@ -115,9 +116,9 @@ def _file(figure: Figure, content: str, size: tuple[float, float], shadings: lis
     """The objects of a file with one page, and the table of where they stand."""
     stream = zlib.compress(content.encode("latin-1", "replace"), 9)
     fonts = {_ROMAN: "Times-Roman", _SLANTED: "Times-Italic", _GREEK: "Symbol"}
+    coded = {key: "" if key == _GREEK else " /Encoding /WinAnsiEncoding" for key in fonts}
     named = " ".join(
-        f"/{key} << /Type /Font /Subtype /Type1 /BaseFont /{font}{'' if key == _GREEK else ' /Encoding /WinAnsiEncoding'} >>"
-        for key, font in fonts.items()
+        f"/{key} << /Type /Font /Subtype /Type1 /BaseFont /{font}{coded[key]} >>" for key, font in fonts.items()
     )
     shaded = " ".join(f"/S{i} {shading}" for i, shading in enumerate(shadings))
     title = "".join(c if " " <= c <= "~" and c not in "()\\" else " " for c in figure.title)
@@ -134,10 +135,13 @@ def _file(figure: Figure, content: str, size: tuple[float, float], shadings: lis
         places.append(len(found))
         found += f"{number} 0 obj\n".encode() + each + b"\nendobj\n"
     table = "".join(f"{place:010d} 00000 n \n" for place in places)
-    return found + (
-        f"xref\n0 {len(objects) + 1}\n0000000000 65535 f \n{table}"
-        f"trailer\n<< /Size {len(objects) + 1} /Root 1 0 R /Info 5 0 R >>\nstartxref\n{len(found)}\n%%EOF\n"
-    ).encode()
+    return (
+        found
+        + (
+            f"xref\n0 {len(objects) + 1}\n0000000000 65535 f \n{table}"
+            f"trailer\n<< /Size {len(objects) + 1} /Root 1 0 R /Info 5 0 R >>\nstartxref\n{len(found)}\n%%EOF\n"
+        ).encode()
+    )
 
 
 def _colour(name: str, dark: bool) -> str:  # noqa: FBT001  one of two columns

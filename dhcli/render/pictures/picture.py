@@ -157,7 +157,7 @@ class Picture:
         return Paper(WIDTH, max(high * shrink, 0.45 * HEIGHT)) if wide >= high else Paper(HEIGHT * wide / high, HEIGHT)
 
 
-def draw(
+def draw(  # noqa: PLR0913  a figure has as many sides
     what: Robot | Linkage,
     q: JointInput = None,
     *,

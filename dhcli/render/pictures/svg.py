@@ -22,14 +22,14 @@ def svg(figure: Figure, *, dark: bool = False, size: tuple[int, int] | None = No
         size: Width and height at which it is shown [px]; by default as it was drawn.
     """
     width, height = size or (round(figure.width), round(figure.height))
-    body = "\n".join([*_shapes(figure.shapes, dark=dark), *(_text(text) for text in figure.texts)])
+    body = "\n".join([*_shapes(figure.shapes), *(_text(text) for text in figure.texts)])
     key = f"f{zlib.crc32((body + str(dark)).encode()):08x}"
     looks = sorted({shape.look for shape in figure.shapes})
     texts = sorted({text.look for text in figure.texts})
-    described = f"{figure.title}: {figure.caption}"
+    described = quoteattr(_clean(f"{figure.title}: {figure.caption}"))
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" class="{key}" width="{width}" height="{height}" '
-        f'viewBox="0 0 {_number(figure.width)} {_number(figure.height)}" role="img" aria-label={quoteattr(_clean(described))}>\n'
+        f'viewBox="0 0 {_number(figure.width)} {_number(figure.height)}" role="img" aria-label={described}>\n'
         f"<title>{escape(_clean(figure.title))}</title>\n"
         f"<style>{_style(looks, texts, key, dark=dark)}</style>\n"
         f"{_defs(figure.shapes, key)}"
@@ -41,9 +41,7 @@ def _style(looks: list[str], texts: list[str], key: str, *, dark: bool) -> str:
     """Rules for the looks that are used, by day, and by night where the reader's scheme is dark."""
     fixed = [f"text{{font-family:{FONTS};font-style:italic;text-anchor:middle}}"]
     fixed.append(".halo-text{fill:none;stroke-width:3.6;stroke-linejoin:round}")
-    for look in texts:
-        if look in UPRIGHT:
-            fixed.append(f".t-{look}{{font-style:normal}}")
+    fixed += [f".t-{text}{{font-style:normal}}" for text in texts if text in UPRIGHT]
     fixed += [".t-caption,.t-cell{text-anchor:start}"] if {"caption", "cell"} & set(texts) else []
     for name in looks:
         look = LOOKS[name]
@@ -95,14 +93,16 @@ def _defs(shapes: tuple[Shape, ...], key: str) -> str:
         assert shape.shade  # noqa: S101  filtered
         (x1, y1), (x2, y2) = shape.shade
         place = " ".join(f'{k}="{_number(v)}"' for k, v in (("x1", x1), ("y1", y1), ("x2", x2), ("y2", y2)))
-        stops = '<stop class="s-shadow" offset="0"/><stop class="s-shine" offset=".42"/><stop class="s-metal" offset="1"/>'
+        stops = (
+            '<stop class="s-shadow" offset="0"/><stop class="s-shine" offset=".42"/><stop class="s-metal" offset="1"/>'
+        )
         found.append(
             f'<linearGradient id="{key}g{number}" gradientUnits="userSpaceOnUse" {place}>{stops}</linearGradient>'
         )
     return f"<defs>{''.join(found)}</defs>\n" if found else ""
 
 
-def _shapes(shapes: tuple[Shape, ...], *, dark: bool) -> list[str]:
+def _shapes(shapes: tuple[Shape, ...]) -> list[str]:
     found: list[str] = []
     shaded = 0
     last = ""
@@ -131,7 +131,7 @@ def _text(text: Text) -> str:
     if text.look in ("caption", "cell", "head"):
         return plain
     styled = f' class="halo-text t-{text.look}"' if text.look in UPRIGHT else ' class="halo-text"'
-    return f"<text{styled} aria-hidden=\"true\" {place}>{words}</text>{plain}"
+    return f'<text{styled} aria-hidden="true" {place}>{words}</text>{plain}'
 
 
 def _words(words: Words, size: float) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 from dhcli.render.paper import Paper, in_ascii
 from dhcli.render.pictures.looks import LOOKS
@@ -18,8 +19,8 @@ WIDE, HIGH = 8.0, 16.0
 LEAST = (16, 8)
 """The fewest columns and rows that show anything."""
 
-_LOWERED = str.maketrans("0123456789+−-ijnxaehklmopst", "₀₁₂₃₄₅₆₇₈₉₊₋₋ᵢⱼₙₓₐₑₕₖₗₘₒₚₛₜ")  # noqa: RUF001  a minus sign
-_LOWER_ALL = frozenset("0123456789+−-ijn")  # noqa: RUF001  a minus sign
+_LOWERED = str.maketrans("0123456789+−-ijnxaehklmopst", "₀₁₂₃₄₅₆₇₈₉₊₋₋ᵢⱼₙₓₐₑₕₖₗₘₒₚₛₜ")
+_LOWER_ALL = frozenset("0123456789+−-ijn")
 _DOTS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
 _INKS = {"x": "red", "y": "green", "z": "cyan", "turn": "yellow", "dim": "dim", "thin": "dim", "hatch": "dim"}
 _LEFT_OUT = frozenset({"halo", "hatch", "extension"})
@@ -87,7 +88,7 @@ class _Canvas:
             self.area(points, set_=shape.look.endswith("head"), ink=_INKS.get(look.fill, ""))
         if look.stroke:
             ends = [*points, points[0]] if shape.closed else points
-            for a, b in zip(ends, ends[1:], strict=False):
+            for a, b in pairwise(ends):
                 self.line(a, b, _INKS.get(look.stroke, ""), sparse=shape.look in _SPARSE)
 
     def scaled(self, point: Flat) -> Flat:

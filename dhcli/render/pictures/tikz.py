@@ -13,8 +13,12 @@ from dhcli.scene.words import Words
 PIXEL = 0.5
 """A pixel of the figure in points: 820 of them fit the text of a page."""
 
-_SPECIAL = {c: "\\" + c for c in "#$%&_{}"} | {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}"}
-_SIGNS = {"−": "-", "·": r"\cdot ", "π": r"\pi ", "°": r"^\circ "}  # noqa: RUF001  a minus sign
+_SPECIAL = {c: "\\" + c for c in "#$%&_{}"} | {
+    "\\": r"\textbackslash{}",
+    "~": r"\textasciitilde{}",
+    "^": r"\textasciicircum{}",
+}
+_SIGNS = {"−": "-", "·": r"\cdot ", "π": r"\pi ", "°": r"^\circ "}
 
 
 def tikz(figure: Figure, *, dark: bool = False, size: tuple[int, int] | None = None) -> str:
@@ -76,7 +80,8 @@ def _text(text: Text) -> str:
     if text.look in ("caption", "cell"):
         font = r"\scriptsize" if text.look == "caption" else r"\small"
         return rf"\node[anchor=base west, text={colour}, font={font}] at {_point(text.at)} {{{plain_tex(text.words)}}};"
-    return rf"\node[anchor=base, text={colour}] at {_point(text.at)} {{{maths(text.words, upright=text.look in UPRIGHT)}}};"
+    label = maths(text.words, upright=text.look in UPRIGHT)
+    return rf"\node[anchor=base, text={colour}] at {_point(text.at)} {{{label}}};"
 
 
 def maths(words: Words, *, upright: bool = False) -> str:
