@@ -24,6 +24,9 @@ SEEN_FROM = tuple(
 """The views that are tried, the best known first: it wins where others are hardly better."""
 
 BIAS = 0.006
+LOOKED_AT, HIDDEN = 8, 3.5
+"""How many views are tried for what hides what, which costs more, and the weight of that."""
+
 EXAMPLE_ANGLES = (35, 50, -70, 40, 55, 30)
 """An example pose for robots without a good one of their own [deg]."""
 
@@ -79,12 +82,9 @@ def pose_score(skeleton: Skeleton) -> float:
 
 def best_view(scene: Scene) -> tuple[float, float]:
     """The view with least foreshortening and the joints apart."""
-    best = (-math.inf, SEEN_FROM[0])
-    for number, view in enumerate(SEEN_FROM):
-        score = view_score(scene, Camera.at(*view)) - BIAS * number
-        if score > best[0]:
-            best = score, view
-    return best[1]
+    cheap = [(view_score(scene, Camera.at(*view)) - BIAS * i, view) for i, view in enumerate(SEEN_FROM)]
+    hopeful = sorted(cheap, key=lambda each: -each[0])[:LOOKED_AT]
+    return max(hopeful, key=lambda each: each[0] - HIDDEN * hidden(scene, Camera.at(*each[1])))[1]
 
 
 def view_score(scene: Scene, camera: Camera) -> float:
@@ -105,14 +105,7 @@ def view_score(scene: Scene, camera: Camera) -> float:
             seen = math.hypot(*camera.flat_direction(sub(other, one)))
             apart.append(min(1.0, seen / (3 * scene.unit)))
     clearness = _mean(clear) + 0.5 * min(clear, default=0.5)
-    return (
-        1.5 * _mean(shown)
-        + clearness
-        + 2.5 * _mean(apart)
-        + _tips(scene, camera)
-        - 3.5 * hidden(scene, camera)
-        + _corners(scene, camera)
-    )
+    return 1.5 * _mean(shown) + clearness + 2.5 * _mean(apart) + _tips(scene, camera) + _corners(scene, camera)
 
 
 def hidden(scene: Scene, camera: Camera) -> float:

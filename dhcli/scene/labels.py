@@ -89,6 +89,10 @@ class Rect:
 
     def cuts(self, a: Flat, b: Flat) -> bool:
         """Whether a line runs through it."""
+        if (a[0] <= self.left and b[0] <= self.left) or (a[0] >= self.right and b[0] >= self.right):
+            return False
+        if (a[1] <= self.top and b[1] <= self.top) or (a[1] >= self.bottom and b[1] >= self.bottom):
+            return False
         low, high = 0.0, 1.0
         for start, way, least, most in (
             (a[0], b[0] - a[0], self.left, self.right),

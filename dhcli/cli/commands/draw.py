@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dhcli.cli.shell.options import Force, RobotName, Settings, complete_pose
+from dhcli.cli.shell.options import Force, Settings, complete_pose, complete_robot
 from dhcli.errors import DhcliError, Place, Problem
 
 if TYPE_CHECKING:
@@ -36,7 +36,12 @@ def complete_view(incomplete: str) -> list[str]:
 
 
 def draw(
-    robot: RobotName,
+    robot: Annotated[
+        str,
+        typer.Argument(
+            metavar="NAME", help="A robot or a linkage, a YAML file, or - for stdin.", autocompletion=complete_robot
+        ),
+    ],
     q: Annotated[
         str | None, typer.Option("--q", metavar="VALUES", help="Joint values; by default the pose that shows it best.")
     ] = None,

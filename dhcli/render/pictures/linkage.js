@@ -126,7 +126,7 @@ function driveTo(value) { // turn a link to an angle, or slide it; where it cann
   note = F ? "" : "it is rigid: nothing can move";
   const row = driver.row();
   for (let k = 0; k < 2000 && F; k++) {
-    const left = value - driver.read(X); if (Math.abs(left) < 1e-13) return;
+    const left = value - driver.read(X); if (Math.abs(left) < 1e-11) return;
     const free = svd(demands(X)[1]).V.slice(RANK), seen = free.map((z) => dotn(row, z)), s = dotn(seen, seen);
     if (s < 1e-7) { note = DEAD; return; }
     const want = new Array(n).fill(0); seen.forEach((c, i) => { for (let q = 0; q < n; q++) want[q] += (c * left * free[i][q]) / s; });

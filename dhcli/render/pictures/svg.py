@@ -10,7 +10,8 @@ from dhcli.scene.shapes import Figure, Shape, Text
 from dhcli.scene.vectors import Flat
 from dhcli.scene.words import Words
 
-FONTS = "'STIX Two Text','Latin Modern Roman','Times New Roman',Times,'Liberation Serif','DejaVu Serif',serif"
+FONTS = "'Times New Roman',Times,'Liberation Serif','Nimbus Roman','DejaVu Serif',serif"
+"""Serifs whose lines are no higher than the places of the labels."""
 
 
 def svg(figure: Figure, *, dark: bool = False, size: tuple[int, int] | None = None) -> str:
