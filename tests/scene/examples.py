@@ -29,7 +29,7 @@ def long_robot(count: int) -> Robot:
 
 
 def odd_robots() -> dict[str, Robot]:
-    """No length at all, lengths without values, no joint, a dozen joints, very short beside very long, a name of markup."""
+    """No length at all, lengths without values, no joint, a dozen joints, very short beside very long."""
     return {
         "all zero": robot_of(
             ["{a: 0, alpha: 90°, d: 0, theta: theta1}", "{a: 0, alpha: 0, d: 0, theta: theta2}"], ["theta1", "theta2"]

@@ -71,7 +71,7 @@ def test_dimensions_stand_where_the_convention_has_them(name: str) -> None:
             if norm(sub(end, start)) == 0:
                 continue
             letter = dimension.words[-2].text if dimension.words[-1].below else dimension.words[-1].text
-            along_z = (link.row is not None and letter[-1] in "d") or _is_on(end, start, before.z)
+            along_z = (link.row is not None and letter[-1] == "d") or _is_on(end, start, before.z)
             if robot.convention is Convention.STANDARD:
                 ends = (before.origin, before.z) if along_z else (own.origin, own.x)
             else:

@@ -7,7 +7,7 @@ import math
 import random
 import re
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 import pytest
 
@@ -17,6 +17,9 @@ from dhcli.kinematics.robot import Robot
 from dhcli.mobility.linkage import Linkage
 from dhcli.render.pictures.picture import Picture
 from tests.scene.examples import LINKAGES, ROBOTS, odd_robots
+
+if TYPE_CHECKING:
+    from selenium.webdriver import Chrome as WebDriver
 
 REAL = tuple(name for name in ROBOTS if not name.startswith("dh-link"))
 MOVING = ("planar-four-bar", "peaucellier", "slider-crank", "watt", "planetary-gear", "cam-follower", "scissor")
@@ -28,14 +31,14 @@ def _linkage(name: str) -> Linkage:
     return found
 
 
-def _open(browser: Any, picture: Picture, folder: Path, name: str = "page") -> None:
+def _open(browser: WebDriver, picture: Picture, folder: Path, name: str = "page") -> None:
     path = folder / f"{name}.html"
     picture.save(path)
     browser.get_log("performance")
     browser.get(path.as_uri())
 
 
-def _check_silent(browser: Any) -> None:
+def _check_silent(browser: WebDriver) -> None:
     """No error and no word on the console, and no request but that for the page itself."""
     assert browser.get_log("browser") == []
     events = [json.loads(entry["message"])["message"] for entry in browser.get_log("performance")]
@@ -54,7 +57,7 @@ def test_a_page_names_no_address_but_those_of_namespaces(name: str) -> None:
     assert len(text.encode()) < 45_000
 
 
-def test_pages_compute_what_dhcli_computes(browser: Any, tmp_path: Path) -> None:
+def test_pages_compute_what_dhcli_computes(browser: WebDriver, tmp_path: Path) -> None:
     """Every robot, random joint values, every frame from the first: within 1e-12 of forward."""
     rng = random.Random(18)  # noqa: S311  no secret
     for name in REAL:
@@ -75,7 +78,7 @@ def test_pages_compute_what_dhcli_computes(browser: Any, tmp_path: Path) -> None
         _check_silent(browser)
 
 
-def test_base_and_tool_frames_are_there_too(browser: Any, tmp_path: Path) -> None:
+def test_base_and_tool_frames_are_there_too(browser: WebDriver, tmp_path: Path) -> None:
     """zhou-6r has a tool."""
     robot = load_robot("zhou-6r")
     _open(browser, draw(robot), tmp_path)
@@ -86,7 +89,7 @@ def test_base_and_tool_frames_are_there_too(browser: Any, tmp_path: Path) -> Non
     )
 
 
-def test_roll_pitch_and_yaw_follow_the_rule_of_dhcli_also_at_90_degrees(browser: Any, tmp_path: Path) -> None:
+def test_roll_pitch_and_yaw_follow_the_rule_of_dhcli_also_at_90_degrees(browser: WebDriver, tmp_path: Path) -> None:
     """There only one of roll and yaw can be told, and roll is 0."""
     _open(browser, draw(load_robot("spherical-wrist")), tmp_path)
     for q in ([0.3, 0.4, -0.5], [0.0, math.pi / 2, 0.2], [0.7, 0.0, 0.0]):
@@ -97,7 +100,9 @@ def test_roll_pitch_and_yaw_follow_the_rule_of_dhcli_also_at_90_degrees(browser:
         )
 
 
-def test_a_slider_moves_the_arm_the_matrix_and_the_table_and_a_limit_is_marked(browser: Any, tmp_path: Path) -> None:
+def test_a_slider_moves_the_arm_the_matrix_and_the_table_and_a_limit_is_marked(
+    browser: WebDriver, tmp_path: Path
+) -> None:
     """As a person drags it; the number field takes what is beyond the limits, marked."""
     _open(browser, draw(load_robot("puma560")), tmp_path)
     before = browser.execute_script("return [figure.innerHTML, matrix.innerText]")
@@ -121,7 +126,7 @@ def test_a_slider_moves_the_arm_the_matrix_and_the_table_and_a_limit_is_marked(b
     _check_silent(browser)
 
 
-def test_keys_turn_the_view_and_switches_take_parts_away(browser: Any, tmp_path: Path) -> None:
+def test_keys_turn_the_view_and_switches_take_parts_away(browser: WebDriver, tmp_path: Path) -> None:
     """Orbit needs no mouse; frames, dimensions, body and turns can be left out."""
     from selenium.webdriver.common.by import By
     from selenium.webdriver.common.keys import Keys
@@ -153,7 +158,7 @@ return [boxes.length, n];
 """
 
 
-def test_no_label_overlaps_another_in_the_letters_of_a_browser(browser: Any, tmp_path: Path) -> None:
+def test_no_label_overlaps_another_in_the_letters_of_a_browser(browser: WebDriver, tmp_path: Path) -> None:
     """By the boxes that Chromium gives them: every robot and linkage, as a figure."""
     for name in (*ROBOTS, *LINKAGES):
         what: Robot | Linkage = _linkage(name) if name in LINKAGES else load_robot(name)
@@ -165,7 +170,7 @@ def test_no_label_overlaps_another_in_the_letters_of_a_browser(browser: Any, tmp
 
 
 @pytest.mark.parametrize("name", MOVING)
-def test_a_driven_linkage_keeps_together_and_comes_back(name: str, browser: Any, tmp_path: Path) -> None:
+def test_a_driven_linkage_keeps_together_and_comes_back(name: str, browser: WebDriver, tmp_path: Path) -> None:
     """Out to both sides and back: all joints within 1e-9, and the drawing as it was where it has one freedom."""
     _open(browser, draw(_linkage(name)), tmp_path)
     free, driver = browser.execute_script("return [dhcli.freedom, driver.slide ? '' : D.links[driver.l][0]]")
@@ -182,7 +187,7 @@ def test_a_driven_linkage_keeps_together_and_comes_back(name: str, browser: Any,
     _check_silent(browser)
 
 
-def test_a_dragged_pin_goes_where_it_can_and_bars_keep_their_lengths(browser: Any, tmp_path: Path) -> None:
+def test_a_dragged_pin_goes_where_it_can_and_bars_keep_their_lengths(browser: WebDriver, tmp_path: Path) -> None:
     """The crank of a four-bar follows the hand around its circle."""
     _open(browser, draw(_linkage("planar-four-bar")), tmp_path)
     for goal in ((0.9, 0.7), (1.0, 0.3), (-0.2, 1.05), (5.0, 5.0)):
@@ -195,7 +200,9 @@ def test_a_dragged_pin_goes_where_it_can_and_bars_keep_their_lengths(browser: An
     assert math.atan2(y, x) == pytest.approx(math.atan2(0.6, 0.9), abs=0.02)
 
 
-def test_peaucelliers_point_stays_on_its_line_through_all_that_the_crank_can_do(browser: Any, tmp_path: Path) -> None:
+def test_peaucelliers_point_stays_on_its_line_through_all_that_the_crank_can_do(
+    browser: WebDriver, tmp_path: Path
+) -> None:
     """To 1e-9, from one dead position to the other; there the page says that it goes no further."""
     _open(browser, draw(_linkage("peaucellier")), tmp_path)
     line = browser.execute_script("return dhcli.at('T')")[0]
@@ -215,7 +222,7 @@ def test_peaucelliers_point_stays_on_its_line_through_all_that_the_crank_can_do(
     assert ends[1] == pytest.approx(-limit - start, abs=0.01)
 
 
-def test_pages_of_odd_robots_and_of_all_linkages_open_without_a_word(browser: Any, tmp_path: Path) -> None:
+def test_pages_of_odd_robots_and_of_all_linkages_open_without_a_word(browser: WebDriver, tmp_path: Path) -> None:
     """A name with markup among them."""
     for name in LINKAGES:
         _open(browser, draw(_linkage(name)), tmp_path, name)
@@ -227,13 +234,12 @@ def test_pages_of_odd_robots_and_of_all_linkages_open_without_a_word(browser: An
         _check_silent(browser)
 
 
-def test_a_page_fits_a_phone(browser: Any, tmp_path: Path) -> None:
+def test_a_page_fits_a_phone(browser: WebDriver, tmp_path: Path) -> None:
     """Nothing is wider than the window; the figure stays in sight over the controls."""
     browser.set_window_size(500, 800)
     _open(browser, draw(load_robot("panda")), tmp_path)
-    wide, window, top = browser.execute_script(
-        "return [document.documentElement.scrollWidth, innerWidth, document.querySelector('.stage').getBoundingClientRect().top]"
-    )
+    wide, window = browser.execute_script("return [document.documentElement.scrollWidth, innerWidth]")
+    top = browser.execute_script("return document.querySelector('.stage').getBoundingClientRect().top")
     browser.set_window_size(1280, 800)
     assert wide <= window
     assert top == 0

@@ -9,7 +9,7 @@ import sys
 import zlib
 from dataclasses import replace
 from pathlib import Path
-from xml.etree import ElementTree
+from xml.etree import ElementTree as ET
 
 import pytest
 
@@ -38,7 +38,7 @@ def _picture(name: str, **options: object) -> Picture:
 def test_svg_is_well_formed_and_plain(name: str) -> None:
     """Every class has a look, every gradient exists once, and nothing is used that some readers of SVG lack."""
     text = _picture(name).svg()
-    root = ElementTree.fromstring(text)  # noqa: S314  our own text
+    root = ET.fromstring(text)  # noqa: S314  our own text
     classes = {each.get("class", "").removeprefix("t-") for each in root.iter() if each.tag.endswith(("path", "text"))}
     assert classes - {"halo-text"} - {c for c in classes if c.startswith("halo-text ")} <= LOOKS.keys() | TEXTS.keys()
     used = re.findall(r"url\(#(\w+)\)", text)
@@ -98,7 +98,7 @@ def test_markup_in_a_title_stays_text(kind: str) -> None:
     assert "\u202e" not in text
     assert "\x07" not in text
     if kind == "svg":
-        root = ElementTree.fromstring(text)  # noqa: S314  our own text
+        root = ET.fromstring(text)  # noqa: S314  our own text
         assert not [each for each in root.iter() if each.tag.endswith("}b")]
     if kind == "page":
         assert text.count("</script>") == 2
@@ -201,9 +201,11 @@ def test_a_picture_shows_itself_in_a_notebook_and_saves_itself_by_suffix(tmp_pat
 
 def test_the_table_beside_has_the_columns_of_the_convention() -> None:
     """A and α with the index before in the modified one."""
-    cells = lambda name: {
-        "".join(r.text for r in t.words) for t in _picture(name, table=True).figure().texts if t.look == "cell"
-    }
+
+    def cells(name: str) -> set[str]:
+        texts = _picture(name, table=True).figure().texts
+        return {"".join(run.text for run in text.words) for text in texts if text.look == "cell"}
+
     assert {"ai−1", "αi−1", "di", "θi", "a2", "−90°"} <= cells("puma560")
     assert {"ai", "αi", "di", "θi", "d2"} <= cells("stanford")
     assert "ai−1" not in cells("stanford")
