@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
 
 import pytest
 
@@ -17,8 +16,6 @@ from dhcli.scene.linkages import linkage_figure
 from dhcli.scene.shapes import Figure, Text
 from dhcli.scene.staging import figure_of, stage_arm
 from tests.scene.examples import LINKAGES, ROBOTS, long_robot, odd_robots
-
-EVERY_POSE = bool(os.environ.get("DHCLI_NIGHTLY"))
 
 
 def _figure(name: str, pose: str | None = None, view: str | None = None) -> Figure:
@@ -163,7 +160,7 @@ def test_values_and_a_pose_are_not_given_both() -> None:
         stage_arm(load_robot("scara"), pose="nowhere")
 
 
-@pytest.mark.skipif(not EVERY_POSE, reason="every pose from every side takes minutes: DHCLI_NIGHTLY=1")
+@pytest.mark.nightly
 @pytest.mark.parametrize("name", ROBOTS)
 def test_every_pose_from_three_sides(name: str) -> None:
     """The same laws, and no crash."""

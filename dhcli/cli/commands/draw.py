@@ -106,6 +106,8 @@ def draw(
         **_posed(what, q, pose, set_ or [], degrees=deg),  # type: ignore[arg-type]
     )
     pixels = None if size is None else _sides(size)
+    if table and (name in ("page", "terminal") or name is None):
+        _refuse_table(what, name)
     if name is None and not open_:
         _in_letters(picture, pixels)
         return
@@ -164,6 +166,17 @@ def _posed(
     values = values_of(what, q, pose, settings, degrees=degrees, symbolic=False)
     joints = {name: value for name, value in values.items() if name in what.variables}
     return {"q": joints, "parameters": lengths}
+
+
+def _refuse_table(what: Robot | Linkage, name: str | None) -> None:
+    """Say where the table stands in formats that have no room beside the figure."""
+    from dhcli.kinematics.robot import Robot
+
+    if not isinstance(what, Robot):
+        raise DhcliError(f"{what.name} is a linkage: it has no DH table")
+    if name == "page":
+        raise DhcliError("a page always has the table beside", "leave --table out")
+    raise DhcliError("--table stands beside a figure in a file", f"dhcli show {what.name} --draw has both in letters")
 
 
 def _sides(text: str) -> tuple[int, int]:
