@@ -120,7 +120,7 @@ function numbers(P) {
   $("matrix").innerHTML = T.map((row, k) => "<tr>" + row.map((v) => `<td>${k < 3 ? fix(v) : v}</td>`).join("") + "</tr>").join("");
   $("isA").textContent = D.frames[n + 1] && D.frames[n + 1][0] === j && /^\d+$/.test(j) ? `= A${j}` : "";
   $("place").textContent = `position ${fix(T[0][3])}, ${fix(T[1][3])}, ${fix(T[2][3])} m · roll ${deg(r)}, pitch ${deg(p)}, yaw ${deg(y)}` + (locked ? " (pitch ±90°: only one of roll and yaw can be told; roll is 0)" : "");
-  D.table.rows.forEach((row, k) => row.forEach((c, m) => { if (c.v !== null) { let v = c.v; for (const [jj, f] of c.j) v += f * q[jj]; const e = $(`c${k}-${m}`); if (e) e.textContent = c.angle ? deg(v) : fix(v); } }));
+  D.table.rows.forEach((row, k) => row.forEach((c, m) => { if ("v" in c) { let v = c.v; for (const [jj, f] of c.j) v += f * q[jj]; const e = $(`c${k}-${m}`); if (e) e.textContent = c.angle ? deg(v) : fix(v); } }));
 }
 const shown = (j, v) => (D.joints[j].kind === "revolute" ? (v * 180) / Math.PI : v * 1000);
 const typed = (j, v) => (D.joints[j].kind === "revolute" ? (v * Math.PI) / 180 : v / 1000);
@@ -140,7 +140,7 @@ function build() {
   if (!D.moves.length) return;
   for (const id of ["from", "to"]) { $(id).innerHTML = D.frames.map((f) => `<option>${esc(f[0])}</option>`).join(""); $(id).onchange = () => draw(false); }
   const plain = D.frames.filter((f) => /^\d+$/.test(f[0])); $("from").value = plain[0][0]; $("to").value = plain[plain.length - 1][0];
-  $("table").innerHTML = "<thead><tr>" + D.table.heads.map((h) => `<th>${htmlOf(h)}</th>`).join("") + "</tr></thead><tbody>" + D.table.rows.map((r, k) => "<tr>" + r.map((c, m) => `<td>${htmlOf(c.words)}${c.v !== null && c.live ? `<small id="c${k}-${m}"></small>` : ""}</td>`).join("") + "</tr>").join("") + "</tbody>";
+  $("table").innerHTML = "<thead><tr>" + D.table.heads.map((h) => `<th>${htmlOf(h)}</th>`).join("") + "</tr></thead><tbody>" + D.table.rows.map((r, k) => "<tr>" + r.map((c, m) => `<td>${htmlOf(c.words)}${"v" in c ? `<small id="c${k}-${m}"></small>` : ""}</td>`).join("") + "</tr>").join("") + "</tbody>";
 }
 let held = new Map(), pinch = 0;
 svg.addEventListener("pointerdown", (e) => { svg.setPointerCapture(e.pointerId); held.set(e.pointerId, [e.clientX, e.clientY]); });

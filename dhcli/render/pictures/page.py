@@ -24,6 +24,13 @@ _LITERAL = re.compile(r"""(`[^`]*`|"[^"\n]*"|(?<=\()/(?:[^/\n\\[]|\\.|\[[^\]]*\]
 
 _BLANKS = re.compile(r" *([-=+*/%<>,?:&|!{}();\[\]]+) *")
 
+_ONLY_FLAT = frozenset({"bar", "wheel", "pin", "trace", "axis", "axis-dot"})
+_ONLY_IN_SPACE = frozenset(
+    {"link", "ground-link", "ground-sheet", "knob", "drum", "ball", "cap", "face", "face-light", "face-dark", "sheet"}
+    | {"plate", "hatch", "break", "hand", "halo", "dim", "dim-head", "slide", "slide-head", "turn", "turn-head"}
+    | {f"{letter}{part}" for letter in "xyz" for part in ("", "-head", "-ring")}
+)
+
 _FIGURE = '<svg id="figure" viewBox="0 0 820 640" tabindex="0" role="img" aria-label="{label}"></svg>'
 
 
@@ -39,15 +46,20 @@ def page(picture: Picture) -> str:
     what = picture.what
     if isinstance(what, Robot):
         return _page(
-            what.title, NAMES[what.convention], _arm_controls(what), arm_model(picture), ("paint", "arm"), picture
+            what.title,
+            NAMES[what.convention],
+            _arm_controls(what),
+            arm_model(picture),
+            ("flat", "space", "arm"),
+            picture,
         )
     subtitle = f"{len(what.links)} links, {what.pattern}"
     if not what.is_placed:
         return _still(what, picture.figure(), picture)
     if what.space.is_planar:
         picture.figure()  # what cannot be drawn is refused before
-        return _page(what.title, subtitle, _LINKAGE, plane_model(what), ("paint", "linkage"), picture)
-    return _page(what.title, subtitle, _ORBIT, space_model(picture), ("paint", "arm"), picture)
+        return _page(what.title, subtitle, _LINKAGE, plane_model(what), ("flat", "linkage"), picture)
+    return _page(what.title, subtitle, _ORBIT, space_model(picture), ("flat", "space", "arm"), picture)
 
 
 def _page(
@@ -60,7 +72,7 @@ def _page(
         f'<!DOCTYPE html>\n<html lang="en">\n<head><meta charset="utf-8">\n'
         f'<meta name="viewport" content="width=device-width,initial-scale=1">\n<title>{escape(_clean(title))}</title>\n'
         f"<style>{_colours(dark=picture.dark)}{_read('page.css')}</style>\n"
-        f'<style id="looks">{_looks()}</style></head>\n<body><main>\n'
+        f'<style id="looks">{_looks(flat="space" not in scripts)}</style></head>\n<body><main>\n'
         f'<div class="stage">{_FIGURE.format(label=label)}<p class="hint"><span id="seen"></span></p></div>\n'
         f"<aside><h1>{escape(_clean(title))}</h1><p>{escape(_clean(subtitle))}</p>\n{controls}</aside></main>\n"
         f'<script type="application/json" id="model">{data}</script>\n<script>"use strict";\n{code}\n</script>\n'
@@ -101,11 +113,15 @@ def _colours(*, dark: bool) -> str:
     return f":root{{{day}}}@media(prefers-color-scheme:dark){{:root{{{night}}}}}@media print{{:root{{{day}}}}}"
 
 
-def _looks() -> str:
+def _looks(*, flat: bool) -> str:
+    """The looks of what is drawn, in the plane or in space."""
     rules = [f"#figure text,text{{font-family:{FONTS};font-style:italic;text-anchor:middle}}"]
     rules.append(".halo-text{fill:none;stroke:var(--paper);stroke-width:3.6;stroke-linejoin:round}")
     rules += [f".s-{name}{{stop-color:var(--{name})}}" for name in ("shadow", "shine", "metal")]
+    left_out = _ONLY_IN_SPACE if flat else _ONLY_FLAT
     for name, look in LOOKS.items():
+        if name in left_out or name == "rule":
+            continue
         parts = (
             [f"fill:var(--{look.fill})"] if look.fill and look.fill != "shade" else [] if look.fill else ["fill:none"]
         )

@@ -168,7 +168,7 @@ def _offset(lengths: list[Expr], variables: tuple[str, ...], given: Given) -> tu
 def _table(robot: Robot, given: Given) -> dict[str, Any]:
     rows = []
     for link in robot.links:
-        row: list[dict[str, Any]] = [{"words": [[str(link.number), 0]], "v": None}]
+        row: list[dict[str, Any]] = [{"words": [[str(link.number), 0]]}]
         for column, words in zip(robot.columns if link.row else ("product",), cells(robot, link), strict=True):
             row.append({"words": _words(words), **_live(robot, link.row, column, given)})
         rows.append(row)
@@ -178,7 +178,7 @@ def _table(robot: Robot, given: Given) -> dict[str, Any]:
 def _live(robot: Robot, row: object, column: str, given: Given) -> dict[str, Any]:
     """What a cell comes to, with the joints that it follows."""
     if row is None:
-        return {"v": None}
+        return {}
     cell = getattr(row, column)
     if isinstance(cell, Angle):
         quarters, rest = _quarters(cell, given, robot.variables)
@@ -189,7 +189,7 @@ def _live(robot: Robot, row: object, column: str, given: Given) -> dict[str, Any
         start, found = _offset([cell], robot.variables, given)
         value, slopes = start[0], [[number, slope[0]] for number, slope in found]
         live = bool(slopes) or not cell_is_number(cell)
-    return {"v": value, "j": slopes, "angle": isinstance(cell, Angle), "live": live}
+    return {"v": value, "j": slopes, "angle": isinstance(cell, Angle)} if live else {}
 
 
 def cell_is_number(cell: Expr) -> bool:

@@ -54,7 +54,7 @@ def test_a_page_names_no_address_but_those_of_namespaces(name: str) -> None:
     addresses = set(re.findall(r"(?:https?:)?//[\w.]+[^\s\"'<>`]*", text))
     assert addresses <= {"http://www.w3.org/2000/svg"}
     assert not re.search(r"<link|<img|\ssrc=|@import|fetch\(|XMLHttp|url\((?!#)", text)
-    assert len(text.encode()) < 45_000
+    assert len(text.encode()) < 40_000
 
 
 def test_pages_compute_what_dhcli_computes(browser: WebDriver, tmp_path: Path) -> None:
