@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -83,6 +84,28 @@ def test_show_puts_a_picture_under_the_table(dhcli: Run) -> None:
     assert dhcli("show", "yim/dh-rules", "--draw").code == 2
 
 
+def test_an_exercise_about_a_table_is_drawn_without_what_the_table_says(dhcli: Run, tmp_path: Path) -> None:
+    """Bodies, axes and numbers: no frame, no length, no angle, whoever drew it."""
+    path = tmp_path / "task.svg"
+    assert dhcli("draw", "wpi/puma560-table", "-o", str(path)).code == 0
+    text = path.read_text("utf-8")
+    assert set(re.findall(r'class="t-(\w+)"', text)) == {"number", "caption"}
+    assert (
+        "dhcli draw wpi/puma560-table draws the arm; its frames are yours to find" in dhcli("show", "puma560-table").out
+    )
+    assert "dhcli draw yim/stanford-arm draws" in dhcli("start", "yim/stanford-arm", "-o", str(tmp_path / "s.yaml")).err
+
+
+def test_an_exercise_in_numbers_is_drawn_at_its_own_values_with_frames(dhcli: Run, tmp_path: Path) -> None:
+    """Where the arm stands is given there; where the frames lead is asked."""
+    path = tmp_path / "task.svg"
+    assert dhcli("draw", "yim/planar-in-numbers", "--variant", "alice", "-o", str(path)).code == 0
+    text = path.read_text("utf-8")
+    assert 't-x"' in text
+    assert dhcli("draw", "yim/planar-in-numbers", "--variant", "bob", "-o", str(path), "--force").code == 0
+    assert path.read_text("utf-8") != text
+
+
 def test_open_writes_a_page_and_opens_it(dhcli: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     """Without -o in a folder of its own."""
     opened: list[str] = []
@@ -91,6 +114,8 @@ def test_open_writes_a_page_and_opens_it(dhcli: Run, monkeypatch: pytest.MonkeyP
     assert opened[0].startswith("file://")
     assert opened[0].endswith("/planar-2r.html")
     assert Path(opened[0].removeprefix("file://")).read_text("utf-8").startswith("<!DOCTYPE html>")
+    assert dhcli("draw", "wpi/puma560-table", "--open").code == 0
+    assert opened[1].endswith("/puma560.svg")
 
 
 @pytest.mark.parametrize(
@@ -114,7 +139,11 @@ def test_open_writes_a_page_and_opens_it(dhcli: Run, monkeypatch: pytest.MonkeyP
         ("scara --table", "dhcli show scara --draw has both"),
         ("scara --table -o a.html", "a page always has the table"),
         ("watt --view top", "watt is planar: there is one view of it"),
-        ("yim/dh-rules", "yim/dh-rules is an exercise"),
+        ("yim/dh-process", "yim/dh-process has no robot"),
+        ("wpi/puma560-table -o a.html", "which a worksheet leaves to the student"),
+        ("yim/stanford-arm --pose zero", "yim/stanford-arm is an exercise"),
+        ("yim/stanford-arm --solution", "never tried"),
+        ("stanford --solution", "stanford is no exercise"),
     ],
 )
 def test_what_cannot_be_drawn_is_refused_in_words(

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dhcli.cli.shell.options import Force, Settings, complete_pose, complete_robot
+from dhcli.cli.shell.options import Force, Settings, Variant, complete_pose, complete_robot
 from dhcli.errors import DhcliError, Place, Problem
 
 if TYPE_CHECKING:
@@ -25,6 +25,8 @@ dhcli draw scara --pose pick -o scara.svg
 dhcli draw panda --worksheet --table -o sheet.pdf
 
 dhcli draw peaucellier --open
+
+dhcli draw stanford-arm -o sheet.pdf
 """
 
 LOOK = "How it looks"
@@ -39,7 +41,9 @@ def draw(
     robot: Annotated[
         str,
         typer.Argument(
-            metavar="NAME", help="A robot or a linkage, a YAML file, or - for stdin.", autocompletion=complete_robot
+            metavar="NAME",
+            help="A robot, a linkage or an exercise, a YAML file, or - for stdin.",
+            autocompletion=complete_robot,
         ),
     ],
     q: Annotated[
@@ -84,27 +88,39 @@ def draw(
             rich_help_panel="Output",
         ),
     ] = None,
+    solution: Annotated[
+        bool, typer.Option("--solution", help="Of an exercise: with the frames that its picture leaves to you.")
+    ] = False,
+    variant: Variant = None,
     open_: Annotated[
         bool, typer.Option("--open", help="Open it in the browser; without -o as a page.", rich_help_panel="Output")
     ] = False,
     force: Force = False,
 ) -> None:
-    """Draw a robot at a pose, or a linkage: with frames and dimensions, in the terminal or in a file."""
+    """Draw a robot at a pose, a linkage, or the arm of an exercise, in the terminal or in a file."""
     from dhcli.cli.shell.delivery import check_force
     from dhcli.render.pictures.picture import Picture, format_of
     from dhcli.scene.camera import read_view
 
     check_force(output, force=force)
     name = None if output in (None, "-") else format_of(output or "")
-    what = find(robot)
-    picture = Picture(
-        what,
-        view=None if view is None else read_view(view),
-        dark=dark,
-        worksheet=worksheet,
-        table=table,
-        **_posed(what, q, pose, set_ or [], degrees=deg),  # type: ignore[arg-type]
-    )
+    from dhcli.files.library.kinds import kind_of
+
+    look = {"view": None if view is None else read_view(view), "dark": dark}
+    if kind_of(robot).noun == "exercise":
+        if q is not None or pose is not None or set_ or table:
+            raise DhcliError(
+                f"{robot} is an exercise: it says itself what is given", "--view, --size and --dark are free"
+            )
+        arm, given, hidden = _of_exercise(robot, variant, solution=solution)
+        what: Robot | Linkage = arm
+        picture = Picture(arm, worksheet=worksheet or hidden, **look, **given)  # type: ignore[arg-type]
+    else:
+        if solution or variant is not None:
+            raise DhcliError(f"{robot} is no exercise: it has no solution and no variants", "leave the option out")
+        what = find(robot)
+        given = _posed(what, q, pose, set_ or [], degrees=deg)
+        picture = Picture(what, worksheet=worksheet, table=table, **look, **given)  # type: ignore[arg-type]
     pixels = None if size is None else _sides(size)
     if table and (name in ("page", "terminal") or name is None):
         _refuse_table(what, name)
@@ -140,11 +156,36 @@ def find(name: str) -> Robot | Linkage:
         if not isinstance(linkage, Linkage):
             raise DhcliError(f"of {name} only counts are known: there is nothing to draw", "dhcli dof counts it")
         return linkage
-    if kind == "exercise":
-        raise DhcliError(f"{name} is an exercise", "dhcli draw takes a robot or a linkage; dhcli show shows the task")
     from dhcli.files.yaml.robots import load_robot
 
     return load_robot(name)
+
+
+def _of_exercise(name: str, variant: str | None, *, solution: bool) -> tuple[Robot, dict[str, object], bool]:
+    """The arm of an exercise at the values that the task gives, and whether its frames are an answer and left out.
+
+    Raises:
+        DhcliError: It has no robot; its solution is asked for before it was tried.
+    """
+    from dataclasses import replace
+
+    from dhcli.checking.figures import held_back, shown
+    from dhcli.checking.variants import variant_of
+    from dhcli.cli.commands.solution import ask_once
+    from dhcli.files.yaml.exercises import load_exercise
+
+    exercise = variant_of(load_exercise(name), variant)
+    if exercise.robot is None or (level := shown(exercise)) is None:
+        raise DhcliError(f"{exercise.id} has no robot: there is nothing to draw", f"dhcli show {exercise.id}")
+    if solution:
+        ask_once(exercise, held_back(exercise))
+    arm = replace(exercise.robot, title=exercise.title)
+    lengths = {name: value for name, value in exercise.given.items() if name in arm.parameters}
+    joints = {name: value for name, value in exercise.given.items() if name in arm.variables}
+    given: dict[str, object] = {"parameters": lengths}
+    if arm.variables and len(joints) == len(arm.variables):
+        given["q"] = joints
+    return arm, given, level == "axes" and not solution
 
 
 def _posed(
@@ -231,7 +272,7 @@ def _written(picture: Picture, output: str, name: str, force: bool) -> str:
 
 
 def _opened_page(picture: Picture, name: str) -> str:
-    """A page in a folder of its own that the system clears."""
+    """A page in a folder of its own that the system clears; a worksheet, which is no page, as SVG."""
     import re
     import tempfile
     from pathlib import Path
@@ -239,7 +280,8 @@ def _opened_page(picture: Picture, name: str) -> str:
     from dhcli.cli.shell.console import say
 
     folder = tempfile.mkdtemp(prefix="dhcli-")
-    path = Path(folder) / f"{re.sub(r'[^A-Za-z0-9_-]+', '-', name) or 'page'}.html"
-    path.write_text(picture.page(), encoding="utf-8")
+    suffix, text = ("svg", picture.svg()) if picture.worksheet else ("html", picture.page())
+    path = Path(folder) / f"{re.sub(r'[^A-Za-z0-9_-]+', '-', name) or 'page'}.{suffix}"
+    path.write_text(text, encoding="utf-8")
     say(f"wrote {path}\n")
     return str(path)

@@ -8,6 +8,7 @@ from html import escape
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
+from dhcli.errors import DhcliError
 from dhcli.kinematics.conventions import NAMES, ORDER
 from dhcli.kinematics.robot import Robot
 from dhcli.mobility.linkage import Linkage
@@ -44,6 +45,9 @@ def page(picture: Picture) -> str:
         DhcliError: What is asked for cannot be drawn.
     """
     what = picture.what
+    if picture.worksheet:
+        hint = "write .svg, .pdf, .png, .tex or .txt"
+        raise DhcliError("a page computes frames and table, which a worksheet leaves to the student", hint)
     if isinstance(what, Robot):
         return _page(
             what.title,
