@@ -24,9 +24,9 @@ dhcli draw scara --pose pick -o scara.svg
 
 dhcli draw panda --worksheet --table -o sheet.pdf
 
-dhcli draw peaucellier --open
+dhcli draw peaucellier -o peaucellier.html
 
-dhcli draw stanford-arm -o sheet.pdf
+dhcli draw stanford-arm -o task.pdf
 """
 
 LOOK = "How it looks"

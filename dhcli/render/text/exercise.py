@@ -35,9 +35,8 @@ def exercise_table(exercise: Exercise, look: Look) -> str:
         lines += ["", question_text(exercise, part, paper).rstrip("\n")]
     option = f" --variant {shlex.quote(exercise.variant)}" if exercise.variant else ""
     lines += ["", paper.ink(f"dhcli start {exercise.id}{option} writes a sheet to fill in", "dim")]
-    if level := shown(exercise):
-        what = "the arm; its frames are yours to find" if level == "axes" else "the arm with its frames"
-        lines.append(paper.ink(f"dhcli draw {exercise.id}{option} draws {what}", "dim"))
+    if shown(exercise):
+        lines.append(paper.ink(f"dhcli draw {exercise.id}{option} draws the arm", "dim"))
     return "\n".join(lines) + "\n"
 
 
