@@ -7,8 +7,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 
-from dhcli.scene.bodies import Body, Cylinder, body_of, ordered
+from dhcli.scene.bodies import Body, Cylinder, body_of
 from dhcli.scene.camera import Camera
+from dhcli.scene.order import ordered
 from dhcli.scene.primitives import Drum, Hand, Plate, Rod, Scene
 from dhcli.scene.shapes import Shape, arrowhead, ring
 from dhcli.scene.vectors import Flat, Vec, along, cross, dot, middle, norm, scaled, sub, unit

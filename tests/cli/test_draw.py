@@ -27,6 +27,25 @@ def test_no_line_is_wider_than_asked(dhcli: Run, size: str) -> None:
     assert sum(any("\u2800" <= c <= "\u28ff" for c in line) for line in lines) <= rows
 
 
+def test_letters_in_a_file_have_the_size_asked_for(dhcli: Run, tmp_path: Path) -> None:
+    """Columns and rows, as on the terminal."""
+    assert dhcli("draw", "scara", "--size", "30x12", "-o", "arm.txt").code == 0
+    text = (tmp_path / "arm.txt").read_text("utf-8")
+    assert text == dhcli("draw", "scara", "--size", "30x12").out
+    assert max(map(len, text.split("\n"))) <= 30
+
+
+def test_a_robot_is_read_from_standard_input_and_a_linkage_from_its_file(process: Run) -> None:
+    """Where the name is a dash, and where it is a path."""
+    for words, label in (
+        ('- < "$PYTHONPATH/robots/scara.yaml"', "z₀"),
+        ('"$PYTHONPATH/robots/linkages/watt.yaml"', "coupler"),
+    ):
+        done = process(f'"$0" -m dhcli draw {words}')
+        assert done.code == 0, done.err
+        assert label in done.out
+
+
 def test_a_narrow_window_gets_a_narrow_picture(process: Run) -> None:
     """Without Unicode in plain letters."""
     done = process('"$0" -m dhcli draw scara --size 40x16', PYTHONIOENCODING="ascii")

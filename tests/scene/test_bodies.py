@@ -7,8 +7,9 @@ import math
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dhcli.scene.bodies import Block, Body, Cylinder, Sphere, ordered
+from dhcli.scene.bodies import Block, Body, Cylinder, Sphere
 from dhcli.scene.camera import Camera
+from dhcli.scene.order import ordered
 from dhcli.scene.vectors import Vec, along, cross, dot, norm, sub, unit
 
 numbers = st.floats(-2, 2)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from dhcli.cli.shell.options import Force, Settings, Variant, complete_pose, complete_robot
-from dhcli.errors import DhcliError, Place, Problem
+from dhcli.errors import DhcliError
 
 if TYPE_CHECKING:
     from dhcli.kinematics.robot import Robot
@@ -42,7 +42,7 @@ def draw(
         str,
         typer.Argument(
             metavar="NAME",
-            help="A robot, a linkage or an exercise, a YAML file, or - for stdin.",
+            help="A robot, a linkage or an exercise, a YAML file, or - for a robot on stdin.",
             autocompletion=complete_robot,
         ),
     ],
@@ -99,39 +99,42 @@ def draw(
 ) -> None:
     """Draw a robot at a pose, a linkage, or the arm of an exercise, in the terminal or in a file."""
     from dhcli.cli.shell.delivery import check_force
+    from dhcli.cli.shell.drawn import find, of_exercise, posed, refuse_table, sides
+    from dhcli.files.library.kinds import kind_of
     from dhcli.render.pictures.picture import Picture, format_of
     from dhcli.scene.camera import read_view
 
     check_force(output, force=force)
     name = None if output in (None, "-") else format_of(output or "")
-    from dhcli.files.library.kinds import kind_of
-
     look = {"view": None if view is None else read_view(view), "dark": dark}
     if kind_of(robot).noun == "exercise":
         if q is not None or pose is not None or set_ or table:
             raise DhcliError(
                 f"{robot} is an exercise: it says itself what is given", "--view, --size and --dark are free"
             )
-        arm, given, hidden = _of_exercise(robot, variant, solution=solution)
+        arm, given, hidden = of_exercise(robot, variant, solution=solution)
         what: Robot | Linkage = arm
         picture = Picture(arm, worksheet=worksheet or hidden, **look, **given)  # type: ignore[arg-type]
     else:
         if solution or variant is not None:
             raise DhcliError(f"{robot} is no exercise: it has no solution and no variants", "leave the option out")
         what = find(robot)
-        given = _posed(what, q, pose, set_ or [], degrees=deg)
+        given = posed(what, q, pose, set_ or [], degrees=deg)
         picture = Picture(what, worksheet=worksheet, table=table, **look, **given)  # type: ignore[arg-type]
-    pixels = None if size is None else _sides(size)
+    pixels = None if size is None else sides(size)
     if table and (name in ("page", "terminal") or name is None):
-        _refuse_table(what, name)
+        refuse_table(what, name)
     if name is None and not open_:
         _in_letters(picture, pixels)
         return
-    if pixels is not None:
-        picture = _sized(picture, pixels, letters=name == "terminal")
-    path = (
-        _opened_page(picture, what.name or "linkage") if name is None else _written(picture, output or "", name, force)
-    )
+    if name == "terminal":
+        path = _written(picture.terminal(None, *(pixels or ())), output or "", force=force)
+    else:
+        picture = picture if pixels is None else _sized(picture, pixels)
+        if name is None:
+            path = _opened_page(picture, what.name or "linkage")
+        else:
+            path = _written(picture.rendered(name), output or "", force=force)
     if open_:
         import webbrowser
         from pathlib import Path
@@ -139,104 +142,11 @@ def draw(
         webbrowser.open(Path(path).resolve().as_uri())
 
 
-def find(name: str) -> Robot | Linkage:
-    """The robot or linkage of a name, a file, or standard input.
-
-    Raises:
-        DhcliError: It is neither, or a linkage of which only counts are known.
-    """
-    from dhcli.files.library.kinds import kind_of
-
-    kind = kind_of(name).noun
-    if kind == "linkage":
-        from dhcli.files.yaml.linkages import load_linkage
-        from dhcli.mobility.linkage import Linkage
-
-        linkage = load_linkage(name)
-        if not isinstance(linkage, Linkage):
-            raise DhcliError(f"of {name} only counts are known: there is nothing to draw", "dhcli dof counts it")
-        return linkage
-    from dhcli.files.yaml.robots import load_robot
-
-    return load_robot(name)
-
-
-def _of_exercise(name: str, variant: str | None, *, solution: bool) -> tuple[Robot, dict[str, object], bool]:
-    """The arm of an exercise at the values that the task gives, and whether its frames are an answer and left out.
-
-    Raises:
-        DhcliError: It has no robot; its solution is asked for before it was tried.
-    """
-    from dataclasses import replace
-
-    from dhcli.checking.figures import held_back, shown
-    from dhcli.checking.variants import variant_of
-    from dhcli.cli.commands.solution import ask_once
-    from dhcli.files.yaml.exercises import load_exercise
-
-    exercise = variant_of(load_exercise(name), variant)
-    if exercise.robot is None or (level := shown(exercise)) is None:
-        raise DhcliError(f"{exercise.id} has no robot: there is nothing to draw", f"dhcli show {exercise.id}")
-    if solution:
-        ask_once(exercise, held_back(exercise))
-    arm = replace(exercise.robot, title=exercise.title)
-    lengths = {name: value for name, value in exercise.given.items() if name in arm.parameters}
-    joints = {name: value for name, value in exercise.given.items() if name in arm.variables}
-    given: dict[str, object] = {"parameters": lengths}
-    if arm.variables and len(joints) == len(arm.variables):
-        given["q"] = joints
-    return arm, given, level == "axes" and not solution
-
-
-def _posed(
-    what: Robot | Linkage, q: str | None, pose: str | None, settings: list[str], *, degrees: bool
-) -> dict[str, object]:
-    """Joint values, pose and lengths, as far as a robot has them."""
-    from dhcli.kinematics.robot import Robot
-
-    if not isinstance(what, Robot):
-        if q is not None or pose is not None or settings:
-            raise DhcliError(f"{what.name} is a linkage: --q, --pose and --set are for robots")
-        return {}
-    from dhcli.cli.shell.given import settings_of, values_of
-    from dhcli.kinematics.values import given_parameters
-
-    lengths = given_parameters(what, settings_of(settings), Place("--set", text=" ".join(settings)))
-    if q is None:
-        return {"pose": pose, "parameters": lengths}
-    values = values_of(what, q, pose, settings, degrees=degrees, symbolic=False)
-    joints = {name: value for name, value in values.items() if name in what.variables}
-    return {"q": joints, "parameters": lengths}
-
-
-def _refuse_table(what: Robot | Linkage, name: str | None) -> None:
-    """Say where the table stands in formats that have no room beside the figure."""
-    from dhcli.kinematics.robot import Robot
-
-    if not isinstance(what, Robot):
-        raise DhcliError(f"{what.name} is a linkage: it has no DH table")
-    if name == "page":
-        raise DhcliError("a page always has the table beside", "leave --table out")
-    raise DhcliError("--table stands beside a figure in a file", f"dhcli show {what.name} --draw has both in letters")
-
-
-def _sides(text: str) -> tuple[int, int]:
-    """`820x640` in numbers."""
-    import re
-
-    match = re.fullmatch(r"\s*(\d{1,5})\s*[x×,]\s*(\d{1,5})\s*", text, re.ASCII)
-    if match is None:
-        raise DhcliError(Problem(f"'{text}' is no size", Place("--size"), "write width and height, such as 820x640"))
-    return int(match[1]), int(match[2])
-
-
-def _sized(picture: Picture, sides: tuple[int, int], *, letters: bool) -> Picture:
+def _sized(picture: Picture, sides: tuple[int, int]) -> Picture:
     from dataclasses import replace
 
     from dhcli.render.pictures.picture import check_size
 
-    if letters:
-        return picture
     check_size(sides)
     return replace(picture, size=sides)
 
@@ -255,7 +165,7 @@ def _in_letters(picture: Picture, sides: tuple[int, int] | None) -> None:
     write_out(picture.terminal(paper, columns, rows))
 
 
-def _written(picture: Picture, output: str, name: str, force: bool) -> str:
+def _written(content: str | bytes, output: str, *, force: bool) -> str:
     """Write the file.
 
     Raises:
@@ -266,7 +176,7 @@ def _written(picture: Picture, output: str, name: str, force: bool) -> str:
     from dhcli.files.atomic import write_whole
 
     check_free(output, force=force)
-    write_whole(output, picture.rendered(name), overwrite=force)
+    write_whole(output, content, overwrite=force)
     say(f"wrote {output}\n")
     return output
 

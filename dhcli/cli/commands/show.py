@@ -47,8 +47,8 @@ def _draw(name: str) -> None:
     """The picture of a robot or a linkage, on standard output."""
     import sys
 
-    from dhcli.cli.commands.draw import find
     from dhcli.cli.shell.console import write_out
+    from dhcli.cli.shell.drawn import find
     from dhcli.render.paper import Paper
     from dhcli.render.pictures.picture import Picture
 
