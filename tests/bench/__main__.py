@@ -22,6 +22,7 @@ os.environ.update(dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL
 import classes
 import freedoms
 import marking
+import pictures
 import poses
 import rows
 import startup
@@ -39,6 +40,7 @@ GROUPS: dict[str, Callable[[int], Iterator[Row]]] = {
     "parsing": marking.parsing,
     "marking": marking.rows,
     "freedoms": freedoms.rows,
+    "pictures": pictures.rows,
     "classes": classes.rows,
 }
 

@@ -13,8 +13,10 @@ from dhcli.mobility.linkage import Linkage
 from dhcli.scene.camera import ViewError, read_view
 from dhcli.scene.labels import PRINT, Rect
 from dhcli.scene.linkages import linkage_figure
+from dhcli.scene.primitives import Drum
 from dhcli.scene.shapes import Figure, Text
 from dhcli.scene.staging import figure_of, stage_arm
+from dhcli.scene.words import named
 from tests.scene.examples import LINKAGES, ROBOTS, long_robot, odd_robots
 
 
@@ -54,17 +56,19 @@ def test_nothing_of_a_figure_leaves_its_paper_and_no_label_is_on_another(name: s
     _check(_figure(name))
 
 
-@pytest.mark.parametrize("name", ["puma560", "panda", "stanford", "scara", "planar-2r", "cylindrical-wrist"])
+@pytest.mark.parametrize("name", ROBOTS)
 def test_every_frame_joint_and_length_has_its_label(name: str) -> None:
     """None is left out for want of room."""
-    robot = load_robot(name)
-    staged = stage_arm(robot)
-    written = ", ".join("".join(run.text for run in text.words) for text in figure_of(staged).texts).split(", ")
-    for arrow in staged.scene.arrows:
-        assert "".join(run.text for run in arrow.words) in ", ".join(written)
-    for joint in robot.joints:
-        assert joint.name.replace("theta", "θ") in ", ".join(written)
-    assert len(written) >= len(staged.scene.dimensions) + len(staged.scene.arrows)
+    staged = stage_arm(load_robot(name))
+    scene, figure = staged.scene, figure_of(staged)
+    written = [(text.look, text.words) for text in figure.texts]
+    for arrow in scene.arrows:
+        assert (arrow.letter, arrow.words) in written
+    for solid in scene.solids:
+        assert not isinstance(solid, Drum) or ("turn", named(solid.name)) in written
+    assert len(written) == 1 + len(scene.arrows) + len(scene.dimensions) + sum(
+        isinstance(s, Drum) for s in scene.solids
+    )
 
 
 @pytest.mark.parametrize("name", list(odd_robots()))

@@ -113,7 +113,7 @@ def _colours(*, dark: bool) -> str:
     """The colours as variables, by day and by night."""
     day, night = ("".join(f"--{name}:{ink[column]};" for name, ink in COLOURS.items()) for column in (0, 1))
     if dark:
-        return f":root{{{night}}}"
+        return f":root{{{night}color-scheme:dark}}"
     return f":root{{{day}}}@media(prefers-color-scheme:dark){{:root{{{night}}}}}@media print{{:root{{{day}}}}}"
 
 

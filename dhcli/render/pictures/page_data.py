@@ -109,7 +109,7 @@ def _joint(robot: Robot, name: str, value: Value) -> dict[str, Any]:
     joint = next(each for each in robot.joints if each.name == name)
     low, high = (map(in_floats, robot.limits[name])) if name in robot.limits else (None, None)
     at = _number(value)
-    reach = math.pi if joint.kind == "revolute" else max(1.0 * abs(at), _longest(robot), 0.1)
+    reach = math.pi if joint.kind == "revolute" else max(1.5 * abs(at), _longest(robot), 0.1)
     return {
         "name": name,
         "words": _words(named(name)),
