@@ -6,6 +6,7 @@ import json
 import math
 import random
 import re
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,9 +14,9 @@ import pytest
 
 from dhcli import draw, forward, load_robot
 from dhcli.files.yaml.linkages import load_linkage
-from dhcli.kinematics.robot import Robot
 from dhcli.mobility.linkage import Linkage
 from dhcli.render.pictures.picture import Picture
+from tests.nightly import NIGHT
 from tests.scene.examples import LINKAGES, ROBOTS, odd_robots
 
 if TYPE_CHECKING:
@@ -64,7 +65,10 @@ def test_pages_compute_what_dhcli_computes(browser: WebDriver, tmp_path: Path) -
         robot = load_robot(name)
         _open(browser, draw(robot), tmp_path, name)
         turning = [joint.kind == "revolute" for joint in robot.joints]
-        poses = [[rng.uniform(-3, 3) if turns else rng.uniform(-1, 1) for turns in turning] for _ in range(8)]
+        poses = [
+            [rng.uniform(-3, 3) if turns else rng.uniform(-1, 1) for turns in turning]
+            for _ in range(50 if NIGHT else 8)
+        ]
         last = robot.frames[-2]
         found = browser.execute_script(
             "return arguments[0].map(q => dhcli.fk(q, arguments[1], arguments[2]))", poses, robot.frames[1], last
@@ -148,6 +152,18 @@ def test_keys_turn_the_view_and_switches_take_parts_away(browser: WebDriver, tmp
     _check_silent(browser)
 
 
+def _pictures() -> Iterator[Picture]:
+    """Every robot and linkage; at night each robot at all of its poses and from three sides."""
+    for name in ROBOTS:
+        robot = load_robot(name)
+        yield draw(robot)
+        for pose in robot.poses if NIGHT else ():
+            for view in (None, "iso", "front"):
+                yield draw(robot, pose=pose, view=view)
+    for name in LINKAGES:
+        yield draw(_linkage(name))
+
+
 OVERLAPS = """
 const boxes = [...document.querySelectorAll('svg text:not(.halo-text):not(.t-caption)')].map(t => t.getBBox());
 let n = 0;
@@ -160,13 +176,12 @@ return [boxes.length, n];
 
 def test_no_label_overlaps_another_in_the_letters_of_a_browser(browser: WebDriver, tmp_path: Path) -> None:
     """By the boxes that Chromium gives them: every robot and linkage, as a figure."""
-    for name in (*ROBOTS, *LINKAGES):
-        what: Robot | Linkage = _linkage(name) if name in LINKAGES else load_robot(name)
-        (tmp_path / "figure.svg").write_text(draw(what).svg(), "utf-8")
+    for picture in _pictures():
+        (tmp_path / "figure.svg").write_text(picture.svg(), "utf-8")
         browser.get((tmp_path / "figure.svg").as_uri())
         count, overlaps = browser.execute_script(OVERLAPS)
         assert count > 0
-        assert overlaps == 0, name
+        assert overlaps == 0, picture
 
 
 @pytest.mark.parametrize("name", MOVING)
