@@ -29,15 +29,16 @@ SAME = 1e-7
 PARALLEL = 0.999
 
 
-def arm_scene(robot: Robot, values: Values) -> Scene:
+def arm_scene(robot: Robot, values: Values, size: float | None = None) -> Scene:
     """The scene of a robot.
 
     Args:
         robot: The robot.
         values: Value of each joint, length and constant angle.
+        size: The radius of its drums [m]; by its extent at this pose unless another pose has set it.
     """
     skeleton = Skeleton.of(robot, values)
-    size = drum_radius(skeleton)
+    size = size or drum_radius(skeleton)
     slid = fanned(skeleton, size)
     solids = tuple(_body(each, size) for each in slid)
     flat = is_planar(skeleton)

@@ -92,7 +92,7 @@ def stage_arm(
         RobotError: A joint has no value; the pose is not known.
     """
     full, made = with_examples(robot, parameters or {})
-    shown, values = _posed(robot, q, pose, full, bare)
+    shown, values = posed(robot, q, pose, full, bare)
     every = {**full, **values}
     require(robot, robot.chain, every)
     scene = arm_scene(robot, every)
@@ -110,7 +110,7 @@ def values_at(
 ) -> dict[str, Value]:
     """Values of all joints and lengths of a figure, examples included; see `stage_arm`."""
     full, _ = with_examples(robot, parameters or {})
-    return {**full, **_posed(robot, q, pose, full, bare)[1]}
+    return {**full, **posed(robot, q, pose, full, bare)[1]}
 
 
 def figure_of(staged: Staged, paper: Paper | None = None, *, worksheet: bool = False) -> Figure:
@@ -194,7 +194,7 @@ def add_flat(point: Vec, x: float, y: float) -> Vec:
 _AXES: tuple[Vec, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
-def _posed(robot: Robot, q: JointInput, pose: str | None, full: Values, bare: Bare) -> tuple[str, Mapping[str, Value]]:
+def posed(robot: Robot, q: JointInput, pose: str | None, full: Values, bare: Bare) -> tuple[str, Mapping[str, Value]]:
     """The pose to draw, and how a caption says it."""
     if q is not None and pose is not None:
         raise RobotError("joint values and a pose are two answers to one question", "give one of the two")

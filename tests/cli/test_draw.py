@@ -93,6 +93,17 @@ def test_joint_values_pose_lengths_view_and_worksheet_reach_the_picture(dhcli: R
     assert "θ1 = 30°, θ2 = 40°, d3 = 0.1 m" in (tmp_path / "2.svg").read_text("utf-8")
 
 
+def test_a_motion_is_a_film_strip_and_a_page_that_plays(dhcli: Run, tmp_path: Path) -> None:
+    """From one pose to another, by name or by values; letters have no room for it."""
+    path = tmp_path / "strip.svg"
+    assert dhcli("draw", "scara", "--pose", "zero", "--to", "pick", "-o", str(path)).code == 0
+    text = path.read_text("utf-8")
+    assert "pose zero to pose pick" in text
+    assert 'class="trace"' in text
+    assert dhcli("draw", "scara", "--deg", "--to", "10,20,0.1", "-o", str(tmp_path / "s.html")).code == 0
+    assert '"to":[0.17453' in (tmp_path / "s.html").read_text("utf-8")
+
+
 def test_show_puts_a_picture_under_the_table(dhcli: Run) -> None:
     """Of a robot and of a linkage; an exercise has none."""
     for name in ("planar-2r", "planar-four-bar"):
@@ -152,6 +163,10 @@ def test_open_writes_a_page_and_opens_it(dhcli: Run, monkeypatch: pytest.MonkeyP
         ("scara --force", "--force needs a file"),
         ("ring-of-arms", "of ring-of-arms only counts are known"),
         ("bennett --pose zero", "bennett is a linkage"),
+        ("scara --to pick", "no picture in letters"),
+        ("scara --to 1,2 -o a.svg", "scara has 3 joints, 2 values given"),
+        ("scara --to pick --worksheet -o a.svg", "a film strip has no frames"),
+        ("bennett --to zero -o a.svg", "bennett is a linkage"),
         ("bennett --table", "bennett is a linkage"),
         ("scara --table", "dhcli show scara --draw has both"),
         ("scara --table -o a.html", "a page always has the table"),

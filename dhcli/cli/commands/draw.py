@@ -53,6 +53,15 @@ def draw(
         str | None, typer.Option("--pose", metavar="NAME", help="A named pose.", autocompletion=complete_pose)
     ] = None,
     deg: Annotated[bool, typer.Option("--deg", help="Bare numbers of revolute joints are degrees.")] = False,
+    to: Annotated[
+        str | None,
+        typer.Option(
+            "--to",
+            metavar="VALUES",
+            help="Joint values or a pose to move to: a film strip, and a page that plays it.",
+            autocompletion=complete_pose,
+        ),
+    ] = None,
     set_: Settings = None,
     view: Annotated[
         str | None,
@@ -108,7 +117,7 @@ def draw(
     name = None if output in (None, "-") else format_of(output or "")
     look = {"view": None if view is None else read_view(view), "dark": dark}
     if kind_of(robot).noun == "exercise":
-        if q is not None or pose is not None or set_ or table:
+        if q is not None or pose is not None or set_ or table or to:
             raise DhcliError(
                 f"{robot} is an exercise: it says itself what is given", "--view, --size and --dark are free"
             )
@@ -119,7 +128,7 @@ def draw(
         if solution or variant is not None:
             raise DhcliError(f"{robot} is no exercise: it has no solution and no variants", "leave the option out")
         what = find(robot)
-        given = posed(what, q, pose, set_ or [], degrees=deg)
+        given = posed(what, q, pose, set_ or [], degrees=deg, to=to)
         picture = Picture(what, worksheet=worksheet, table=table, **look, **given)  # type: ignore[arg-type]
     pixels = None if size is None else sides(size)
     if table and (name in ("page", "terminal") or name is None):

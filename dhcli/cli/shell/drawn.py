@@ -9,6 +9,7 @@ from dhcli.errors import DhcliError, Place, Problem
 if TYPE_CHECKING:
     from dhcli.kinematics.robot import Robot
     from dhcli.mobility.linkage import Linkage
+    from dhcli.notation.quantity import Bare
 
 
 def find(name: str) -> Robot | Linkage:
@@ -61,24 +62,26 @@ def of_exercise(name: str, variant: str | None, *, solution: bool) -> tuple[Robo
 
 
 def posed(
-    what: Robot | Linkage, q: str | None, pose: str | None, settings: list[str], *, degrees: bool
+    what: Robot | Linkage, q: str | None, pose: str | None, settings: list[str], *, degrees: bool, to: str | None = None
 ) -> dict[str, object]:
     """Joint values, pose and lengths, as far as a robot has them."""
     from dhcli.kinematics.robot import Robot
 
     if not isinstance(what, Robot):
-        if q is not None or pose is not None or settings:
-            raise DhcliError(f"{what.name} is a linkage: --q, --pose and --set are for robots")
+        if q is not None or pose is not None or settings or to is not None:
+            raise DhcliError(f"{what.name} is a linkage: --q, --pose, --to and --set are for robots")
         return {}
     from dhcli.cli.shell.given import settings_of, values_of
-    from dhcli.kinematics.values import given_parameters
+    from dhcli.kinematics.values import given_parameters, joint_values
 
+    bare: Bare = "deg" if degrees else "rad"
+    goal = {} if to is None else {"to": joint_values(what, to, bare=bare, place=Place("--to"))}
     lengths = given_parameters(what, settings_of(settings), Place("--set", text=" ".join(settings)))
     if q is None:
-        return {"pose": pose, "parameters": lengths}
+        return {"pose": pose, "parameters": lengths, **goal}
     values = values_of(what, q, pose, settings, degrees=degrees, symbolic=False)
     joints = {name: value for name, value in values.items() if name in what.variables}
-    return {"q": joints, "parameters": lengths}
+    return {"q": joints, "parameters": lengths, **goal}
 
 
 def refuse_table(what: Robot | Linkage, name: str | None) -> None:

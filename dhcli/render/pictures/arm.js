@@ -137,6 +137,11 @@ function build() {
   for (const id of ["frames", "dimensions", "y", "body", "turns"]) { const e = $("on-" + id); if (e) { on[id] = e.checked; e.onchange = () => { on[id] = e.checked; draw(false); }; } else on[id] = id === "body"; }
   for (const [name, v] of D.views) { const b = document.createElement("button"); b.textContent = name; b.onclick = () => { view = v.slice(); zoom = 1; draw(true); }; $("views").append(b); }
   $("png").onclick = () => savePng(svg, D.name);
+  if (D.to) { // there and back again, evenly
+    const b = document.createElement("button"), from = q.slice(); let k = 0, way = 0; b.id = "play"; b.textContent = "play"; $("poses").append(b);
+    const tick = () => { if (!way) return; k += way; if (k === 0 || k === 120) way = -way; D.to.forEach((v, n) => setJoint(n, k === 120 ? v : from[n] + (k / 120) * (v - from[n]))); draw(false); requestAnimationFrame(tick); };
+    b.onclick = () => { way = way ? 0 : k === 120 ? -1 : 1; tick(); };
+  }
   if (!D.moves.length) return;
   for (const id of ["from", "to"]) { $(id).innerHTML = D.frames.map((f) => `<option>${esc(f[0])}</option>`).join(""); $(id).onchange = () => draw(false); }
   const plain = D.frames.filter((f) => /^\d+$/.test(f[0])); $("from").value = plain[0][0]; $("to").value = plain[plain.length - 1][0];

@@ -9,7 +9,7 @@ from dhcli.algebra.floats import Floats
 from dhcli.kinematics.moves import Fixed, Move, Rot
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.validity import in_floats
-from dhcli.kinematics.values import numbers
+from dhcli.kinematics.values import Values, numbers
 from dhcli.mobility.linkage import Linkage
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr
@@ -19,7 +19,7 @@ from dhcli.scene.places import Places
 from dhcli.scene.plane import circles
 from dhcli.scene.primitives import Ball, Box, Drum, Face, Scene, Solid
 from dhcli.scene.skeleton import Given
-from dhcli.scene.staging import stage_arm, values_at
+from dhcli.scene.staging import posed, stage_arm, values_at
 from dhcli.scene.table import cells, heads
 from dhcli.scene.words import Words, named
 
@@ -50,11 +50,18 @@ def arm_model(picture: Picture) -> dict[str, Any]:
         "moves": [_move(move, variables, given) for move in robot.chain],
         "frames": frames,
         "poses": [[name, [_number(value) for value in pose]] for name, pose in robot.poses.items()],
+        "to": None if picture.to is None else _goal(robot, picture, values),
         "view": list(staged.view),
         "views": [["best", list(staged.view)], *([name, list(view)] for name, view in VIEWS.items())],
         "table": _table(robot, given),
         "scene": _scene(staged.scene),
     }
+
+
+def _goal(robot: Robot, picture: Picture, values: Values) -> list[float]:
+    """The joint values to which the page plays."""
+    goal = posed(robot, picture.to, None, values, picture.bare)[1]
+    return [_number(goal[name]) for name in robot.variables]
 
 
 def space_model(picture: Picture) -> dict[str, Any]:

@@ -15,6 +15,7 @@ from dhcli.scene.camera import read_view
 from dhcli.scene.linkages import linkage_figure
 from dhcli.scene.shapes import Figure
 from dhcli.scene.staging import HEIGHT, WIDTH, Paper, figure_of, stage_arm
+from dhcli.scene.strip import strip_figure
 from dhcli.scene.table import with_table
 
 if TYPE_CHECKING:
@@ -43,6 +44,7 @@ class Picture:
         table: Whether the DH table stands beside.
         parameters: Lengths and angles instead of the robot's own.
         bare: What a number without a unit means for a joint that turns.
+        to: Joint values or the name of a pose to which the robot moves: then the picture is a film strip.
     """
 
     what: Robot | Linkage
@@ -55,43 +57,53 @@ class Picture:
     table: bool = False
     parameters: Mapping[str, Value] | None = None
     bare: Bare = "rad"
+    to: JointInput = None
 
     def figure(self, paper: Paper | None = None) -> Figure:
         """The finished drawing on a paper, by default one of the shape that the size asks for."""
         paper = paper or self._paper()
         if isinstance(self.what, Linkage):
-            if self.q is not None or self.pose is not None or self.table:
+            if self.q is not None or self.pose is not None or self.table or self.to is not None:
                 raise DhcliError(f"{self.what.name or 'it'} is a linkage: it has no joint values, poses or DH table")
             return linkage_figure(self.what, view=self.view, paper=paper, worksheet=self.worksheet)
+        if self.to is not None:
+            return self._strip()
         staged = stage_arm(
             self.what, self.q, pose=self.pose, view=self.view, parameters=self.parameters, bare=self.bare
         )
         drawn = figure_of(staged, paper, worksheet=self.worksheet)
         return with_table(drawn, self.what) if self.table else drawn
 
+    def _strip(self) -> Figure:
+        assert isinstance(self.what, Robot)  # noqa: S101  the caller has looked
+        if self.table or self.worksheet:
+            raise DhcliError("a film strip has no frames and no table", "leave --to out, or the other")
+        start = self.q, self.pose
+        return strip_figure(self.what, start, self.to, view=self.view, parameters=self.parameters, bare=self.bare)
+
     def svg(self) -> str:
         """The text of an SVG file."""
         from dhcli.render.pictures.svg import svg
 
-        return svg(self.figure(), dark=self.dark, size=None if self.table else self.size)
+        return svg(self.figure(), dark=self.dark, size=self._shown_at)
 
     def tikz(self) -> str:
         """The text of a TikZ figure."""
         from dhcli.render.pictures.tikz import tikz
 
-        return tikz(self.figure(), dark=self.dark, size=None if self.table else self.size)
+        return tikz(self.figure(), dark=self.dark, size=self._shown_at)
 
     def pdf(self) -> bytes:
         """The bytes of a PDF file."""
         from dhcli.render.pictures.pdf import pdf
 
-        return pdf(self.figure(), dark=self.dark, size=None if self.table else self.size)
+        return pdf(self.figure(), dark=self.dark, size=self._shown_at)
 
     def png(self) -> bytes:
         """The bytes of a PNG file; needs the extra `[draw]`."""
         from dhcli.render.pictures.png import png
 
-        return png(self.figure(), dark=self.dark, size=None if self.table else self.size)
+        return png(self.figure(), dark=self.dark, size=self._shown_at)
 
     def page(self) -> str:
         """The text of an HTML page that turns, moves and computes by itself."""
@@ -111,6 +123,10 @@ class Picture:
         from dhcli.render.pictures.terminal import LEAST as FEWEST
         from dhcli.render.pictures.terminal import sheet_of, terminal
 
+        if self.to is not None:
+            raise DhcliError(
+                "a film strip is no picture in letters", "write .svg, .pdf, .png, .tex, or .html to play it"
+            )
         paper = paper or Letters()
         columns = columns or min(paper.width, 120)
         rows = rows or max(FEWEST[1], min(44, round(columns * 0.4)))
@@ -142,6 +158,11 @@ class Picture:
         }  # fmt: skip
         return makers[name]()
 
+    @property
+    def _shown_at(self) -> tuple[int, int] | None:
+        """The size asked for, where the figure has that shape: one with a table beside has its own."""
+        return None if self.table or self.to is not None else self.size
+
     def _repr_svg_(self) -> str:
         return self.svg()
 
@@ -168,6 +189,7 @@ def draw(  # noqa: PLR0913  a figure has as many sides
     worksheet: bool = False,
     table: bool = False,
     parameters: Mapping[str, Any] | None = None,
+    to: JointInput = None,
 ) -> Picture:
     """A picture of a robot at joint values, or of a linkage in its assembled position.
 
@@ -181,6 +203,7 @@ def draw(  # noqa: PLR0913  a figure has as many sides
         worksheet: Whether the frames are left to the student: bodies, axes and numbers of the joints only.
         table: Whether the DH table stands beside.
         parameters: Lengths and angles to use instead of the robot's own.
+        to: Joint values or the name of a pose to which it moves: a film strip, and a page that plays it.
 
     Returns:
         The picture: shown by a notebook, or saved with `save("arm.svg")`; also .tex, .png, .pdf, .html and .txt.
@@ -196,7 +219,7 @@ def draw(  # noqa: PLR0913  a figure has as many sides
         check_size(size)
     given = given_parameters(what, parameters) if parameters and isinstance(what, Robot) else None
     seen = read_view(view) if isinstance(view, str) else view
-    return Picture(what, q, pose, seen, size, dark, worksheet, table, given)
+    return Picture(what, q, pose, seen, size, dark, worksheet, table, given, to=to)
 
 
 def check_size(size: tuple[int, int]) -> None:

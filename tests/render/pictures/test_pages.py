@@ -258,3 +258,17 @@ def test_a_page_fits_a_phone(browser: WebDriver, tmp_path: Path) -> None:
     browser.set_window_size(1280, 800)
     assert wide <= window
     assert top == 0
+
+
+def test_a_page_plays_a_motion_there_and_back(browser: WebDriver, tmp_path: Path) -> None:
+    """From the pose of the picture to the one it goes to."""
+    _open(browser, draw(load_robot("scara"), pose="zero", to="pick"), tmp_path)
+    goal = browser.execute_script("return D.to")
+    assert goal == pytest.approx([math.radians(30), math.radians(45), 0.1], abs=1e-12)
+    assert browser.execute_script("return q") == [0, 0, 0]
+    browser.execute_script("window.requestAnimationFrame = f => { window.next = f; }; $('play').click();")
+    browser.execute_script("for (let k = 1; k < 120; k++) window.next();")
+    assert browser.execute_script("return q") == pytest.approx(goal, abs=1e-12)
+    browser.execute_script("for (let k = 0; k < 120; k++) window.next();")
+    assert browser.execute_script("return q") == [0, 0, 0]
+    _check_silent(browser)
