@@ -272,3 +272,50 @@ def test_a_page_plays_a_motion_there_and_back(browser: WebDriver, tmp_path: Path
     browser.execute_script("for (let k = 0; k < 120; k++) window.next();")
     assert browser.execute_script("return q") == [0, 0, 0]
     _check_silent(browser)
+
+
+def test_the_mouse_turns_an_arm_and_drags_a_pin(browser: WebDriver, tmp_path: Path) -> None:
+    """By events as a hand makes them, not by a call."""
+    from selenium.webdriver import ActionChains
+    from selenium.webdriver.common.by import By
+
+    _open(browser, draw(load_robot("puma560")), tmp_path)
+    seen = browser.execute_script("return [view.slice(), q]")
+    figure = browser.find_element(By.ID, "figure")
+    ActionChains(browser).move_to_element(figure).click_and_hold().move_by_offset(60, 30).release().perform()
+    turned = browser.execute_script("return [view.slice(), q]")
+    assert turned[0] == pytest.approx([seen[0][0] - 30, seen[0][1] + 12])
+    assert turned[1] == seen[1]
+
+    _open(browser, draw(_linkage("planar-four-bar")), tmp_path)
+    spot = """
+      const r = svg.getBoundingClientRect(), k = Math.min(r.width / W, r.height / H), p = there(2, [0.4, 1.0]);
+      return [(p[0] - W / 2) * k, (p[1] - H / 2) * k];
+    """
+    x, y = browser.execute_script(spot.replace("2,", "D.links.findIndex(l => l[0] === 'crank'),"))
+    figure = browser.find_element(By.ID, "figure")
+    hand = ActionChains(browser).move_to_element_with_offset(figure, round(x), round(y))
+    hand.click_and_hold().move_by_offset(40, 10).move_by_offset(40, 20).release().perform()
+    bx, by = browser.execute_script("return dhcli.at('B')")
+    assert bx > 0.5
+    assert math.hypot(bx, by) == pytest.approx(math.hypot(0.4, 1.0), abs=1e-9)
+    _check_silent(browser)
+
+
+def test_the_button_makes_a_png_of_what_is_seen(browser: WebDriver, tmp_path: Path) -> None:
+    """Twice as large, on the paper's colour; nothing is fetched for it."""
+    for picture in (draw(load_robot("scara")), draw(_linkage("watt"))):
+        _open(browser, picture, tmp_path)
+        script = """
+          const done = arguments[arguments.length - 1];
+          HTMLAnchorElement.prototype.click = function () {
+            const made = new Image();
+            made.onload = () => done([this.download, made.width, made.height, this.href.length]);
+            made.src = this.href;
+          };
+          document.getElementById('png').click();
+        """
+        name, wide, high, size = browser.execute_async_script(script)
+        assert (name, wide, high) == (f"{picture.what.name}.png", 1640, 1280)
+        assert size > 20_000
+        _check_silent(browser)
