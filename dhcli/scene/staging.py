@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from dhcli.errors import RobotError
@@ -147,7 +147,7 @@ def figure_of(staged: Staged, paper: Paper | None = None, *, worksheet: bool = F
     return Figure(paper.width, paper.height, (*shapes, *leaders, *over), tuple(texts), staged.title, caption)
 
 
-def fitted(scene: Scene, view: tuple[float, float], paper: Paper) -> Camera:
+def fitted(scene: Scene, view: tuple[float, float], paper: Paper, more: Sequence[Vec] = ()) -> Camera:
     """The camera that has everything of a scene on paper; the same for a figure and its worksheet."""
     room = (
         paper.margin,
@@ -156,7 +156,7 @@ def fitted(scene: Scene, view: tuple[float, float], paper: Paper) -> Camera:
         paper.height - paper.foot - paper.margin * 0.7,
     )
     most = LARGEST_DRUM / scene.unit * min(paper.width / WIDTH, paper.height / HEIGHT)
-    return Camera.at(*view).fitted(extent(scene), room, most)
+    return Camera.at(*view).fitted([*extent(scene), *more], room, most)
 
 
 def extent(scene: Scene) -> list[Vec]:

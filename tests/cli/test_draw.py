@@ -9,6 +9,8 @@ import pytest
 
 from tests.cli.running import Run
 
+ROOT = Path(__file__).parents[2]
+
 
 def test_without_a_file_the_picture_is_drawn_in_letters(dhcli: Run) -> None:
     """With a caption that says what, how and at which pose."""
@@ -102,6 +104,21 @@ def test_a_motion_is_a_film_strip_and_a_page_that_plays(dhcli: Run, tmp_path: Pa
     assert 'class="trace"' in text
     assert dhcli("draw", "scara", "--deg", "--to", "10,20,0.1", "-o", str(tmp_path / "s.html")).code == 0
     assert '"to":[0.17453' in (tmp_path / "s.html").read_text("utf-8")
+
+
+def test_another_table_is_drawn_over_the_arm_and_the_first_difference_named(dhcli: Run, tmp_path: Path) -> None:
+    """A twist with the wrong sign shows in its own frame."""
+    wrong = (
+        (ROOT / "robots" / "puma560.yaml")
+        .read_text("utf-8")
+        .replace("{alpha: -90°, a: 0,  d: 0,  theta: theta2}", "{alpha: 90°, a: 0, d: 0, theta: theta2}")
+    )
+    (tmp_path / "mine.yaml").write_text(wrong, "utf-8")
+    assert dhcli("draw", "puma560", "--beside", "mine.yaml", "-o", "both.svg").code == 0
+    text = (tmp_path / "both.svg").read_text("utf-8")
+    assert "over it mine: frame 2 is the first that differs" in text
+    assert text.count('class="theirs-mark"') == 1
+    assert dhcli("draw", "puma560", "--beside", "scara").code == 2
 
 
 def test_show_puts_a_picture_under_the_table(dhcli: Run) -> None:

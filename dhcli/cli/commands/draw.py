@@ -62,6 +62,14 @@ def draw(
             autocompletion=complete_pose,
         ),
     ] = None,
+    beside: Annotated[
+        str | None,
+        typer.Option(
+            "--beside",
+            metavar="NAME",
+            help="Another table of this arm over it, and where they part: a robot or a file.",
+        ),
+    ] = None,
     set_: Settings = None,
     view: Annotated[
         str | None,
@@ -117,7 +125,7 @@ def draw(
     name = None if output in (None, "-") else format_of(output or "")
     look = {"view": None if view is None else read_view(view), "dark": dark}
     if kind_of(robot).noun == "exercise":
-        if q is not None or pose is not None or set_ or table or to:
+        if q is not None or pose is not None or set_ or table or to or beside:
             raise DhcliError(
                 f"{robot} is an exercise: it says itself what is given", "--view, --size and --dark are free"
             )
@@ -128,7 +136,7 @@ def draw(
         if solution or variant is not None:
             raise DhcliError(f"{robot} is no exercise: it has no solution and no variants", "leave the option out")
         what = find(robot)
-        given = posed(what, q, pose, set_ or [], degrees=deg, to=to)
+        given = posed(what, q, pose, set_ or [], degrees=deg, to=to, beside=beside)
         picture = Picture(what, worksheet=worksheet, table=table, **look, **given)  # type: ignore[arg-type]
     pixels = None if size is None else sides(size)
     if table and (name in ("page", "terminal") or name is None):

@@ -62,20 +62,31 @@ def of_exercise(name: str, variant: str | None, *, solution: bool) -> tuple[Robo
 
 
 def posed(
-    what: Robot | Linkage, q: str | None, pose: str | None, settings: list[str], *, degrees: bool, to: str | None = None
+    what: Robot | Linkage,
+    q: str | None,
+    pose: str | None,
+    settings: list[str],
+    *,
+    degrees: bool,
+    to: str | None = None,
+    beside: str | None = None,
 ) -> dict[str, object]:
     """Joint values, pose and lengths, as far as a robot has them."""
     from dhcli.kinematics.robot import Robot
 
     if not isinstance(what, Robot):
-        if q is not None or pose is not None or settings or to is not None:
-            raise DhcliError(f"{what.name} is a linkage: --q, --pose, --to and --set are for robots")
+        if q is not None or pose is not None or settings or to is not None or beside is not None:
+            raise DhcliError(f"{what.name} is a linkage: --q, --pose, --to, --beside and --set are for robots")
         return {}
     from dhcli.cli.shell.given import settings_of, values_of
     from dhcli.kinematics.values import given_parameters, joint_values
 
     bare: Bare = "deg" if degrees else "rad"
-    goal = {} if to is None else {"to": joint_values(what, to, bare=bare, place=Place("--to"))}
+    goal: dict[str, object] = {} if to is None else {"to": joint_values(what, to, bare=bare, place=Place("--to"))}
+    if beside is not None:
+        from dhcli.files.yaml.robots import load_robot
+
+        goal["beside"] = load_robot(beside)
     lengths = given_parameters(what, settings_of(settings), Place("--set", text=" ".join(settings)))
     if q is None:
         return {"pose": pose, "parameters": lengths, **goal}

@@ -46,6 +46,7 @@ COLOURS = {
     "thin": Ink("#9a9ea6", "#737985"),
     "turn": Ink("#8a4b00", "#f0b45c"),
     "hand": Ink("#111111", "#f2f2f2"),
+    "theirs": Ink("#7b2fbf", "#c79bff"),
     "caption": Ink("#84888f", "#8d939d"),
 }
 
@@ -93,12 +94,15 @@ LOOKS = {
     "axis": Look("", "line", 0.9, (12.0, 3.0, 2.0, 3.0)),
     "axis-dot": Look("line"),
     "trace": Look("", "x", 1.6),
+    "theirs": Look("", "theirs", 2.4, (), round=True),
+    "theirs-head": Look("theirs"),
+    "theirs-mark": Look("", "theirs", 1.8),
     "rule": Look("", "line", 1.0),
 }
 
 TEXTS = {
     "x": "x", "y": "y", "z": "z", "dim": "dim", "slide": "turn", "turn": "turn", "number": "line", "mark": "line",
-    "caption": "caption", "cell": "line", "head": "line",
+    "theirs": "theirs", "caption": "caption", "cell": "line", "head": "line",
 }  # fmt: skip
 """The colour of each kind of text."""
 

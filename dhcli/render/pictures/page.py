@@ -48,6 +48,8 @@ def page(picture: Picture) -> str:
     if picture.worksheet:
         hint = "write .svg, .pdf, .png, .tex or .txt"
         raise DhcliError("a page computes frames and table, which a worksheet leaves to the student", hint)
+    if picture.beside is not None:
+        raise DhcliError("a page shows one table", "write .svg, .pdf, .png or .tex to see two over each other")
     if isinstance(what, Robot):
         return _page(
             what.title,
@@ -124,7 +126,7 @@ def _looks(*, flat: bool) -> str:
     rules += [f".s-{name}{{stop-color:var(--{name})}}" for name in ("shadow", "shine", "metal")]
     left_out = _ONLY_IN_SPACE if flat else _ONLY_FLAT
     for name, look in LOOKS.items():
-        if name in left_out or name == "rule":
+        if name in left_out or name == "rule" or name.startswith("theirs"):
             continue
         parts = (
             [f"fill:var(--{look.fill})"] if look.fill and look.fill != "shade" else [] if look.fill else ["fill:none"]

@@ -11,6 +11,7 @@ from dhcli.errors import DhcliError, RobotError, UnknownNameError
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import JointInput, given_parameters
 from dhcli.mobility.linkage import Linkage
+from dhcli.scene.beside import beside_figure
 from dhcli.scene.camera import read_view
 from dhcli.scene.linkages import linkage_figure
 from dhcli.scene.shapes import Figure
@@ -45,6 +46,7 @@ class Picture:
         parameters: Lengths and angles instead of the robot's own.
         bare: What a number without a unit means for a joint that turns.
         to: Joint values or the name of a pose to which the robot moves: then the picture is a film strip.
+        beside: Another table of the same arm, drawn over it; the first frame that differs is marked.
     """
 
     what: Robot | Linkage
@@ -58,21 +60,40 @@ class Picture:
     parameters: Mapping[str, Value] | None = None
     bare: Bare = "rad"
     to: JointInput = None
+    beside: Robot | None = None
 
     def figure(self, paper: Paper | None = None) -> Figure:
         """The finished drawing on a paper, by default one of the shape that the size asks for."""
         paper = paper or self._paper()
         if isinstance(self.what, Linkage):
-            if self.q is not None or self.pose is not None or self.table or self.to is not None:
+            if self.q is not None or self.pose is not None or self.table or self.to is not None or self.beside:
                 raise DhcliError(f"{self.what.name or 'it'} is a linkage: it has no joint values, poses or DH table")
             return linkage_figure(self.what, view=self.view, paper=paper, worksheet=self.worksheet)
         if self.to is not None:
             return self._strip()
+        if self.beside is not None:
+            return self._compared(self.what, self.beside, paper)
         staged = stage_arm(
             self.what, self.q, pose=self.pose, view=self.view, parameters=self.parameters, bare=self.bare
         )
         drawn = figure_of(staged, paper, worksheet=self.worksheet)
         return with_table(drawn, self.what) if self.table else drawn
+
+    def _compared(self, robot: Robot, other: Robot, paper: Paper) -> Figure:
+        if self.table or self.worksheet:
+            raise DhcliError(
+                "two tables over each other leave no room for more", "leave out the table or the worksheet"
+            )
+        return beside_figure(
+            robot,
+            other,
+            self.q,
+            pose=self.pose,
+            view=self.view,
+            parameters=self.parameters,
+            bare=self.bare,
+            paper=paper,
+        )
 
     def _strip(self) -> Figure:
         assert isinstance(self.what, Robot)  # noqa: S101  the caller has looked
@@ -190,6 +211,7 @@ def draw(  # noqa: PLR0913  a figure has as many sides
     table: bool = False,
     parameters: Mapping[str, Any] | None = None,
     to: JointInput = None,
+    beside: Robot | None = None,
 ) -> Picture:
     """A picture of a robot at joint values, or of a linkage in its assembled position.
 
@@ -204,6 +226,7 @@ def draw(  # noqa: PLR0913  a figure has as many sides
         table: Whether the DH table stands beside.
         parameters: Lengths and angles to use instead of the robot's own.
         to: Joint values or the name of a pose to which it moves: a film strip, and a page that plays it.
+        beside: Another table of the same arm, drawn over it; the first frame that differs is marked.
 
     Returns:
         The picture: shown by a notebook, or saved with `save("arm.svg")`; also .tex, .png, .pdf, .html and .txt.
@@ -219,7 +242,7 @@ def draw(  # noqa: PLR0913  a figure has as many sides
         check_size(size)
     given = given_parameters(what, parameters) if parameters and isinstance(what, Robot) else None
     seen = read_view(view) if isinstance(view, str) else view
-    return Picture(what, q, pose, seen, size, dark, worksheet, table, given, to=to)
+    return Picture(what, q, pose, seen, size, dark, worksheet, table, given, to=to, beside=beside)
 
 
 def check_size(size: tuple[int, int]) -> None:

@@ -22,7 +22,16 @@ LEAST = (16, 8)
 _LOWERED = str.maketrans("0123456789+−-ijnxaehklmopst", "₀₁₂₃₄₅₆₇₈₉₊₋₋ᵢⱼₙₓₐₑₕₖₗₘₒₚₛₜ")
 _LOWER_ALL = frozenset("0123456789+−-ijn")
 _DOTS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
-_INKS = {"x": "red", "y": "green", "z": "cyan", "turn": "yellow", "dim": "dim", "thin": "dim", "hatch": "dim"}
+_INKS = {
+    "x": "red",
+    "y": "green",
+    "z": "cyan",
+    "turn": "yellow",
+    "theirs": "yellow",
+    "dim": "dim",
+    "thin": "dim",
+    "hatch": "dim",
+}
 _LEFT_OUT = frozenset({"halo", "hatch", "extension"})
 _SPARSE = frozenset({"dim", "slide", "leader", "axis"})
 
