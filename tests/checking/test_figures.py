@@ -2,28 +2,26 @@
 
 from __future__ import annotations
 
-from typing import get_args
-
 import pytest
 
-from dhcli.checking import questions
-from dhcli.checking.figures import MAY_SHOW, held_back, shown
-from dhcli.checking.questions import TableQuestion
+from dhcli.checking.figures import held_back, shown
+from dhcli.checking.kinds.registry import KINDS
 from dhcli.files.library.lookup import Kind, entries
 from dhcli.files.yaml.exercises import load_exercise
 
 
-def test_every_kind_of_question_says_what_its_picture_may_show() -> None:
-    """A new kind must be placed before it may exist."""
-    assert set(get_args(questions.Question)) == set(MAY_SHOW)
+def test_frames_are_shown_beside_these_kinds_of_questions_only() -> None:
+    """The table, its cells and its factors are what frames say; a choice may ask for a direction."""
+    assert {kind.words[0] for kind in KINDS if kind.may_show_frames} == {"link", "scalar", "count"}
 
 
 @pytest.mark.parametrize("name", [entry.name for entry in entries(Kind.EXERCISES)])
 def test_no_picture_shows_the_frames_where_a_table_is_asked(name: str) -> None:
-    """And one without a robot has no picture."""
+    """And an exercise without a robot has no picture."""
     exercise = load_exercise(name)
     level = shown(exercise)
     assert (level is None) == (exercise.robot is None)
-    if any(isinstance(part.question, TableQuestion) for part in exercise.parts):
+    asked = {type(part.question).__name__ for part in exercise.parts}
+    if asked & {"TableQuestion", "CellQuestion", "FactorsQuestion"}:
         assert level in (None, "axes")
         assert held_back(exercise)

@@ -43,11 +43,12 @@ def of_exercise(name: str, variant: str | None, *, solution: bool) -> tuple[Robo
     from dataclasses import replace
 
     from dhcli.checking.figures import held_back, shown
+    from dhcli.checking.judge import Judge
     from dhcli.checking.variants import variant_of
     from dhcli.cli.commands.solution import ask_once
     from dhcli.files.yaml.exercises import load_exercise
 
-    exercise = variant_of(load_exercise(name), variant)
+    exercise = variant_of(Judge(load_exercise(name)), variant).exercise
     if exercise.robot is None or (level := shown(exercise)) is None:
         raise DhcliError(f"{exercise.id} has no robot: there is nothing to draw", f"dhcli show {exercise.id}")
     if solution:
