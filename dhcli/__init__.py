@@ -41,18 +41,22 @@ if TYPE_CHECKING:
     from dhcli.kinematics.velocity.rates import velocity_of as velocity_of
     from dhcli.kinematics.velocity.statics import symbolic_torques as symbolic_torques
     from dhcli.kinematics.velocity.statics import torques as torques
+    from dhcli.render.pictures.picture import Picture as Picture
+    from dhcli.render.pictures.picture import draw as draw
 
 __version__ = "0.1.0"
 
 _HOMES = {
     "DhcliError": "dhcli.errors",
     "Jacobian": "dhcli.kinematics.velocity.jacobian",
+    "Picture": "dhcli.render.pictures.picture",
     "Pose": "dhcli.kinematics.pose",
     "Rates": "dhcli.kinematics.velocity.rates",
     "Robot": "dhcli.kinematics.robot",
     "Singularities": "dhcli.kinematics.singular.result",
     "axis_angles": "dhcli.geometry.many",
     "check": "dhcli.checking.judge",
+    "draw": "dhcli.render.pictures.picture",
     "forward": "dhcli.kinematics.forward",
     "forward_batch": "dhcli.kinematics.batch",
     "jacobian": "dhcli.kinematics.velocity.many",
@@ -74,6 +78,7 @@ _HOMES = {
 __all__ = [
     "DhcliError",
     "Jacobian",
+    "Picture",
     "Pose",
     "Rates",
     "Robot",
@@ -81,6 +86,7 @@ __all__ = [
     "__version__",
     "axis_angles",
     "check",
+    "draw",
     "forward",
     "forward_batch",
     "jacobian",

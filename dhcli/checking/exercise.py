@@ -127,6 +127,7 @@ class Question(ABC, Generic[T]):
         is_explained: Whether a slip is looked for behind a wrong answer.
         is_in_table: Whether the robot's table would give the answer away.
         is_plain: Whether an answer is neither a formula nor a measure, so that a sheet need not say how to write them.
+        may_show_frames: Whether frames and lengths in a picture would not give the answer away.
     """
 
     __slots__ = ()
@@ -137,6 +138,7 @@ class Question(ABC, Generic[T]):
     is_explained: ClassVar[bool] = True
     is_in_table: ClassVar[bool] = False
     is_plain: ClassVar[bool] = False
+    may_show_frames: ClassVar[bool] = False
 
     @classmethod
     @abstractmethod

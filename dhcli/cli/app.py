@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 PANELS = {
     "Compute": ("fk", "sweep", "jacobian", "singularities", "rates", "torques", "transform", "dof"),
+    "See": ("draw",),
     "Exercises": ("start", "check", "watch", "hint", "solution"),
     "Classes": ("grade",),
     "Library and authors": ("show", "list", "new", "lint"),

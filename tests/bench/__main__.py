@@ -23,6 +23,7 @@ import classes
 import freedoms
 import marking
 import motion
+import pictures
 import poses
 import rows
 import startup
@@ -44,6 +45,7 @@ GROUPS: dict[str, Callable[[int], Iterator[Row]]] = {
     "parsing": marking.parsing,
     "marking": marking.rows,
     "freedoms": freedoms.rows,
+    "pictures": pictures.rows,
     "classes": classes.rows,
 }
 

@@ -26,6 +26,7 @@ from dhcli.notation.writer import write
 class MatrixQuestion(Wanted, Question[Entries]):
     """A matrix, or a piece of one."""
 
+    may_show_frames: ClassVar = True
     words: ClassVar = ("link", "pose", "product", "inverse", "rotation", "position", "entry", "axis", "point", "vector")
     examples: ClassVar = (
         "link 1",

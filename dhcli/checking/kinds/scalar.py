@@ -28,6 +28,7 @@ class ScalarQuestion(Question[TypedValue]):
     expr: Expr
     text: str
 
+    may_show_frames: ClassVar = True
     words: ClassVar = ("scalar",)
     examples: ClassVar = ("scalar 2*a1",)
 
