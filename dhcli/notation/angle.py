@@ -14,6 +14,8 @@ from dhcli.notation.names import natural_key
 
 ZERO = Fraction(0)
 FULL_TURN = Fraction(360)
+FULL_TURN_IN_RADIANS = Fraction(44, 7)
+"""A number beyond this beside a joint angle is meant in degrees, or `rad` would stand behind it."""
 
 
 @dataclass(frozen=True, slots=True)

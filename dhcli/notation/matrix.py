@@ -12,7 +12,8 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from dhcli.errors import Place
-from dhcli.notation.parser import FUNCTIONS, Parser
+from dhcli.notation.functions import FUNCTIONS
+from dhcli.notation.parser import Parser
 from dhcli.notation.quantity import UNITS
 from dhcli.notation.scope import OPEN, Scope
 from dhcli.notation.tokens import MOST_CHARACTERS, Source, Token, tokenize

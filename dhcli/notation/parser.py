@@ -11,27 +11,19 @@ import re
 from fractions import Fraction
 
 from dhcli.errors import NotationError, Place
+from dhcli.notation.angle import FULL_TURN_IN_RADIANS, Angle
+from dhcli.notation.functions import FUNCTIONS, is_usual, nearest_meaning, refusal
 from dhcli.notation.glued import in_degrees, is_factor, unglued
 from dhcli.notation.names import GREEK_NAMES, canonical, parts, suggestion
 from dhcli.notation.operators import OPENING, Operators
-from dhcli.notation.quantity import ANGLE_UNITS, DimensionError, to_angle
+from dhcli.notation.quantity import ANGLE_UNITS, UNITS, DimensionError, to_angle
 from dhcli.notation.scope import OPEN, Scope, trig_name
 from dhcli.notation.tokens import Source, Token, tokenize
-from dhcli.notation.tree import HALF, PI, Call, Expr, Number, Symbol, Trig, Unit, add, multiply, power
+from dhcli.notation.tree import HALF, PI, Call, Expr, Number, Sum, Symbol, Trig, Unit, add, multiply, power
 from dhcli.notation.trig import cosine, sine
 from dhcli.notation.walk import walk
 
-FUNCTIONS = {name: name for name in ("cos", "sin", "tan", "sqrt", "acos", "asin", "atan", "atan2", "cosd", "sind")} | {
-    "arccos": "acos",
-    "arcsin": "asin",
-    "arctan": "atan",
-    "arctan2": "atan2",
-    "Cos": "cos",
-    "Sin": "sin",
-}
-"""Functions by the names people write."""
-
-RESERVED = frozenset(FUNCTIONS) | {"pi", "frac", "inv", "Rot", "Trans"}
+RESERVED = frozenset(FUNCTIONS) | {"pi", "frac", "inv", "Rot", "Trans", "nan", "inf", "infinity"}
 """Words that cannot name a joint or a length."""
 
 _FUNCTION = re.compile("(cos|sin)")
@@ -91,15 +83,46 @@ class Parser(Operators):
             return self._names_angle(self.token.text)
         if not (self.token.kind == "sign" and self.token.text in OPENING):
             return False
-        depth = 0
-        for token in self.tokens[self.position :]:
-            depth += token.kind == "sign" and token.text in OPENING
-            depth -= token.kind == "sign" and token.text in OPENING.values()
-            if token.text == "°" or (token.kind == "word" and self._names_angle(token.text)):
+        return self._bracket_names_angle()
+
+    def _bracket_names_angle(self) -> bool:
+        """Whether an angle is named in the bracket that comes next, outside the functions in it."""
+        depth, at = 0, self.position
+        while self.tokens[at].kind != "end":
+            token = self.tokens[at]
+            if token.kind == "sign":
+                depth += (token.text in OPENING) - (token.text in OPENING.values())
+                if token.text == "°":
+                    return True
+                if depth == 0:
+                    return False
+            elif token.kind == "word" and self._names_angle(token.text):
                 return True
-            if depth == 0:
-                return False
+            elif token.kind == "word" and (token.text in FUNCTIONS or token.text in "csCS"):
+                at = self._behind_argument(at)
+            at += 1
         return False
+
+    def _behind_argument(self, at: int) -> int:
+        """The last token of the argument of a function that stands at a token: a bracket, or `2θ1` without one."""
+        tokens, last = self.tokens, at
+        if tokens[last + 1].text == "^" and tokens[last + 2].kind == "number":
+            last += 2
+        if tokens[last + 1].text in OPENING and tokens[last + 1].kind == "sign":
+            depth = 0
+            for i in range(last + 1, len(tokens) - 1):
+                if tokens[i].kind == "sign":
+                    depth += (tokens[i].text in OPENING) - (tokens[i].text in OPENING.values())
+                if depth == 0:
+                    return i
+            return len(tokens) - 2
+        if tokens[last + 1].kind == "number":
+            last += 1
+            return last + (tokens[last + 1].text == "°" or self._is_angle_word(tokens[last + 1]))
+        return last + self._is_angle_word(tokens[last + 1])
+
+    def _is_angle_word(self, token: Token) -> bool:
+        return token.kind == "word" and self._names_angle(token.text)
 
     def _names_angle(self, word: str) -> bool:
         if word in ("deg", "rad", "pi", "π"):
@@ -113,6 +136,9 @@ class Parser(Operators):
 
     def _joined(self, token: Token) -> Expr:
         """A word that is no single name: `cosθ1`, `cos30` before its degrees, `a1c1`, or unknown."""
+        if token.text in UNITS and not self.scope.has(token.text) and (unit := self._unit(token)):
+            return unit
+        self._check_meaning(token.text, token)
         if self._unglue():
             return self._operand()
         with_functions = self._with_functions(token)
@@ -124,6 +150,25 @@ class Parser(Operators):
         if ways:
             raise self._question(token, [" * ".join(map(trig_name, way)) for way in ways])
         return self._resolve(token.text, token)
+
+    def _unit(self, token: Token) -> Expr | None:
+        """A unit behind a sign, as in `30*deg`; none where `m` may be a name, and an error where no number stands."""
+        may_be_name = len(token.text) == 1 and self.scope.is_open
+        before = [each.text for each in self.tokens[max(self.position - 3, 0) : self.position - 1]]
+        behind_sign = len(before) == 2 and before[1] == "*" and (before[0] == ")" or before[0][:1].isdecimal())  # noqa: PLR2004
+        if may_be_name:
+            return None
+        if not behind_sign:
+            raise self.error(f"{token.text} is a unit, and no number stands before it", f"write 1 {token.text}", token)
+        return Unit(token.text)
+
+    def _check_meaning(self, word: str, token: Token, *, is_last: bool = False) -> None:
+        """Refuse a word that is a function or a unit that is not read, or no number."""
+        before = self.tokens[self.position - 2] if self.position > 1 else token
+        called = is_last and self.token.kind == "sign" and self.token.text in OPENING
+        message, hint = refusal(word, self.scope.names, called=called, measured=before.kind == "number")
+        if message:
+            raise self.error(message, hint, token)
 
     def _unglue(self) -> bool:
         """Put the tokens of `cos30°`, `sqrt3` or `a2cos(...)` in the place of the word that was just taken."""
@@ -173,11 +218,20 @@ class Parser(Operators):
             pieces = _PIECES.findall(word)
             if len(pieces) > 1 and "".join(pieces) == word:
                 return self._build(token, multiply, *(self._resolve(piece, token) for piece in pieces))
+            self._check_meaning(word, token, is_last=token.text.endswith(word))
+            if self.scope.is_usual and not is_usual(word):
+                raise self._unusual(word, token)
             return Symbol(canonical(word))
-        if word.lower() in ("nan", "inf", "infinity"):
-            raise self.error(f"{word} is no number that a robot can have", "", token)
+        if not self.scope.split(word):
+            self._check_meaning(word, token, is_last=token.text.endswith(word))
         hint = suggestion(word, self.scope.names)
         raise self.error(f"{word} is not a name that is known here", hint, token)
+
+    def _unusual(self, word: str, token: Token) -> NotationError:
+        hint = nearest_meaning(word, self.scope.names)
+        hint = f"{hint} " if hint.startswith("did") else ""
+        hint += f"a name is a letter with an index, such as l1; declare others: --symbols {canonical(word)}"
+        return self.error(f"{word} is not a name, a function or a unit that is known here", hint, token)
 
     def _question(self, token: Token, readings: list[str]) -> NotationError:
         return self.error(f"{token.text} could be " + " or ".join(readings), "write it out", token)
@@ -224,7 +278,7 @@ class Parser(Operators):
             if self.at("^") and in_degrees(self.tokens, self.position):  # LaTeX writes \cos 30^\circ
                 return self._power(operand, self.advance())
             if self._is_unit():
-                return multiply(operand, self._implicit())
+                return multiply(operand, self._implicit(operand))
             if self.token.kind == "word" and self._names_angle(self.token.text):
                 return multiply(operand, self._operand())
         return operand
@@ -242,6 +296,16 @@ class Parser(Operators):
             raise self.error(f"{name} takes numbers, and a unit of angle stands in it", "", token)
         return Call(name, tuple(arguments))
 
+    def _check_bare(self, name: str, argument: Expr, angle: Angle, token: Token) -> None:
+        """Ask what the 90 of `sin(90 + θ1)` is, for nobody writes 90 radians."""
+        if name.endswith("d") or not angle.terms or abs(angle.radians) <= FULL_TURN_IN_RADIANS:
+            return
+        for term in argument.terms if isinstance(argument, Sum) else ():
+            if isinstance(term, Number) and abs(term.value) > FULL_TURN_IN_RADIANS:
+                shown = abs(term.value)
+                hint = f"write {shown}° for degrees, {shown} rad for radians"
+                raise self.error(f"{name} of a sum with {shown} does not say what {shown} is", hint, token)
+
     def _trigonometry(self, name: str, argument: Expr, token: Token) -> Expr:
         """Cosine, sine or tangent, of an exact angle if the argument is one."""
         try:
@@ -250,6 +314,9 @@ class Parser(Operators):
             if any(isinstance(node, Unit) for node in walk(argument)):
                 raise self.error(error.message, error.hint, token) from None
             return Call(name.removesuffix("d"), (argument,))
+        self._check_bare(name, argument, angle, token)
+        if angle.radians and any(type(node) is Call for node in walk(argument)):
+            return Call(name.removesuffix("d"), (argument,))  # the cosine of atan2(3, 4) is no decimal
         if name == "tan":
             return self._build(token, lambda: multiply(sine(angle), power(cosine(angle), -1)))
         return cosine(angle) if name.startswith("cos") else sine(angle)

@@ -26,6 +26,7 @@ class Scope:
         lengths: Everything else: lengths, joint displacements, plain numbers.
         aliases: Other spellings in canonical form, such as q1 for theta1.
         is_open: Whether any other name stands for itself.
+        is_usual: Whether such a name must look like one in a formula, a letter with an index; others are asked about.
     """
 
     joints: tuple[str, ...] = ()
@@ -33,6 +34,7 @@ class Scope:
     lengths: tuple[str, ...] = ()
     aliases: Mapping[str, str] = field(default_factory=dict)
     is_open: bool = False
+    is_usual: bool = False
     _known: dict[str, str] = field(default_factory=dict, init=False, repr=False, compare=False)
     _read: dict[str, tuple[Expr, ...]] = field(default_factory=dict, init=False, repr=False, compare=False)
 
