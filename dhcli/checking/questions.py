@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from dhcli.errors import NotationError, Place, Problem, RobotError, nearest
@@ -18,7 +18,7 @@ from dhcli.kinematics.frames import frame
 from dhcli.kinematics.moves import Chain, read_chain
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.matrix import parse_matrix
-from dhcli.notation.parser import parse
+from dhcli.notation.parser import parse_quantity
 from dhcli.notation.quantity import DimensionError, to_length
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr
@@ -159,13 +159,16 @@ KINDS = (
 """One of each kind, for messages and for people who write exercises."""
 
 _PIECE = re.compile(
-    r"(?P<piece>rotation|position|entry\s+(?P<row>[1-4])\s+(?P<column>[1-4])|axis\s+(?P<axis>[xyz])"
+    r"(?P<piece>rotation|position|entry\s+(?P<row>[1-3])\s+(?P<column>[1-4])|axis\s+(?P<axis>[xyz])"
     r"|(?P<kind>point|vector)\s*(?P<point>\(.*\)))\s+(?:of\s+)?(?P<rest>.+)",
     re.DOTALL,
 )
-_POSE = re.compile(r"(?:pose\s+)?(?P<start>base|\d+)\s*\.\.\s*(?P<end>tool|base|\d+)")
-_LINK = re.compile(r"link\s+(?P<link>\d+)")
+_POSE = re.compile(r"(?:pose\s+)?(?P<start>base|\d{1,4})\s*\.\.\s*(?P<end>tool|base|\d{1,4})")
+_LINK = re.compile(r"link\s+(?P<link>\d{1,4})")
 _PRODUCT = re.compile(r"product\s+[\"“'](?P<text>.+)[\"”']", re.DOTALL)
+MOST_DIGITS = 4
+LONGEST = 2000
+"""Characters of a question."""
 _INVERSE = re.compile(r"inverse\s+of\s+(?P<rest>.+)", re.DOTALL)
 
 
@@ -181,18 +184,27 @@ def read_question(text: str, scope: Scope, place: Place | None = None) -> Questi
         NotationError: It asks nothing that is known, or a part of it cannot be read.
     """
     text = text.strip()
+    if len(text) > LONGEST:
+        raise NotationError(Problem(f"a question of more than {LONGEST} characters is not read", place))
     word = text.split(None, 1)[0] if text else ""
     others: dict[str, Callable[[str], Question]] = {
         "table": lambda rest: _table(rest, place),
         "cell": lambda rest: _cell(rest, place),
         "factors": lambda rest: FactorsQuestion(_number(rest, place)),
-        "scalar": lambda rest: ScalarQuestion(parse(rest, scope, place), rest),
+        "scalar": lambda rest: ScalarQuestion(parse_quantity(rest, scope, _behind(place, text, rest)), rest),
         "count": lambda rest: _count(rest, place),
         "choice": lambda _: ChoiceQuestion((), 0),
     }
     if word in others:
         return others[word](text[len(word) :].strip())
     return _matrix_question(text, scope, place)
+
+
+def _behind(place: Place | None, text: str, rest: str) -> Place | None:
+    """Where the end of a text begins."""
+    if place is None or place.column is None:
+        return place
+    return replace(place, column=place.column + len(text) - len(rest))
 
 
 def check_question(question: Question, robot: Robot | None) -> None:
@@ -249,16 +261,18 @@ def _length(expr: Expr, place: Place | None) -> Expr:
 
 
 def _source(text: str, scope: Scope, place: Place | None) -> tuple[Source, bool]:
-    text = text.strip()
-    if match := _INVERSE.fullmatch(text):
-        source, inverse = _source(match["rest"], scope, place)
-        return source, not inverse
+    text, inverse = text.strip(), False
+    while match := _INVERSE.fullmatch(text):
+        text, inverse = match["rest"].strip(), not inverse
     if match := _LINK.fullmatch(text):
-        return Span(str(int(match["link"]) - 1), match["link"], link=True), False
+        return Span(str(int(match["link"]) - 1), match["link"], link=True), inverse
     if match := _POSE.fullmatch(text):
-        return Span(match["start"], match["end"]), False
+        if match["start"] == match["end"]:
+            hint = "write pose 0..1"
+            raise NotationError(Problem("a frame seen from itself is no question", place, hint))
+        return Span(match["start"], match["end"]), inverse
     if match := _PRODUCT.fullmatch(text):
-        return Composed(read_chain(match["text"], scope, place), match["text"]), False
+        return Composed(read_chain(match["text"], scope, place), match["text"]), inverse
     raise _unknown(text, place)
 
 
@@ -283,15 +297,17 @@ def _count(rest: str, place: Place | None) -> CountQuestion:
 
 
 def _number(text: str, place: Place | None) -> str:
-    if not text.strip().isdecimal():
-        raise NotationError(Problem(f"'{text.strip()}' is not the number of a link", place, "write link 1"))
+    if not text.strip().isdecimal() or len(text.strip()) > MOST_DIGITS:
+        raise NotationError(Problem(f"'{text.strip():.60}' is not the number of a link", place, "write link 1"))
     return text.strip()
 
 
 def _unknown(text: str, place: Place | None) -> NotationError:
+    if text.startswith("entry 4"):
+        return NotationError(Problem("the bottom row of a pose is 0 0 0 1 for everybody", place, "ask for rows 1 to 3"))
     examples = {kind.split()[0]: kind for kind in KINDS}
     similar = nearest(text.split(None, 1)[0] if text else "", examples)
     hint = "did you mean " + " or ".join(examples[word] for word in similar) + "?" if similar else ""
     return NotationError(
-        Problem(f"'{text}' asks nothing that is known", place, hint or "write one of: " + " · ".join(KINDS))
+        Problem(f"'{text:.60}' asks nothing that is known", place, hint or "write one of: " + " · ".join(KINDS))
     )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Literal, TypeAlias, cast
 
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean
@@ -30,17 +31,26 @@ _SHORT = 60
 Order: TypeAlias = Literal["current", "fixed"]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Step:
     """One move of a product.
 
     Attributes:
         text: The move as it was typed.
-        pose: The frame that it and the moves before it reach.
+        chain: It and the moves before it, in the order in which they are multiplied.
+        end: The frame that they reach.
+        symbolic: Whether they are multiplied in terms; else in floats.
     """
 
     text: str
-    pose: AnyPose
+    chain: Chain
+    end: str
+    symbolic: bool
+
+    @cached_property
+    def pose(self) -> AnyPose:
+        """The frame that the move and those before it reach; most questions want the last one only."""
+        return folded(self.chain, "0", self.end, symbolic=self.symbolic)
 
 
 @dataclass(frozen=True, slots=True)
@@ -180,7 +190,7 @@ def compose(product: Product, values: Mapping[str, Value], wanted: Wanted) -> Tr
     exact = wanted.symbolic or bool(names((*moves, *points, *vectors)))
     so_far = [moves[: i + 1] if wanted.order == "current" else moves[i::-1] for i in range(len(moves))]
     steps = tuple(
-        Step(text, folded(chain, "0", str(i), symbolic=exact))
+        Step(text, chain, str(i), exact)
         for i, (text, chain) in enumerate(zip(product.texts, so_far, strict=True), 1)
     )
     chain = so_far[-1]

@@ -18,6 +18,10 @@ FULL_TURN_IN_RADIANS = Fraction(44, 7)
 """A number beyond this beside a joint angle is meant in degrees, or `rad` would stand behind it."""
 
 
+FINEST = 1 << 1000
+"""Largest denominator in a sum of angles; fractions beyond it make every step of the work a long one."""
+
+
 @dataclass(frozen=True, slots=True)
 class Angle:
     """An affine sum of named angles, with exact coefficients.
@@ -58,13 +62,21 @@ class Angle:
         return not self.terms and not self.degrees and not self.radians
 
     def __add__(self, other: Angle) -> Angle:
+        """The sum.
+
+        Raises:
+            OverflowError: A fraction in it has more digits than anything that is measured.
+        """
         if not other.terms:
             terms = self.terms
         elif not self.terms:
             terms = other.terms
         else:
             terms = _collect((*self.terms, *other.terms))
-        return Angle(terms, self.degrees + other.degrees, self.radians + other.radians)
+        degrees, radians = self.degrees + other.degrees, self.radians + other.radians
+        if degrees.denominator > FINEST or radians.denominator > FINEST:
+            raise OverflowError
+        return Angle(terms, degrees, radians)
 
     def __neg__(self) -> Angle:
         return Angle(tuple((name, -factor) for name, factor in self.terms), -self.degrees, -self.radians)
@@ -108,5 +120,7 @@ class Angle:
 def _collect(terms: Iterable[tuple[str, Fraction]]) -> tuple[tuple[str, Fraction], ...]:
     total: dict[str, Fraction] = {}
     for name, factor in terms:
-        total[name] = total.get(name, ZERO) + factor
+        total[name] = sum_ = total.get(name, ZERO) + factor
+        if sum_.denominator > FINEST:
+            raise OverflowError
     return tuple(sorted(((n, f) for n, f in total.items() if f), key=lambda term: natural_key(term[0])))

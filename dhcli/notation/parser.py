@@ -16,12 +16,12 @@ from dhcli.notation.functions import FUNCTIONS, is_usual, nearest_meaning, refus
 from dhcli.notation.glued import in_degrees, is_factor, unglued
 from dhcli.notation.names import GREEK_NAMES, canonical, parts, suggestion
 from dhcli.notation.operators import OPENING, Operators
-from dhcli.notation.quantity import ANGLE_UNITS, UNITS, DimensionError, to_angle
+from dhcli.notation.quantity import ANGLE_UNITS, UNITS, DimensionError, is_inverse, to_angle, to_length
 from dhcli.notation.scope import OPEN, Scope, trig_name
 from dhcli.notation.tokens import Source, Token, tokenize
 from dhcli.notation.tree import HALF, PI, Call, Expr, Number, Sum, Symbol, Trig, Unit, add, multiply, power
 from dhcli.notation.trig import cosine, sine
-from dhcli.notation.walk import walk
+from dhcli.notation.walk import symbols, walk
 
 RESERVED = frozenset(FUNCTIONS) | {"pi", "frac", "inv", "Rot", "Trans", "nan", "inf", "infinity"}
 """Words that cannot name a joint or a length."""
@@ -48,6 +48,27 @@ def parse(text: str, scope: Scope = OPEN, place: Place | None = None, *, decimal
     parser = Parser(source, tokens, scope)
     expr = parser.expression()
     parser.finish()
+    return expr
+
+
+def parse_quantity(text: str, scope: Scope = OPEN, place: Place | None = None) -> Expr:
+    """Read one expression that must be an angle, a length or a number; its units are still in it.
+
+    Raises:
+        NotationError: It cannot be read, or is none of them, such as `a1*90°` or `400 mm/(2 mm) + 1 mm`.
+    """
+    expr = parse(text, scope, place)
+    by_inverse = is_inverse(expr)
+    if by_inverse and symbols(expr):
+        return expr  # what it is worth is known when its names are
+    try:
+        if by_inverse or any(isinstance(n, Unit) and n.name in ANGLE_UNITS for n in walk(expr)):
+            to_angle(expr)
+        else:
+            to_length(expr)
+    except DimensionError as error:
+        source = Source(text, place or Place("expression"))
+        raise source.error(len(text) - len(text.lstrip()), error.message, error.hint) from None
     return expr
 
 

@@ -32,6 +32,7 @@ __all__ = [
     "DimensionError",
     "has_angle_unit",
     "is_affine",
+    "is_inverse",
     "to_angle",
     "to_length",
     "value_text",
@@ -57,7 +58,10 @@ def to_angle(expr: Expr, *, bare: Bare = "rad") -> Angle:
     Raises:
         DimensionError: A length, a product of angles, or a bare number where `bare` is `refuse`.
     """
-    angle = _angle(expr, bare)
+    try:
+        angle = _angle(expr, bare)
+    except OverflowError:
+        raise DimensionError("the angle has a number of too many digits", "write it with fewer digits") from None
     size = max(abs(angle.degrees), abs(angle.radians) * 57)
     if size > LARGEST_DEGREES:
         raise DimensionError(f"an angle beyond {LARGEST_DEGREES:,}° is not read", "write an angle within a few turns")

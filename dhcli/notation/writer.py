@@ -97,7 +97,8 @@ class _Writer:
             return text, ATOM
         if self.style.latex:
             sign = "-" if value < 0 else ""
-            return rf"{sign}\frac{{{abs(value.numerator)}}}{{{value.denominator}}}", PRODUCT
+            above, below = text.removeprefix("-").split("/")
+            return rf"{sign}\frac{{{above}}}{{{below}}}", PRODUCT
         return text, PRODUCT
 
     def sum(self, terms: tuple[Expr, ...]) -> str:
@@ -193,8 +194,9 @@ class _Writer:
 
     def scaled(self, factor: Fraction, text: str) -> str:
         sign = "-" if factor < 0 else ""
-        upper = "" if abs(factor.numerator) == 1 else f"{abs(factor.numerator)}{self.style.times}"
-        lower = "" if factor.denominator == 1 else f"/{factor.denominator}"
+        above, _, below = write_number(abs(factor)).partition("/")
+        upper = "" if above == "1" else f"{above}{self.style.times}"
+        lower = f"/{below}" if below else ""
         return f"{sign}{upper}{text}{lower}"
 
     def degrees(self, degrees: Fraction) -> str:
