@@ -73,10 +73,7 @@ class Angle:
             terms = other.terms
         else:
             terms = _collect((*self.terms, *other.terms))
-        degrees, radians = self.degrees + other.degrees, self.radians + other.radians
-        if degrees.denominator > FINEST or radians.denominator > FINEST:
-            raise OverflowError
-        return Angle(terms, degrees, radians)
+        return Angle(terms, _plus(self.degrees, other.degrees), _plus(self.radians, other.radians))
 
     def __neg__(self) -> Angle:
         return Angle(tuple((name, -factor) for name, factor in self.terms), -self.degrees, -self.radians)
@@ -117,10 +114,20 @@ class Angle:
         return math.radians(self.degrees) + float(self.radians)
 
 
+def _plus(first: Fraction, second: Fraction) -> Fraction:
+    """The sum of two constant parts, most of which are 0."""
+    if second is ZERO:
+        return first
+    if first is ZERO:
+        return second
+    total = first + second
+    if total.denominator > FINEST:
+        raise OverflowError
+    return total
+
+
 def _collect(terms: Iterable[tuple[str, Fraction]]) -> tuple[tuple[str, Fraction], ...]:
     total: dict[str, Fraction] = {}
     for name, factor in terms:
-        total[name] = sum_ = total.get(name, ZERO) + factor
-        if sum_.denominator > FINEST:
-            raise OverflowError
+        total[name] = _plus(total.get(name, ZERO), factor)
     return tuple(sorted(((n, f) for n, f in total.items() if f), key=lambda term: natural_key(term[0])))

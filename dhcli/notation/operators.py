@@ -48,10 +48,11 @@ class Operators(Cursor, ABC):
         while True:
             token = self.token
             self._count()
+            if token.kind == "end":
+                self._depth -= 1
+                return left
             if token.kind == "sign" and token.text in "+-" and binding < _SUM:
-                self.advance()
-                right = self.expression(_SUM)
-                left = self._build(token, add, left, right if token.text == "+" else negate(right))
+                left = self._sum(left, token)
             elif token.kind == "sign" and token.text in "*/" and binding < _PRODUCT:
                 left = self._multiplied(left)
             elif token.kind == "sign" and token.text == "^" and binding < _POWER:
@@ -62,6 +63,16 @@ class Operators(Cursor, ABC):
             else:
                 self._depth -= 1
                 return left
+
+    def _sum(self, first: Expr, token: Token) -> Expr:
+        """All terms of a sum at once, for one by one each would be compared with those before it again and again."""
+        terms, sign = [first], token
+        while sign.kind == "sign" and sign.text in "+-":
+            self.position += 1
+            right = self.expression(_SUM)
+            terms.append(right if sign.text == "+" else negate(right))
+            sign = self.token
+        return self._build(token, add, *terms)
 
     def go_deeper(self) -> None:
         """Count one more level of nesting, and stop at the cap."""

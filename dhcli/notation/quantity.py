@@ -9,7 +9,7 @@ import math
 from fractions import Fraction
 from typing import Literal
 
-from dhcli.notation.angle import Angle
+from dhcli.notation.angle import ZERO, Angle
 from dhcli.notation.dimensions import (
     ANGLE_UNITS,
     INVERSE,
@@ -41,6 +41,8 @@ __all__ = [
 LARGEST_DEGREES = 1_000_000
 """Largest constant part of an angle [deg]: nearly three thousand turns, more than any joint makes."""
 
+LARGEST_RADIANS = 17_453
+
 LARGEST = 100_000_000
 """Largest number in a length [m] or a plain number."""
 
@@ -62,12 +64,9 @@ def to_angle(expr: Expr, *, bare: Bare = "rad") -> Angle:
         angle = _angle(expr, bare)
     except OverflowError:
         raise DimensionError("the angle has a number of too many digits", "write it with fewer digits") from None
-    size = max(abs(angle.degrees), abs(angle.radians) * 57)
-    if size > LARGEST_DEGREES:
-        raise DimensionError(f"an angle beyond {LARGEST_DEGREES:,}° is not read", "write an angle within a few turns")
-    for part in (angle.degrees, angle.radians, *(factor for _, factor in angle.terms)):
-        if part.denominator.bit_length() > MOST_BITS or part.numerator.bit_length() > MOST_BITS:
-            raise DimensionError("the angle has a number of too many digits", "write it with fewer digits")
+    for name, part in (*angle.terms, ("°", angle.degrees), ("rad", angle.radians)):
+        if part is not ZERO:
+            _check_size(name, part.numerator, part.denominator)
     return angle
 
 
@@ -77,6 +76,8 @@ def to_length(expr: Expr) -> Expr:
     Raises:
         DimensionError: A unit of angle where a length is wanted, an area, units that cancel, or no length at all.
     """
+    if type(expr) is Symbol or (type(expr) is Number and -LARGEST <= expr.value.numerator <= LARGEST):
+        return expr
     measured = False
     for node in walk(expr):
         if type(node) is Number and abs(node.value) > LARGEST:
@@ -126,6 +127,14 @@ def value_text(value: Angle | Expr, unit: str = "m") -> str:
     if not isinstance(value, Number):
         return f"{write(value)} m"
     return f"{float(value.value / LENGTH_UNITS.get(unit, 1)):.10g} {unit}".rstrip()
+
+
+def _check_size(name: str, above: int, below: int) -> None:
+    """Refuse a part of an angle, above/below, that no joint has: thousands of turns, or hundreds of digits."""
+    if below.bit_length() > MOST_BITS or above.bit_length() > MOST_BITS:
+        raise DimensionError("the angle has a number of too many digits", "write it with fewer digits")
+    if (name == "°" and abs(above) > LARGEST_DEGREES * below) or (name == "rad" and abs(above) > LARGEST_RADIANS * below):
+        raise DimensionError(f"an angle beyond {LARGEST_DEGREES:,}° is not read", "write an angle within a few turns")
 
 
 def _angle(expr: Expr, bare: Bare) -> Angle:

@@ -305,9 +305,10 @@ def _scale(factor: Number, *rest: Expr) -> Expr:
 
 def _add_numbers(first: Number, second: Number) -> Number:
     places = [n.places for n in (first, second) if n.places is not None]
-    total = Number(first.value + second.value, max(places) if places else None)
-    _check_size(total.value)
-    return total
+    value = first.value + second.value
+    if value.denominator != 1:
+        _check_size(value)
+    return Number(value, max(places) if places else None)
 
 
 def _multiply_numbers(first: Number, second: Number) -> Number:
