@@ -167,7 +167,7 @@ def joint_called(robot: Robot, name: str, place: Place | None = None) -> str:
         for variable in robot.variables:
             if canonical(variable) == canonical(candidate):
                 return variable
-    raise RobotError(Problem(f"{robot.name} has no joint {name}", place, did_you_mean(name, robot.variables)))
+    raise RobotError(Problem(f"{robot.name} has no joint {name:.60}", place, did_you_mean(name, robot.variables)))
 
 
 def _from_text(robot: Robot, text: str, bare: Bare, place: Place) -> dict[str, Value]:
