@@ -12,6 +12,7 @@ from dhcli.checking.tolerance import DEFAULT, Tolerance
 from dhcli.checking.variants import Range
 from dhcli.errors import DhcliError, UnknownNameError, did_you_mean
 from dhcli.kinematics.conventions import Convention
+from dhcli.kinematics.derived import replaced
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.notation.names import GREEK_NAMES, parts
 from dhcli.notation.quantity import LENGTH_UNITS
@@ -162,8 +163,9 @@ class Exercise:
     @cached_property
     def values(self) -> Mapping[str, Value]:
         """Values that may stand for their names: those given and, in numbers, the robot's own."""
-        own = self.robot.parameters if self.robot and self.numeric else {}
-        return {**{name: value for name, value in own.items() if value is not None}, **self.given}
+        if not self.robot or not self.numeric:
+            return dict(self.given)
+        return replaced(self.robot.derived, self.robot.parameters, self.given)
 
 
 def answer_scope(robot: Robot | None, extra: tuple[str, ...]) -> Scope:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from functools import cached_property
 from types import MappingProxyType
-from typing import Literal, TypeAlias
+from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from dhcli.errors import RobotError, plural
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row
@@ -16,6 +16,9 @@ from dhcli.notation.scope import Scope
 from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Expr, Trig
 from dhcli.notation.walk import symbols, walk
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.derived import Formula
 
 Value: TypeAlias = Angle | Expr
 """The value of a name: an exact angle, or an expression of lengths in metres."""
@@ -74,6 +77,8 @@ class Robot:
         poses: Named poses, a value for each variable.
         columns: Order of the columns in which the table was written.
         notes: What else a reader should know.
+        derived: Formulas of those parameters that follow from others; their values stand among the parameters.
+        remarks: What was taken for something else when it was read, such as 1.5708 rad for 90°.
 
     Raises:
         InvalidRobotError: With every finding, if it is not a robot.
@@ -93,12 +98,14 @@ class Robot:
     poses: Mapping[str, tuple[Value, ...]] = field(default_factory=dict)
     columns: tuple[str, ...] = COLUMNS
     notes: str = ""
+    derived: Mapping[str, Formula] = field(default_factory=dict)
+    remarks: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         """Refuse to exist with anything wrong."""
         from dhcli.kinematics.validity import check
 
-        for attribute in ("parameters", "limits", "poses"):
+        for attribute in ("parameters", "limits", "poses", "derived"):
             object.__setattr__(self, attribute, MappingProxyType(dict(getattr(self, attribute))))
         check(self)
 

@@ -35,6 +35,7 @@ __all__ = [
     "is_inverse",
     "to_angle",
     "to_length",
+    "to_plain_length",
     "value_text",
 ]
 
@@ -94,6 +95,17 @@ def to_length(expr: Expr) -> Expr:
     return in_metres(expr)
 
 
+def to_plain_length(expr: Expr) -> Expr:
+    """Read an expression as a length or number that is no angle: `to_length` but for `atan2(1, 2)` and its like.
+
+    Raises:
+        DimensionError: As `to_length`, or it is an angle by an inverse function.
+    """
+    if is_inverse(expr):
+        raise DimensionError("an inverse function is an angle, a length is wanted", "write 0.4 m or 400 mm")
+    return to_length(expr)
+
+
 def has_angle_unit(expr: Expr) -> bool:
     """Whether a unit of angle, or π, stands anywhere in an expression, or it is an angle by an inverse function."""
     return is_inverse(expr) or any(
@@ -133,7 +145,9 @@ def _check_size(name: str, above: int, below: int) -> None:
     """Refuse a part of an angle, above/below, that no joint has: thousands of turns, or hundreds of digits."""
     if below.bit_length() > MOST_BITS or above.bit_length() > MOST_BITS:
         raise DimensionError("the angle has a number of too many digits", "write it with fewer digits")
-    if (name == "°" and abs(above) > LARGEST_DEGREES * below) or (name == "rad" and abs(above) > LARGEST_RADIANS * below):
+    if (name == "°" and abs(above) > LARGEST_DEGREES * below) or (
+        name == "rad" and abs(above) > LARGEST_RADIANS * below
+    ):
         raise DimensionError(f"an angle beyond {LARGEST_DEGREES:,}° is not read", "write an angle within a few turns")
 
 

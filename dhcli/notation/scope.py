@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from dhcli.notation.angle import Angle
@@ -136,6 +136,17 @@ class Scope:
 
 OPEN = Scope(is_open=True)
 """A scope in which every name stands for itself, and `c12` for cos(theta1 + theta2)."""
+
+
+def usual(declared: Iterable[str] = ()) -> Scope:
+    """A scope for a text typed without any robot: names declared, and those that look like names in a formula.
+
+    Args:
+        declared: Names that may look like words, such as shoulder; the Greek ones are angles.
+    """
+    names = tuple(declared)
+    angles = tuple(name for name in names if parts(name)[0] in GREEK_NAMES | {"q"})
+    return Scope(angles=angles, lengths=tuple(n for n in names if n not in angles), is_open=True, is_usual=True)
 
 
 def _ends(word: str, start: int) -> Iterator[int]:
