@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 
 from dhcli.algebra.floats import Floats
@@ -21,7 +22,7 @@ Matrix = list[list[float]]
 
 
 def digit_slack(move: Fixed) -> float:
-    """One unit of the last decimal of a matrix that is printed with decimals; 0 if it has none.
+    """Half a unit of the last decimal of a matrix that is printed with decimals; 0 if it has none.
 
     The most decimals in it count for all, for 0.5 stands in a table of two decimals for 0.50.
     """
@@ -32,7 +33,7 @@ def digit_slack(move: Fixed) -> float:
         for node in walk(entry)
         if type(node) is Number and node.places is not None and node.value.denominator != 1
     ]
-    return 10.0 ** -max(places) if places else 0.0
+    return 0.5 * 10.0 ** -max(places) if places else 0.0
 
 
 def nearest_rotation(move: Fixed) -> tuple[Fixed, str]:
@@ -53,7 +54,7 @@ def nearest_rotation(move: Fixed) -> tuple[Fixed, str]:
         (*(_entry(entry, value) for entry, value in zip(row, near, strict=True)), whole[3])
         for row, near, whole in zip(typed, found, move.rows, strict=True)
     )
-    decimals = len(f"{slack:.12f}".rstrip("0")) - 2
+    decimals = round(-math.log10(2 * slack))
     remark = f"a matrix with {decimals} decimals is a rotation to its digits; the nearest rotation is taken"
     return Fixed(tuple((r[0], r[1], r[2], r[3]) for r in rows)), remark
 

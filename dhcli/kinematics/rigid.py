@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from dhcli.algebra.equality import equal
 from dhcli.algebra.floats import Floats
 from dhcli.kinematics.moves import Chain, Fixed, Move
 from dhcli.kinematics.printed import digit_slack, nearest_rotation
-from dhcli.notation.tree import ONE, ZERO, Expr, add, multiply
+from dhcli.notation.tree import ONE, ZERO, Expr, Number, add, multiply
 from dhcli.notation.walk import symbols
 
 LOOSE = 1e-6
@@ -16,11 +18,11 @@ LOOSE = 1e-6
 def not_a_rotation(move: Fixed) -> str:
     """What keeps the matrix from being a pose, in words; empty if nothing does."""
     columns = [[row[i] for row in move.rows] for i in range(3)]
-    slack = 2 * 3**0.5 * digit_slack(move) + LOOSE  # a unit of the last digit in each entry of two unit vectors
+    half = digit_slack(move)
     for i in range(3):
         for j in range(i, 3):
             dot = add(*(multiply(p, q) for p, q in zip(columns[i], columns[j], strict=True)))
-            if not _agree(dot, ONE if i == j else ZERO, slack):
+            if not _agree(dot, ONE if i == j else ZERO, _slack(columns[i], columns[j], half)):
                 if i == j:
                     return f"column {i + 1} is not a unit vector"
                 return f"columns {i + 1} and {j + 1} are not perpendicular"
@@ -31,6 +33,7 @@ def not_a_rotation(move: Fixed) -> str:
         )
         for k in range(3)
     ]
+    slack = max(_slack(column, column, half) for column in columns) + half
     if not all(_agree(c, column, slack) for c, column in zip(cross, columns[2], strict=True)):
         return "the columns are left-handed"
     return ""
@@ -54,6 +57,22 @@ def sharpened(chain: Chain, remarks: list[str] | None) -> Chain:
         moves.append(sharp)
         remarks += [remark] if remark else []
     return tuple(moves)
+
+
+def _slack(first: Sequence[Expr], second: Sequence[Expr], half: float) -> float:
+    """How far the product of two columns may be off, where each decimal may be off by half a unit of its last digit."""
+    if not half:
+        return LOOSE
+    total = 0.0
+    for p, q in zip(first, second, strict=True):
+        off, other = half * _has_decimals(p), half * _has_decimals(q)
+        if off or other:
+            total += abs(Floats().value(p)) * other + abs(Floats().value(q)) * off + off * other
+    return total + LOOSE
+
+
+def _has_decimals(expr: Expr) -> bool:
+    return isinstance(expr, Number) and expr.value.denominator != 1
 
 
 def _agree(first: Expr, second: Expr, slack: float) -> bool:
