@@ -15,9 +15,10 @@ from dhcli.errors import Place
 from dhcli.notation.functions import FUNCTIONS
 from dhcli.notation.parser import Parser
 from dhcli.notation.quantity import UNITS
+from dhcli.notation.scaled import without_factor
 from dhcli.notation.scope import OPEN, Scope
 from dhcli.notation.tokens import MOST_CHARACTERS, Source, Token, tokenize
-from dhcli.notation.tree import Expr
+from dhcli.notation.tree import Expr, multiply
 
 MOST_CELLS = 64
 MOST_WRAPPINGS = 8
@@ -67,7 +68,8 @@ def bracketed(rows: Iterable[Iterable[str]]) -> str:
 
 def read_matrix(source: Source, tokens: Sequence[Token], scope: Scope) -> tuple[tuple[Cell, ...], ...]:
     """Read a matrix from tokens; see `parse_matrix`."""
-    body = _unwrap([token for token in tokens if token.kind != "end"])
+    scaled = without_factor(source, _labelled([token for token in tokens if token.kind != "end"]), scope, _WRAPPERS)
+    body = _unwrap(scaled.body)
     if {"&", ";"} <= {token.text for token in body}:  # LaTeX ends a row with \\ alone, and long rows are broken
         body = [token for token in body if token.kind != "newline"]
     rows = [cells for row in _rows(body) if (cells := _cells(source, row))]
@@ -85,7 +87,18 @@ def read_matrix(source: Source, tokens: Sequence[Token], scope: Scope) -> tuple[
             f"row {odd + 1} has {widths[odd]} cell{'s'[: widths[odd] != 1]} where others have {usual}: {shown}",
             "c1 -s1 and a1 c1 are two cells, c1 - s1 and a1*c1 are one; commas settle it",
         )
-    return tuple(tuple(_cell(source, cell, scope) for cell in row) for row in rows)
+    found = tuple(tuple(_cell(source, cell, scope) for cell in row) for row in rows)
+    if not scaled.text:
+        return found
+    return tuple(
+        tuple(Cell(multiply(scaled.factor, c.expr), f"{scaled.text}*({c.text})", c.start) for c in row) for row in found
+    )
+
+
+def _labelled(tokens: list[Token]) -> list[Token]:
+    """Without `T =` in front."""
+    tokens = _trim(tokens)
+    return tokens[2:] if [token.kind for token in tokens[:2]] == ["word", "sign"] and tokens[1].text == "=" else tokens
 
 
 def _cell(source: Source, tokens: list[Token], scope: Scope) -> Cell:
@@ -104,9 +117,7 @@ def _text(source: Source, tokens: list[Token]) -> str:
 
 def _unwrap(tokens: list[Token]) -> list[Token]:
     """Without LaTeX environments, `T =`, `array(...)` and the outermost brackets."""
-    tokens = _trim(_without_environments(tokens))
-    if [token.kind for token in tokens[:2]] == ["word", "sign"] and tokens[1].text == "=":
-        tokens = tokens[2:]
+    tokens = _labelled(_without_environments(tokens))
     for _ in range(MOST_WRAPPINGS):
         tokens = _trim(tokens)
         if len(tokens) > 1 and tokens[0].kind == "word" and tokens[0].text in _WRAPPERS and tokens[1].text in _OPENING:
@@ -115,10 +126,15 @@ def _unwrap(tokens: list[Token]) -> list[Token]:
         if closing != len(tokens) - 1 or closing < 1:
             break
         inside = _trim(tokens[1:-1])
-        if tokens[0].text == "(" and not (inside and inside[0].text in ("[", "{")):
+        if tokens[0].text == "(" and not (inside and (inside[0].text in ("[", "{") or _has_rows(inside))):
             break
         tokens = inside
     return tokens
+
+
+def _has_rows(tokens: Sequence[Token]) -> bool:
+    r"""Whether cells and rows are separated here as in LaTeX, `\left(\begin{array}{cc} a & b \\ ...`."""
+    return any(depth == 0 and token.text == "&" for token, depth in _depths(tokens))
 
 
 def _trim(tokens: list[Token]) -> list[Token]:

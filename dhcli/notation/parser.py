@@ -194,7 +194,7 @@ class Parser(Operators):
     def _unglue(self) -> bool:
         """Put the tokens of `cos30°`, `sqrt3` or `a2cos(...)` in the place of the word that was just taken."""
         start = self.position - 1
-        pieces, replaced = unglued(self.tokens, start, self.scope)
+        pieces, replaced = unglued(self.tokens, start, self.scope, angle_follows=self._angle_follows())
         if not pieces:
             return False
         name, number = pieces[-2].text, pieces[-1].text

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from dhcli.errors import NotationError, Place, Problem
-from dhcli.notation.names import GREEK, describe, foreign_letter
+from dhcli.notation.names import GREEK, GREEK_NAMES, describe, foreign_letter
 
 MOST_CHARACTERS = 2000
 """Longest expression that is read; nobody types more into a cell."""
@@ -38,7 +38,7 @@ _GREEK_LETTERS = "".join(GREEK)
 _DECIMAL_COMMA = re.compile(r"\d+,\d+(?![\d,.])", re.ASCII)
 _WORD = rf"π|[A-Za-z{_GREEK_LETTERS}](?:[A-Za-z0-9{_GREEK_LETTERS}₀-₉]|_\{{[^{{}}]*\}}|_(?=[A-Za-z0-9]))*"
 _PIECE = re.compile(
-    rf"(?P<blank>[ \t\u00a0\u2009\u202f{_NOISE}]+)"
+    rf"(?P<blank>[ \t\u00a0\u2009\u202f{_NOISE}]+|\.(?=[*/^]))"
     r"|(?P<module>(?:np|numpy|math|sp|sympy|sym)\.(?=[A-Za-z]))"
     rf"|(?P<word>{_WORD})"
     r"|(?P<number>(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
@@ -46,7 +46,11 @@ _PIECE = re.compile(
 )
 """Everything but LaTeX, superscripts and decimal commas."""
 _COMMAND = re.compile(r"\\([A-Za-z]+|.)", re.DOTALL)
+_ROW_ROOM = re.compile(r"\s{0,9}\[\s{0,9}-?[0-9.]{1,9}\s{0,9}(?:pt|ex|em|mm|cm|in)\s{0,9}\]")
+"""The room below a row, `\\\\[2pt]`."""
 _SUBSCRIPT = re.compile(r"\s*(_\{[^{}]*\}|_[A-Za-z0-9])")
+_INDEX = re.compile(r" ?([0-9]{1,2})(?![0-9.,])")
+"""The index of `\\theta 1`, which TeX sets on the line."""
 _WRAPPED = re.compile(r"\s*\{\s*([A-Za-z0-9]+)\s*\}((?:_\{[^{}]*\}|_[A-Za-z0-9])?)")
 _LATEX_SPACES = frozenset(",;:! ") | {"quad", "qquad", "displaystyle", "left", "right", "limits"}
 _LATEX_SIGNS = {
@@ -179,6 +183,8 @@ def _latex(source: Source, start: int, *, spaced: bool) -> tuple[tuple[Token, ..
     if command in _LATEX_SPACES:
         return (), end
     if command in _LATEX_SIGNS:
+        if command == "\\" and (room := _ROW_ROOM.match(text, end)):
+            end = room.end()
         return (Token("sign", _LATEX_SIGNS[command], start, end, spaced),), end
     if command in _LATEX_WRAPPERS:
         inner = _WRAPPED.match(text, end)
@@ -187,7 +193,7 @@ def _latex(source: Source, start: int, *, spaced: bool) -> tuple[tuple[Token, ..
         return (Token("word", inner[1] + inner[2], start, inner.end(), spaced),), inner.end()
     if not command.isalpha():
         raise source.error(start, f"\\{command} is not understood")
-    if tail := _SUBSCRIPT.match(text, end):
+    if (tail := _SUBSCRIPT.match(text, end)) or (command in GREEK_NAMES and (tail := _INDEX.match(text, end))):
         command, end = command + tail[1], tail.end()
     return (Token("word", command, start, end, spaced),), end
 
