@@ -24,6 +24,7 @@ MOST_CELLS = 64
 MOST_WRAPPINGS = 8
 """Brackets around a matrix that are taken off, such as those of `np.array([[...]])`."""
 
+_SIDE = 4
 LONGEST_COLUMNS = 100
 """Tokens in the list of columns of a LaTeX array."""
 LONGEST = 64 * 2000
@@ -72,7 +73,7 @@ def read_matrix(source: Source, tokens: Sequence[Token], scope: Scope) -> tuple[
     body = _unwrap(scaled.body)
     if {"&", ";"} <= {token.text for token in body}:  # LaTeX ends a row with \\ alone, and long rows are broken
         body = [token for token in body if token.kind != "newline"]
-    rows = [cells for row in _rows(body) if (cells := _cells(source, row))]
+    rows = _squared([cells for row in _rows(body) if (cells := _cells(source, row))])
     if not rows:
         raise source.error(0, "no matrix is written here", "write [1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1]")
     if sum(map(len, rows)) > MOST_CELLS:
@@ -93,6 +94,24 @@ def read_matrix(source: Source, tokens: Sequence[Token], scope: Scope) -> tuple[
     return tuple(
         tuple(Cell(multiply(scaled.factor, c.expr), f"{scaled.text}*({c.text})", c.start) for c in row) for row in found
     )
+
+
+def _squared(rows: list[list[list[Token]]]) -> list[list[list[Token]]]:
+    """Rows without a head of axes, `x' y' z'`, above four; a bottom row `0 0 1` gets the 0 that a print has lost."""
+    if len(rows) == _SIDE + 1 and [_letters(cell) for cell in rows[0][:3]] == ["x", "y", "z"]:
+        rows = rows[1:]
+    if [len(row) for row in rows] == [_SIDE, _SIDE, _SIDE, 3] and [_letters(cell) for cell in rows[3]] == [
+        "0",
+        "0",
+        "1",
+    ]:
+        return [*rows[:3], [rows[3][0], *rows[3]]]
+    return rows
+
+
+def _letters(cell: list[Token]) -> str:
+    """A cell without primes and indices."""
+    return "".join(token.text for token in cell if token.text not in ("'", '"')).partition("_")[0]
 
 
 def _labelled(tokens: list[Token]) -> list[Token]:
@@ -220,12 +239,14 @@ def _groups(tokens: list[Token]) -> list[list[Token]]:
 
 def _cells(source: Source, row: list[Token]) -> list[list[Token]]:
     """The cells of a row: separated by commas, `&` or bars if there are any, else by blanks."""
-    if all(token.kind == "sign" and token.text in _RULES for token in row):
+    if all(token.kind == "sign" and token.text in _RULES for token in row) or all(token.text == "&" for token in row):
         return []
-    for separator in (",", "&", "|"):
+    for separator in ("&", ",", "|"):
         marks = [i for i, (token, depth) in enumerate(_depths(row)) if token.text == separator and depth == 0]
         if marks:
             cells = [row[start + 1 : end] for start, end in pairwise((-1, *marks, len(row)))]
+            if separator == "&":
+                cells = [cell[:-1] if cell and cell[-1].text == "," else cell for cell in cells]
             first, last = separator == "|" and not cells[0], len(cells) - (not cells[-1])
             if separator == "|" and last - first == 1:  # bars around the row, not between cells
                 return _blank_separated(cells[first])

@@ -12,7 +12,7 @@ from dhcli.notation.screens import equations, plain, with_factor, with_points
 _LABEL = re.compile(r"\s*(?:[^=+*/\[\](){},;|<>\n-]|\{[^{}=\n]{0,20}\}|\([^()=\n]{0,20}\)){1,40}=\s*&?\s*(?=[^\s=])")
 """`T_03 =`, `{}^{0}_{3}T =`, `p_{x} &=`: names with indices, nothing that computes."""
 _NAMED_MATRIX = re.compile(
-    r"\s*(?:[^=\n]{0,80}=){1,4}[\s&]*(?=[^=\n&;,]{0,60}(?:\[|\\begin|\\left|array|np\.|Matrix|matrix))"
+    r"\s*(?:[^=\n]{0,200}=){1,4}[\s&]*(?=[^=\n&;,]{0,60}(?:\[|\\begin|\\left|array|np\.|Matrix|matrix))"
 )
 """`A B = C D =` before a matrix, with a factor or without."""
 _CONTINUED = re.compile(r"\.\.\.[^\S\n]*(?=\n)")
@@ -66,6 +66,8 @@ def rows_of(text: str, shape: tuple[int, int]) -> str:
     missing = [name for row in wanted for name in row if name not in entries]
     if missing:
         raise EntriesError(f"{', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing")
+    if shape == _VECTOR:  # in a row, where commas keep `a1 c1` one coordinate
+        return "[" + ", ".join(entries[row[0]] for row in wanted) + "]"
     bottom = [["0", "0", "0", "1"]] if shape == _POSE else []
     return bracketed([*([entries[name] for name in row] for row in wanted), *bottom])
 

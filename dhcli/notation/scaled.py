@@ -48,6 +48,8 @@ def without_factor(source: Source, tokens: list[Token], scope: Scope, wrappers: 
     before, after = _trimmed(tokens[:start]), _trimmed(tokens[end + 1 :])
     if not (before or after) or not _is_factor(before) or not _is_factor(after):
         return Scaled(tokens)
+    if after and after[0].text not in ("*", "/"):
+        return Scaled(tokens)  # the number of an equation, or another matrix
     if not any(token.text in _SEPARATORS or token.kind == "newline" for token in tokens[start:end]):
         return Scaled(tokens)
     signed = bool(before and before[-1].text == "*") or bool(after and after[0].text in ("*", "/"))

@@ -105,6 +105,8 @@ class Scope:
         if digits.isdecimal() and digits.isascii():
             yield from self._indexed(digits)
             return
+        if text.startswith("_{") and not text[2:3].isalnum():
+            text = text[2:-1]  # c_{\\theta_i}, as some write the cosine of theta_i
         name = self._known.get(canonical(text.lstrip("_")))
         if name is not None and self.is_angle(name):
             yield Angle.of(name)

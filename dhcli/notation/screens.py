@@ -14,10 +14,12 @@ LONGEST = 200_000
 
 _DISPLAY = re.compile(
     r"\\(?:begin|end)\{(?:equation|align|aligned|alignat|gather|gathered|split|displaymath|math|multline)\*?\}"
-    r"|\\(?:tag|label)\{[^{}]{0,60}\}|\\(?:nonumber|notag)\b|\$\$?|\\\[(?!\s*-?[\d.]+\s*(?:pt|ex|em|mm|cm|in)\s*\])|\\[\]()]"
+    r"|\\(?:tag|label)\{[^{}]{0,60}\}|\\(?:nonumber|notag|hline)\b|\\(?:over|under)brace\{[^{}]{0,60}(?:\{[^{}]{0,60}\}[^{}]{0,60}){0,4}\}[\^_]\{[^{}]{0,20}\}"
+    r"|\$\$?|\\\[(?!\s*-?[\d.]+\s*(?:pt|ex|em|mm|cm|in)\s*\])|\\[\]()]"
 )
 """What sets a formula apart and is no part of it; a `\\[2pt]` at the end of a row is."""
 
+_NUMBER_OF_EQUATION = re.compile(r"\\q?quad\s{0,9}\([0-9]{1,3}\.[0-9]{1,3}\)\s{0,99}$")
 _ROWS_OF_EQUATIONS = re.compile(r"^\s*\\begin\{array\}\s*\{[rcl ]{1,9}\}|\\end\{array\}\s*$")
 _HEADING = re.compile(
     r"^(?:\S{1,20} of .{1,80}: frame \S{1,12} seen from frame \S{1,12}|(?:standard DH|modified DH|product of moves)\b.*"
@@ -38,6 +40,9 @@ def plain(text: str) -> str:
         text = _DISPLAY.sub(" ", text)
     if "seen from frame" in text or "let k" in text:
         text = _for_people(text)
+    if "^{*}" in text:
+        text = text.replace("^{*}", "*")
+    text = _NUMBER_OF_EQUATION.sub("", text)
     stripped = text.rstrip(" \t\r\n.,;&")
     while stripped.endswith("\\\\"):
         stripped = stripped[:-2].rstrip(" \t\r\n.,;&")
