@@ -20,6 +20,7 @@ from dhcli.kinematics.validity import Finding, InvalidRobotError
 from dhcli.notation.angle import Angle
 from dhcli.notation.names import canonical
 from dhcli.notation.scope import Scope
+from dhcli.notation.tokens import is_name
 from dhcli.notation.tree import ZERO, Expr, Trig
 from dhcli.notation.walk import walk
 
@@ -166,6 +167,9 @@ class _Loader:
         for i, node in enumerate(nodes):
             self.places[section, i] = node.place
             scalar = self.problems.scalar(node, section)
+            if scalar is not None and section == "variables" and not is_name(scalar.text):
+                message = f"{section}: {scalar.text!r:.60} is not a name"
+                self.problems.add(scalar.place, message, "write letters, with digits or an index: elbow_1, l_x")
             if scalar is not None:
                 yield scalar.text
 

@@ -46,8 +46,8 @@ def dimension(expr: Expr) -> Fraction | None:
     Raises:
         DimensionError: A sum of what cannot be added, such as a length and a number; or a function of a length.
     """
-    if isinstance(expr, Symbol):
-        return None
+    if isinstance(expr, Symbol) or (isinstance(expr, Number) and not expr.value):
+        return None  # a name is anything, and 0 is 0 in any unit
     if isinstance(expr, Number | Constant | Trig):
         return _NUMBER
     if isinstance(expr, Unit):

@@ -95,7 +95,7 @@ def refusal(word: str, known: Iterable[str] = (), *, called: bool = False, measu
 
 def nearest_meaning(word: str, known: Iterable[str] = ()) -> str:
     """A hint at the function, the unit or the name that a word may have meant; the functions there are if none."""
-    candidates = (*known, *FUNCTIONS, *sorted(UNITS - {"°", "m"}), "pi")
+    candidates = (*known, *dict.fromkeys(FUNCTIONS.values()), *sorted(UNITS - {"°", "m"}), "pi")
     found = nearest(canonical(word), candidates)
     if found:
         return "did you mean " + " or ".join(dict.fromkeys(found)) + "?"

@@ -8,6 +8,7 @@ from typing import Literal
 
 from dhcli.errors import NotationError, Place, Problem
 from dhcli.notation.names import GREEK, GREEK_NAMES, describe, foreign_letter
+from dhcli.notation.styles import SPOKEN_FOR
 
 MOST_CHARACTERS = 2000
 """Longest expression that is read; nobody types more into a cell."""
@@ -35,8 +36,12 @@ _LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _NOISE = "─━═┄┈╌┌┬┐├┼┤└┴┘┏┳┓┡╇┩┢┣╋┫┗┻┛╔╦╗╠╬╣╚╩╝╭╮╯╰⎡⎢⎣⎤⎥⎦⎛⎜⎝⎞⎟⎠$"
 """What frames a table or a formula on a screen and means nothing."""
 _GREEK_LETTERS = "".join(GREEK)
+_LONGEST_WORD = 12
+_ESCAPED = re.compile(rf"(?<![A-Za-z0-9_])(?:{'|'.join(sorted(SPOKEN_FOR))})$")
+"""A keyword before the underscore that makes it a name in a program."""
 _DECIMAL_COMMA = re.compile(r"\d+,\d+(?![\d,.])", re.ASCII)
 _WORD = rf"π|[A-Za-z{_GREEK_LETTERS}](?:[A-Za-z0-9{_GREEK_LETTERS}₀-₉]|_\{{[^{{}}]*\}}|_(?=[A-Za-z0-9]))*"
+_NAME = re.compile(_WORD)
 _PIECE = re.compile(
     rf"(?P<blank>[ \t\u00a0\u2009\u202f{_NOISE}]+|\.(?=[*/^]))"
     r"|(?P<module>(?:np|numpy|math|sp|sympy|sym)\.(?=[A-Za-z]))"
@@ -115,6 +120,11 @@ class Source:
         return NotationError(Problem(message, place, hint))
 
 
+def is_name(text: str) -> bool:
+    """Whether a text is one name: letters and digits, with an index behind it if need be."""
+    return _NAME.fullmatch(text.removeprefix("\\")) is not None
+
+
 def tokenize(source: Source, *, decimal_comma: bool = False, most: int = MOST_CHARACTERS) -> list[Token]:
     """Split a text into tokens, the last of which is `end`.
 
@@ -170,6 +180,8 @@ def _rare(source: Source, start: int, *, spaced: bool) -> tuple[tuple[Token, ...
         minus = (Token("sign", "-", start, start + 1, spaced=False),) if match[1] else ()
         number = Token("number", match[2].translate(_RAISED), match.start(2), match.end(), spaced=False)
         return (power, *minus, number), match.end()
+    if text[start] == "_" and _ESCAPED.search(text, max(start - _LONGEST_WORD, 0), start):
+        return (), start + 1  # `lambda_` and `E_` in code that dhcli has written
     raise _strange(source, start)
 
 

@@ -18,7 +18,7 @@ from dhcli.notation.parser import parse
 from dhcli.notation.pasted import without_label
 from dhcli.notation.scope import OPEN
 from dhcli.notation.tree import Expr
-from tests.truth.items import _DATA, CELLS, ERRATA, EQUATIONS, TRUTH, matrix, read
+from tests.truth.items import _DATA, CELLS, EQUATIONS, ERRATA, TRUTH, matrix, read
 
 PRINTED: list[dict[str, Any]] = json.loads((_DATA / "printed.json").read_text("utf-8"))
 MATRICES = [found for found in PRINTED if "n" in found]
