@@ -15,10 +15,10 @@ from dhcli.errors import Place
 from dhcli.notation.functions import FUNCTIONS
 from dhcli.notation.parser import Parser
 from dhcli.notation.quantity import UNITS
-from dhcli.notation.scaled import without_factor
+from dhcli.notation.scaled import times, without_factor
 from dhcli.notation.scope import OPEN, Scope
 from dhcli.notation.tokens import MOST_CHARACTERS, Source, Token, tokenize
-from dhcli.notation.tree import Expr, multiply
+from dhcli.notation.tree import Expr
 
 MOST_CELLS = 64
 MOST_WRAPPINGS = 8
@@ -92,7 +92,7 @@ def read_matrix(source: Source, tokens: Sequence[Token], scope: Scope) -> tuple[
     if not scaled.text:
         return found
     return tuple(
-        tuple(Cell(multiply(scaled.factor, c.expr), f"{scaled.text}*({c.text})", c.start) for c in row) for row in found
+        tuple(Cell(times(scaled.factor, c.expr), f"{scaled.text}*({c.text})", c.start) for c in row) for row in found
     )
 
 

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 
 from dhcli.notation.parser import Parser
 from dhcli.notation.scope import Scope
 from dhcli.notation.tokens import Source, Token
-from dhcli.notation.tree import ONE, Expr, multiply
+from dhcli.notation.tree import ONE, Expr, Number, multiply
 from dhcli.notation.walk import symbols
 
 _OPENING = {"(": ")", "[": "]", "{": "}"}
+_LARGEST_POWER = 9
 _SEPARATORS = frozenset(",;&|=")
 
 
@@ -62,6 +64,23 @@ def without_factor(source: Source, tokens: list[Token], scope: Scope, wrappers: 
     if symbols(factor) and not signed:
         return Scaled(tokens)  # `T [1 0; 0 1]` has a label without its sign
     return Scaled(tokens[start : end + 1], factor, "*".join(texts))
+
+
+def times(factor: Expr, cell: Expr) -> Expr:
+    """A cell with its factor; a power of ten moves the point and leaves the digits as many as they are."""
+    if isinstance(factor, Number) and isinstance(cell, Number) and cell.places is not None:
+        shift = _power_of_ten(factor.value)
+        if shift is not None:
+            places = cell.places - shift
+            return Number(factor.value * cell.value, places if places > 0 else None)
+    return multiply(factor, cell)
+
+
+def _power_of_ten(value: Fraction) -> int | None:
+    for power in range(-_LARGEST_POWER, _LARGEST_POWER + 1):
+        if value == Fraction(10) ** power:
+            return power
+    return None
 
 
 def _matrix(tokens: Sequence[Token], wrappers: frozenset[str]) -> tuple[int, int]:

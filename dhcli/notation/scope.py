@@ -68,7 +68,7 @@ class Scope:
     def _readings(self, word: str) -> tuple[Expr, ...]:
         known = self._known.get(canonical(word))
         found: list[Expr] = [Symbol(known)] if known else []
-        if word[0] in "cCsS" and len(word) > 1:
+        if len(word) > 1 and word[0] in "cCsS":
             function = cosine if word[0] in "cC" else sine
             for angle in self._angles(word[1:]):
                 trig = function(angle)
