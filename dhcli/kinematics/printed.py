@@ -31,7 +31,7 @@ def digit_slack(move: Fixed) -> float:
         for row in move.rows
         for entry in row[:3]
         for node in walk(entry)
-        if type(node) is Number and node.places is not None and node.value.denominator != 1
+        if type(node) is Number and node.places is not None
     ]
     return 0.5 * 10.0 ** -max(places) if places else 0.0
 

@@ -60,19 +60,24 @@ def sharpened(chain: Chain, remarks: list[str] | None) -> Chain:
 
 
 def _slack(first: Sequence[Expr], second: Sequence[Expr], half: float) -> float:
-    """How far the product of two columns may be off, where each decimal may be off by half a unit of its last digit."""
-    if not half:
+    """How far the product of two columns may be off, where each decimal may be off by half a unit of its last digit.
+
+    A column with a decimal in it is printed, and its 1 may be 0.9998; one without is exact.
+    """
+    if not half or any(symbols(entry) for entry in (*first, *second)):
         return LOOSE
-    total = 0.0
-    for p, q in zip(first, second, strict=True):
-        off, other = half * _has_decimals(p), half * _has_decimals(q)
-        if off or other:
-            total += abs(Floats().value(p)) * other + abs(Floats().value(q)) * off + off * other
-    return total + LOOSE
+    off, other = (half * any(map(_has_decimals, column)) for column in (first, second))
+    if not (off or other):
+        return LOOSE
+    return other * _size(first) + off * _size(second) + 3 * off * other + LOOSE
+
+
+def _size(column: Sequence[Expr]) -> float:
+    return sum(abs(Floats().value(entry)) for entry in column)
 
 
 def _has_decimals(expr: Expr) -> bool:
-    return isinstance(expr, Number) and expr.value.denominator != 1
+    return isinstance(expr, Number) and expr.places is not None
 
 
 def _agree(first: Expr, second: Expr, slack: float) -> bool:
