@@ -73,7 +73,7 @@ def read_matrix(source: Source, tokens: Sequence[Token], scope: Scope) -> tuple[
     body = _unwrap(scaled.body)
     if {"&", ";"} <= {token.text for token in body}:  # LaTeX ends a row with \\ alone, and long rows are broken
         body = [token for token in body if token.kind != "newline"]
-    rows = _squared([cells for row in _rows(body) if (cells := _cells(source, row))])
+    rows = _without_axes([cells for row in _rows(body) if (cells := _cells(source, row))])
     if not rows:
         raise source.error(0, "no matrix is written here", "write [1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1]")
     if sum(map(len, rows)) > MOST_CELLS:
@@ -83,10 +83,13 @@ def read_matrix(source: Source, tokens: Sequence[Token], scope: Scope) -> tuple[
         usual = max(set(widths), key=widths.count)
         odd = next(i for i, width in enumerate(widths) if width != usual)
         shown = " | ".join(_text(source, cell) for cell in rows[odd])
+        hint = "c1 -s1 and a1 c1 are two cells, c1 - s1 and a1*c1 are one; commas settle it"
+        if (odd, shown) == (_SIDE - 1, "0 | 0 | 1"):
+            hint = "the bottom row of a pose is 0 0 0 1"
         raise source.error(
             rows[odd][0][0].start,
             f"row {odd + 1} has {widths[odd]} cell{'s'[: widths[odd] != 1]} where others have {usual}: {shown}",
-            "c1 -s1 and a1 c1 are two cells, c1 - s1 and a1*c1 are one; commas settle it",
+            hint,
         )
     found = tuple(tuple(_cell(source, cell, scope) for cell in row) for row in rows)
     if not scaled.text:
@@ -96,16 +99,10 @@ def read_matrix(source: Source, tokens: Sequence[Token], scope: Scope) -> tuple[
     )
 
 
-def _squared(rows: list[list[list[Token]]]) -> list[list[list[Token]]]:
-    """Rows without a head of axes, `x' y' z'`, above four; a bottom row `0 0 1` gets the 0 that a print has lost."""
+def _without_axes(rows: list[list[list[Token]]]) -> list[list[list[Token]]]:
+    """Rows without a head that only names the axes, `x' y' z'`, above four."""
     if len(rows) == _SIDE + 1 and [_letters(cell) for cell in rows[0][:3]] == ["x", "y", "z"]:
-        rows = rows[1:]
-    if [len(row) for row in rows] == [_SIDE, _SIDE, _SIDE, 3] and [_letters(cell) for cell in rows[3]] == [
-        "0",
-        "0",
-        "1",
-    ]:
-        return [*rows[:3], [rows[3][0], *rows[3]]]
+        return rows[1:]
     return rows
 
 

@@ -23,8 +23,9 @@ from tests.truth.items import _DATA, CELLS, EQUATIONS, ERRATA, TRUTH, matrix, re
 PRINTED: list[dict[str, Any]] = json.loads((_DATA / "printed.json").read_text("utf-8"))
 MATRICES = [found for found in PRINTED if "n" in found]
 LINES = [found for found in PRINTED if "n" not in found]
-LOST = {("Y36", 340), ("Y44", 516), ("Y53", 641), ("W07", 129), ("Z07", 56)}
-"""Prints that have lost a cell of the bottom row, or took up a letter; the truth records what stands in another."""
+LOST = {340, 516, 641, 129}
+"""Lines whose matrices have lost a cell of the bottom row, errata 33 and 96; each is refused, and judged with it."""
+SHORT = r"\\ 0 & 0 & 1 \end"
 
 
 def place(found: dict[str, Any]) -> str:
@@ -33,8 +34,11 @@ def place(found: dict[str, Any]) -> str:
 
 
 def cells_of(found: dict[str, Any]) -> list[list[Expr]]:
-    """The cells of a printed matrix as they are read."""
-    return [[cell.expr for cell in row] for row in parse_matrix(without_label(found["text"]), OPEN)]
+    """The cells of a printed matrix as they are read, with the cell of the bottom row that a print has lost."""
+    text = without_label(found["text"])
+    if found["line"] in LOST:
+        text = text.replace(SHORT, SHORT.replace("0", "0 & 0", 1))
+    return [[cell.expr for cell in row] for row in parse_matrix(text, OPEN)]
 
 
 def test_every_print_is_here() -> None:
@@ -49,10 +53,11 @@ def test_every_print_is_here() -> None:
 @pytest.mark.parametrize("found", MATRICES, ids=place)
 def test_a_printed_matrix_is_read_as_it_is_written_down(found: dict[str, Any]) -> None:
     """With its label, its display signs and the stop at its end."""
-    if (found["item"], found["line"]) in LOST:
-        assert len(cells_of(found)) == 4
-        return
     written = TRUTH[found["item"]]["printed"]
+    if (found["item"], found["line"]) == ("Z07", 56):
+        pytest.skip("the truth records the print of line 86; this one is judged below")
+    if found["line"] in LOST and SHORT in found["text"]:
+        written = [*written[:3], ["0", "0", "0", "1"]]
     assert all(
         equal(cell, read(str(right)))
         for row, rights in zip(cells_of(found), written, strict=True)
@@ -78,6 +83,16 @@ def test_a_printed_matrix_is_wrong_exactly_where_the_errata_say(found: dict[str,
         if (line, n) == (found["line"], found["n"])
     }
     assert differing == said
+
+
+def test_a_print_that_has_lost_a_cell_is_refused() -> None:
+    """With its row, and what the bottom row of a pose is."""
+    lost = [found for found in MATRICES if found["line"] in LOST and SHORT in found["text"]]
+    assert {found["line"] for found in lost} == LOST
+    for found in lost:
+        with pytest.raises(NotationError, match="row 4 has 3 cells where others have 4") as caught:
+            parse_matrix(without_label(found["text"]), OPEN)
+        assert caught.value.problems[0].hint == "the bottom row of a pose is 0 0 0 1"
 
 
 @pytest.mark.parametrize("found", LINES, ids=place)
