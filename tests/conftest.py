@@ -5,10 +5,15 @@ typer reads some of these variables when it is imported, so they are set here, b
 
 import os
 import signal
+from collections.abc import Iterator
+from functools import cache
+from itertools import count
 from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
+
+from dhcli.files.yaml import robots
 
 collect_ignore = ["bench"]  # programs of their own, not modules with examples to run
 
@@ -39,17 +44,41 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
 if hasattr(signal, "SIGHUP") and signal.getsignal(signal.SIGHUP) is signal.SIG_IGN:
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
-# A busy machine is not a failure: no deadline, and no health check that looks at the clock.
-_PATIENT = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])
+# A robot is frozen: one that was read from the same text, under the same name, is the same.
+robots.read_robot = cache(robots.read_robot)
+
+# A busy machine is not a failure: no deadline, and no health check that looks at the clock. At the desk other examples
+# are tried each time, in CI always the same few; `--hypothesis-profile nightly` tries many, and runs what is nightly.
+_PATIENT = settings(max_examples=30, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.register_profile("default", _PATIENT)
 settings.register_profile("ci", _PATIENT, database=None, derandomize=True, print_blob=True)
+settings.register_profile("nightly", settings.get_profile("ci"), max_examples=500)
 settings.load_profile("ci" if os.environ.get("CI") else "default")
 
 
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Leave out what is marked nightly, unless it is night."""
+    if settings.get_current_profile_name() == "nightly":
+        return
+    left_out = [item for item in items if item.get_closest_marker("nightly")]
+    if left_out:
+        config.hook.pytest_deselected(items=left_out)
+        items[:] = [item for item in items if not item.get_closest_marker("nightly")]
+
+
+@pytest.fixture(scope="session")
+def homes(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
+    """Names of folders that nobody has made yet; a folder for each test would cost seconds in all."""
+    base = tmp_path_factory.mktemp("homes")
+    return (base / f"user-data-{number}" for number in count())
+
+
 @pytest.fixture(autouse=True)
-def user_data(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
+def user_data(monkeypatch: pytest.MonkeyPatch, homes: Iterator[Path]) -> Path:
     """The test's own folder for user data, not made yet; no robots of the person who runs the tests."""
-    folder = tmp_path / "user-data"
+    folder = next(homes)
     monkeypatch.setenv("XDG_DATA_HOME", str(folder))
+    monkeypatch.setenv("XDG_CACHE_HOME", f"{folder}-cache")
     monkeypatch.delenv("DHCLI_PATH", raising=False)
     return folder

@@ -1,1 +1,1 @@
-"""A folder of sheets graded, and files of a course linted."""
+"""A folder of sheets graded, in parallel, and the report on a class."""

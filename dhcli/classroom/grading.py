@@ -15,9 +15,9 @@ from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.classroom.folder import Submission
 from dhcli.classroom.pool import Lost, spread
 from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean
-from dhcli.files.exercises import full_id, load_exercise
-from dhcli.files.library import Kind, entries
-from dhcli.files.sheets import Sheet, check_numbers, read_sheet
+from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.yaml.exercises import full_id, load_exercise
+from dhcli.files.yaml.sheets import Sheet, check_numbers, read_sheet
 
 TIMEOUT = 10.0
 """Seconds that one sheet may take; an honest one takes a hundredth of one."""

@@ -13,23 +13,16 @@ from dhcli.errors import DhcliError
 if TYPE_CHECKING:
     from typer._click import Command, Context
 
-COMMANDS = {
-    "fk": "dhcli.cli.fk:fk",
-    "sweep": "dhcli.cli.sweep:sweep",
-    "transform": "dhcli.cli.transform:transform",
-    "dof": "dhcli.cli.dof:dof",
-    "check": "dhcli.cli.check:check",
-    "start": "dhcli.cli.start:start",
-    "watch": "dhcli.cli.watch:watch",
-    "hint": "dhcli.cli.hint:hint",
-    "solution": "dhcli.cli.solution:solution",
-    "grade": "dhcli.cli.grade:grade",
-    "show": "dhcli.cli.show:show",
-    "list": "dhcli.cli.listing:list_",
-    "new": "dhcli.cli.new:new",
-    "lint": "dhcli.cli.lint:lint",
+PANELS = {
+    "Compute": ("fk", "sweep", "transform", "dof"),
+    "Exercises": ("start", "check", "watch", "hint", "solution"),
+    "Classes": ("grade",),
+    "Library and authors": ("show", "list", "new", "lint"),
+    "Manual": ("help",),
 }
-"""Every command and the function behind it; the order is that of the help."""
+"""Every command under its heading in the help, which keeps this order; each has the file of its name in `commands`."""
+
+COMMANDS = tuple(name for names in PANELS.values() for name in names)
 
 EXAMPLES = """
 [bold]Start here[/]
@@ -41,6 +34,8 @@ dhcli show scara
 dhcli fk scara --q 0.3,0.5,0.1
 
 dhcli fk puma560 --symbolic
+
+dhcli help student
 """
 
 
@@ -75,9 +70,8 @@ class OnceEach(TyperCommand):
 
 def load(name: str) -> Command:
     """Import a command and make it one of typer's."""
-    where, _, function = COMMANDS[name].partition(":")
-    module = import_module(where)
-    found = getattr(module, function)
+    module = import_module(f"dhcli.cli.commands.{name}")
+    found = getattr(module, name, None) or getattr(module, f"{name}_")  # of `list_` and `help_` Python has the name
     if isinstance(found, typer.Typer):
         command = typer.main.get_command(found)
     else:
@@ -85,6 +79,7 @@ def load(name: str) -> Command:
         single.command(name, cls=OnceEach, epilog=module.EXAMPLES)(found)
         command = typer.main.get_command(single)
     command.name = name
+    command.rich_help_panel = next(panel for panel, names in PANELS.items() if name in names)  # type: ignore[attr-defined]
     return command
 
 
@@ -100,7 +95,7 @@ def build() -> Command:
 def _version(*, wanted: bool) -> None:
     if wanted:
         from dhcli import __version__
-        from dhcli.cli.console import write_out
+        from dhcli.cli.shell.console import write_out
 
         write_out(f"dhcli {__version__}\n")
         raise typer.Exit

@@ -6,8 +6,8 @@ import os
 import sys
 from collections.abc import Sequence
 
-from dhcli.cli.console import GuardedStream, complain, finish
-from dhcli.cli.signals import ending_in_order
+from dhcli.cli.shell.console import GuardedStream, complain, finish
+from dhcli.cli.shell.signals import ending_in_order
 from dhcli.errors import DhcliError, ExitStatus, Place, Problem
 
 BUGS = "please report it with the command you typed; DHCLI_DEBUG=1 shows where it happened"

@@ -12,7 +12,7 @@ from dhcli.notation.tree import Expr
 from dhcli.notation.walk import substitute, symbols
 
 if TYPE_CHECKING:
-    from dhcli.kinematics.robot import Value
+    from dhcli.kinematics.description import Value
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,15 +8,16 @@ from functools import cached_property
 from typing import Literal, TypeAlias, cast
 
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean
+from dhcli.geometry.orthonormal import not_a_rotation
+from dhcli.geometry.words import in_words
 from dhcli.kinematics.forward import put_in, spelled
+from dhcli.kinematics.frames import Point
 from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans, angle_names, expressions, from_factor, names
 from dhcli.kinematics.placement import Placement, locked_warnings, placements
 from dhcli.kinematics.pose import Pose
-from dhcli.kinematics.printed import nearest_rotation
-from dhcli.kinematics.question import AnyPose, Point, SeenPoint, folded
-from dhcli.kinematics.rigid import not_a_rotation
+from dhcli.kinematics.question import AnyPose, SeenPoint, folded
 from dhcli.kinematics.robot import Value
-from dhcli.kinematics.words import in_words
+from dhcli.kinematics.sharpened import sharpened
 from dhcli.notation.factors import Factor, parse_factors
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
@@ -33,7 +34,7 @@ Order: TypeAlias = Literal["current", "fixed"]
 
 
 @dataclass(frozen=True)
-class Step:
+class Stage:
     """One move of a product.
 
     Attributes:
@@ -68,7 +69,7 @@ class Transform:
         warnings: What a person should know all the same.
     """
 
-    steps: tuple[Step, ...]
+    steps: tuple[Stage, ...]
     order: Order
     points: tuple[SeenPoint, ...] = ()
     vectors: tuple[SeenPoint, ...] = ()
@@ -134,11 +135,10 @@ def read_product(text: str, place: Place, symbols: Sequence[str] = ()) -> Produc
         move = from_factor(factor)
         if isinstance(move, Fixed):
             where = _place_in(text, factor.start, place)
-            if fault := not_a_rotation(move):
+            if fault := not_a_rotation(move.rows):
                 hint = "its first three columns must be perpendicular unit vectors, right-handed"
                 raise NotationError(Problem(f"this matrix is no pose: {fault}", where, hint))
-            move, remark = nearest_rotation(move)
-            remarks += [remark] if remark else []
+            (move,) = sharpened((move,), remarks)
         moves.append(move)
         texts.append(spelled(move) if isinstance(move, Rot | Trans) else _title(factor.text))
     return Product(tuple(moves), tuple(texts), tuple(dict.fromkeys(remarks)))
@@ -201,7 +201,7 @@ def compose(product: Product, values: Mapping[str, Value], wanted: Wanted) -> Tr
     exact = wanted.symbolic or bool(names((*moves, *points, *vectors)))
     so_far = [moves[: i + 1] if wanted.order == "current" else moves[i::-1] for i in range(len(moves))]
     steps = tuple(
-        Step(text, chain, str(i), exact) for i, (text, chain) in enumerate(zip(product.texts, so_far, strict=True), 1)
+        Stage(text, chain, str(i), exact) for i, (text, chain) in enumerate(zip(product.texts, so_far, strict=True), 1)
     )
     chain = so_far[-1]
     turning = tuple(turned for move in chain if (turned := _turning(move)) is not None)
@@ -217,7 +217,7 @@ def compose(product: Product, values: Mapping[str, Value], wanted: Wanted) -> Tr
         points=tuple(seen(point, end, chain) for point, end in zip(wanted.points, points, strict=True)),
         vectors=tuple(seen(vector, end, turning) for vector, end in zip(wanted.vectors, vectors, strict=True)),
         placements=said,
-        words=() if exact else in_words(cast("Pose[float]", steps[-1].pose)),
+        words=() if exact else in_words(cast("Pose[float]", steps[-1].pose).rotation),
         warnings=(*product.remarks, *locked_warnings(said)),
     )
 

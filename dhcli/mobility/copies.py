@@ -7,8 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from dhcli.geometry.twists import Array
 from dhcli.mobility.linkage import Joint, Linkage, Vector
-from dhcli.mobility.screws import Array
 
 POINTS = ("point", "other")
 DIRECTIONS = ("axis", "axis2", "slide")
@@ -25,6 +25,7 @@ def disturbed(linkage: Linkage, amount: float, seed: int) -> Linkage:
     """A copy whose points are moved at random by a part of its size; joints at one point stay together."""
     points = [np.array(p) for joint in linkage.joints for p in (joint.point, joint.other) if p is not None]
     size = float(np.sqrt(np.mean([np.sum((p - np.mean(points, axis=0)) ** 2) for p in points]))) if points else 1.0
+    size = size or 1.0  # all joints at one point
     draw = np.random.default_rng(seed)
     free = [1, 1, 0] if linkage.space.is_planar else [1, 1, 1]
     move = _shared(lambda: amount * size * draw.normal(size=3) * free, size)
@@ -60,6 +61,9 @@ def _mapped(joint: Joint, points: PointMap, directions: PointMap, scale: float) 
     for key in DIRECTIONS:
         value = getattr(joint, key)
         changed[key] = None if value is None else _vector(directions(np.array(value)))
+    if joint.pair.name == "line-contact" and changed["axis"] and changed["axis2"]:
+        normal, line = np.array(changed["axis"]), np.array(changed["axis2"])  # the line lies in the plane
+        changed["axis2"] = _vector(line - normal * (normal @ line) / (normal @ normal))
     changed["pitch"] = None if joint.pitch is None else joint.pitch * scale
     return replace(joint, **changed)  # type: ignore[arg-type]
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
 from dhcli.kinematics.conventions import Convention, Row, moves_of
@@ -11,6 +12,8 @@ from dhcli.kinematics.fold import fold
 from dhcli.mobility.linkage import Joint, Vector
 from dhcli.mobility.pairs import LinkageError, Pair
 from dhcli.notation.angle import Angle
+
+Matrix: TypeAlias = tuple[tuple[float, ...], ...]
 
 CLOSED = 1e-7
 """Gap that rounding in a dozen digits may leave, relative to the size of the loop."""
@@ -38,19 +41,24 @@ def joints_of_loop(
         LinkageError: The product of all rows is not the identity, so that the loop does not close.
     """
     over, modified = Floats(values), convention is Convention.MODIFIED
-    chain = tuple(moves_of(row, convention) for row, _ in rows)
     links = ("ground", *map(str, range(1, len(rows))), "ground")
     joints = []
-    for i, (_, pair) in enumerate(rows):
-        frame = fold(tuple(move for moves in chain[: i + modified] for move in moves), over)
-        point, axis = _column(frame, 3), _column(frame, 2)
-        joints.append(Joint(pair, (links[i], links[i + 1]), str(i + 1), point, axis))
-    whole = fold(tuple(move for moves in chain for move in moves), over)
-    _check_closed(whole, [joint.point or (0.0, 0.0, 0.0) for joint in joints], tolerance)
+    frame = fold((), over)
+    for i, (row, pair) in enumerate(rows):
+        after = _times(frame, fold(moves_of(row, convention), over))
+        axes = after if modified else frame
+        joints.append(Joint(pair, (links[i], links[i + 1]), str(i + 1), _column(axes, 3), _column(axes, 2)))
+        frame = after
+    _check_closed(frame, [joint.point or (0.0, 0.0, 0.0) for joint in joints], tolerance)
     return tuple(joints)
 
 
-def _check_closed(whole: tuple[tuple[float, ...], ...], points: Sequence[Vector], tolerance: float) -> None:
+def _times(left: Matrix, right: Matrix) -> Matrix:
+    """The product of two homogeneous matrices; a loop of a thousand rows is multiplied once, frame by frame."""
+    return tuple(tuple(sum(a * row[k] for a, row in zip(line, right, strict=True)) for k in range(4)) for line in left)
+
+
+def _check_closed(whole: Matrix, points: Sequence[Vector], tolerance: float) -> None:
     gap = math.hypot(*_column(whole, 3))
     cosine = (whole[0][0] + whole[1][1] + whole[2][2] - 1) / 2
     sine = math.hypot(whole[2][1] - whole[1][2], whole[0][2] - whole[2][0], whole[1][0] - whole[0][1]) / 2
@@ -64,5 +72,5 @@ def _check_closed(whole: tuple[tuple[float, ...], ...], points: Sequence[Vector]
         )
 
 
-def _column(frame: tuple[tuple[float, ...], ...], column: int) -> Vector:
+def _column(frame: Matrix, column: int) -> Vector:
     return frame[0][column], frame[1][column], frame[2][column]

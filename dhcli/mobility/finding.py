@@ -8,12 +8,16 @@ from dhcli.mobility.pairs import LinkageError
 from dhcli.mobility.patterns import other_reading
 from dhcli.mobility.result import Mobility
 
+MOST_LINKS = 5_000
+"""Links of a linkage whose geometry is looked at; a table of paths grows like their square."""
+
 ONLY_COUNTS = (
     "Counts alone give the formula; whether it is true depends on the geometry, which a linkage file can hold."
 )
 ONLY_GRAPH = (
     "The joint graph gives the formula; whether it is true depends on where the joints are: add points and axes."
 )
+TOO_LARGE = "The joint graph gives the formula; with more than 5,000 links the geometry is not analysed."
 ALL = "The geometry settles it, for this position and this assembly."
 OPEN_CHAIN = "An open chain has no loop: every joint moves freely, so the formula is the truth."
 
@@ -35,7 +39,7 @@ def analyse(what: Linkage | Counts, tolerance: float = 0.0) -> Mobility:
     counts = Counts.of(what)
     if what.loops == 0 and not any(joint.pair.name in ("gear", "rolling") for joint in what.joints):
         formula = counts.gruebler or 0
-        found = _geometry(what, counts, tolerance) if what.is_placed else None
+        found = _geometry(what, counts, tolerance) if what.is_placed and len(what.links) <= MOST_LINKS else None
         return found or Mobility(
             counts,
             what,
@@ -48,8 +52,9 @@ def analyse(what: Linkage | Counts, tolerance: float = 0.0) -> Mobility:
             output=what.output,
             settles=OPEN_CHAIN,
         )
-    if not what.is_placed:
-        return Mobility(counts, what, other=other_reading(what), bounds=None, settles=ONLY_GRAPH)
+    if not what.is_placed or len(what.links) > MOST_LINKS:
+        settles = ONLY_GRAPH if not what.is_placed else TOO_LARGE
+        return Mobility(counts, what, other=other_reading(what), bounds=None, settles=settles)
     return _geometry(what, counts, tolerance)
 
 

@@ -8,21 +8,25 @@ motion, can make this motion by itself.
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import combinations, islice
 
 import numpy as np
 
+from dhcli.geometry.rank import TIGHT, rank_of, spaces
+from dhcli.geometry.twists import Array
 from dhcli.mobility.loops import closure
 from dhcli.mobility.model import Model, Step
-from dhcli.mobility.rank import TIGHT, rank_of, spaces
-from dhcli.mobility.screws import Array
 
 MOST_PAIRS = 4000
 """Pairs of joints that are looked at; long chains of identical parts have many."""
 
+ALIKE = 0.95
+"""Cosine of two twists, in six dimensions, that may be one in a rounded drawing."""
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, eq=False)
 class Idle:
     """One idle freedom.
 
@@ -31,21 +35,34 @@ class Idle:
         joints: Names of the two joints that allow it.
         turns: Whether it turns; otherwise it slides.
         rates: Rates of the motions, shape (m,).
+        part: The part and the joints that hold it.
+        lasting: Whether the part itself keeps what both joints allow, wherever the linkage goes: a rod keeps the line
+            between its balls. Two bars that lie over one pin may come apart.
     """
 
     links: tuple[str, ...]
     joints: tuple[str, str]
     turns: bool
     rates: Array
+    part: Part
+    lasting: bool
 
     def __str__(self) -> str:
-        """`the rod spins between joints 2 and 3`."""
-        part = " with ".join(self.links) if len(self.links) < 4 else f"{self.links[0]} ... {self.links[-1]}"  # noqa: PLR2004  as many as a person reads
-        many = len(self.links) > 1
-        verb = ("spin" if self.turns else "slide") + "s" * (not many)
-        return f"{part} {verb} between joints {self.joints[0]} and {self.joints[1]} and moves nothing else".replace(
-            "moves nothing", "move nothing" if many else "moves nothing"
+        """`rod spins between joints 2 and 3 and moves nothing else`."""
+        return f"{self._moves} and {'move' if len(self.links) > 1 else 'moves'} nothing else"
+
+    @property
+    def passing(self) -> str:
+        """The same of a motion that the rest of the linkage takes away when it moves."""
+        return (
+            f"{self._moves} in this position only: when the rest moves, the two joints no longer allow the same motion"
         )
+
+    @property
+    def _moves(self) -> str:
+        part = " with ".join(self.links) if len(self.links) < 4 else f"{self.links[0]} ... {self.links[-1]}"  # noqa: PLR2004  as many as a person reads
+        verb = ("spin" if self.turns else "slide") + "s" * (len(self.links) == 1)
+        return f"{part} {verb} between joints {self.joints[0]} and {self.joints[1]}"
 
 
 @dataclass(frozen=True)
@@ -66,6 +83,10 @@ class Part:
         """Whether a joint moves along when the part moves."""
         return step not in (self.first, self.second) and (step.tail in self.links or step.head in self.links)
 
+    def keeps(self, step: Step, where: str) -> bool:
+        """Whether it is one link, in which a group of one of its joints stands still."""
+        return len(self.links) == 1 and (where == BOTH or (where == SECOND) == (step.head in self.links))
+
     def disturbs(self, other: Part) -> bool:
         """Whether it carries one of another part's two joints away and leaves the other one behind."""
         return self.carries(other.first) != self.carries(other.second)
@@ -77,14 +98,35 @@ def idle_freedoms(model: Model, tolerance: float = TIGHT) -> tuple[Idle, ...]:
     rows: list[Array] = []
     names = [joint.name for joint in model.linkage.joints]
     for part in _parts(model):
-        for rates, turns in _common(model, part, tolerance):
+        links = tuple(model.linkage.links[i] for i in sorted(part.links))
+        ends = names[part.first.joint], names[part.second.joint]
+        for rates, turns, lasting in _common(model, part, tolerance):
             if rank_of(np.array([*rows, rates]), TIGHT).rank > len(rows):
                 rows.append(rates)
-                links = tuple(model.linkage.links[i] for i in sorted(part.links))
-                found.append((Idle(links, (names[part.first.joint], names[part.second.joint]), turns, rates), part))
+                found.append((Idle(links, ends, turns, rates, part, lasting), part))
     # a folded rhombus can turn about either of its two double pins, but not about both: neither turn is idle
     parts = [part for _, part in found]
     return tuple(idle for idle, own in found if not any(own.disturbs(one) or one.disturbs(own) for one in parts))
+
+
+def still_idle(model: Model, idle: Sequence[Idle], twists: Array, tolerance: float) -> tuple[Idle, ...]:
+    """Those idle freedoms that are still there in another position.
+
+    Args:
+        model: The linkage.
+        idle: Idle freedoms of the given position.
+        twists: World twists in the other position, shape (m, 6).
+        tolerance: Relative error of that position.
+    """
+    left: dict[Part, list[Array]] = {}
+    found = []
+    for one in idle:
+        if one.part not in left:
+            left[one.part] = [rates for rates, _, _ in _common(model, one.part, tolerance, twists)]
+        if one.lasting or left[one.part]:
+            found.append(one)
+            left[one.part] = left[one.part][1:]
+    return tuple(found)
 
 
 def _parts(model: Model) -> Iterator[Part]:
@@ -109,12 +151,20 @@ def _parts(model: Model) -> Iterator[Part]:
     for step in model.steps:
         if step.last > step.first and label[step.joint]:
             classes.setdefault(label[step.joint], []).append(step)
-    pairs = [(a, b) for group in classes.values() for i, a in enumerate(group) for b in group[i + 1 :]][:MOST_PAIRS]
-    parts = [Part(a, b, _side(model, a, b)) for a, b in pairs]
+    alike = ((a, b) for group in classes.values() for a, b in combinations(group, 2) if _may_share(model, a, b))
+    parts = [Part(a, b, _side(model, a, b)) for a, b in islice(alike, MOST_PAIRS)]
     whole = len(model.linkage.links) - 1
     for part in sorted(parts, key=lambda found: len(found.links)):
         if len(part.links) < whole and not part.links & (meshed | outputs):
             yield part
+
+
+def _may_share(model: Model, first: Step, second: Step) -> bool:
+    """Whether two joints may allow the same motion; most pairs of a long chain are told apart by a glance at this."""
+    if first.last - first.first > 1 or second.last - second.first > 1:
+        return True
+    a, b = model.twists[first.first], model.twists[second.first]
+    return bool(abs(a @ b) > ALIKE * np.sqrt((a @ a) * (b @ b)))
 
 
 def _side(model: Model, first: Step, second: Step) -> frozenset[int]:
@@ -133,37 +183,55 @@ def _side(model: Model, first: Step, second: Step) -> frozenset[int]:
     return frozenset(range(len(model.linkage.links))) - reached
 
 
-def _common(model: Model, part: Part, tolerance: float) -> Iterator[tuple[Array, bool]]:
-    """Rates of the motions that both joints allow, for as long as one likes, to the part between them."""
+def _common(
+    model: Model, part: Part, tolerance: float, twists: Array | None = None
+) -> Iterator[tuple[Array, bool, bool]]:
+    """Rates of the motions that both joints allow, for as long as one likes, to the part between them.
+
+    Yields:
+        The rates, whether the part turns, and whether it can do so wherever the linkage goes.
+    """
+    seen = model.twists if twists is None else twists
     first, second = part.first, part.second
     a, b = slice(first.first, first.last), slice(second.first, second.last)
     senses = [1.0 if step.head in part.links else -1.0 for step in (first, second)]
-    for own in _groups(model, first):
-        for others in _groups(model, second):
-            both = [senses[0] * model.twists[a].T @ own, -senses[1] * model.twists[b].T @ others]
+    for own, kept in _groups(seen[a]):
+        for others, kept_too in _groups(seen[b]):
+            lasting = part.keeps(first, kept) and part.keeps(second, kept_too)
+            both = [senses[0] * seen[a].T @ own, -senses[1] * seen[b].T @ others]
             _, null, _ = spaces(np.concatenate(both, axis=1), tolerance)
             for column in null.T:
                 rates = np.zeros(model.motions)
                 rates[a], rates[b] = own @ column[: own.shape[1]], others @ column[own.shape[1] :]
-                twist = rates[a] @ model.twists[a]
-                free = not model.ties.size or np.abs(model.ties @ rates).max() < TIGHT
-                if free and float(np.abs(twist).max()) > TIGHT:
-                    yield rates / np.linalg.norm(rates), bool(np.abs(twist[:3]).max() > tolerance)
+                twist = rates[a] @ seen[a]
+                free = not model.ties.size or np.abs(model.ties @ rates).max() < max(TIGHT, tolerance)
+                if free and float(np.abs(twist).max()) > tolerance:
+                    turns = bool(np.abs(twist[:3]).max() > tolerance)
+                    yield rates / np.linalg.norm(rates), turns, lasting
 
 
-def _groups(model: Model, step: Step) -> list[Array]:
-    """Motions of a joint that form a group, as columns (f, d); within one, any twist can go on for ever.
+BOTH, FIRST, SECOND = "both links", "the first link", "the second link"
+"""In which link the axes and centres of a group stand still: of a ball in both, of the first axis of a cross in one."""
 
-    A cross is no group: between its two axes it turns for an instant only. So are a bar and a contact, but each of
-    their ends is a ball in space and a pin in the plane.
+
+def _groups(twists: Array) -> list[tuple[Array, str]]:
+    """Motions of a joint that form a group, as columns (f, d), and the links that keep it.
+
+    Within a group any twist can go on for ever. A cross is no group: between its two axes it turns for an instant only.
+    So are a bar and a contact, but each of their ends is a ball in space and a pin in the plane.
     """
-    f = step.last - step.first
-    twists = model.twists[step.first : step.last]
+    f = len(twists)
+    unit = np.eye(f)
     if closure(twists) == f:
-        return [np.eye(f)]
+        return [(unit, BOTH)]
     if f == 5:  # noqa: PLR2004  a ball at the near end, two turns about the far end
         line = np.cross(twists[3, :3], twists[4, :3])
-        far = np.eye(5)[:, 2:]
-        far[:, 0] = [*line, 0, 0]
-        return [np.eye(5)[:, :3], far]
-    return [np.eye(f)[:, [k]] for k in range(f)]
+        far = unit[:, 2:].copy()
+        far[:, 0] = [*np.linalg.solve(twists[:3, :3].T, line), 0, 0]
+        return [(unit[:, :3], FIRST), (far, SECOND)]
+    if f == 4:  # noqa: PLR2004  a ball in a tube, or a cylinder on a plane
+        if twists[1, :3].any():
+            tube = np.concatenate([[0.0], np.linalg.solve(twists[1:, :3].T, twists[0, 3:])])
+            return [(unit[:, 1:], SECOND), (np.column_stack([unit[:, 0], tube]), FIRST)]
+        return [(unit[:, :3], FIRST), (unit[:, [0, 3]], SECOND)]
+    return [(unit[:, [k]], FIRST if k == 0 else SECOND) for k in range(f)]

@@ -11,39 +11,45 @@ Source of the solver: Levenberg 1944 and Marquardt 1963.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from itertools import pairwise
 
 import numpy as np
 
+from dhcli.geometry.rank import spaces
+from dhcli.geometry.twists import Array
 from dhcli.mobility.model import Model
 from dhcli.mobility.motion import residual
-from dhcli.mobility.rank import rank_of, spaces
-from dhcli.mobility.screws import Array
 
 AMPLITUDES = (0.3, 0.1, 0.03)
+FAR = (0.9, 1.8)
+"""Amplitudes at which a high power of A shows that only seemed to be a motion."""
+
 CLOSED = 1e-11
-"""A gap below this, with lengths scaled to 1, is rounding."""
+"""A gap below this, with lengths scaled to 1, may be rounding of the input; that it is one, its growth must show."""
+
+ROUNDING = 1e-14
+"""A gap below this is rounding of double precision: true motions close to 2e-16."""
+
+FINISHED = 3e-16
+"""A gap below this gets no smaller."""
+
+STEEP = 1e-8
+"""Just beyond the end of a range the gap is larger than this; a power of the amplitude would be smaller."""
+
+NARROW = 1.05
+"""Ratio of two amplitudes, one that closes and one that does not, between which a range is said to end."""
 
 ITERATIONS = 60
 TRIES = 8
 STIFF = 0.03
 """Singular values above this, relative to the largest, are stiff."""
 
-BENT = 0.3
-"""Directions that differ by less may be one direction along a bent path."""
-
 SHAKY = 1.9
 """Gaps of a shaky structure grow like A² at least, those of a rounded drawing of a true motion like A."""
 
 FARTHEST = 40.0
 """A landing farther away than this many amplitudes is in another assembly."""
-
-LANDED = 1e-5
-"""Relative tolerance of ranks at a landing, which a double root gives to half the digits only; what vanished in the
-given position has grown like a power of A there."""
-
-SMALL = 1 / 25
-"""Displacements that test tangents, as a part of the amplitude."""
 
 
 @dataclass(frozen=True)
@@ -81,7 +87,7 @@ def close(model: Model, start: Array, held: Array, targets: Array) -> tuple[Arra
     damping = 0.1
     for _ in range(ITERATIONS):
         size = float(np.abs(gap).max(initial=0.0))
-        if size < CLOSED / 100 or not math.isfinite(size):
+        if size < FINISHED or not math.isfinite(size):
             break
         left, values, right = np.linalg.svd(model.jacobian(twists) @ rest, full_matrices=False)
         right = right @ rest.T
@@ -111,27 +117,78 @@ def _righted(model: Model, q: Array, left: Array, right: Array) -> tuple[Array, 
     return q, *residual(model, q)
 
 
-def attempt(model: Model, direction: Array, frozen: Array, tolerance: float) -> Trial:
-    """Impose amplitudes along one direction.
+@dataclass(frozen=True)
+class Path:
+    """Positions along one direction.
 
-    Args:
+    Attributes:
         model: The linkage.
         direction: A unit vector among the instantaneous motions, shape (m,).
         frozen: Orthonormal rows of the idle freedoms, shape (i, m).
+    """
+
+    model: Model
+    direction: Array
+    frozen: Array
+    _known: dict[float, tuple[Array, float]] = field(default_factory=dict, init=False, repr=False)
+
+    def closed(self, amplitude: float) -> tuple[Array, float]:
+        """Joint values with an amplitude imposed, and the gap that is left."""
+        if amplitude not in self._known:
+            held = np.concatenate([self.frozen, self.direction[None, :]])
+            targets = np.array([*np.zeros(len(self.frozen)), amplitude])
+            self._known[amplitude] = close(self.model, amplitude * self.direction, held, targets)
+        return self._known[amplitude]
+
+    def goes_on(self) -> bool:
+        """Whether nothing speaks against a motion at large amplitudes either, where a high power of A shows."""
+        ends = (AMPLITUDES[0], *FAR)
+        orders = (self.grows(near, far) for near, far in pairwise(ends))
+        return all(order is None or order <= SHAKY for order in orders)
+
+    def grows(self, near: float, far: float) -> float | None:
+        """The power of A that the gap grows with from one amplitude to a larger one.
+
+        None where it does not grow, or where a range ends: beyond its end a motion leaves a gap at once, while what
+        only seemed to close, because a power of A was below rounding, leaves one that grows by degrees. Rounding of
+        the input grows like A or less.
+        """
+        inner, outer = self.closed(near)[1], self.closed(far)[1]
+        least = max(ROUNDING, 30 * inner)
+        if outer <= least:
+            return None
+        low, high, error = near, far, outer
+        while high > NARROW * low:
+            middle = math.sqrt(low * high)
+            found = self.closed(middle)[1]
+            if found <= least:
+                low = middle
+            else:
+                high, error = middle, found
+        if error > STEEP:
+            return None
+        if high < far:
+            return math.log(outer / error) / math.log(far / high)
+        return math.log(outer / max(inner, FINISHED)) / math.log(far / near)
+
+
+def attempt(path: Path, tolerance: float) -> Trial:
+    """Impose amplitudes along one direction.
+
+    Args:
+        path: The direction.
         tolerance: Gap that rounded input may leave; 0 for exact input.
     """
-    closed = max(CLOSED, tolerance)
-    held = np.concatenate([frozen, direction[None, :]])
-    errors, landing = [], None
     # a rounded drawing cannot tell A² from its own errors where A is small
     amplitudes = AMPLITUDES if not tolerance else AMPLITUDES[:2]
-    for amplitude in amplitudes:
-        targets = np.array([*np.zeros(len(frozen)), amplitude])
-        q, error = close(model, amplitude * direction, held, targets)
-        errors.append(error)
-        if error < closed and amplitude == AMPLITUDES[1] and float(np.linalg.norm(q)) < FARTHEST * amplitude:
-            landing = q
-    return _judged(errors, amplitudes, closed, landing)
+    errors = [path.closed(amplitude)[1] for amplitude in amplitudes]
+    q, error = path.closed(AMPLITUDES[1])
+    reached = error < max(CLOSED, tolerance) and float(np.linalg.norm(q)) < FARTHEST * AMPLITUDES[1]
+    if not tolerance and reached and errors[0] > ROUNDING:
+        order = path.grows(AMPLITUDES[1], AMPLITUDES[0])
+        if order is not None and order > SHAKY:
+            return Trial(moves=False, order=order)
+    return _judged(errors, amplitudes, max(CLOSED, tolerance), q if reached else None)
 
 
 def _judged(errors: list[float], amplitudes: tuple[float, ...], closed: float, landing: Array | None) -> Trial:
@@ -149,55 +206,3 @@ def _judged(errors: list[float], amplitudes: tuple[float, ...], closed: float, l
         if order > SHAKY and same:
             return Trial(moves=False, order=order)
     return Trial(moves=None)
-
-
-@dataclass(frozen=True)
-class Branch:
-    """A family of positions through a landing.
-
-    Attributes:
-        dimension: Its dimension, without idle freedoms; None if it stayed unclear.
-        exact: Whether the rank there is full, so that the dimension is certain.
-        motions: Basis of the instantaneous motions there, shape (m, k).
-        twists: World twists there, shape (m, 6).
-    """
-
-    dimension: int | None
-    exact: bool
-    motions: Array
-    twists: Array
-
-
-def branch_at(model: Model, q: Array, frozen: Array, equations: int, tolerance: float) -> Branch:
-    """The dimension of the motion at a landing.
-
-    Args:
-        model: The linkage.
-        q: Joint values there, shape (m,).
-        frozen: Orthonormal rows of the idle freedoms.
-        equations: The number of equations that loops and ties really have.
-        tolerance: As for `attempt`.
-    """
-    _, twists = residual(model, q)
-    rank, motions, _ = spaces(np.concatenate([model.jacobian(twists), frozen]), max(LANDED, tolerance))
-    k = motions.shape[1]
-    if k == 0:  # a place where nothing moves has been reached by moving: the rank is not to be trusted
-        return Branch(None, exact=False, motions=motions, twists=twists)
-    if rank.rank == equations + len(frozen) and not tolerance:
-        return Branch(k, exact=True, motions=motions, twists=twists)
-    small = AMPLITUDES[1] * SMALL if not tolerance else AMPLITUDES[1]
-    reached = []
-    for tangent in motions.T:
-        held = np.concatenate([frozen, tangent[None, :]])
-        targets = np.array([*frozen @ q, tangent @ q + small])
-        landed, error = close(model, q + small * tangent, held, targets)
-        moved = landed - q
-        if error < max(CLOSED, tolerance) and float(np.linalg.norm(moved)) < FARTHEST * small:
-            reached.append(moved / np.linalg.norm(moved))
-    if len(reached) == k:
-        return Branch(k, exact=False, motions=motions, twists=twists)
-    if not reached:
-        return Branch(None, exact=False, motions=motions, twists=twists)
-    # those that closed lie along the true tangents, up to the curvature over a small displacement
-    dimension = rank_of(np.array(reached), min(10 * small, BENT)).rank
-    return Branch(dimension, exact=False, motions=np.array(reached).T, twists=twists)

@@ -14,21 +14,25 @@ from dataclasses import dataclass
 import numpy as np
 
 from dhcli.errors import Problem
+from dhcli.geometry.rank import TIGHT, Rank, rank_of
+from dhcli.geometry.twists import Array
 from dhcli.mobility.constraints import Rows, constraints
 from dhcli.mobility.loops import closure, lambdas
 from dhcli.mobility.model import Model
 from dhcli.mobility.pairs import LinkageError
-from dhcli.mobility.rank import Rank
-from dhcli.mobility.screws import Array
 from dhcli.mobility.truth import Truth, certain
 
 WIDEST = 1200
 """Columns of a front; a linkage with a wider one is no long chain."""
 
+FEW = 240
+"""With as many equations of loops, and no more, a plain singular value decomposition does."""
+
 SMALLEST = 12
 """Singular values that are looked for; with more freedoms than this they are looked for in larger numbers."""
 
 PASSES = 12
+POWERS = 15
 FLAT = 3
 ZERO = 1e-10
 """Relative to the largest, below this a singular value of a long chain counts as zero; it is also the shift."""
@@ -52,7 +56,22 @@ class Block:
 
 
 def large_mobility(model: Model, tolerance: float = 0.0) -> Truth:
-    """The mobility of a linkage with many links, where the rank alone settles it; undecided otherwise."""
+    """The mobility of a linkage with many links, where the rank alone settles it; undecided otherwise.
+
+    Few loops have few equations, however long they are: then the loop form is the smaller one.
+    """
+    equations = len(model.basis) * len(model.chords) + len(model.ties)
+    rank = rank_of(model.jacobian(), max(TIGHT, tolerance)) if equations <= FEW else _rank_of_links(model, tolerance)
+    zeros, loops = model.motions - rank.rank, _lambdas(model)
+    certificate = certain(model, rank, sum(loops) + len(model.ties), zeros)
+    if certificate:
+        return Truth(model, rank, zeros, loops, zeros, (zeros, zeros), certificate)
+    words = "undecided: the loop equations are dependent, and of so many parts amplitudes are not tried"
+    return Truth(model, rank, zeros, loops, None, (0, zeros), words)
+
+
+def _rank_of_links(model: Model, tolerance: float) -> Rank:
+    """The rank by the constraint form."""
     size, unknown = len(model.basis), len(model.basis) * (len(model.linkage.links) - 1)
     equations, largest = _placed(model)
     blocks = eliminate(equations, len(model.tree), size, ZERO * largest)
@@ -65,13 +84,7 @@ def large_mobility(model: Model, tolerance: float = 0.0) -> Truth:
         wanted *= 4
     kept = float(values[zeros]) if zeros < len(values) else None
     dropped = float(values[zeros - 1]) if zeros else None
-    rank = Rank(model.motions - zeros, kept, dropped, tuple(map(float, values[::-1])))
-    loops = _lambdas(model)
-    certificate = certain(model, rank, sum(loops) + len(model.ties), zeros)
-    if certificate:
-        return Truth(model, rank, zeros, loops, zeros, (zeros, zeros), certificate)
-    words = "undecided: the loop equations are dependent, and with so many links amplitudes are not tried"
-    return Truth(model, rank, zeros, loops, None, (0, zeros), words)
+    return Rank(model.motions - zeros, kept, dropped, tuple(map(float, values[::-1])))
 
 
 def _lambdas(model: Model) -> tuple[int, ...]:
@@ -87,11 +100,28 @@ def _lambdas(model: Model) -> tuple[int, ...]:
 
 
 def _placed(model: Model) -> tuple[list[Rows], float]:
-    """The constraints, links numbered in the order in which they hang on the ground, and the size of the largest."""
+    """The constraints and their largest singular value; links are numbered in the order in which they hang together."""
     order = [step.tail if backwards else step.head for step, backwards in model.tree]
     place = {link: i for i, link in enumerate(order)}
     found = [Rows(tuple(place[link] for link in r.links), r.block) for r in constraints(model) if r.block.size]
-    return found, max((float(np.linalg.norm(rows.block, 2)) for rows in found), default=1.0)
+    return found, _largest_value(found, len(model.basis), len(order))
+
+
+def _largest_value(equations: list[Rows], size: int, links: int) -> float:
+    """The largest singular value of all equations, by power iteration; a few digits are enough for a scale."""
+    x = np.random.default_rng(4).normal(size=(links * size, 1))
+    largest = 0.0
+    for _ in range(POWERS):
+        ahead = np.zeros_like(x)
+        for rows in equations:
+            image = rows.block.T @ (rows.block @ _gathered(x, rows.links, size))
+            for k, link in enumerate(rows.links):
+                ahead[link * size : (link + 1) * size] += image[k * size : (k + 1) * size]
+        largest = float(np.linalg.norm(ahead))
+        if not largest:
+            return 1.0
+        x = ahead / largest
+    return float(np.sqrt(largest))
 
 
 def eliminate(equations: list[Rows], links: int, size: int, shift: float) -> list[Block]:

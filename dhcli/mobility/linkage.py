@@ -17,6 +17,9 @@ Vector: TypeAlias = tuple[float, float, float]
 TINY = 1e-12
 """Below this a direction is no direction."""
 
+SQUARE = 0.01
+"""Cosine of two directions that are at right angles as far as a rounded drawing tells."""
+
 
 @dataclass(frozen=True, slots=True)
 class Joint:
@@ -176,8 +179,8 @@ def _joint_findings(joint: Joint, linkage: Linkage, known: list[str]) -> Iterato
             yield f"{key} has length zero, so that it points nowhere", ""
     if linkage.space.name == "planar":
         yield from _out_of_plane(joint)
-    if joint.axis and joint.axis2 and abs(_cosine(joint.axis, joint.axis2)) > 1 - TINY:
-        yield "the two axes are parallel", "they cross at an angle"
+    if joint.axis and joint.axis2:
+        yield from _two_axes(joint.pair, abs(_cosine(joint.axis, joint.axis2)))
     if (
         joint.point
         and joint.other
@@ -193,6 +196,14 @@ def _joint_findings(joint: Joint, linkage: Linkage, known: list[str]) -> Iterato
         yield f"the carrier {joint.carrier} is one of the wheels", "it is the link in which both wheels turn"
     if joint.radii is not None and min(joint.radii) <= 0:
         yield "a radius is not above zero", ""
+
+
+def _two_axes(pair: Pair, cosine: float) -> Iterator[tuple[str, str]]:
+    """Two axes that do not stand as the joint needs them."""
+    if pair.name == "line-contact" and cosine > SQUARE:
+        yield "the line of contact does not lie in the plane", "axis is the plane's normal, axis2 at right angles to it"
+    elif cosine > 1 - TINY:
+        yield "the two axes are parallel", "they cross at an angle"
 
 
 def _out_of_plane(joint: Joint) -> Iterator[tuple[str, str]]:

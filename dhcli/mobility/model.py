@@ -8,13 +8,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
+from dhcli.geometry.twists import Array
 from dhcli.mobility.linkage import Joint, Linkage
 from dhcli.mobility.motions import motions_of
 from dhcli.mobility.pairs import LinkageError
-from dhcli.mobility.screws import Array
+
+Signs: TypeAlias = NDArray[np.int8]
 
 TINY = 1e-9
 """Points nearer together than this part of their distance from the origin are one point."""
@@ -70,9 +74,9 @@ class Model:
         return len(self.twists)
 
     @cached_property
-    def paths(self) -> Array:
+    def paths(self) -> Signs:
         """Which motions lead from the ground to each link, with their sense: 1, -1 or 0; shape (links, m)."""
-        found = np.zeros((len(self.linkage.links), self.motions))
+        found = np.zeros((len(self.linkage.links), self.motions), dtype=np.int8)
         for step, backwards in self.tree:
             start, end = (step.head, step.tail) if backwards else (step.tail, step.head)
             found[end] = found[start]
@@ -80,9 +84,9 @@ class Model:
         return found
 
     @cached_property
-    def signs(self) -> Array:
+    def signs(self) -> Signs:
         """Which motions each loop runs through, with their sense, shape (loops, m)."""
-        found = np.zeros((len(self.chords), self.motions))
+        found = np.zeros((len(self.chords), self.motions), dtype=np.int8)
         for row, chord in enumerate(self.chords):
             found[row] = self.paths[chord.tail] - self.paths[chord.head]
             found[row, chord.first : chord.last] = 1

@@ -57,6 +57,25 @@ PAIRS = (
         "cam", "", 5, 2, ("point", "other"), ("point", "other"), "profiles in contact: the centres of curvature of both"
     ),
     Pair(
+        "ball-in-tube",
+        "",
+        4,
+        None,
+        ("point", "axis"),
+        (),
+        "a ball of the second link in a tube of the first: the ball's centre, and the tube's direction",
+    ),
+    Pair(
+        "line-contact",
+        "",
+        4,
+        None,
+        ("point", "axis", "axis2"),
+        (),
+        "a cylinder of the second link on a plane of the first: a point on the cylinder's axis, the plane's normal, "
+        "and the cylinder's direction",
+    ),
+    Pair(
         "bar", "", 5, 2, ("point", "other"), ("point", "other"), "two points kept at their distance by a massless rod"
     ),
     Pair(
@@ -77,13 +96,18 @@ PAIRS = (
 LETTERS = {pair.letter: pair for pair in PAIRS if pair.letter}
 
 _OTHER_NAMES = {
-    "pin": "revolute", "hinge": "revolute", "slider": "prismatic", "screw": "helical", "cylinder": "cylindrical",
-    "ball": "spherical", "hooke": "universal", "cardan": "universal", "weld": "fixed", "pin-in-slot": "slot",
-    "contact": "cam", "mesh": "gear", "rod": "bar",
+    "pin": "revolute", "hinge": "revolute", "turning": "revolute", "slider": "prismatic", "sliding": "prismatic",
+    "screw": "helical", "cylinder": "cylindrical", "ball": "spherical", "socket": "spherical",
+    "ball and socket": "spherical", "hooke": "universal", "cardan": "universal", "plane": "planar", "weld": "fixed",
+    "pin-in-slot": "slot", "pin in slot": "slot", "pin in a slot": "slot", "contact": "cam", "point contact": "cam",
+    "point-contact": "cam", "mesh": "gear", "gear mesh": "gear", "rod": "bar", "tube": "ball-in-tube",
+    "ball in tube": "ball-in-tube", "ball in a tube": "ball-in-tube", "ball in groove": "ball-in-tube",
+    "ball in a groove": "ball-in-tube", "line contact": "line-contact", "line": "line-contact",
 }  # fmt: skip
-_BY_NAME = {pair.name: pair for pair in PAIRS} | {
+WORDS = {pair.name: pair for pair in PAIRS} | {
     word: next(p for p in PAIRS if p.name == name) for word, name in _OTHER_NAMES.items()
 }
+"""Every word for a joint, in small letters; some are of several words."""
 
 
 def pair_of(word: str) -> Pair:
@@ -93,10 +117,10 @@ def pair_of(word: str) -> Pair:
         LinkageError: There is no such joint; the hint lists the letters.
     """
     word = word.strip()
-    found = LETTERS.get(word.upper() if len(word) == 1 else word) or _BY_NAME.get(word.lower())
+    found = LETTERS.get(word.upper() if len(word) == 1 else word) or WORDS.get(word.lower())
     if found is None:
         letters = ", ".join(f"{letter} {pair.name}" for letter, pair in LETTERS.items())
-        hint = did_you_mean(word, _BY_NAME) if len(word) > 2 else ""  # noqa: PLR2004  a letter is like nothing
+        hint = did_you_mean(word, WORDS) if len(word) > 2 else ""  # noqa: PLR2004  a letter is like nothing
         raise LinkageError(f"there is no joint '{word}'", hint if hint.startswith("did") else f"joints: {letters}")
     return found
 

@@ -6,35 +6,39 @@ was read and what the other would give. Legs `m-ABC` stand between a ground and 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from dhcli.errors import DhcliError, Place, Problem
 from dhcli.mobility.counting import Counts, counts
 from dhcli.mobility.linkage import Joint, Linkage
-from dhcli.mobility.pairs import LETTERS, PAIRS, SPATIAL, LinkageError, Pair, Space, pair_of
+from dhcli.mobility.pairs import LETTERS, SPATIAL, LinkageError, Pair, Space, pair_of
+from dhcli.mobility.scanning import check_count, joint_pieces
 from dhcli.notation.parser import parse
 from dhcli.notation.tree import Expr, Number, number
 
 MOST_JOINTS = 20_000
 """A pattern with more is a slip of the keyboard."""
 
-_LETTERS = "".join(LETTERS)
-_RUN = re.compile(rf"\s*(?P<count>\d*)\s*(?P<letter>[{_LETTERS}])", re.ASCII)
-_LEG = re.compile(
-    rf"\s*(?P<count>[^\s()+-]+|\([^()]*\))\s*[-\u2010-\u2013]\s*(?P<leg>(?:\d*[{_LETTERS}]|_)+)\s*", re.ASCII
-)
-_LOOP = re.compile(r"\s*(?:closed\s+)?(?:loop|closed)\s+(?P<rest>.+)", re.IGNORECASE)
-_OPEN = re.compile(r"\s*(?:open|chain)\s+(?P<rest>.+)", re.IGNORECASE)
+_LONGEST_COUNT = 6
+_SHOWN = 40
+"""Characters of a long text that an error repeats."""
+
+_DIGITS = frozenset("0123456789")
+_CLOSED, _OPEN = frozenset({"loop", "closed"}), frozenset({"open", "chain"})
+_DASHES = "-\u2010\u2011\u2012\u2013"
 
 EXAMPLES = "6R, RRPRRR, loop 6R, 6-UPS, 2-PRU+1-PRS"
 
 
 def looks_like_pattern(text: str) -> bool:
     """Whether a text is meant as a pattern: letters of joints and numbers, or legs."""
-    if _LOOP.fullmatch(text) or _LEG.match(text):
-        return True
-    return bool(re.fullmatch(rf"\s*(?:\d*\s*[{_LETTERS}]\s*)+", text, re.ASCII))
+    heading, rest = _heading(text)
+    if heading == "loop":
+        return bool(rest)
+    squeezed = "".join(rest.split())
+    if squeezed and all(character in LETTERS or character in _DIGITS for character in squeezed):
+        return squeezed[-1] in LETTERS
+    return _leg(_leg_texts(text)[0]) is not None
 
 
 def read_pattern(text: str, space: Space = SPATIAL, place: Place | None = None) -> Linkage | Counts:
@@ -53,13 +57,12 @@ def read_pattern(text: str, space: Space = SPATIAL, place: Place | None = None) 
     """
     place = place or Place("pattern", None, 1, text)
     try:
-        if match := _LOOP.fullmatch(text):
-            return _closed(letters(match["rest"]), text, space)
-        if _LEG.match(text):
+        heading, rest = _heading(text)
+        if heading == "loop":
+            return _closed(letters(rest), text, space)
+        if _leg(_leg_texts(text)[0]) is not None:
             return _legs(text, space)
-        if match := _OPEN.fullmatch(text):
-            text = match["rest"]
-        return _open(letters(text), text, space)
+        return _open(letters(rest), rest, space)
     except DhcliError as error:
         raise type(error)(Problem(p.message, p.place or place, p.hint) for p in error.problems) from None
 
@@ -71,23 +74,44 @@ def letters(text: str) -> tuple[Pair, ...]:
         LinkageError: A letter stands for no joint, or there are none.
     """
     found: list[Pair] = []
-    start, text = 0, text.strip()
-    while start < len(text):
-        match = _RUN.match(text, start)
-        if match is None:
-            known = ", ".join(f"{letter} {pair.name}" for letter, pair in LETTERS.items())
-            raise LinkageError(
-                f"'{text[start]}' in '{text}' is not the letter of a joint",
-                f"letters: {known}; write it like {EXAMPLES}",
-            )
-        count = int(match["count"][:6] or 1)
-        if count + len(found) > MOST_JOINTS:
-            raise LinkageError(f"more than {MOST_JOINTS:,} joints are not read")
-        found += [LETTERS[match["letter"]]] * count
-        start = match.end()
+    text, digits = text.strip(), ""
+    for character in text:
+        if character in _DIGITS:
+            digits += character if len(digits) <= _LONGEST_COUNT else ""
+        elif character in LETTERS:
+            count = int(digits or 1)
+            if count + len(found) > MOST_JOINTS:
+                raise LinkageError(f"more than {MOST_JOINTS:,} joints are not read")
+            found += [LETTERS[character]] * count
+            digits = ""
+        elif not character.isspace():
+            raise _no_letter(character, text)
+    if digits and found:
+        raise _no_letter(digits[0], text)
     if not found:
         raise LinkageError("a pattern without a joint", f"write it like {EXAMPLES}")
     return tuple(found)
+
+
+def _no_letter(character: str, text: str) -> LinkageError:
+    known = ", ".join(f"{letter} {pair.name}" for letter, pair in LETTERS.items())
+    message = f"'{character}' in '{_short(text)}' is not the letter of a joint"
+    return LinkageError(message, f"letters: {known}; write it like {EXAMPLES}")
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= _SHOWN else f"{text[:_SHOWN]}..."
+
+
+def _heading(text: str) -> tuple[str, str]:
+    """`loop`, `open` or nothing, and what stands behind it: `closed loop 6R`, `loop 6R`, `open RRP`."""
+    first, _, rest = text.strip().partition(" ")
+    word, rest = first.lower(), rest.strip()
+    if word == "closed" and rest[:5].lower() == "loop ":
+        return "loop", rest[5:].strip()
+    if rest and word in _CLOSED:
+        return "loop", rest
+    return ("open", rest) if rest and word in _OPEN else ("", text)
 
 
 def other_reading(linkage: Linkage | Counts) -> Counts | None:
@@ -133,24 +157,19 @@ def joint_counts(text: str, place: Place | None = None) -> tuple[tuple[Pair, Exp
     Raises:
         LinkageError: A piece does not end in a joint.
     """
-    names = "|".join(sorted((pair.name for pair in PAIRS), key=len, reverse=True))
-    found: list[tuple[Pair, Expr]] = []
-    for piece in re.findall(
-        rf"\s*[,+]?\s*((?:[^,A-Z]|\([^()]*\))*?\s*(?:{names}|[{_LETTERS}](?![a-z])))s?(?=\s|$|[,+0-9n(A-Z])|(\S+)", text
-    ):
-        match = re.fullmatch(rf"(?P<count>.*?)\s*[*·]?\s*(?P<pair>{names}|[{_LETTERS}])", piece[0].strip())
-        if match is None:
-            raise LinkageError(
-                Problem(f"'{(piece[0] or piece[1]).strip()}' is not a number of joints", place, "write 4R, or 3R 1P")
-            )
-        found.append((pair_of(match["pair"]), count_of(match["count"] or "1", place)))
+    found = [(pair, count_of(count or "1", place)) for count, pair in joint_pieces(text, place)]
     if not found:
         raise LinkageError(Problem("no joints are given", place, "write 4R, or 3R 1P"))
     return tuple(found)
 
 
 def count_of(text: str, place: Place | None = None) -> Expr:
-    """A count as a number or a formula, by notation's own grammar."""
+    """A count as a number or a formula, by notation's own grammar; a name in it is one letter, with an index or not.
+
+    Raises:
+        DhcliError: It is no formula, or holds a word.
+    """
+    check_count(text, place)
     return parse(text, place=place or Place("count", None, 1, text))
 
 
@@ -173,23 +192,49 @@ def _row(pairs: tuple[Pair, ...], links: tuple[str, ...], first: str = "") -> It
         yield Joint(pair, (links[i], links[i + 1]), f"{first}{i + 1}")
 
 
+def _leg_texts(text: str) -> list[str]:
+    """The pieces of `2-PRU+1-PRS`, parted at + and , outside of brackets."""
+    pieces, depth, start = [], 0, 0
+    for i, character in enumerate(text):
+        depth += {"(": 1, ")": -1}.get(character, 0)
+        if character in "+," and depth == 0:
+            pieces.append(text[start:i])
+            start = i + 1
+    return [*pieces, text[start:]]
+
+
+def _leg(piece: str) -> tuple[str, str] | None:
+    """`(n + 1)-UPS` as a count and the letters of one leg; None if it is no leg."""
+    piece = piece.strip()
+    at = max(piece.rfind(dash) for dash in _DASHES)
+    count, leg = piece[:at].strip(), piece[at + 1 :].strip().replace("_", "")
+    if at < 1 or not leg or not all(character in LETTERS or character in _DIGITS for character in leg):
+        return None
+    bracketed = count.startswith("(") and count.find(")") == len(count) - 1
+    plain = not any(character.isspace() or character in f"()+{_DASHES}" for character in count)
+    return (count, leg) if count and leg[-1] in LETTERS and (bracketed or plain) else None
+
+
 def _legs(text: str, space: Space) -> Linkage | Counts:
     """`2-PRU+1-PRS`: legs between the ground and a platform."""
     legs: list[tuple[Expr, tuple[Pair, ...]]] = []
-    for piece in re.split(r"\+(?![^()]*\))|,", text):
-        match = _LEG.fullmatch(piece)
-        if match is None:
-            raise LinkageError(f"'{piece.strip()}' is not read as legs", "write 6-UPS, or 2-PRU+1-PRS")
-        legs.append((count_of(match["count"]), letters(match["leg"].replace("_", ""))))
+    for piece in _leg_texts(text):
+        counted = _leg(piece)
+        if counted is None:
+            raise LinkageError(f"'{_short(piece.strip())}' is not read as legs", "write 6-UPS, or 2-PRU+1-PRS")
+        legs.append((count_of(counted[0]), letters(counted[1])))
     if any(not isinstance(count, Number) for count, _ in legs):
         return _symbolic_legs(legs, text, space)
     joints: list[Joint] = []
+    number_of_legs = 0
     for count, pairs in legs:
         assert isinstance(count, Number)  # noqa: S101  the others have just been handled
-        if count.value.denominator != 1 or not 0 < count.value * len(pairs) <= MOST_JOINTS:
-            raise LinkageError(f"{count} is not a number of legs", "write 6-UPS")
+        if count.value.denominator != 1 or not 0 < count.value * len(pairs) <= MOST_JOINTS - len(joints):
+            message = f"{_short(str(count))} is not a number of legs"
+            raise LinkageError(message, f"write 6-UPS; up to {MOST_JOINTS:,} joints are read")
         for _ in range(int(count.value)):
-            leg = f"leg{len({joint.name.partition('.')[0] for joint in joints}) + 1}"
+            number_of_legs += 1
+            leg = f"leg{number_of_legs}"
             inner = (f"{leg}.{i}" for i in range(1, len(pairs)))
             joints += _row(pairs, ("ground", *inner, "platform"), f"{leg}.")
     return Linkage(text.strip(), space, tuple(joints), "ground", "platform", reading="legs between ground and platform")

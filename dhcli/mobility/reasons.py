@@ -6,18 +6,27 @@ special lengths; special directions of axes. Each is tested by computing, not gu
 
 from __future__ import annotations
 
+import math
+from itertools import pairwise
+
 import numpy as np
 
+from dhcli.geometry.rank import TIGHT, Rank, rank_of, spaces
 from dhcli.mobility.copies import disturbed, generic, twisted
 from dhcli.mobility.linkage import Linkage
 from dhcli.mobility.loops import shortest_lambdas
 from dhcli.mobility.model import Model, model_of
 from dhcli.mobility.pairs import LinkageError
-from dhcli.mobility.rank import TIGHT, rank_of, spaces
 from dhcli.mobility.truth import Truth
 
 DISTURBANCE = 0.02
-MOST_LINKS = 60
+FAINT, FAINTEST = 3e-3, 1e-8
+"""Relative to the largest, a singular value between these may be rounding of a drawing ..."""
+
+APART = 30.0
+"""... if the next larger one is so many times as large."""
+
+MOST_LINKS, MOST_MOTIONS = 60, 500
 """Larger linkages are told apart without looking for the part that is over-braced."""
 
 
@@ -28,10 +37,27 @@ def reasons(linkage: Linkage, truth: Truth, formula: int, tolerance: float) -> t
         found.append(_main_reason(linkage, truth, truth.mobility, tolerance))
     if truth.mobility is not None and truth.instantaneous > truth.mobility:
         found.append(_special_position(truth, truth.mobility))
+    found += [f"{one.passing}." for one in truth.passing]
+    if not tolerance and (hint := _looks_rounded(truth.rank)):
+        found.append(hint)
     if len(truth.branches) > 1:
         sizes = " and ".join(map(str, truth.branches))
         found.append(f"Motions of different kinds meet in this position, with {sizes} freedoms.")
     return tuple(found)
+
+
+def _looks_rounded(rank: Rank) -> str:
+    """About singular values that stand apart from the others, as small as rounded coordinates leave what was zero."""
+    values = rank.values[: rank.rank]
+    for larger, smaller in pairwise(values):
+        if FAINTEST < smaller / values[0] < FAINT and larger > APART * smaller:
+            decimals = math.floor(-math.log10(4 * smaller / values[0]))
+            return (
+                f"A singular value that counts is only {smaller / values[0]:.1e} of the largest, as rounding leaves "
+                f"one that should be zero. If these coordinates are a drawing's, they look rounded: try --tol "
+                f"{3 * 10.0**-decimals:g}."
+            )
+    return ""
 
 
 def _main_reason(linkage: Linkage, truth: Truth, mobility: int, tolerance: float) -> str:
@@ -44,7 +70,7 @@ def _main_reason(linkage: Linkage, truth: Truth, mobility: int, tolerance: float
     if corrected == mobility and any(loop > lambda_ for loop in loops):
         own = ", ".join(map(str, loops))
         return f"λ = {lambda_} is too small: the motions of the loops span {own} freedoms, so the axes lie otherwise."
-    if len(linkage.links) > MOST_LINKS:
+    if len(linkage.links) > MOST_LINKS or model.motions > MOST_MOTIONS:
         return "Some of the constraints repeat others, which the formula cannot see."
     if graph := _over_braced(linkage, mobility):
         return graph

@@ -10,27 +10,39 @@ from __future__ import annotations
 
 import numpy as np
 
-from dhcli.mobility import screws
+from dhcli.geometry.twists import Array, brackets
 from dhcli.mobility.model import Model
-from dhcli.mobility.screws import Array
 
 ROUNDS = 400
+ROUNDING = 1e-10
+"""An eigenvalue above minus this is not negative."""
+
+STEPS = 20
+FINE = 1e-13
+"""A form with a value below this vanishes."""
+
+MOST_DIRECTIONS = 4
+MOST_PIECES = 20_000
+FINEST = 1e-4
+"""Pieces of a cube's face below this are near a common zero."""
+
 CLEAR = 1e-6
 """A smallest eigenvalue above this, of forms scaled to 1, is no rounding."""
 
 
-def quadratic_forms(model: Model, motions: Array, stresses: Array) -> Array:
+def quadratic_forms(model: Model, motions: Array, stresses: Array, twists: Array | None = None) -> Array:
     """The forms that must vanish, shape (c, k, k).
 
     Args:
         model: The linkage.
         motions: Basis of the instantaneous motions, shape (m, k).
         stresses: Basis of what the Jacobian cannot reach, shape (rows, c).
+        twists: World twists in another position, shape (m, 6); those of the given one by default.
     """
     size = len(model.basis)
     found = np.zeros((stresses.shape[1], motions.shape[1], motions.shape[1]))
     for row in range(len(model.chords)):
-        curvature = _curvature(model, row, motions) @ model.basis.T
+        curvature = _curvature(model, row, motions, twists) @ model.basis.T
         found += np.einsum("abi,ic->cab", curvature, stresses[row * size : (row + 1) * size])
     return found
 
@@ -58,15 +70,97 @@ def proves_rigid(forms: Array) -> bool:
     return False
 
 
-def _curvature(model: Model, row: int, motions: Array) -> Array:
+def possible(forms: Array) -> Array:
+    """Directions in which the forms may vanish, as orthonormal columns (k, r); the rest is stopped in second order.
+
+    Where a combination of forms is at least nowhere negative, it vanishes on a subspace only. Each form by itself and
+    the combination with the largest trace are looked at, again and again on what is left.
+    """
+    basis = np.eye(forms.shape[1])
+    size = float(np.abs(forms).max(initial=0.0))
+    while size > CLEAR and basis.shape[1]:
+        here = basis.T @ (forms / size) @ basis
+        mixed = np.einsum("c,cab->ab", np.trace(here, axis1=1, axis2=2), here)
+        for form in (*here, mixed):
+            values, vectors = np.linalg.eigh(form)
+            values, vectors = (values, vectors) if values[-1] > CLEAR else (-values[::-1], vectors[:, ::-1])
+            if values[0] > -ROUNDING and values[-1] > CLEAR:
+                basis = basis @ vectors[:, values < CLEAR]
+                break
+        else:
+            break
+    return basis
+
+
+def common_zero(forms: Array, start: Array) -> Array:
+    """A direction near a given one in which all forms vanish, shape (k,); the given one if none is found.
+
+    Where branches meet, each leaves along such a direction, and those who start elsewhere may all end on one branch.
+    """
+    found = start
+    for _ in range(STEPS):
+        products = forms @ found
+        values = products @ found
+        if float(np.abs(values).max(initial=0.0)) < FINE:
+            return found
+        step = np.linalg.lstsq(np.concatenate([2 * products, found[None, :]]), np.append(-values, 0.0), rcond=None)[0]
+        found = (found + step) / np.linalg.norm(found + step)
+    return start
+
+
+def vanish_nowhere(forms: Array) -> bool:
+    """Whether the forms vanish together for no direction at all, so that no motion begins, shape (c, k, k) for small k.
+
+    More than a definite combination can show: x² - y² and 2xy have none, and no common zero. The directions are the
+    faces of a cube, halved again and again until the forms' values in the middle of each piece exceed all by which
+    they can change within it.
+    """
+    k = forms.shape[1]
+    size = float(np.abs(forms).max(initial=0.0))
+    if not 1 < k <= MOST_DIRECTIONS or size < CLEAR:
+        return False
+    scaled = forms / size
+    largest = float(np.sqrt(np.sum(np.linalg.norm(scaled, 2, axis=(1, 2)) ** 2)))
+    centres = np.concatenate([np.insert(np.zeros((1, k - 1)), face, 1.0, axis=1) for face in range(k)])
+    faces, half = np.arange(k, dtype=np.float64), 1.0
+    while len(centres):
+        if len(centres) > MOST_PIECES or half < FINEST:
+            return False
+        products = np.einsum("cab,nb->nca", scaled, centres)
+        values = np.linalg.norm(np.einsum("nca,na->nc", products, centres), axis=1)
+        reach = half * np.sqrt(k - 1)
+        change = 2 * reach * np.linalg.norm(products, axis=(1, 2)) + reach**2 * largest
+        open_ = values <= change + CLEAR
+        centres, faces, half = *_halved(centres[open_], faces[open_], half / 2), half / 2
+    return True
+
+
+def _halved(centres: Array, faces: Array, half: float) -> tuple[Array, Array]:
+    """The pieces of half the size that some pieces of the cube's faces consist of; `faces` are the axes they face."""
+    k = centres.shape[1]
+    for axis, shift in enumerate(half * np.eye(k)):
+        moves = faces != axis
+        centres = np.concatenate([centres[~moves], centres[moves] - shift, centres[moves] + shift])
+        faces = np.concatenate([faces[~moves], faces[moves], faces[moves]])
+    return centres, faces
+
+
+def size_of_curvature(model: Model, motions: Array, twists: Array | None = None) -> float:
+    """The largest second order part of any loop's gap, which tells what is small for a form."""
+    loops = range(len(model.chords))
+    return max((float(np.abs(_curvature(model, row, motions, twists)).max(initial=0.0)) for row in loops), default=0.0)
+
+
+def _curvature(model: Model, row: int, motions: Array, twists: Array | None = None) -> Array:
     """Second order part of a loop's gap, ½ Σ_{i<j} [ξ_i, ξ_j] q_i q_j in the order of the loop, shape (k, k, 6).
 
     Source: Baker-Campbell-Hausdorff, for a product of exponentials whose first order vanishes.
     """
     order, senses = loop_order(model, row)
-    moving = (senses[:, None] * model.twists[order])[:, None, :] * motions[order][:, :, None]
+    seen = model.twists if twists is None else twists
+    moving = (senses[:, None] * seen[order])[:, None, :] * motions[order][:, :, None]
     before = np.cumsum(moving, axis=0) - moving
-    found = screws.brackets(before[:, :, None, :], moving[:, None, :, :]).sum(axis=0) / 2
+    found = brackets(before[:, :, None, :], moving[:, None, :, :]).sum(axis=0) / 2
     return np.asarray(found + found.transpose(1, 0, 2)) / 2
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from dhcli.algebra.equality import equal, equal_in_floats
@@ -11,6 +11,7 @@ from dhcli.algebra.floats import Floats
 from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr, Symbol, add, multiply, number
+from tests.nightly import examples
 from tests.strategies import LENGTHS, THETAS, polynomials
 
 IDENTITIES = [
@@ -119,7 +120,7 @@ def test_what_residues_cannot_hold_is_judged_in_floats(one: str, other: str, ver
     assert equal(parse(other), parse(one)) is verdict
 
 
-@settings(max_examples=60)
+@examples(0.6)
 @given(polynomials, polynomials, polynomials)
 def test_the_laws_of_a_ring_hold(a: Expr, b: Expr, c: Expr) -> None:
     """Distributed, commuted, regrouped: equal, though not the same tree."""
@@ -128,7 +129,7 @@ def test_the_laws_of_a_ring_hold(a: Expr, b: Expr, c: Expr) -> None:
     assert equal(multiply(multiply(a, b), c), multiply(a, multiply(c, b)))
 
 
-@settings(max_examples=60)
+@examples(0.6)
 @given(polynomials, st.fixed_dictionaries(dict.fromkeys((*THETAS, *LENGTHS), st.floats(0.3, 1.2))))
 def test_equal_expressions_have_equal_floats(expr: Expr, at: dict[str, float]) -> None:
     """Expanding a product of the whole with a bracket changes no value."""

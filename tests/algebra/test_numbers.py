@@ -6,7 +6,7 @@ import math
 from fractions import Fraction
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from dhcli.algebra.arithmetic import Arithmetic, CannotHoldError, plus, right_angle, times
@@ -22,6 +22,7 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
 from dhcli.notation.tree import Expr, number
 from dhcli.notation.trig import cosine, sine
+from tests.nightly import examples
 from tests.strategies import exact_angles
 
 FIELDS = [field_of_the_day(), Field(720 * 3 * 7 + 1) if is_prime(720 * 3 * 7 + 1) else Field(2161)]
@@ -104,7 +105,7 @@ def test_residues_refuse_what_the_field_does_not_hold(text: str) -> None:
         Residues((expr,)).value(expr)
 
 
-@settings(max_examples=60)
+@examples(0.6)
 @given(exact_angles)
 def test_the_cosine_of_an_angle_is_the_cosine_of_its_tree(angle: Angle) -> None:
     """What the tree makes of right angles, roots and signs changes no value, in residues and floats."""

@@ -28,7 +28,7 @@ from dhcli.checking.exercise import Exercise, Part, question_about
 from dhcli.checking.marking import mark
 from dhcli.checking.questions import MatrixQuestion, TableQuestion
 from dhcli.checking.verdicts import Verdict
-from dhcli.files.library import Kind, entries
+from dhcli.files.library.lookup import Kind, entries
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import joint_values
 

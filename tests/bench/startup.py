@@ -30,6 +30,7 @@ COMMANDS = (
     "grade sheets",
     "lint exercise.yaml",
     "new robot my-arm --force",
+    "help fk",
 )
 """What is typed for each command but `watch`, which does not end; run in a folder of its own."""
 

@@ -7,7 +7,7 @@ import pytest
 from dhcli.checking.describe import describe
 from dhcli.checking.marking import mark
 from dhcli.checking.verdicts import Verdict
-from dhcli.files.exercises import read_exercise
+from dhcli.files.yaml.exercises import read_exercise
 
 
 @pytest.mark.parametrize(("unit", "shown"), [("mm", "(200, 0, 0)"), ("m", "(0.2, 0, 0)"), ("none", "(0.2, 0, 0)")])

@@ -17,14 +17,15 @@ from dhcli.checking.solution import solution
 from dhcli.checking.truth import is_length, truth_of
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import RobotError
-from dhcli.files.exercises import load_exercise
-from dhcli.files.library import Kind, entries
-from dhcli.files.sheets import read_sheet, write_sheet
+from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.yaml.exercises import load_exercise
+from dhcli.files.yaml.sheets import read_sheet, write_sheet
 from dhcli.notation.styles import STYLES
 from dhcli.notation.writer import write
 from dhcli.render.look import Look
-from dhcli.render.matrix import matrix_lines
 from dhcli.render.paper import Paper
+from dhcli.render.text.matrix import matrix_lines
+from tests.nightly import some
 
 ROOT = Path(__file__).parents[2]
 NAMES = sorted(
@@ -102,7 +103,7 @@ def test_its_own_solution_is_right_in_every_spelling(name: str) -> None:
                 answers["screen"] = screen(exercise, part.question)
         else:
             answers = {"expected": solved(exercise, part)}
-        for spelling, answer in answers.items():
+        for spelling, answer in some([*answers.items()], 3):
             judged = mark(exercise, part, answer)
             assert judged.verdict is Verdict.RIGHT, (part.id, spelling, answer, judged.remarks)
             assert judged.earned == 1

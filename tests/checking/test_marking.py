@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from functools import cache
+from itertools import product
 from pathlib import Path
 
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from dhcli.checking.describe import describe
@@ -22,15 +23,16 @@ from dhcli.checking.sheetmark import SheetMark, mark_sheet
 from dhcli.checking.tolerance import is_rounding_of, judge, typed_decimals
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import DhcliError, UnknownNameError
-from dhcli.files.exercises import load_exercise, read_exercise
-from dhcli.files.library import Kind, entries
-from dhcli.files.robots import load_robot
+from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.yaml.exercises import load_exercise, read_exercise
+from dhcli.files.yaml.robots import load_robot
 from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
 from dhcli.notation.tree import Number, number
 from dhcli.notation.writer import write
 from dhcli.render.look import Look, render
 from dhcli.render.paper import Paper
+from tests.nightly import examples, some
 from tests.strategies import polynomials
 
 COSINE, SINE = math.cos(math.radians(75)), math.sin(math.radians(75))
@@ -39,7 +41,7 @@ Y = 0.4 * math.sin(math.radians(30)) + 0.3 * SINE
 SIZE = 0.7
 """Lengths of the planar arm [m]: 0.4 and 0.3."""
 
-SEEN_ENOUGH = settings(max_examples=150)
+SEEN_ENOUGH = examples(1)
 
 
 @cache
@@ -443,7 +445,7 @@ def shown(exercise: Exercise, part: Part, judged: Mark) -> str:
 
 
 @given(indices, texts)
-@settings(max_examples=400)
+@examples(4)
 def test_any_text_for_any_part_is_judged(index: int, text: str) -> None:
     """Never an exception, and nothing that would steer a terminal comes back."""
     exercise, part = parts()[index]
@@ -453,7 +455,7 @@ def test_any_text_for_any_part_is_judged(index: int, text: str) -> None:
 
 
 @given(indices, st.data())
-@settings(max_examples=250)
+@examples(2.5)
 def test_a_right_answer_with_a_slip_of_the_finger_is_judged(index: int, draw: st.DataObject) -> None:
     """Letters lost, doubled, exchanged or put in."""
     exercise, part = parts()[index]
@@ -518,8 +520,7 @@ HOSTILE = {
 }
 
 
-@pytest.mark.parametrize("name", HOSTILE)
-@pytest.mark.parametrize("index_of_kind", range(10))
+@pytest.mark.parametrize(("name", "index_of_kind"), some([*product(HOSTILE, range(10))], 3))
 def test_hostile_texts_end_at_a_cap(name: str, index_of_kind: int) -> None:
     """For one part of each kind, with a message, and without a control character on the way out."""
     exercise, part = one_of_each_kind()[index_of_kind]

@@ -13,7 +13,7 @@ from dhcli.checking.questions import MatrixQuestion, Span
 from dhcli.checking.reading import LARGEST
 from dhcli.checking.verdicts import Verdict
 from dhcli.cli.main import main
-from dhcli.files.exercises import load_exercise
+from dhcli.files.yaml.exercises import load_exercise
 from dhcli.notation.angle import Angle
 
 NAMED = """r11 = c12

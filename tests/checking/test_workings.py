@@ -14,8 +14,8 @@ from dhcli.checking.solution import solution
 from dhcli.checking.symbolic import same
 from dhcli.checking.verdicts import Verdict
 from dhcli.checking.workings import MOST_DECIMALS, answer_text
-from dhcli.files.exercises import load_exercise, read_exercise
-from dhcli.files.library import Kind, entries
+from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.yaml.exercises import load_exercise, read_exercise
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import to_length
 

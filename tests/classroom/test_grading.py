@@ -14,8 +14,8 @@ from dhcli.checking.verdicts import Verdict
 from dhcli.classroom.folder import Submission, find_sheets
 from dhcli.classroom.grading import Graded, grade, grade_all
 from dhcli.errors import FileError
-from dhcli.files.exercises import load_exercise
-from dhcli.files.sheets import write_sheet
+from dhcli.files.yaml.exercises import load_exercise
+from dhcli.files.yaml.sheets import write_sheet
 from tests.classroom.sheets import EXERCISE, RIGHT, WRONG, hand_in, sheet
 from tests.classroom.workers import trouble
 

@@ -1,4 +1,4 @@
-"""Running commands as a user does: in this process where that is enough, in one of their own where streams matter."""
+"""Running commands as a user does: in this process, or in one of their own where that is the point."""
 
 import os
 import subprocess
@@ -7,40 +7,28 @@ from pathlib import Path
 
 import pytest
 
-from dhcli.cli.main import main
-from tests.cli.running import Done, Run
+from tests.cli.running import Done, Run, run
 
 ROOT = Path(__file__).parents[2]
 
 
 @pytest.fixture
-def dhcli(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Run:
-    """Run `dhcli` with these words in this process, in an empty folder."""
+def dhcli(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Run:
+    """Run `dhcli` with these words in this process, in an empty folder; see `run`."""
     monkeypatch.chdir(tmp_path)
-
-    def run(*words: str) -> Done:
-        capsys.readouterr()
-        code = main(words)
-        streams = capsys.readouterr()
-        return Done(int(code), streams.out, streams.err)
-
     return run
 
 
 @pytest.fixture
 def process(tmp_path: Path) -> Run:
-    """Run `python -m dhcli` in a process of its own, in an empty folder, its streams piped."""
+    """Run a script of the shell that starts `python -m dhcli` as `"$0" -m dhcli`, in an empty folder."""
 
-    def run(*words: str, stdin: str | None = None, script: str = "", **environment: str) -> Done:
-        command = [sys.executable, "-m", "dhcli", *words]
-        if script:
-            command = ["bash", "-o", "pipefail", "-c", script, sys.executable, *command]
+    def run_script(script: str, **environment: str) -> Done:
         done = subprocess.run(
-            command,
+            ["bash", "-o", "pipefail", "-c", script, sys.executable],  # noqa: S607  the shell of whoever tests
             cwd=tmp_path,
             env={**os.environ, "PYTHONPATH": str(ROOT), **environment},
-            input=stdin,
-            stdin=subprocess.DEVNULL if stdin is None else None,
+            stdin=subprocess.DEVNULL,
             capture_output=True,
             encoding="utf-8",
             timeout=60,
@@ -48,4 +36,4 @@ def process(tmp_path: Path) -> Run:
         )
         return Done(done.returncode, done.stdout, done.stderr)
 
-    return run
+    return run_script

@@ -1,13 +1,25 @@
-"""What a command leaves behind, and the type of what runs one."""
+"""Running a command in this process as if it had one of its own, and what it leaves behind."""
 
 from __future__ import annotations
 
+import io
 import json
-from collections.abc import Callable
+import os
+import sys
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from functools import cache
+from typing import Any, BinaryIO, TextIO, TypeAlias
 
 import pytest
+
+from dhcli.cli import app
+from dhcli.cli.main import main
+
+app.load = cache(app.load)  # typer takes long to make a command, and changes none that it has made
+
+STREAMS = ("stdin", "stdout", "stderr")
 
 
 @dataclass(frozen=True)
@@ -32,3 +44,77 @@ class Done:
 
 Run: TypeAlias = Callable[..., Done]
 """Runs dhcli with the words given."""
+
+
+class Untouched(io.RawIOBase):
+    """A standard input that nobody may read."""
+
+    def readable(self) -> bool:
+        """As every standard input."""
+        return True
+
+    def readinto(self, _: object) -> int:
+        """A command that reads here would wait for somebody who was not asked."""
+        raise AssertionError("standard input was read")
+
+
+def run(
+    *words: str,
+    stdin: str | BinaryIO | None = None,
+    stdout: TextIO | None = None,
+    together: bool = False,
+    **environment: str,
+) -> Done:
+    """Run `dhcli` with these words in this process, its streams piped.
+
+    Args:
+        words: What is typed after `dhcli`.
+        stdin: What comes in; without it, nobody may read.
+        stdout: Where results go; by default they are kept.
+        together: Whether both streams go into one, as `2>&1` has it.
+        environment: Variables to set; PYTHONIOENCODING is that of the streams.
+    """
+    out, err = io.BytesIO(), io.BytesIO()
+    encoding = environment.get("PYTHONIOENCODING", "utf-8")
+    streams = {
+        "stdin": _stdin(stdin),
+        "stdout": stdout or writer(out, encoding),
+        "stderr": writer(out if together else err, encoding, errors="backslashreplace", at_once=True),
+    }
+    with replaced(streams, environment):
+        code = main(words)
+        streams["stdout"].flush()
+        streams["stderr"].flush()
+    return Done(int(code), out.getvalue().decode(), err.getvalue().decode())
+
+
+def writer(stream: BinaryIO, encoding: str = "utf-8", errors: str = "strict", *, at_once: bool = False) -> TextIO:
+    """What Python puts before a stream of bytes: a buffer, so that a forgotten flush shows."""
+    return io.TextIOWrapper(stream, encoding, errors, newline="\n", write_through=at_once)
+
+
+@contextmanager
+def replaced(streams: Mapping[str, TextIO], environment: Mapping[str, str]) -> Iterator[None]:
+    """Other streams and variables for a while."""
+    with pytest.MonkeyPatch.context() as patch:
+        for name, text in environment.items():
+            patch.setenv(name, text)
+        for name, stream in streams.items():
+            patch.setattr(sys, name, stream)
+        yield
+
+
+@contextmanager
+def nobody_reads() -> Iterator[TextIO]:
+    """A pipe whose reader has gone away, written line by line."""
+    reading, writing = os.pipe()
+    os.close(reading)
+    with open(writing, "w", buffering=1, encoding="utf-8") as stream:  # noqa: PTH123  a descriptor
+        yield stream
+
+
+def _stdin(content: str | BinaryIO | None) -> TextIO:
+    """A standard input that holds this."""
+    if isinstance(content, str):
+        content = io.BytesIO(content.encode())
+    return io.TextIOWrapper(content or io.BufferedReader(Untouched()), "utf-8")

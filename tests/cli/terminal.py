@@ -1,19 +1,30 @@
-"""A terminal for commands that only talk to people: a pseudo-terminal, read until what is waited for has come."""
+"""A terminal for commands that only talk to people: a pseudo-terminal, read until what is waited for has come.
+
+The command runs in a thread of this process, which spares its start; or in a process of its own, where it is to be
+stopped, never ends by itself, or starts processes.
+"""
 
 from __future__ import annotations
 
 import contextlib
+import io
 import os
 import re
 import select
 import signal
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
+from threading import Thread
 from time import monotonic
 from types import TracebackType
-from typing import Self
+from typing import Self, TextIO
+
+import pytest
+
+from dhcli.cli.main import main
+from tests.cli.running import STREAMS
 
 ROOT = Path(__file__).parents[2]
 PATIENCE = 30.0
@@ -23,15 +34,14 @@ PATIENCE = 30.0
 class Terminal:
     """A command that runs on a terminal of its own."""
 
-    def __init__(self, folder: Path, *words: str, no_color: str = "1") -> None:
-        """Start `dhcli` with these words in a folder, by default without colour."""
+    def __init__(self, folder: Path, *words: str, no_color: str = "1", own_process: bool = False) -> None:
+        """Start `dhcli` with these words in a folder, by default without colour and in this process."""
         import pty
 
         self.screen, other = pty.openpty()
-        environment = {**os.environ, "PYTHONPATH": str(ROOT), "COLUMNS": "100", "NO_COLOR": no_color}
-        command = [sys.executable, "-m", "dhcli", *words]
-        self.running = subprocess.Popen(command, stdin=other, stdout=other, stderr=other, cwd=folder, env=environment)
-        os.close(other)
+        environment = {"COLUMNS": "100", "NO_COLOR": no_color}
+        runner = _Process if own_process else _Thread
+        self.running = runner(folder, words, other, environment)
         self.seen = ""
 
     def __enter__(self) -> Self:
@@ -40,18 +50,16 @@ class Terminal:
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
         """End what still runs."""
-        if self.running.poll() is None:
-            self.running.kill()
-        self.running.wait()
-        os.close(self.screen)
+        self.running.end(self.screen)
 
     def type(self, text: str) -> None:
         """Press keys."""
         os.write(self.screen, text.encode())
 
     def interrupt(self) -> None:
-        """What Ctrl-C does."""
-        self.running.send_signal(signal.SIGINT)
+        """What Ctrl-C does to a process of its own."""
+        assert isinstance(self.running, _Process)
+        self.running.process.send_signal(signal.SIGINT)
 
     def until(self, pattern: str) -> str:
         """Wait until something is shown; what was shown up to it, which is then forgotten."""
@@ -65,7 +73,7 @@ class Terminal:
         """Wait until the command has ended; its exit code."""
         for _ in self._pieces():
             pass
-        return self.running.wait(timeout=PATIENCE)
+        return self.running.wait()
 
     def _pieces(self) -> Iterator[None]:
         """Read on, until the command has closed the terminal or patience is at its end."""
@@ -80,3 +88,78 @@ class Terminal:
                 return
             self.seen += piece.decode("utf-8", "replace").replace("\r\n", "\n")
             yield
+
+
+class _Process:
+    """A command in a process of its own."""
+
+    def __init__(self, folder: Path, words: Sequence[str], terminal: int, environment: dict[str, str]) -> None:
+        """Start it on a terminal, given by its descriptor."""
+        command = [sys.executable, "-m", "dhcli", *words]
+        environment = {**os.environ, "PYTHONPATH": str(ROOT), **environment}
+        self.process = subprocess.Popen(
+            command, stdin=terminal, stdout=terminal, stderr=terminal, cwd=folder, env=environment
+        )
+        os.close(terminal)
+
+    def wait(self) -> int:
+        """Its exit code."""
+        return self.process.wait(timeout=PATIENCE)
+
+    def end(self, screen: int) -> None:
+        """Kill it if it still runs, and close its screen."""
+        if self.process.poll() is None:
+            self.process.kill()
+        self.process.wait()
+        os.close(screen)
+
+
+class _Thread:
+    """A command in a thread, which has the streams, the variables and the folder of this process meanwhile."""
+
+    def __init__(self, folder: Path, words: Sequence[str], terminal: int, environment: dict[str, str]) -> None:
+        """Start it on a terminal, given by its descriptor."""
+        self.patch = pytest.MonkeyPatch()
+        self.patch.chdir(folder)
+        for name, text in environment.items():
+            self.patch.setenv(name, text)
+        self.streams = [_stream(os.dup(terminal), name) for name in STREAMS]
+        os.close(terminal)
+        for name, stream in zip(STREAMS, self.streams, strict=True):
+            self.patch.setattr(sys, name, stream)
+        self.code: int | None = None
+        self.is_over = False
+        self.thread = Thread(target=self._run, args=(words,), daemon=True)
+        self.thread.start()
+
+    def _run(self, words: Sequence[str]) -> None:
+        try:
+            self.code = int(main(words))
+        except Exception:
+            if not self.is_over:  # else it is told that nobody listens any more, and cannot say so to anybody
+                raise
+        finally:
+            for stream in self.streams:
+                with contextlib.suppress(OSError):
+                    stream.close()
+
+    def wait(self) -> int:
+        """Its exit code."""
+        self.thread.join(PATIENCE)
+        assert self.code is not None, "the command has not ended"
+        return self.code
+
+    def end(self, screen: int) -> None:
+        """Close its screen, which ends whoever reads from it or writes to it."""
+        self.is_over = True
+        os.close(screen)
+        self.thread.join(PATIENCE)
+        self.patch.undo()
+        assert not self.thread.is_alive(), "the command goes on without its terminal"
+
+
+def _stream(descriptor: int, name: str) -> TextIO:
+    """What Python makes of a terminal for one of the three streams."""
+    mode = "rb" if name == "stdin" else "wb"
+    binary = open(descriptor, mode, 0 if name == "stderr" else -1)  # noqa: SIM115  a descriptor, closed with the stream
+    return io.TextIOWrapper(binary, "utf-8", line_buffering=name == "stdout", write_through=name == "stderr")

@@ -185,17 +185,17 @@ def test_a_rounded_answer_of_a_sheet_says_that_it_earned_all(dhcli: Run, tmp_pat
     assert done.out.splitlines()[0].endswith("(full credit: 2)")
 
 
-def test_a_sheet_comes_from_standard_input_too(process: Run) -> None:
+def test_a_sheet_comes_from_standard_input_too(dhcli: Run) -> None:
     """As `-`."""
     text = f"format: 1\nexercise: {PLANAR}\nanswers:\n  a1: '{A1}'\n"
-    done = process("check", PLANAR, "-", "--part", "a1", stdin=text)
+    done = dhcli("check", PLANAR, "-", "--part", "a1", stdin=text)
     assert (done.code, done.err) == (0, "")
     assert "RIGHT" in done.out
 
 
-def test_an_answer_comes_from_standard_input_too(process: Run) -> None:
+def test_an_answer_comes_from_standard_input_too(dhcli: Run) -> None:
     """As `--answer -`."""
-    done = process("check", PLANAR, "--part", "a1", "--answer", "-", stdin=A1.replace("; ", "\n"))
+    done = dhcli("check", PLANAR, "--part", "a1", "--answer", "-", stdin=A1.replace("; ", "\n"))
     assert (done.code, done.err) == (0, "")
 
 
@@ -245,12 +245,11 @@ def test_a_mistake_in_a_sheet_is_found_by_its_line(dhcli: Run, tmp_path: Path) -
         ("check", "planar-2r", "--symbolic"),
     ],
 )
-def test_without_an_answer_and_without_a_terminal_it_never_waits(process: Run, words: tuple[str, ...]) -> None:
+def test_without_an_answer_and_without_a_terminal_it_never_waits(dhcli: Run, words: tuple[str, ...]) -> None:
     """Standard input is not read, whatever stands there."""
-    for stdin in (None, A1 + "\n"):
-        done = process(*words, stdin=stdin)
-        assert (done.code, done.out) == (2, "")
-        assert "there is no answer to check" in done.err
+    done = dhcli(*words)
+    assert (done.code, done.out) == (2, "")
+    assert "there is no answer to check" in done.err
 
 
 @pytest.mark.parametrize(
@@ -316,14 +315,14 @@ def test_some_joints_may_have_values_among_symbols(dhcli: Run) -> None:
         assert dhcli(*asked, f"[{c} -{s} 0 a1*c1+a2*{c}; {s} {c} 0 a1*s1+a2*{s}; 0 0 1 0; 0 0 0 1]").code == 0
 
 
-def test_a_table_is_checked_against_a_robot(dhcli: Run, process: Run, tmp_path: Path) -> None:
+def test_a_table_is_checked_against_a_robot(dhcli: Run, tmp_path: Path) -> None:
     """A robot file in either convention, also from standard input."""
     head = "format: 1\ntitle: t\nsource: s\nvariables: [theta1, theta2]\nparameters: {a1: , a2: }\n"
     standard = head + "convention: standard\nlinks:\n"
     standard += "  - {a: a1, alpha: 0, d: 0, theta: theta1}\n  - {a: a2, alpha: 0, d: 0, theta: theta2}\n"
     (tmp_path / "mine.yaml").write_text(standard, "utf-8")
     assert dhcli("check", "planar-2r", "--table", "mine.yaml").code == 0
-    assert process("check", "planar-2r", "--table", "-", stdin=standard).code == 0
+    assert dhcli("check", "planar-2r", "--table", "-", stdin=standard).code == 0
     (tmp_path / "wrong.yaml").write_text(standard.replace("a: a2", "a: a1"), "utf-8")
     assert dhcli("check", "planar-2r", "--table", "wrong.yaml").code == 1
     (tmp_path / "broken.yaml").write_text("links: 1\n", "utf-8")
@@ -421,9 +420,9 @@ def test_what_was_typed_never_steers_the_terminal(dhcli: Run, answer: str) -> No
     assert "✓" not in done.out
 
 
-def test_without_unicode_the_signs_are_ascii(process: Run) -> None:
+def test_without_unicode_the_signs_are_ascii(dhcli: Run) -> None:
     """And the word says it anyway."""
-    done = process("check", PLANAR, "--part", "a1", "--answer", MISPRINT, PYTHONIOENCODING="ascii")
+    done = dhcli("check", PLANAR, "--part", "a1", "--answer", MISPRINT, PYTHONIOENCODING="ascii")
     assert done.code == 1
     assert done.out.isascii()
     assert "x WRONG" in done.out
@@ -529,7 +528,7 @@ def test_a_robot_is_asked_on_a_terminal_too(tmp_path: Path) -> None:
 @terminal
 def test_ctrl_c_ends_a_walk_with_130(tmp_path: Path) -> None:
     """What was answered so far is kept."""
-    with Terminal(tmp_path, "check", PLANAR) as screen:
+    with Terminal(tmp_path, "check", PLANAR, own_process=True) as screen:
         screen.until("table> ")
         screen.type("\n")
         screen.until("a1> ")

@@ -10,7 +10,7 @@ import pytest
 
 from dhcli.cli import app
 from dhcli.cli.main import main
-from tests.cli.running import Run
+from tests.cli.running import Run, nobody_reads
 
 ROOT = Path(__file__).parents[2]
 ENVELOPE = {"dhcli", "command", "ok", "data", "problems"}
@@ -37,7 +37,7 @@ def test_a_bug_ends_with_3_and_a_short_message(dhcli: Run, monkeypatch: pytest.M
     def broken(name: str) -> None:
         raise ZeroDivisionError(name)
 
-    monkeypatch.setattr("dhcli.files.robots.load_robot", broken)
+    monkeypatch.setattr("dhcli.files.yaml.robots.load_robot", broken)
     done = dhcli("fk", "scara")
     assert done.code == 3
     assert done.err.startswith("dhcli: this is a bug in dhcli: ZeroDivisionError: scara\n  hint: please report it")
@@ -50,7 +50,7 @@ def test_a_bug_shows_its_traceback_when_asked(monkeypatch: pytest.MonkeyPatch) -
     def broken(name: str) -> None:
         raise ZeroDivisionError(name)
 
-    monkeypatch.setattr("dhcli.files.robots.load_robot", broken)
+    monkeypatch.setattr("dhcli.files.yaml.robots.load_robot", broken)
     monkeypatch.setenv("DHCLI_DEBUG", "1")
     with pytest.raises(ZeroDivisionError):
         main(["fk", "scara"])
@@ -76,25 +76,35 @@ def test_ctrl_c_ends_with_130_and_no_traceback(tmp_path: Path) -> None:
 
 @pytest.mark.skipif(os.name == "nt", reason="needs bash")
 @pytest.mark.parametrize(
-    "words", ["fk puma560 --symbolic --frames", "sweep planar-2r", "list", "show puma560", "--help", "fk --help"]
+    "words", ["fk puma560 -s --frames", "sweep planar-2r", "list", "show puma560", "--help", "fk --help"]
 )
-def test_a_reader_that_goes_away_changes_nothing(process: Run, words: str) -> None:
+def test_a_reader_that_goes_away_changes_nothing(dhcli: Run, words: str) -> None:
     """The exit code is that of the work, and nothing is said."""
-    done = process(script=f'"$0" -m dhcli {words} | true; echo "${{PIPESTATUS[0]}}"', PYTHONUNBUFFERED="1")
+    with nobody_reads() as stdout:
+        done = dhcli(*words.split(), stdout=stdout)
+    assert (done.code, done.err) == (0, "")
+
+
+@pytest.mark.skipif(os.name == "nt", reason="needs bash")
+@pytest.mark.parametrize("unbuffered", ["", "1"])
+def test_nor_does_it_when_python_ends(process: Run, unbuffered: str) -> None:
+    """What stands in its buffers then is forgotten."""
+    script = '"$0" -m dhcli fk puma560 --symbolic --frames | true; echo "${PIPESTATUS[0]}"'
+    done = process(script, PYTHONUNBUFFERED=unbuffered)
     assert (done.out, done.err) == ("0\n", "")
 
 
 @pytest.mark.skipif(os.name == "nt", reason="needs bash")
 def test_a_broken_pipe_keeps_the_code_of_bad_input(process: Run) -> None:
     """The envelope of the error had no reader."""
-    done = process(script='"$0" -m dhcli fk nobody --format json | true; echo "${PIPESTATUS[0]}"')
+    done = process('"$0" -m dhcli fk nobody --format json | true; echo "${PIPESTATUS[0]}"')
     assert done.out == "2\n"
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
 def test_a_full_disk_is_told(process: Run) -> None:
     """What could not be written was not done."""
-    done = process(script='"$0" -m dhcli fk scara --pose pick > /dev/full')
+    done = process('"$0" -m dhcli fk scara --pose pick > /dev/full')
     assert done.code == 2
     assert "standard output: cannot be written" in done.err
     assert "Traceback" not in done.err
@@ -103,7 +113,7 @@ def test_a_full_disk_is_told(process: Run) -> None:
 @pytest.mark.skipif(os.name == "nt", reason="needs bash")
 def test_closed_streams_are_no_bug(process: Run) -> None:
     """`>&-`, as some daemons start their children."""
-    assert process(script='"$0" -m dhcli fk scara --pose pick >&- 2>&-').code == 0
+    assert process('"$0" -m dhcli fk scara --pose pick >&- 2>&-').code == 0
 
 
 def test_the_envelope_of_a_pose_has_exactly_these_keys(dhcli: Run) -> None:
@@ -217,7 +227,7 @@ def test_the_examples_of_the_help_pages_work(dhcli: Run) -> None:
     from importlib import import_module
     from shlex import split
 
-    modules = [import_module(where.partition(":")[0]) for where in app.COMMANDS.values()]
+    modules = [import_module(f"dhcli.cli.commands.{name}") for name in app.COMMANDS]
     texts = [app.EXAMPLES, *(getattr(module, "EXAMPLES", "") for module in modules)]
     lines = [line for text in texts for line in text.split("\n") if line.startswith("dhcli ")]
     assert len(lines) > 10
@@ -267,10 +277,10 @@ def test_no_words_show_the_help(dhcli: Run) -> None:
         ("dhcli list li", "linkages"),
     ],
 )
-def test_the_shell_completes_names(process: Run, words: str, expected: str) -> None:
+def test_the_shell_completes_names(dhcli: Run, words: str, expected: str) -> None:
     """Robots, commands and kinds."""
     count = str(len(words.split()) - 1)
-    done = process(_DHCLI_COMPLETE="complete_bash", COMP_WORDS=words, COMP_CWORD=count)
+    done = dhcli(_DHCLI_COMPLETE="complete_bash", COMP_WORDS=words, COMP_CWORD=count)
     assert expected in done.out.split("\n")
 
 
@@ -284,8 +294,8 @@ def test_help_has_a_short_name(dhcli: Run, words: str) -> None:
 
 def test_a_word_that_is_no_command_is_answered_in_whole_sentences(dhcli: Run) -> None:
     """Also where no command is like it."""
-    assert "hint: dhcli --help shows what can be typed" in dhcli("help").err
-    assert "hint: did you mean sweep or show?; dhcli" in dhcli("swep").err
+    assert "hint: dhcli --help shows what can be typed" in dhcli("xyzzy").err
+    assert "hint: did you mean sweep or show or help?; dhcli" in dhcli("swep").err
 
 
 def test_an_option_with_one_value_is_not_given_twice(dhcli: Run) -> None:
@@ -322,8 +332,8 @@ def test_help_names_the_formats_there_are(dhcli: Run, words: str, formats: str, 
         ("list --format c", ["csv"]),
     ],
 )
-def test_the_shell_completes_what_a_robot_has(process: Run, words: str, found: list[str]) -> None:
+def test_the_shell_completes_what_a_robot_has(dhcli: Run, words: str, found: list[str]) -> None:
     """Poses, frames, joints; formats and forms; nothing where the robot cannot be read."""
     typed = f"dhcli {words}"
-    done = process(_DHCLI_COMPLETE="complete_bash", COMP_WORDS=typed, COMP_CWORD=str(len(typed.split()) - 1))
+    done = dhcli(_DHCLI_COMPLETE="complete_bash", COMP_WORDS=typed, COMP_CWORD=str(len(typed.split()) - 1))
     assert done.out.split() == found

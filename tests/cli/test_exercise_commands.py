@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from dhcli.checking.verdicts import Verdict
-from dhcli.files.exercises import load_exercise
 from dhcli.files.progress import path_of_progress, read_progress, record
-from dhcli.files.sheets import read_sheet
+from dhcli.files.yaml.exercises import load_exercise
+from dhcli.files.yaml.sheets import read_sheet
 from tests.cli.running import Run
 from tests.cli.terminal import Terminal
 
@@ -220,13 +220,13 @@ def test_on_a_terminal_solution_asks_once(tmp_path: Path, reply: str, code: int)
 # --------------------------------------------------------------------------------------------------------- watch
 
 
-def test_watch_needs_a_sheet_and_a_terminal(dhcli: Run, process: Run, tmp_path: Path) -> None:
+def test_watch_needs_a_sheet_and_a_terminal(dhcli: Run, tmp_path: Path) -> None:
     """And says what to do without."""
     done = dhcli("watch", PLANAR)
     assert done.code == 2
     assert f"dhcli start {PLANAR} -o {SHEET} writes one" in done.err
     dhcli("start", PLANAR)
-    done = process("watch", PLANAR, SHEET)
+    done = dhcli("watch", PLANAR, SHEET)
     assert (done.code, done.out) == (2, "")
     assert f"dhcli check {PLANAR} {SHEET} checks once" in done.err
     assert (tmp_path / SHEET).exists()
@@ -244,7 +244,7 @@ def test_watch_checks_at_each_save(tmp_path: Path) -> None:
     """Hints on h, an error in the sheet on the screen and not the end, q to stop."""
     path = tmp_path / SHEET
     write(path, "  a1: _\n")
-    with Terminal(tmp_path, "watch", PLANAR) as screen:
+    with Terminal(tmp_path, "watch", PLANAR, own_process=True) as screen:
         assert "0 of 8 parts solved" in screen.until("q quit")
         write(path, f"  a1: '{A1}'\n")
         assert "1 of 8 parts solved, 2 of 13 credits" in screen.until("q quit")
@@ -270,7 +270,7 @@ def test_watch_survives_a_sheet_that_is_gone_for_a_moment(tmp_path: Path) -> Non
     """And comes back."""
     path = tmp_path / SHEET
     write(path, "  a1: _\n")
-    with Terminal(tmp_path, "watch", PLANAR, SHEET) as screen:
+    with Terminal(tmp_path, "watch", PLANAR, SHEET, own_process=True) as screen:
         screen.until("q quit")
         path.unlink()
         assert "no such file" in screen.until("q quit")
@@ -284,7 +284,7 @@ def test_watch_survives_a_sheet_that_is_gone_for_a_moment(tmp_path: Path) -> Non
 def test_ctrl_c_ends_watch_and_gives_the_terminal_back(tmp_path: Path) -> None:
     """With 130, and no traceback."""
     write(tmp_path / SHEET, "  a1: _\n")
-    with Terminal(tmp_path, "watch", PLANAR) as screen:
+    with Terminal(tmp_path, "watch", PLANAR, own_process=True) as screen:
         screen.until("q quit")
         screen.interrupt()
         assert screen.end() == 130
@@ -295,5 +295,5 @@ def test_ctrl_c_ends_watch_and_gives_the_terminal_back(tmp_path: Path) -> None:
 def test_watch_refuses_a_sheet_of_another_exercise(tmp_path: Path) -> None:
     """As check does: its answers would all be wrong."""
     (tmp_path / SHEET).write_text("format: 1\nexercise: yim/dh-factors\nanswers: {order: _}\n", "utf-8")
-    with Terminal(tmp_path, "watch", PLANAR) as screen:
+    with Terminal(tmp_path, "watch", PLANAR, own_process=True) as screen:
         assert "is a sheet of yim/dh-factors, not of yim/planar-two-links" in screen.until("q quit|hint")

@@ -270,10 +270,10 @@ def test_a_file_is_overwritten_only_with_force(dhcli: Run, tmp_path: Path) -> No
     assert json.loads((tmp_path / "pose.json").read_text("utf-8"))["ok"] is True
 
 
-def test_a_robot_file_is_read_from_standard_input(process: Run) -> None:
+def test_a_robot_file_is_read_from_standard_input(dhcli: Run) -> None:
     """`-` is accepted wherever a robot is asked for."""
     text = (Path(__file__).parents[2] / "robots" / "scara.yaml").read_text("utf-8")
-    done = process("fk", "-", "--q", f"0,{pi / 2},0", stdin=text)
+    done = dhcli("fk", "-", "--q", f"0,{pi / 2},0", stdin=text)
     assert done.code == 0
     assert done.out.startswith("T_03 of stdin: frame 3 seen from frame 0\n")
 

@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 
 from dhcli import forward, load_robot
-from dhcli.kinematics.orientation import quaternion, roll_pitch_yaw
 from tests.cli.running import Run
 
 POSIX = pytest.mark.skipif(os.name != "posix", reason="streams and signals as POSIX has them")
@@ -58,59 +57,59 @@ def test_every_row_is_the_pose_of_its_joint_values(dhcli: Run, tmp_path: Path, g
     assert not list(tmp_path.glob(".*"))
 
 
-def test_several_forms_stand_side_by_side(process: Run) -> None:
+def test_several_forms_stand_side_by_side(dhcli: Run) -> None:
     """In the order in which they are asked for, angles in radians; JSON nests them as `--format json` does."""
     words = ("fk", "scara", "--in", "-", "--as", "position,rpy", "--as", "quaternion")
-    done = process(*words, stdin=GOOD)
+    done = dhcli(*words, stdin=GOOD)
     assert done.out.split("\n")[0] == "p_x,p_y,p_z,roll,pitch,yaw,q_w,q_x,q_y,q_z"
     pose = forward(load_robot("scara"), [0.3, 0.5, 0.1])
-    said, turn = roll_pitch_yaw(pose), quaternion(pose)
+    said, turn = pose.rpy, pose.quaternion
     expected = [*pose.position, said.roll, said.pitch, said.yaw, turn.w, turn.x, turn.y, turn.z]
     assert table(done.out)[0] == pytest.approx(expected, abs=1e-12)
-    [first, _] = map(json.loads, process(*words, "--format", "jsonl", stdin=GOOD).out.splitlines())
+    [first, _] = map(json.loads, dhcli(*words, "--format", "jsonl", stdin=GOOD).out.splitlines())
     assert set(first) == {"position", "rpy", "quaternion"}
     assert first["position"] == pytest.approx(list(pose.position))
     assert first["rpy"]["yaw"] == pytest.approx(said.yaw)
     assert set(first["quaternion"]) == set("wxyz")
 
 
-def test_every_frame_stands_side_by_side(process: Run, tmp_path: Path) -> None:
+def test_every_frame_stands_side_by_side(dhcli: Run, tmp_path: Path) -> None:
     """Each under its name; a dimension of its own in .npy."""
-    done = process("fk", "scara", "--in", "-", "--frames", "--as", "position", stdin=GOOD)
+    done = dhcli("fk", "scara", "--in", "-", "--frames", "--as", "position", stdin=GOOD)
     heads = done.out.split("\n")[0].split(",")
     assert heads == [f"T_0{i}_p_{axis}" for i in (1, 2, 3) for axis in "xyz"]
     robot = load_robot("scara")
     expected = [x for i in (1, 2, 3) for x in forward(robot, [0.3, 0.5, 0.1], end=i).position]
     assert table(done.out)[0] == pytest.approx(expected, abs=1e-12)
-    process("fk", "scara", "--in", "-", "--frames", "-o", "all.npy", stdin=GOOD)
+    dhcli("fk", "scara", "--in", "-", "--frames", "-o", "all.npy", stdin=GOOD)
     poses = np.load(tmp_path / "all.npy")
     assert poses.shape == (2, 3, 4, 4)
     assert poses[1, 0] == pytest.approx(forward(robot, [-0.2, 1.5, 0], end=1).matrix, abs=1e-12)
-    process("fk", "scara", "--in", "-", "--frames", "--as", "position,quaternion", "-o", "7.npy", stdin=GOOD)
+    dhcli("fk", "scara", "--in", "-", "--frames", "--as", "position,quaternion", "-o", "7.npy", stdin=GOOD)
     assert np.load(tmp_path / "7.npy").shape == (2, 3, 7)
-    [first, _] = process("fk", "scara", "--in", "-", "--frames", "--format", "jsonl", stdin=GOOD).out.splitlines()
+    [first, _] = dhcli("fk", "scara", "--in", "-", "--frames", "--format", "jsonl", stdin=GOOD).out.splitlines()
     assert np.array(json.loads(first)["T_02"]["matrix"]).shape == (4, 4)
 
 
-def test_frames_lengths_and_degrees_are_those_of_one_pose(process: Run) -> None:
+def test_frames_lengths_and_degrees_are_those_of_one_pose(dhcli: Run) -> None:
     """`--from`, `--to`, `--inverse`, `--set`, `--deg`."""
     words = "fk scara --in - --deg --from 1 --to tool --inverse --set l2=500mm"
-    done = process(*words.split(), stdin="30,45,0.1\n")
+    done = dhcli(*words.split(), stdin="30,45,0.1\n")
     q = {"theta1": math.radians(30), "theta2": math.radians(45), "d3": 0.1}
     pose = forward(load_robot("scara"), q, start="tool", end=1, parameters={"l2": 0.5})
     assert table(done.out)[0] == pytest.approx(pose.matrix[:3].ravel(), abs=1e-12)
 
 
 @pytest.mark.parametrize("format_", ["csv", "jsonl"])
-def test_no_rows_give_no_rows(process: Run, format_: str) -> None:
+def test_no_rows_give_no_rows(dhcli: Run, format_: str) -> None:
     """A header of CSV all the same."""
-    done = process("fk", "scara", "--in", "-", "--format", format_, stdin="theta1,theta2,d3\n")
+    done = dhcli("fk", "scara", "--in", "-", "--format", format_, stdin="theta1,theta2,d3\n")
     assert (done.code, done.out, done.err) == (0, f"{MATRIX}\n" if format_ == "csv" else "", "")
 
 
-def test_no_rows_make_an_array_of_none(process: Run, tmp_path: Path) -> None:
+def test_no_rows_make_an_array_of_none(dhcli: Run, tmp_path: Path) -> None:
     """Of the shape that rows would have."""
-    assert process("fk", "scara", "--in", "-", "-o", "a.npy", stdin="theta1,theta2,d3\n").code == 0
+    assert dhcli("fk", "scara", "--in", "-", "-o", "a.npy", stdin="theta1,theta2,d3\n").code == 0
     assert np.load(tmp_path / "a.npy").shape == (0, 4, 4)
 
 
@@ -119,7 +118,7 @@ def test_npy_goes_through_a_pipe(process: Run, tmp_path: Path) -> None:
     """In and out, from one command to the next program."""
     np.save(tmp_path / "q.npy", puma(3))
     words = "fk puma560 --in - --format npy --as position"
-    done = process(script=f'"$0" -m dhcli {words} < q.npy | cat > p.npy')
+    done = process(f'"$0" -m dhcli {words} < q.npy | cat > p.npy')
     assert (done.code, done.err) == (0, "")
     assert np.load(tmp_path / "p.npy").shape == (3, 3)
 
@@ -280,46 +279,46 @@ def test_rows_behind_a_pose_that_is_no_number_keep_their_index(dhcli: Run) -> No
     assert done.out == "row,p_x,p_y,p_z\n2,0.0,0.0,4.0\n4,0.0,0.0,8.0\n"
 
 
-def test_rows_say_where_they_come_from(process: Run, tmp_path: Path) -> None:
+def test_rows_say_where_they_come_from(dhcli: Run, tmp_path: Path) -> None:
     """With `--index`, as in messages: so that what is left out is missed in its place."""
     text = GOOD + "x,0,0\n\n0.3,0.5,0.1\n"
-    done = process("fk", "scara", "--in", "-", "--as", "position", "--index", "--skip-bad", stdin=text)
+    done = dhcli("fk", "scara", "--in", "-", "--as", "position", "--index", "--skip-bad", stdin=text)
     assert done.out.split("\n")[0] == "row,p_x,p_y,p_z"
     assert [line.split(",")[0] for line in done.out.split("\n")[1:-1]] == ["2", "3", "6"]
     assert ":4:1: theta1 'x' is not a number" in done.err
-    done = process("fk", "scara", "--in", "-", "--index", "--skip-bad", "--format", "jsonl", stdin=text)
+    done = dhcli("fk", "scara", "--in", "-", "--index", "--skip-bad", "--format", "jsonl", stdin=text)
     assert [json.loads(line)["row"] for line in done.out.splitlines()] == [2, 3, 6]
-    process("fk", "scara", "--in", "-", "--index", "--skip-bad", "-o", "p.npy", stdin=text)
+    dhcli("fk", "scara", "--in", "-", "--index", "--skip-bad", "-o", "p.npy", stdin=text)
     found = np.load(tmp_path / "p.npy")
     assert found.shape == (3, 13)
     assert found[:, 0].tolist() == [2, 3, 6]
     assert found[0, 1:] == pytest.approx(forward(load_robot("scara"), [0.3, 0.5, 0.1]).matrix[:3].ravel())
 
 
-def test_a_point_is_followed_through_all_rows(process: Run) -> None:
+def test_a_point_is_followed_through_all_rows(dhcli: Run) -> None:
     """As for one pose; the other joint stands where `--q` says."""
     words = ("--q", "d3=10cm", "--point", "0,0,l2", "--from", "1")
-    done = process("fk", "scara", "--in", "-", *words, stdin="theta2,theta1\n0.5,0.3\n")
+    done = dhcli("fk", "scara", "--in", "-", *words, stdin="theta2,theta1\n0.5,0.3\n")
     assert done.out.split("\n")[0] == "p_x,p_y,p_z"
     expected = forward(load_robot("scara"), [0.3, 0.5, 0.1], start=1) @ (0, 0, 0.3)
     assert table(done.out)[0] == pytest.approx(list(expected), abs=1e-12)
 
 
 @pytest.mark.parametrize("suffix", ["csv", "jsonl", "npy"])
-def test_the_points_of_a_sweep_are_read_again(process: Run, suffix: str) -> None:
+def test_the_points_of_a_sweep_are_read_again(dhcli: Run, suffix: str) -> None:
     """Every pose comes out where the sweep says it is."""
     ranges = ("--over", "q1=0..1 n 3", "--over", "d3=0..0.2 n 2")
-    assert process("sweep", "scara", *ranges, "-o", f"points.{suffix}").code == 0
-    assert process("sweep", "scara", *ranges, "-o", "expected.csv").code == 0
+    assert dhcli("sweep", "scara", *ranges, "-o", f"points.{suffix}").code == 0
+    assert dhcli("sweep", "scara", *ranges, "-o", "expected.csv").code == 0
     words = ("fk", "scara", "--in", f"points.{suffix}", "--as", "position")
-    assert "--ignore-columns" in process(*words).err
-    done = process(*words, "--ignore-columns")
-    assert table(done.out) == pytest.approx(table(process(script="cat expected.csv").out)[:, 3:], abs=1e-12)
+    assert "--ignore-columns" in dhcli(*words).err
+    done = dhcli(*words, "--ignore-columns")
+    assert table(done.out) == pytest.approx(table(Path("expected.csv").read_text("utf-8"))[:, 3:], abs=1e-12)
 
 
-def test_no_two_columns_have_one_name(process: Run) -> None:
+def test_no_two_columns_have_one_name(dhcli: Run) -> None:
     """Also where the matrix and the position are asked for, which both have p_x."""
-    done = process("fk", "scara", "--in", "-", "--as", "matrix,position", stdin=GOOD)
+    done = dhcli("fk", "scara", "--in", "-", "--as", "matrix,position", stdin=GOOD)
     heads = done.out.split("\n")[0].split(",")
     assert heads[-3:] == ["position_p_x", "position_p_y", "position_p_z"]
     assert len(set(heads)) == len(heads) == 15

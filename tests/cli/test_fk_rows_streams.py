@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import errno
+import io
 import os
 import signal
 import subprocess
@@ -19,6 +20,7 @@ from tests.cli.terminal import PATIENCE, Terminal
 
 ROOT = Path(__file__).parents[2]
 POSIX = pytest.mark.skipif(os.name != "posix", reason="streams and signals as POSIX has them")
+SIGNALS = [("SIGINT", 130), ("SIGTERM", 143), ("SIGHUP", 129)]
 GOOD = "theta1,theta2,d3\n0.3,0.5,0.1\n-0.2,1.5,0\n"
 
 
@@ -31,7 +33,7 @@ def puma(rows: int) -> np.ndarray:
 def test_a_reader_that_goes_away_ends_the_work_in_silence(process: Run) -> None:
     """The rows never end; the exit code is that of the work."""
     words = "fk scara --in - --as position"
-    done = process(script=f'yes 0.1,0.2,0.3 | {{ "$0" -m dhcli {words}; echo $? >code; }} | head -2; cat code')
+    done = process(f'yes 0.1,0.2,0.3 | {{ "$0" -m dhcli {words}; echo $? >code; }} | head -2; cat code')
     head, row, code = done.out.split()
     assert (head, code) == ("p_x,p_y,p_z", "0")
     assert len(row.split(",")) == 3
@@ -43,7 +45,7 @@ def test_a_reader_of_bytes_that_goes_away_is_no_error(process: Run, tmp_path: Pa
     """As one of text is not."""
     np.save(tmp_path / "q.npy", puma(20_000))
     words = "fk puma560 --in q.npy --format npy"
-    done = process(script=f'"$0" -m dhcli {words} | true; echo "${{PIPESTATUS[0]}}"')
+    done = process(f'"$0" -m dhcli {words} | true; echo "${{PIPESTATUS[0]}}"')
     assert (done.out, done.err) == ("0\n", "")
 
 
@@ -64,17 +66,51 @@ def test_rows_show_as_they_come(tmp_path: Path) -> None:
     assert "Traceback" not in err
 
 
+class Stopped(io.RawIOBase):
+    """Rows on standard input, and then a signal, once there is a file to be left behind."""
+
+    def __init__(self, rows: bytes, number: int) -> None:
+        """The rows come in one piece."""
+        self.rows, self.number = rows, number
+
+    def readable(self) -> bool:
+        """As every standard input."""
+        return True
+
+    def readinto(self, into: memoryview) -> int:
+        """The rows; what comes next is the signal."""
+        if not self.rows:
+            assert list(Path().glob(".dhcli-*"))
+            assert signal.getsignal(self.number) is not signal.SIG_DFL, "the signal would end the tests"
+            signal.raise_signal(self.number)
+        count = len(self.rows)
+        into[:count], self.rows = self.rows, b""
+        return count
+
+
 @POSIX
 @pytest.mark.parametrize("suffix", ["csv", "jsonl", "npy"])
 @pytest.mark.parametrize("there_before", [False, True])
-@pytest.mark.parametrize(("name", "code"), [("SIGINT", 130), ("SIGTERM", 143), ("SIGHUP", 129)])
+@pytest.mark.parametrize(("name", "code"), SIGNALS)
 def test_a_signal_leaves_nothing_that_looks_complete(
-    tmp_path: Path, suffix: str, there_before: bool, name: str, code: int
+    dhcli: Run, tmp_path: Path, suffix: str, there_before: bool, name: str, code: int
 ) -> None:
     """No new file, or the old one; nothing beside it."""
     target = tmp_path / f"poses.{suffix}"
     if there_before:
         target.write_text("old")
+    rows = io.BufferedReader(Stopped(b"0.1,0.2,0.3\n" * 9, getattr(signal, name)))
+    done = dhcli("fk", "scara", "--in", "-", "-o", target.name, "--force", stdin=rows)
+    assert (done.code, done.out, done.err.strip()) == (code, "", "")
+    assert [path.read_text() for path in tmp_path.iterdir()] == (["old"] if there_before else [])
+
+
+@POSIX
+@pytest.mark.parametrize(("name", "code"), SIGNALS)
+def test_a_process_that_waits_for_rows_can_be_stopped(tmp_path: Path, name: str, code: int) -> None:
+    """By a signal from outside, and it cleans up."""
+    target = tmp_path / "poses.csv"
+    target.write_text("old")
     with started(tmp_path, "fk", "scara", "--in", "-", "-o", target.name, "--force") as running:
         assert running.stdin is not None
         running.stdin.write("0.1,0.2,0.3\n")
@@ -87,19 +123,20 @@ def test_a_signal_leaves_nothing_that_looks_complete(
         _, err = running.communicate(timeout=PATIENCE)
     assert running.returncode == code
     assert "Traceback" not in err
-    assert [path.read_text() for path in tmp_path.iterdir()] == (["old"] if there_before else [])
+    assert [path.read_text() for path in tmp_path.iterdir()] == ["old"]
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
 @pytest.mark.parametrize("format_", ["csv", "jsonl", "npy"])
-def test_a_full_disk_is_told(process: Run, tmp_path: Path, format_: str) -> None:
+def test_a_full_disk_is_told(dhcli: Run, tmp_path: Path, format_: str) -> None:
     """On stdout, and for a file."""
     (tmp_path / "q.csv").write_text(GOOD)
-    words = f"fk scara --in q.csv --format {format_}"
-    done = process(script=f'"$0" -m dhcli {words} > /dev/full')
+    words = ("fk", "scara", "--in", "q.csv", "--format", format_)
+    with open("/dev/full", "w", encoding="utf-8") as full:  # noqa: PTH123  what a shell does
+        done = dhcli(*words, stdout=full)
     assert done.code == 2
     assert "standard output: cannot be written" in done.err
-    done = process(*words.split(), "-o", "/dev/full", "--force")
+    done = dhcli(*words, "-o", "/dev/full", "--force")
     assert done.code == 2
     assert "/dev/full: cannot be written: the disk is full" in done.err
     assert "Traceback" not in done.err
@@ -123,32 +160,38 @@ def test_a_disk_that_fills_up_leaves_no_file(dhcli: Run, monkeypatch: pytest.Mon
 @pytest.mark.parametrize("format_", ["csv", "jsonl", "npy"])
 def test_memory_does_not_grow_with_the_rows(tmp_path: Path, format_: str) -> None:
     """The most that was in use, for five times the rows, is the same but for a fraction of what came out."""
-    most = []
-    for count in (40_000, 200_000):
-        lines = "0.123456789,0.2,0.3\n" * count if format_ == "csv" else "[0.123456789, 0.2, 0.3]\n" * count
-        (tmp_path / "q").write_text(lines)
+    counts = (20_000, 100_000)
+    for count in counts:
         if format_ == "npy":
-            np.save(tmp_path / "q.npy", np.full((count, 3), 0.123456789))
-        path = "q.npy" if format_ == "npy" else "q"
-        code = "import sys\nfrom dhcli.cli.main import main\n"
-        code += f"main(['fk', 'scara', '--in', {path!r}, '-o', 'p.{format_}', '--force'])\n"
-        code += "print(next(line for line in open('/proc/self/status') if line.startswith('VmHWM')).split()[1])"
-        environment = {**os.environ, "PYTHONPATH": str(ROOT)}
-        run = [sys.executable, "-c", code]
-        done = subprocess.run(
-            run, cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=60, check=True
-        )
-        most.append(int(done.stdout))
-        assert f"{count} rows" in done.stderr
+            np.save(tmp_path / f"{count}.npy", np.full((count, 3), 0.123456789))
+        else:
+            line = "0.123456789,0.2,0.3\n" if format_ == "csv" else "[0.123456789, 0.2, 0.3]\n"
+            (tmp_path / f"{count}.{format_}").write_text(line * count)
+    code = "import sys\nfrom dhcli.cli.main import main\n"
+    code += f"for count in {counts}:\n"
+    code += f"    main(['fk', 'scara', '--in', f'{{count}}.{format_}', '-o', 'p.{format_}', '--force'])\n"
+    code += "    print(next(line for line in open('/proc/self/status') if line.startswith('VmHWM')).split()[1])"
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        cwd=tmp_path,
+        env=environment,
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=True,
+    )
+    few, many = map(int, done.stdout.split())
+    assert all(f"{count} rows" in done.stderr for count in counts)
     size = (tmp_path / f"p.{format_}").stat().st_size // 1024
-    assert most[1] - most[0] < size / 5
-    assert size > 20_000
+    assert many - few < size / 5
+    assert size > 10_000
 
 
 def test_a_terminal_sees_a_bar_while_rows_go_to_a_file(tmp_path: Path) -> None:
     """And what was done; the bar is gone then."""
     np.save(tmp_path / "q.npy", puma(50_000))
-    with Terminal(tmp_path, "fk", "puma560", "--in", "q.npy", "-o", "p.csv") as terminal:
+    with Terminal(tmp_path, "fk", "puma560", "--in", "q.npy", "-o", "p.csv", own_process=True) as terminal:
         terminal.until(r"[\d,]+ rows")
         terminal.until(r"wrote p\.csv: 50000 rows")
         assert terminal.end() == 0

@@ -8,8 +8,10 @@ import os
 import signal
 import subprocess
 import sys
+from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -25,6 +27,16 @@ REPORT = {
 RESULT = {"student", "sheet", "exercise", "variant", "earned", "credit", "parts", "problems"}
 PART = {"part", "verdict", "passed", "earned", "credit", "actual", "rationale", "slips"}
 FIGURES = {"exercise", "part", "credit", "mean", "verdicts", "slips"}
+
+
+@pytest.fixture(autouse=True)
+def in_this_process(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Sheets are graded one after another here; tests/classroom/ and README's examples do it in processes."""
+
+    def one_by_one(work: Callable[[Any], Any], tasks: Iterable[Any], **_: object) -> Iterator[tuple[Any, Any]]:
+        return ((task, work(task)) for task in tasks)
+
+    monkeypatch.setattr("dhcli.classroom.grading.spread", one_by_one)
 
 
 def test_a_class_is_graded_whatever_the_verdicts(dhcli: Run, tmp_path: Path) -> None:
@@ -197,7 +209,7 @@ def test_the_progress_of_a_student_is_not_the_lecturers(dhcli: Run, tmp_path: Pa
 def test_a_terminal_shows_a_bar_and_then_the_report(tmp_path: Path) -> None:
     """The bar is taken away."""
     hand_in(tmp_path, "hw/a.yaml")
-    with Terminal(tmp_path, "grade", "hw") as terminal:
+    with Terminal(tmp_path, "grade", "hw", own_process=True) as terminal:
         assert "0/1" in terminal.until("grading.*0/1")
         terminal.until("hw: 1 sheet, 1 graded")
         assert terminal.end() == 0

@@ -118,16 +118,16 @@ def test_findings_can_be_written_to_a_file(dhcli: Run) -> None:
     assert '"errors": 1' in Path("found.json").read_text("utf-8")
 
 
-def test_a_pipe_gets_plain_text_and_whole_lines(process: Run, tmp_path: Path) -> None:
+def test_a_pipe_gets_plain_text_and_whole_lines(dhcli: Run, tmp_path: Path) -> None:
     """No colour, and no line folded, however long; where there is no Unicode, letters that there are."""
     name = "arm-with-a-name-that-is-so-long-that-no-terminal-of-eighty-columns-could-hold-a-line-with-it.yaml"
     (tmp_path / name).write_text(ARM.replace("theta: theta1", "theta: 3*theta1").replace("An arm", "TODO θ"), "utf-8")
-    done = process("lint", name)
+    done = dhcli("lint", name)
     assert (done.code, done.err) == (1, "")
     assert "\x1b" not in done.out
     assert f"{name}:2:8: error: title: still says 'TODO'\n  title: TODO θ\n" in done.out
     assert f"{name}:8:36: warning: theta of row 1: one degree of theta1 turns the joint by 3\n" in done.out
-    ascii_only = process("lint", name, PYTHONIOENCODING="ascii")
+    ascii_only = dhcli("lint", name, PYTHONIOENCODING="ascii")
     assert ascii_only.code == 1
     assert ascii_only.out.isascii()
     assert "title: TODO" in ascii_only.out

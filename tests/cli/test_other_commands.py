@@ -21,12 +21,12 @@ def test_steps_show_every_frame_on_the_way(dhcli: Run) -> None:
 
 @pytest.mark.parametrize("format_", ["table", "json", "latex", "matlab", "numpy", "csv", "sympy"])
 @pytest.mark.parametrize("words", ["--q 0.3,0.5,0.1", "--symbolic"])
-def test_what_fk_prints_is_read_as_a_matrix(process: Run, format_: str, words: str) -> None:
+def test_what_fk_prints_is_read_as_a_matrix(dhcli: Run, format_: str, words: str) -> None:
     """In any format, with headings and all; and called a matrix, not by all of its text."""
-    printed = process("fk", "scara", *words.split(), "--format", format_).out
-    done = process("transform", "-", "--format", "json", stdin=printed)
+    printed = dhcli("fk", "scara", *words.split(), "--format", format_).out
+    done = dhcli("transform", "-", "--format", "json", stdin=printed)
     assert done.code == 0, done.err
-    expected = process("fk", "scara", *words.split(), "--format", "json").data["matrix"]
+    expected = dhcli("fk", "scara", *words.split(), "--format", "json").data["matrix"]
     if words == "--symbolic":
         assert str(done.data["matrix"]).replace("0.0", "0").replace("1.0", "1") == str(expected)
     else:
@@ -79,9 +79,9 @@ def test_symbolic_keeps_roots(dhcli: Run) -> None:
     assert "sqrt(3)/2" in dhcli("transform", "Rot(z,30°)", "-s").out
 
 
-def test_a_product_is_read_from_standard_input(process: Run) -> None:
+def test_a_product_is_read_from_standard_input(dhcli: Run) -> None:
     """Lines and all."""
-    done = process("transform", "-", "--format", "csv", stdin="Trans(1,2,3)\nRot(z,90°)\n")
+    done = dhcli("transform", "-", "--format", "csv", stdin="Trans(1,2,3)\nRot(z,90°)\n")
     assert done.out == "0.0,-1.0,0.0,1.0\n1.0,0.0,0.0,2.0\n0.0,0.0,1.0,3.0\n0.0,0.0,0.0,1.0\n"
 
 
@@ -147,10 +147,10 @@ def test_a_robot_that_hides_a_built_in_one_is_said_to(dhcli: Run, tmp_path: Path
 
 def test_kinds_without_content_are_not_shown(dhcli: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     """And an empty kind that is asked for is said to be empty."""
-    from dhcli.files import catalogue, library
+    from dhcli.files.library import catalogue, lookup
 
-    entries = library.entries
-    monkeypatch.setattr(catalogue, "entries", lambda kind: entries(kind) if kind is library.Kind.ROBOTS else ())
+    entries = lookup.entries
+    monkeypatch.setattr(catalogue, "entries", lambda kind: entries(kind) if kind is lookup.Kind.ROBOTS else ())
     assert "linkages" not in dhcli("list").out
     done = dhcli("list", "linkages")
     assert (done.code, done.out.strip()) == (0, "")

@@ -197,7 +197,7 @@ def test_a_full_disk_is_told(dhcli: Run, tmp_path: Path) -> None:
 def test_ctrl_c_ends_with_130_and_leaves_no_file(tmp_path: Path) -> None:
     """While the bar on the terminal says how far it is."""
     ranges = [word for k in (1, 2, 3) for word in ("--over", f"q{k}=0..1 n 1000")]
-    with Terminal(tmp_path, "sweep", "puma560", *ranges, "-o", "points.csv") as screen:
+    with Terminal(tmp_path, "sweep", "puma560", *ranges, "-o", "points.csv", own_process=True) as screen:
         screen.until(r"[1-9][0-9,]* rows")
         assert [path.suffix for path in tmp_path.iterdir()] == [".tmp"]
         screen.interrupt()

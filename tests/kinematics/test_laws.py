@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from dhcli.algebra.columns import Columns
@@ -25,6 +25,7 @@ from dhcli.kinematics.pose import Pose
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO, Expr, Symbol, number
 from dhcli.notation.walk import substitute
+from tests.nightly import examples
 from tests.strategies import (
     LENGTHS,
     THETAS,
@@ -93,7 +94,7 @@ def test_the_24_quarter_turns_are_24() -> None:
     assert all(round(np.linalg.det(np.array(turn))) == 1 for turn in quarter_turns())
 
 
-@settings(max_examples=300)
+@examples(3)
 @given(any_chains)
 def test_merging_does_not_change_the_pose(chain: Chain) -> None:
     """fold(merge(c)) = fold(c), exactly; the law that lets the textbook's form be trusted."""
@@ -138,7 +139,7 @@ def test_a_bundle_turns_once(text: str) -> None:
     assert sum(bool(move.angle.names) for move in merged if isinstance(move, Rot)) <= 1
 
 
-@settings(max_examples=50)
+@examples(0.5)
 @given(st.lists(st.tuples(axes, named_angles, quarters, lengths), min_size=2, max_size=4))
 def test_joints_about_one_axis_all_become_one(joints: list[tuple[str, Angle, Angle, Expr]]) -> None:
     """Whatever lies between them along the way, when all turn about z and only x is twisted by half turns."""
@@ -148,7 +149,7 @@ def test_joints_about_one_axis_all_become_one(joints: list[tuple[str, Angle, Ang
     assert sum(bool(move.angle.names) for move in merge(tuple(chain)) if isinstance(move, Rot)) <= 1
 
 
-@settings(max_examples=50)
+@examples(0.5)
 @given(any_chains)
 def test_every_chain_is_a_rigid_motion_exactly(chain: Chain) -> None:
     """R^T R = 1 and det R = 1 in residues, and the last row is 0 0 0 1."""
@@ -162,7 +163,7 @@ def test_every_chain_is_a_rigid_motion_exactly(chain: Chain) -> None:
     assert pose[3] == [0, 0, 0, 1]
 
 
-@settings(max_examples=50)
+@examples(0.5)
 @given(chains(8, numeric_moves))
 def test_every_chain_is_a_rigid_motion_in_floats(chain: Chain) -> None:
     """To 1e-12."""
@@ -171,7 +172,7 @@ def test_every_chain_is_a_rigid_motion_in_floats(chain: Chain) -> None:
     assert np.linalg.det(rotation) == pytest.approx(1, abs=1e-12)
 
 
-@settings(max_examples=50)
+@examples(0.5)
 @given(any_chains, any_chains)
 def test_a_chain_of_two_chains_is_the_product_of_their_poses(one: Chain, other: Chain) -> None:
     """chain(a + b) = chain(a) @ chain(b)."""
@@ -180,7 +181,7 @@ def test_a_chain_of_two_chains_is_the_product_of_their_poses(one: Chain, other: 
     assert residues((*one, *other), at) == product
 
 
-@settings(max_examples=50)
+@examples(0.5)
 @given(any_chains)
 def test_a_chain_times_its_inverse_is_nothing(chain: Chain) -> None:
     """On both sides, exactly."""
@@ -190,7 +191,7 @@ def test_a_chain_times_its_inverse_is_nothing(chain: Chain) -> None:
     assert residues((*inverse(chain), *chain), at) == unit
 
 
-@settings(max_examples=50)
+@examples(0.5)
 @given(any_chains)
 def test_the_inverse_of_a_pose_is_the_pose_of_the_inverse(chain: Chain) -> None:
     """Transposing is the same as going back move by move."""
@@ -199,7 +200,7 @@ def test_the_inverse_of_a_pose_is_the_pose_of_the_inverse(chain: Chain) -> None:
     assert [[at.value(entry) for entry in row] for row in back.rows] == residues(inverse(chain), at)
 
 
-@settings(max_examples=50)
+@examples(0.5)
 @given(any_chains)
 def test_terms_are_residues(chain: Chain) -> None:
     """The symbolic result, merged and not, evaluated at the point, is the fold at the point."""
@@ -209,7 +210,7 @@ def test_terms_are_residues(chain: Chain) -> None:
         assert [[at.value(entry) for entry in row] for row in terms] == wanted
 
 
-@settings(max_examples=50)
+@examples(0.5)
 @given(any_chains, values)
 def test_terms_with_numbers_put_in_are_floats_and_both_are_the_oracle(chain: Chain, at: dict[str, float]) -> None:
     """Three ways to the same pose; the oracle knows nothing of the other two."""
@@ -220,14 +221,14 @@ def test_terms_with_numbers_put_in_are_floats_and_both_are_the_oracle(chain: Cha
     assert np.array(terms) == wanted
 
 
-@settings(max_examples=50)
+@examples(0.5)
 @given(chains(8, numeric_moves))
 def test_a_pose_in_numbers_is_the_oracle(chain: Chain) -> None:
     """With radians too, which only floats and columns hold."""
     assert np.array(fold(chain, Floats()), dtype=float) == pytest.approx(oracle(chain, {}), abs=1e-12)
 
 
-@settings(max_examples=50)
+@examples(0.5)
 @given(any_chains, st.lists(values, max_size=4))
 def test_columns_are_floats_one_by_one(chain: Chain, listed: list[dict[str, float]]) -> None:
     """A batch of none, one or several poses at once, of the chain as it stands and merged."""
@@ -239,7 +240,7 @@ def test_columns_are_floats_one_by_one(chain: Chain, listed: list[dict[str, floa
         assert columns.play(values) == pytest.approx(wanted.reshape(16, len(listed)), abs=1e-12)
 
 
-@settings(max_examples=15)
+@examples(0.15)
 @given(chains(3, parallel_moves), values)
 def test_sympy_agrees(chain: Chain, at: dict[str, float]) -> None:
     """Folded over sympy, and as terms carried over the bridge; N() at the values is the oracle."""
@@ -253,7 +254,7 @@ def test_sympy_agrees(chain: Chain, at: dict[str, float]) -> None:
     assert [float(sympy.N(entry.subs(put))) for entry in bridged] == wanted
 
 
-@settings(max_examples=50)
+@examples(0.5)
 @given(any_chains, st.sampled_from(THETAS), quarters, st.sampled_from(LENGTHS), small_fractions)
 def test_values_may_be_put_in_before_or_after_multiplying(
     chain: Chain, theta: str, angle: Angle, length: str, value: Fraction
@@ -281,7 +282,7 @@ def chain_of(table: Iterable[Row], convention: Convention) -> Chain:
     return tuple(move for row in table for move in moves_of(row, convention))
 
 
-@settings(max_examples=50)
+@examples(0.5)
 @given(st.lists(rows, max_size=5))
 def test_a_standard_table_is_the_modified_one_with_a_and_alpha_one_row_lower(table: list[Row]) -> None:
     """The two conventions cut the same chain in other places."""
@@ -291,7 +292,7 @@ def test_a_standard_table_is_the_modified_one_with_a_and_alpha_one_row_lower(tab
     assert residues(standard, at) == residues(modified, at)
 
 
-@settings(max_examples=50)
+@examples(0.5)
 @given(st.lists(rows, max_size=5))
 def test_both_conventions_write_the_same_terms(table: list[Row]) -> None:
     """Merged, the two tables give not only equal entries but the same trees."""
@@ -299,7 +300,7 @@ def test_both_conventions_write_the_same_terms(table: list[Row]) -> None:
     assert standard == fold(merge(chain_of(modified_rows(table), Convention.MODIFIED)), TERMS)
 
 
-@settings(max_examples=50)
+@examples(0.5)
 @given(any_chains, lengths, lengths, lengths)
 def test_a_point_is_where_a_translation_to_it_ends(chain: Chain, x: Expr, y: Expr, z: Expr) -> None:
     """Pose @ point is the position reached by the chain and the point's own coordinates."""

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from dhcli.errors import NotationError, RobotError
-from dhcli.files.robots import load_robot
+from dhcli.files.yaml.robots import load_robot
 from dhcli.kinematics.forward import factors, forward, spelled, symbolic, textbook_form
 from dhcli.kinematics.moves import read_chain
 from dhcli.kinematics.pose import Pose, rounded

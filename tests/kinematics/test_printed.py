@@ -11,10 +11,11 @@ from hypothesis import strategies as st
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import NotationError, Place
+from dhcli.geometry.orthonormal import not_a_rotation
+from dhcli.geometry.printed import digit_slack, nearest_rotation
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import Fixed, Rot, read_chain
-from dhcli.kinematics.printed import digit_slack, nearest_rotation
-from dhcli.kinematics.rigid import not_a_rotation, sharpened
+from dhcli.kinematics.sharpened import sharpened
 from dhcli.kinematics.transform import Wanted, compose, read_product
 from dhcli.notation.angle import Angle
 
@@ -35,9 +36,9 @@ def test_every_rounded_rotation_is_taken_and_becomes_one(first: int, second: int
     text, right = printed(first, second, third, places)
     (move,) = read_chain(text)
     assert isinstance(move, Fixed)
-    assert not_a_rotation(move) == ""
-    sharp, remark = nearest_rotation(move)
-    found = np.array([[Floats().value(entry) for entry in row[:3]] for row in sharp.rows])
+    assert not_a_rotation(move.rows) == ""
+    sharp, remark = nearest_rotation(move.rows)
+    found = np.array([[Floats().value(entry) for entry in row[:3]] for row in sharp])
     assert found == pytest.approx(right, abs=2 * 10.0**-places)
     assert found.T @ found == pytest.approx(np.eye(3), abs=1e-9)
     assert np.linalg.det(found) == pytest.approx(1, abs=1e-9)
@@ -62,7 +63,7 @@ def test_a_matrix_off_by_more_than_its_digits_is_no_rotation(
     rows[row][column] = f"{float(rows[row][column]) + sign * 30 * 10.0**-places:.{places}f}"
     (move,) = read_chain("[" + "; ".join(" ".join(line) for line in rows) + "]")
     assert isinstance(move, Fixed)
-    assert not_a_rotation(move) != ""
+    assert not_a_rotation(move.rows) != ""
 
 
 def test_a_transform_takes_a_printed_matrix_and_says_so() -> None:
@@ -89,7 +90,7 @@ def test_exact_matrices_and_those_of_symbols_stay_as_they_are() -> None:
         assert remarks == []
     (move,) = read_chain("[0.87 -0.5 0 1; 0.5 0.87 0 2; 0 0 1 3; 0 0 0 1]")
     assert isinstance(move, Fixed)
-    assert digit_slack(move) == 0.005
-    sharp, _ = nearest_rotation(move)
-    assert [sharp.rows[2][k] for k in range(4)] == [move.rows[2][k] for k in range(4)]
+    assert digit_slack(move.rows) == 0.005
+    sharp, _ = nearest_rotation(move.rows)
+    assert [sharp[2][k] for k in range(4)] == [move.rows[2][k] for k in range(4)]
     assert sharpened((move,), None) == (move,)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from dhcli.errors import DhcliError, NotationError, Place, RobotError
-from dhcli.files.robots import load_robot
+from dhcli.files.yaml.robots import load_robot
 from dhcli.kinematics.forward import forward, symbolic
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Value, given_parameters, joint_values, numbers, parameter_values, warnings

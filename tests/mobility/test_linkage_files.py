@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 from dhcli.errors import DhcliError
-from dhcli.files.library import Kind, entries
-from dhcli.files.linkages import find_linkage, load_linkage, read_linkage
+from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.yaml.linkages import find_linkage, load_linkage, read_linkage
 from dhcli.mobility.counting import Counts
 from dhcli.mobility.finding import analyse
-from dhcli.mobility.linkage import Linkage
+from dhcli.mobility.linkage import Joint, Linkage
+from dhcli.mobility.pairs import LETTERS, PLANAR, SPATIAL, pair_of
 from dhcli.mobility.slips import count, slips
 
 LIBRARY = {
@@ -225,3 +227,62 @@ def test_a_very_long_chain_is_answered_in_bounded_time() -> None:
     assert analyse(find_linkage("loop 10000R")).gruebler == 9994
     with pytest.raises(DhcliError):
         find_linkage("100000R")
+
+
+def test_a_key_given_twice_hides_nothing_else() -> None:
+    """All problems of the file at once, in its order."""
+    text = FOUR_BAR + "output: b\noutput: z\nstrange: 1\njoints: [ground X a at A, a R b at E]\n"
+    assert problems(text) == [
+        "output: stands twice, first on line 6",
+        "strange: unknown key",
+        "type: there is no joint 'X'",
+        "point: there is no point called E",
+    ]
+    assert problems("space: planar\nlinks: 4\nlinks: 5\njoints: 4infR\n")[0] == "links: stands twice, first on line 5"
+
+
+def test_a_joint_given_in_words_is_counted() -> None:
+    """In a file as on the command line."""
+    found = analyse(read("space: planar\nlinks: 6\njoints: 4 pin 1 slot\n"))
+    assert (str(found.counts.j), str(found.counts.sum_f), found.gruebler) == ("5", "6", 6)
+
+
+@pytest.mark.parametrize("spatial", [False, True])
+def test_a_loop_of_a_thousand_joints_is_answered(spatial: bool) -> None:
+    """It has as many freedoms as joints, less those of a body: counted in the loop's few equations."""
+    draw = np.random.default_rng(5)
+    names = ["g", *map(str, range(1, 1000)), "g"]
+    joints = []
+    for i in range(1000):
+        point, axis = draw.normal(size=(2, 3)) if spatial else ((*draw.normal(size=2), 0.0), (0.0, 0.0, 1.0))
+        joints.append(Joint(LETTERS["R"], (names[i], names[i + 1]), str(i), tuple(point), tuple(axis)))
+    found = analyse(Linkage("ring", SPATIAL if spatial else PLANAR, tuple(joints), "g"))
+    assert (found.mobility, found.gruebler) == ((994, 994) if spatial else (997, 997))
+    assert len(found.singular_values) == (6 if spatial else 3)
+
+
+def test_a_loop_of_a_thousand_dh_rows_closes() -> None:
+    """A regular polygon; its frames are multiplied one after the other."""
+    row = "{a: 1, alpha: 0, d: 0, theta: 360°/1000}"
+    text = "space: spatial\nloop:\n  convention: standard\n  rows: [" + ", ".join([row] * 1000) + "]\n"
+    assert analyse(read(text)).mobility == 997
+
+
+def test_many_bars_between_two_links_are_answered() -> None:
+    """By the form of the equations that has six columns, not five thousand."""
+    ends = np.random.default_rng(6).normal(size=(1000, 2, 3))
+    joints = tuple(
+        Joint(pair_of("bar"), ("g", "body"), str(i), tuple(a), other=tuple(b)) for i, (a, b) in enumerate(ends)
+    )
+    found = analyse(Linkage("bars", SPATIAL, joints, "g", "body"))
+    assert (found.mobility, found.redundant) == (0, 994)
+    assert found.kept is not None
+    assert found.kept <= 1
+
+
+def test_a_linkage_too_large_for_its_geometry_keeps_its_formula() -> None:
+    """And says so."""
+    lines = [f"  - {i or 'ground'} R {i + 1 if i < 5999 else 'ground'} at {'AB'[i % 2]}" for i in range(6000)]
+    found = analyse(read("space: planar\npoints: {A: [0, 0], B: [1, 0]}\njoints:\n" + "\n".join(lines) + "\n"))
+    assert (found.gruebler, found.mobility, found.bounds) == (5997, None, None)
+    assert "more than 5,000 links" in found.settles

@@ -5,10 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from fractions import Fraction
+from itertools import product
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import dhcli
@@ -23,6 +24,7 @@ from dhcli.notation.styles import STYLES
 from dhcli.notation.tree import ONE, Expr, Unit, add, multiply, number
 from dhcli.notation.walk import walk
 from dhcli.notation.writer import write
+from tests.nightly import examples, some
 
 ROBOT = Scope(
     joints=("theta1", "theta2", "theta3"),
@@ -44,7 +46,7 @@ PIECES = (
 any_text = st.one_of(st.text(max_size=80), st.lists(st.sampled_from(PIECES), max_size=30).map("".join))
 
 
-@settings(max_examples=600)
+@examples(6)
 @given(any_text, st.sampled_from(READERS), st.sampled_from([OPEN, ROBOT]))
 def test_any_text_gives_a_value_or_an_error_with_a_place(
     text: str, read: Callable[[str, Scope], object], scope: Scope
@@ -119,8 +121,7 @@ ATTACKS = [
 """Texts that would cost a careless reader its stack, its memory or its evening."""
 
 
-@pytest.mark.parametrize("read", READERS)
-@pytest.mark.parametrize("attack", range(len(ATTACKS)))
+@pytest.mark.parametrize(("attack", "read"), some([*product(range(len(ATTACKS)), READERS)], 3))
 def test_an_attack_ends_at_a_cap(attack: int, read: Callable[[str, Scope], object]) -> None:
     """With a value or a clear error; a reader that did not end would hang this test."""
     for scope in (OPEN, ROBOT):

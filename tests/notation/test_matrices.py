@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from dhcli.errors import NotationError
-from dhcli.files.robots import load_robot
+from dhcli.files.yaml.robots import load_robot
 from dhcli.kinematics.forward import symbolic
 from dhcli.notation.matrix import Cell, parse_matrix
 from dhcli.notation.scope import Scope

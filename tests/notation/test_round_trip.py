@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from dhcli.notation.angle import Angle
@@ -16,6 +16,7 @@ from dhcli.notation.styles import Joints
 from dhcli.notation.tree import HALF, Call, Expr, Number, Product, Sum, add, multiply, negate, power
 from dhcli.notation.walk import walk
 from dhcli.notation.writer import write, write_angle
+from tests.nightly import examples
 from tests.strategies import LENGTHS, THETAS, exact_angles, numeric_angles, polynomials
 
 ROBOT = Scope(joints=THETAS, lengths=LENGTHS)
@@ -36,7 +37,7 @@ trees = st.one_of(
 )
 
 
-@settings(max_examples=200)
+@examples(2)
 @given(trees, st.sampled_from(["short", "full", "latex", "matlab", "numpy"]))
 def test_an_expression_is_read_back(expr: Expr, style: str) -> None:
     """In every notation that the parser reads, without a robot and with its names and shorthand."""
@@ -53,7 +54,7 @@ def test_an_angle_is_read_back(angle: Angle) -> None:
     assert to_angle(parse(write_angle(angle, "numpy"))) == angle
 
 
-@settings(max_examples=50)
+@examples(0.5)
 @given(trees)
 def test_trees_have_one_shape(expr: Expr) -> None:
     """Flat, numbers in front, no bracket that is multiplied starts with a minus, no number hidden below."""
@@ -70,7 +71,7 @@ def test_trees_have_one_shape(expr: Expr) -> None:
             assert not any(write(bracket).startswith("-") for bracket in brackets)
 
 
-@settings(max_examples=50)
+@examples(0.5)
 @given(trees)
 def test_twice_negated_is_the_same(expr: Expr) -> None:
     """A minus costs nothing and hides nothing."""

@@ -1,5 +1,6 @@
 """The registry of renderers, and output that does not depend on the window."""
 
+import re
 import subprocess
 import sys
 from importlib import import_module
@@ -9,6 +10,7 @@ import pytest
 
 from dhcli.errors import UnknownNameError
 from dhcli.render import look
+from tests.cli.running import run
 
 ROOT = Path(__file__).parents[2]
 
@@ -33,18 +35,17 @@ def test_an_unknown_pair_lists_the_formats_there_are() -> None:
         look.check_format("robot", "matlab")
 
 
+@pytest.fixture(autouse=True)
+def bare_environment(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nothing is said of a window or of colours but by the test itself."""
+    for name in ("COLUMNS", "LINES", "NO_COLOR", "TERM"):
+        monkeypatch.delenv(name)
+
+
 def _piped(words: str, **environment: str) -> str:
-    done = subprocess.run(
-        [sys.executable, "-m", "dhcli", *words.split()],
-        cwd=ROOT,
-        env={"PYTHONPATH": str(ROOT), "PATH": "/usr/bin:/bin", "PYTHONIOENCODING": "utf-8", **environment},
-        stdin=subprocess.DEVNULL,
-        capture_output=True,
-        encoding="utf-8",
-        timeout=60,
-        check=True,
-    )
-    return done.stdout
+    done = run(*words.split(), **environment)
+    assert done.code == 0, done.err
+    return done.out
 
 
 @pytest.mark.parametrize("words", ["fk puma560 -s", "fk scara -s --frames", "show puma560", "list robots"])
@@ -65,10 +66,24 @@ def test_a_stream_without_unicode_gets_ascii(words: str) -> None:
     assert text.count("?") == _piped(words).count("?")
 
 
+def test_a_process_writes_to_its_streams_as_the_tests_above_do() -> None:
+    """With nothing in its environment but how its stream is encoded."""
+    words = "fk scara -s"
+    done = subprocess.run(
+        [sys.executable, "-m", "dhcli", *words.split()],
+        cwd=ROOT,
+        env={"PYTHONIOENCODING": "ascii"},
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        encoding="ascii",
+        timeout=60,
+        check=True,
+    )
+    assert done.stdout == _piped(words, PYTHONIOENCODING="ascii")
+
+
 def test_colours_can_be_forced_through_a_pipe() -> None:
     """For `less -R`; the text is the same."""
-    import re
-
     coloured = _piped("fk scara -s", FORCE_COLOR="1")
     assert "\x1b[" in coloured
     assert re.sub(r"\x1b\[[0-9;]*m", "", coloured) == _piped("fk scara -s")

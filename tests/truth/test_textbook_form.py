@@ -8,7 +8,7 @@ from __future__ import annotations
 import pytest
 
 from dhcli.algebra.equality import equal
-from dhcli.files.robots import load_robot
+from dhcli.files.yaml.robots import load_robot
 from dhcli.kinematics.forward import symbolic
 from dhcli.notation.parser import parse
 from dhcli.notation.writer import write

@@ -14,6 +14,7 @@ from dhcli.checking.questions import read_question
 from dhcli.checking.sheetmark import mark_sheet
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import UnknownNameError
+from tests.nightly import some
 
 ROBOTS = ("scara", "scara-yim", "stanford", "puma560", "zhou-3r")
 
@@ -39,7 +40,8 @@ def test_each_mistake_applied_to_the_truth_is_named(name: str, *, numeric: bool)
     part = exercise.parts[0]
     every = slips(exercise, part)
     assert len(every) > 20
-    for slip in every:
+    tried = some(every, max(1, len(every) // 15))
+    for slip in {*tried, *(slip for slip in every if slip.name == "position-as-row")}:
         answer = answer_with(exercise, part, slip.name)
         judged = mark(exercise, part, answer)
         if slip.name == "position-as-row":

@@ -26,6 +26,7 @@ from dhcli.kinematics.robot import Robot
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Symbol, number
 from tests.checking.tables.robots_with_tables import NAMES, Move, keeping, mutations, robot, rows_of
+from tests.nightly import NIGHT, some
 
 MODIFIED, STANDARD = Convention.MODIFIED, Convention.STANDARD
 
@@ -348,7 +349,7 @@ def test_the_row_that_holds_a_slip_is_among_those_to_look_at(name: str) -> None:
     """In standard DH the axis of joint k + 1 is placed by row k, in modified by row k + 1."""
     task = question_about_table(robot(name), robot(name).convention)
     seen = 0
-    for slip in slips(task, task.parts[0]):
+    for slip in some(slips(task, task.parts[0]), 3):
         mark = check(task, "table", answer_with(task, task.parts[0], slip.name))
         row = slip.name.partition(" ")[2]
         if slip.name.startswith("thetas-swapped"):
@@ -357,7 +358,7 @@ def test_the_row_that_holds_a_slip_is_among_those_to_look_at(name: str) -> None:
             look = next(remark for remark in mark.remarks if remark.startswith("look at"))
             assert row in look.replace(",", "").split(), (slip.name, mark.remarks)
             seen += 1
-    assert seen > 3
+    assert seen > (3 if NIGHT else 0)
 
 
 def test_a_forgotten_last_length_is_found_unless_the_end_frame_is_free() -> None:

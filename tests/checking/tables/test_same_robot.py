@@ -6,18 +6,19 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
-from dhcli.checking.tables.fits import Limits
 from dhcli.checking.tables.motions import Values, same_motion, same_robot
-from dhcli.checking.tables.same_robot import Registration
-from dhcli.checking.tables.screws import Arm, Rigid
 from dhcli.checking.tolerance import DEFAULT
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import RobotError
+from dhcli.geometry.rigid import Rigid
+from dhcli.kinematics.axes import Arm
 from dhcli.kinematics.conventions import Convention, Row
+from dhcli.kinematics.fits import Limits
 from dhcli.kinematics.moves import Chain, Rot, Trans, read_chain, substituted
+from dhcli.kinematics.same_robot import Registration
 from dhcli.notation.angle import Angle
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import ZERO, Symbol, add, multiply, number
@@ -35,6 +36,7 @@ from tests.checking.tables.robots_with_tables import (
     robot,
     rows_of,
 )
+from tests.nightly import examples, some
 
 NOTHING = Values({}, {})
 names = st.sampled_from(NAMES)
@@ -143,7 +145,7 @@ def moved(chain: Chain, variables: tuple[str, ...], senses: list[int], zeros: li
     return substituted(chain, lengths, angles)
 
 
-@settings(max_examples=60)
+@examples(0.6)
 @given(tables(), conventions, senses, zeros, rigid_moves, rigid_moves)
 def test_any_base_sense_zero_and_tool_is_found(
     table: tuple[Rows, tuple[str, ...]],
@@ -190,7 +192,7 @@ def test_a_slip_that_is_accepted_has_kept_the_motion(name: str) -> None:
     """Each slip in each table: accepted only with a proof, and never if two axes have moved."""
     convention, variables, rows = robot(name).convention, robot(name).variables, rows_of(name)
     truth = arm(rows, convention, variables)
-    for slip, other in mutations(rows, variables):
+    for slip, other in some([*mutations(rows, variables)], 4):
         outcome = same_robot(truth, arm(other, convention, variables), NOTHING, DEFAULT)
         point = {**floats(outcome.point), "b9": 0.777}
         if outcome.verdict is Verdict.RIGHT:
@@ -205,7 +207,7 @@ def test_a_slip_that_is_accepted_has_kept_the_motion(name: str) -> None:
             assert outcome.verdict is Verdict.WRONG, slip
 
 
-@settings(max_examples=40)
+@examples(0.4)
 @given(names, st.lists(keeping(), max_size=5), st.data())
 def test_a_slip_stays_found_among_other_frames(name: str, moves: list[Move], data: st.DataObject) -> None:
     """The verdict and the first wrong joint do not depend on how the frames are drawn."""

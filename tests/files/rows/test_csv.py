@@ -237,9 +237,9 @@ def test_of_many_bad_cells_the_first_twenty_are_told() -> None:
 
 def test_lines_are_counted_across_blocks() -> None:
     """Blank lines too."""
-    content = "theta1,theta2,d3\n" + "1,2,3\n\n" * 200_000 + "1,x,3\n"
+    content = "theta1,theta2,d3\n" + "1,2,3\n\n" * 60_000 + "1,x,3\n"
     assert bad(content) == [
-        "q.csv:400002:3: theta2 'x' is not a number (a cell is a plain number, such as -0.25 or 1e-3)"
+        "q.csv:120002:3: theta2 'x' is not a number (a cell is a plain number, such as -0.25 or 1e-3)"
     ]
 
 

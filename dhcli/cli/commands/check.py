@@ -1,0 +1,133 @@
+"""`dhcli check`: is my answer right?"""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import replace
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from dhcli.cli.shell.options import ExerciseOrRobot, Force, Format, Output, Settings, Variant
+from dhcli.errors import ExitStatus
+
+if TYPE_CHECKING:
+    from dhcli.checking.exercise import Exercise
+    from dhcli.errors import Place
+    from dhcli.files.yaml.sheets import Sheet
+
+EXAMPLES = """
+[bold]Examples[/]
+
+dhcli check planar-two-links planar-two-links.sheet.yaml
+
+dhcli check planar-two-links --part d02 --answer "a1*c1 + a2*c12, a1*s1 + a2*s12, 0"
+
+dhcli check puma560 --symbolic --from 4 --to 6 --answer "c5c6 -c5s6 -s5 0; s6 c6 0 0; s5c6 -s5s6 c5 0; 0 0 0 1"
+
+dhcli check scara --pose zero --answer "1 0 0 0; 0 1 0 0.5; 0 0 1 0.4; 0 0 0 1" --tol-position 0.5mm
+
+dhcli check puma560 --table my-table.yaml
+"""
+_QUESTION = "A question about a robot"
+_TOLERANCE = "How near is near enough"
+
+
+def check(
+    name: ExerciseOrRobot,
+    sheet: Annotated[str | None, typer.Argument(metavar="SHEET", help="The answer sheet; - is stdin.")] = None,
+    part: Annotated[str | None, typer.Option(metavar="PART", help="Look at this part only.")] = None,
+    answer: Annotated[str | None, typer.Option(metavar="TEXT", help="The answer itself; - is stdin.")] = None,
+    variant: Variant = None,
+    q: Annotated[
+        str | None, typer.Option("--q", metavar="VALUES", help="At these joint values.", rich_help_panel=_QUESTION)
+    ] = None,
+    deg: Annotated[bool, typer.Option("--deg", help="Bare angles are degrees.", rich_help_panel=_QUESTION)] = False,
+    pose: Annotated[
+        str | None, typer.Option("--pose", metavar="NAME", help="At a named pose.", rich_help_panel=_QUESTION)
+    ] = None,
+    set_: Settings = None,
+    symbolic: Annotated[bool, typer.Option("--symbolic", "-s", help="In symbols.", rich_help_panel=_QUESTION)] = False,
+    from_: Annotated[
+        str | None, typer.Option("--from", metavar="FRAME", help="Seen from this frame.", rich_help_panel=_QUESTION)
+    ] = None,
+    to: Annotated[str | None, typer.Option(metavar="FRAME", help="Of this frame.", rich_help_panel=_QUESTION)] = None,
+    table: Annotated[
+        str | None,
+        typer.Option(metavar="FILE", help="A DH table: a robot file in either convention.", rich_help_panel=_QUESTION),
+    ] = None,
+    tol_rotation: Annotated[
+        float | None, typer.Option(metavar="X", help="Of a direction cosine; 0.001.", rich_help_panel=_TOLERANCE)
+    ] = None,
+    tol_position: Annotated[
+        str | None, typer.Option(metavar="LENGTH", help="Of a length, such as 0.5mm.", rich_help_panel=_TOLERANCE)
+    ] = None,
+    decimals: Annotated[
+        int | None,
+        typer.Option(min=1, max=12, metavar="N", help="Decimals the task asks for.", rich_help_panel=_TOLERANCE),
+    ] = None,
+    why: Annotated[bool, typer.Option("--why", help="Name the slip behind a wrong answer.")] = False,
+    format_: Format = None,
+    output: Output = None,
+    force: Force = False,
+) -> ExitStatus:
+    """Check an answer sheet, one answer, or a DH table."""
+    from dhcli.checking.sheetmark import mark_sheet
+    from dhcli.checking.variants import variant_of
+    from dhcli.cli.shell.delivery import Delivery
+    from dhcli.cli.shell.quiz import Asked, exercise_of, exit_code, remember, with_tolerance
+    from dhcli.errors import DhcliError
+    from dhcli.files.yaml.sheets import Sheet, check_numbers, read_sheet
+
+    delivery = Delivery("check", format_, output=output, force=force)
+    delivery.chosen("marks")
+    asked = Asked(q, pose, tuple(set_ or ()), deg, symbolic, from_, to, table)
+    exercise, typed = exercise_of(name, asked)
+    exercise = with_tolerance(exercise, tol_rotation, tol_position, decimals)
+    if sum(source is not None for source in (sheet, answer, table)) > 1:
+        raise DhcliError("a sheet, --answer and --table are three ways to give an answer", "use one of them")
+    if sheet is None and answer is None and table is None:
+        return _walk(variant_of(exercise, variant), part)
+    read = read_sheet(sheet) if sheet is not None else Sheet(exercise.id, {})
+    exercise.accepts(read.exercise, sheet or "")
+    exercise = variant_of(exercise, variant, read.variant, sheet or "")
+    check_numbers(read, exercise, sheet or "")
+    answers, places, only = _answers(exercise, read if sheet else None, part, answer, typed if table else None)
+    marked = mark_sheet(exercise, answers, places, only)
+    remember(marked)
+    delivery.hand_over("marks", replace(marked, why=why))
+    return exit_code(marked.verdict)
+
+
+def _walk(exercise: Exercise, part: str | None) -> ExitStatus:
+    """Ask part by part, on a terminal only: a script must never wait."""
+    from dhcli.cli.shell.quiz import exit_code
+    from dhcli.errors import DhcliError
+
+    if not (sys.stdin.isatty() and sys.stdout.isatty()):
+        hint = f"dhcli start {exercise.id} writes one; or give --part PART --answer TEXT"
+        if "/" not in exercise.id:
+            hint = "give it with --answer TEXT; - reads it from standard input"
+        raise DhcliError("there is no answer to check: name a sheet", hint)
+    from dhcli.cli.shell.walk import walk
+
+    return exit_code(walk(exercise, part).verdict)
+
+
+def _answers(
+    exercise: Exercise, sheet: Sheet | None, part: str | None, answer: str | None, table: str | None
+) -> tuple[dict[str, str], dict[str, Place], str | None]:
+    """Answers by part, where they stand, and the one part meant."""
+    from dhcli.errors import DhcliError
+    from dhcli.files.reading import read_text
+
+    if sheet is not None:
+        answers = {name: given.text for name, given in sheet.answers.items()}
+        return answers, {name: given.place for name, given in sheet.answers.items()}, part
+    only = exercise.part(part).id if part else exercise.parts[0].id
+    if part is None and len(exercise.parts) > 1:
+        names = ", ".join(one.id for one in exercise.parts)
+        raise DhcliError(f"{exercise.id} has {len(exercise.parts)} parts: say which one is answered", f"--part {names}")
+    if table is not None:
+        return {only: table}, {}, only
+    return {only: read_text("-") if answer == "-" else answer or ""}, {}, only

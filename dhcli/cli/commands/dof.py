@@ -1,0 +1,77 @@
+"""`dhcli dof`: how many freedoms a linkage has, by the formula and in truth."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from dhcli.cli.shell.options import Force, format_option, output_option
+
+EXAMPLES = """
+[bold]Examples[/]
+
+[dim]# a pattern, a linkage of the library, a robot, your own file, or bare counts[/]
+
+dhcli dof 6R
+
+dhcli dof bennett
+
+dhcli dof --planar --links 4 --joints 4R
+"""
+
+_COUNTS = "Bare counts"
+
+
+def complete_linkage(incomplete: str) -> list[str]:
+    """Names of linkages and robots that begin like this; reads no file."""
+    from dhcli.files.library.lookup import Kind, entries
+
+    names = (entry.name for kind in (Kind.LINKAGES, Kind.ROBOTS) for entry in entries(kind))
+    return [name for name in names if name.startswith(incomplete)]
+
+
+def dof(
+    what: Annotated[
+        list[str] | None,
+        typer.Argument(
+            metavar="WHAT",
+            help="A linkage or robot of the library, a YAML file, - for stdin, or a pattern: 6R, loop 6R, 6-UPS.",
+            autocompletion=complete_linkage,
+        ),
+    ] = None,
+    planar: Annotated[bool, typer.Option("--planar", help="Patterns and counts in the plane, λ = 3.")] = False,
+    lambda_: Annotated[
+        str | None, typer.Option("--lambda", metavar="L", help="planar, spherical, spatial, or λ from 1 to 6.")
+    ] = None,
+    links: Annotated[
+        str | None,
+        typer.Option(metavar="N", help="Links with the ground; may hold a name: 2*n.", rich_help_panel=_COUNTS),
+    ] = None,
+    joints: Annotated[
+        str | None, typer.Option(metavar="LIST", help="Joints: 4R, or 3R 1P.", rich_help_panel=_COUNTS)
+    ] = None,
+    tol: Annotated[
+        float | None,
+        typer.Option("--tol", metavar="X", help="Relative error of rounded input: 0.003 for 3 decimals."),
+    ] = None,
+    format_: Annotated[str | None, format_option("table", "json")] = None,
+    output: Annotated[str | None, output_option(".json", ".txt")] = None,
+    force: Force = False,
+) -> None:
+    """Count the freedoms of a linkage, say whether the formula can be trusted, and find the true mobility."""
+    import os
+
+    # two threads make a small singular value decomposition much slower than one
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    from dhcli.cli.shell.counted import asked
+    from dhcli.cli.shell.delivery import Delivery
+    from dhcli.mobility.finding import analyse
+
+    delivery = Delivery("dof", format_, output=output, force=force)
+    delivery.chosen("mobility")
+    tolerance = 0.0 if tol is None else tol
+    linkage = asked(
+        " ".join(what or []), planar=planar, lambda_=lambda_, links=links, joints=joints, tolerance=tolerance
+    )
+    delivery.hand_over("mobility", analyse(linkage, tolerance))

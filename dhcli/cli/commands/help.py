@@ -1,0 +1,49 @@
+"""`dhcli help`: the manual."""
+
+from __future__ import annotations
+
+import os
+import sys
+from typing import Annotated
+
+import typer
+
+EXAMPLES = """
+[bold]Examples[/]
+
+dhcli help
+
+dhcli help student
+
+dhcli help check
+"""
+
+
+def complete_topic(incomplete: str) -> list[str]:
+    """Topics that begin like this."""
+    from dhcli.files.manual import topics
+
+    return [topic.name for topic in topics() if topic.name.startswith(incomplete)]
+
+
+def help_(
+    topic: Annotated[
+        str | None,
+        typer.Argument(metavar="TOPIC", help="A page or a command; without one: all.", autocompletion=complete_topic),
+    ] = None,
+) -> None:
+    """Show a page of the manual; in a pipe it is Markdown."""
+    from dhcli.cli.shell.console import write_out
+    from dhcli.files.manual import read_page
+    from dhcli.render.paper import Paper
+    from dhcli.render.text.manual import page_text
+
+    paper = Paper.of(sys.stdout)
+    text = page_text(read_page(topic), paper)
+    if paper.terminal and text.count("\n") >= os.get_terminal_size(sys.stdout.fileno()).lines:
+        import pydoc
+
+        os.environ.setdefault("LESS", "-RFX")  # colours pass, and the page stays on the screen afterwards
+        pydoc.pager(text)
+    else:
+        write_out(text)

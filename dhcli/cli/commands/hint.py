@@ -1,0 +1,52 @@
+"""`dhcli hint`: help with the next part, one step at a time."""
+
+from __future__ import annotations
+
+import shlex
+import sys
+from typing import Annotated
+
+import typer
+
+from dhcli.cli.shell.options import ExerciseName, Variant
+
+EXAMPLES = """
+[bold]Examples[/]
+
+dhcli hint planar-two-links
+
+dhcli hint planar-two-links --part t02
+"""
+
+
+def hint(
+    name: ExerciseName,
+    part: Annotated[str | None, typer.Option(metavar="PART", help="Help with this part.")] = None,
+    variant: Variant = None,
+) -> None:
+    """Show the next hint, for the first part that is not solved yet or the one named."""
+    from dhcli.checking.variants import variant_of
+    from dhcli.cli.shell.console import say, write_out
+    from dhcli.cli.shell.quiz import first_open
+    from dhcli.files.progress import Try, read_progress, record_hint
+    from dhcli.files.yaml.exercises import load_exercise
+    from dhcli.render.paper import Paper
+    from dhcli.render.text.prose import prose_lines
+
+    exercise = variant_of(load_exercise(name), variant)
+    progress, message = read_progress()
+    done = progress.get(exercise.id, {})
+    meant = exercise.part(part) if part else first_open(exercise, {p: t.best for p, t in done.items()})
+    shown = done.get(meant.id, Try("SKIPPED", 0)).hints
+    if not meant.hints:
+        write_out(f"{meant.id}: there is no hint for this part\n")
+        return
+    number = min(shown, len(meant.hints) - 1)
+    text = f"{meant.id}, hint {number + 1} of {len(meant.hints)}: {meant.hints[number]}"
+    write_out("".join(f"{line}\n" for line in prose_lines(text, Paper.of(sys.stdout))))
+    message = message or record_hint(exercise.id, meant.id)
+    if message:
+        say(f"dhcli: {message}\n")
+    option = f" --variant {shlex.quote(exercise.variant)}" if exercise.variant else ""
+    if number + 1 == len(meant.hints):
+        say(f"that was the last one; dhcli solution {exercise.id}{option} --part {meant.id} works it out\n")

@@ -1,0 +1,65 @@
+"""`dhcli list`: what there is, and where it comes from."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from dhcli.cli.shell.options import Force, format_option, output_option
+
+if TYPE_CHECKING:
+    from dhcli.files.library.lookup import Kind
+
+EXAMPLES = """
+[bold]Examples[/]
+
+dhcli list
+
+dhcli list robots --format json
+"""
+
+
+def complete_kind(incomplete: str) -> list[str]:
+    """The kinds that begin like this."""
+    from dhcli.files.library.lookup import Kind
+
+    return [kind.value for kind in Kind if kind.value.startswith(incomplete)]
+
+
+def list_(
+    kind: Annotated[
+        str | None,
+        typer.Argument(
+            metavar="KIND", help="robots, linkages or exercises; all by default.", autocompletion=complete_kind
+        ),
+    ] = None,
+    format_: Annotated[str | None, format_option("table", "json", "csv")] = None,
+    output: Annotated[str | None, output_option(".json", ".csv", ".txt")] = None,
+    force: Force = False,
+) -> None:
+    """List what there is: names, joints, titles, and the folder each comes from."""
+    from dhcli.cli.shell.console import say
+    from dhcli.cli.shell.delivery import Delivery
+    from dhcli.files.library.catalogue import catalogue
+
+    delivery = Delivery("list", format_, output=output, force=force)
+    delivery.chosen("library")
+    listed = catalogue(kinds_of(kind))
+    delivery.hand_over("library", listed)
+    if not listed:
+        say(f"there are no {kind or 'files'} yet\n")
+
+
+def kinds_of(word: str | None) -> tuple[Kind, ...]:
+    """The kinds meant by a word; all of them by none."""
+    from dhcli.errors import UnknownNameError, did_you_mean
+    from dhcli.files.library.lookup import Kind
+
+    if word is None:
+        return tuple(Kind)
+    kinds = {kind.value: kind for kind in Kind} | {kind.noun: kind for kind in Kind}
+    if word not in kinds:
+        hint = did_you_mean(word, [kind.value for kind in Kind]) or "dhcli list robots, linkages or exercises"
+        raise UnknownNameError(f"there is no kind of thing called {word}", hint)
+    return (kinds[word],)

@@ -1,0 +1,46 @@
+"""`dhcli start`: an answer sheet to fill in."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from dhcli.cli.shell.options import ExerciseName, Variant
+
+EXAMPLES = """
+[bold]Examples[/]
+
+dhcli start planar-two-links
+
+dhcli start planar-two-links -o -
+
+dhcli start planar-in-numbers --variant alice
+"""
+
+
+def start(
+    name: ExerciseName,
+    variant: Variant = None,
+    output: Annotated[
+        str | None, typer.Option("-o", "--output", metavar="FILE", help="Where to write it; - is stdout.")
+    ] = None,
+    force: Annotated[bool, typer.Option("--force", help="Overwrite the file.")] = False,
+) -> None:
+    """Write an answer sheet for an exercise."""
+    from dhcli.checking.variants import variant_of
+    from dhcli.cli.shell.console import say, write_out
+    from dhcli.cli.shell.delivery import write_file
+    from dhcli.files.yaml.exercises import load_exercise
+    from dhcli.files.yaml.sheets import write_sheet
+
+    exercise = variant_of(load_exercise(name), variant)
+    text = write_sheet(exercise)
+    if output == "-":
+        write_out(text)
+        return
+    named = name if name.endswith((".yaml", ".yml")) else exercise.id
+    path = output or f"{exercise.id.split('/')[-1]}.sheet.yaml"
+    write_file(path, text, force=force)
+    say(f"wrote {path}\n")
+    say(f"next: fill it in, then dhcli check {named} {path}, or dhcli watch {named} {path}\n")

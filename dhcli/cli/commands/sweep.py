@@ -1,0 +1,149 @@
+"""`dhcli sweep`: a grid of poses, and what of the space around a robot it reaches."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from dhcli.cli.shell.options import (
+    WHERE,
+    Digits,
+    Force,
+    RobotName,
+    SeenFrom,
+    Settings,
+    complete_frame,
+    complete_joint,
+    complete_pose,
+)
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from dhcli.cli.shell.rows import RowDelivery
+    from dhcli.kinematics.sweep.grid import Grid
+
+
+EXAMPLES = """
+[bold]Examples[/]
+
+dhcli sweep planar-2r
+
+dhcli sweep scara --over 'q1=-90°..90° step 5°' --over 'd3=0..0.2 n 11'
+
+dhcli sweep puma560 --pose ready --over q2 --over q3 -o reach.csv
+"""
+
+
+def sweep(
+    robot: RobotName,
+    over: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="RANGE",
+            help="Sweep a joint: 'q1=-90°..90° step 5°', 'd3=0..0.2 n 11', 'q1=-90°..90°', or q1 for all that its "
+            "limits allow; repeatable. Without it all joints are swept.",
+            autocompletion=complete_joint,
+        ),
+    ] = None,
+    deg: Annotated[bool, typer.Option("--deg", help="Bare numbers of revolute joints are degrees.")] = False,
+    q: Annotated[
+        str | None, typer.Option("--q", metavar="VALUES", help="Where the other joints stand; 0 by default.")
+    ] = None,
+    pose: Annotated[
+        str | None,
+        typer.Option("--pose", metavar="NAME", help="The same, by a named pose.", autocompletion=complete_pose),
+    ] = None,
+    set_: Settings = None,
+    from_: SeenFrom = None,
+    to: Annotated[
+        str | None,
+        typer.Option(
+            metavar="FRAME", help="The origin of this frame.", rich_help_panel=WHERE, autocompletion=complete_frame
+        ),
+    ] = None,
+    point: Annotated[
+        str | None, typer.Option(metavar="X,Y,Z", help="A point of that frame instead.", rich_help_panel=WHERE)
+    ] = None,
+    format_: Annotated[
+        str | None,
+        typer.Option("--format", metavar="NAME", help="Of the summary: table, json or csv.", rich_help_panel="Output"),
+    ] = None,
+    digits: Digits = None,
+    output: Annotated[
+        str | None,
+        typer.Option(
+            "-o",
+            "--output",
+            metavar="FILE",
+            help="Write all points to a file, joint values and position a row: .csv, .jsonl or .npy.",
+            rich_help_panel="Output",
+        ),
+    ] = None,
+    force: Force = False,
+) -> None:
+    """Sweep joints over a grid: how far a robot reaches, the box it stays in, and the poses at its sides."""
+    from dhcli.cli.shell.delivery import Delivery
+    from dhcli.cli.shell.given import open_scope, point_of, values_of
+    from dhcli.errors import Place
+    from dhcli.files.yaml.robots import load_robot
+    from dhcli.kinematics.frames import View
+    from dhcli.kinematics.sweep.plan import plan
+    from dhcli.kinematics.sweep.ranges import read_over
+    from dhcli.kinematics.sweep.target import target_of
+
+    delivery = Delivery("sweep", format_, digits)
+    delivery.chosen("sweep")
+    points = _points(output, force=force)
+    arm = load_robot(robot)
+    values = values_of(arm, q, pose, set_ or [], degrees=deg, symbolic=False)
+    seen = None if point is None else point_of(point, "--point", open_scope(arm))
+    target = target_of(arm, View.of(arm, from_, to, point=seen), values)
+    overs = [read_over(arm, text, bare="deg" if deg else "rad", place=Place("--over")) for text in over or []]
+    grid = plan(target, overs, values, Place("--over") if overs else None)
+
+    from dhcli.kinematics.sweep.run import sweep as go_through  # numpy: not for what is refused before it starts
+
+    with _taking(points, grid) as take:
+        result = go_through(target, grid, take)
+    delivery.hand_over("sweep", result, result.warnings)
+
+
+def _points(output: str | None, *, force: bool) -> RowDelivery | None:
+    """Where the points go, once it is known that they can; None if nobody wants them."""
+    if output is None and not force:
+        return None
+    from dhcli.cli.shell.delivery import format_by_suffix
+    from dhcli.cli.shell.rows import SUFFIXES, RowDelivery
+
+    if output is not None:
+        format_by_suffix(output, SUFFIXES, " of points", "the summary is on standard output, see --format")
+    delivery = RowDelivery(None, output, force)
+    delivery.chosen()
+    return delivery
+
+
+@contextmanager
+def _taking(points: RowDelivery | None, grid: Grid) -> Iterator[Callable[[NDArray[np.float64]], None]]:
+    """What takes the rows of a grid: a file, if one is wanted, and the bar that shows how far they are."""
+    from dhcli.render.text.progress import row_progress
+    from dhcli.render.text.sweep import point_layout
+
+    with ExitStack() as stack:
+        sink = None if points is None else stack.enter_context(points.open(point_layout(grid)))
+        tell = stack.enter_context(row_progress(sys.stderr))
+        done = 0
+
+        def take(rows: NDArray[np.float64]) -> None:
+            nonlocal done
+            done += len(rows)
+            if sink is not None:
+                sink.write(rows)
+            tell(done, done / grid.count)
+
+        yield take

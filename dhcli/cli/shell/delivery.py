@@ -1,0 +1,162 @@
+"""Handing a result over: in which format, on which paper, on stdout or into a file."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from dhcli.cli.shell.console import say, write_out
+from dhcli.errors import DhcliError, FileError, Place, Problem, UnknownNameError, did_you_mean
+from dhcli.render.look import Look, check_format, content, render
+from dhcli.render.paper import Paper
+
+SUFFIXES = {".json": "json", ".tex": "latex", ".m": "matlab", ".py": "numpy", ".csv": "csv", ".txt": "table"}
+STYLES = ("short", "full")
+
+
+@dataclass(frozen=True, slots=True)
+class Delivery:
+    """How a person wants a result.
+
+    Attributes:
+        command: The command typed.
+        format: The format asked for; None leaves it to the file's suffix, and else to the terminal's table.
+        digits: Decimals asked for.
+        style: Spelling of formulas asked for.
+        output: The file to write.
+        force: Whether that file may be overwritten.
+    """
+
+    command: str
+    format: str | None = None
+    digits: int | None = None
+    style: str | None = None
+    output: str | None = None
+    force: bool = False
+
+    def hand_over(self, kind: str, result: object, warnings: Iterable[str] = ()) -> None:
+        """Render a result and write it.
+
+        Raises:
+            UnknownNameError: There is no such format for this kind of result.
+            FileError: The file cannot be written, or exists already.
+        """
+        name = self.chosen(kind)
+        paper = Paper() if self.output else Paper.of(sys.stdout)
+        look = Look(name, paper, self.digits, self.style, in_file=self.output is not None)
+        warned = list(warnings)
+        if name == "json":
+            from dhcli.render.json.envelope import envelope
+
+            text = envelope(self.command, content(kind, result, look), (), warned)
+        else:
+            text = render(kind, result, look)
+        self._write(text)
+        self._warn(warned)
+
+    def chosen(self, kind: str) -> str:
+        """The format: the one asked for, else that of the file's suffix, else a table.
+
+        Raises:
+            UnknownNameError: There is no such format, style or suffix.
+        """
+        if self.style is not None and self.style not in STYLES:
+            raise UnknownNameError(f"there is no style {self.style}", did_you_mean(self.style, STYLES) or "short, full")
+        check_force(self.output, force=self.force)
+        name = self.format
+        if name is None and self.output is not None:
+            name = format_by_suffix(self.output, SUFFIXES)
+        check_format(kind, name or "table")
+        if self.style is not None and name not in (None, "table", "json"):
+            raise DhcliError(f"--style is for tables; {name} has its own spelling", "leave one of the two out")
+        return name or "table"
+
+    def check_output(self) -> None:
+        """Make sure that the file may be written, before work begins that takes long.
+
+        Raises:
+            FileError: It exists already.
+        """
+        if self.output is not None:
+            check_free(self.output, force=self.force)
+
+    def _write(self, text: str) -> None:
+        if self.output is None:
+            write_out(text)
+            return
+        write_file(self.output, text, force=self.force)
+        say(f"wrote {self.output}\n")
+
+    def _warn(self, warnings: Iterable[str]) -> None:
+        if warned := list(warnings):
+            from dhcli.render.text.problems import warning_line
+
+            paper = Paper.of(sys.stderr)
+            say("".join(warning_line(message, paper) for message in warned))
+
+
+def check_force(output: str | None, *, force: bool) -> None:
+    """Make sure that there is a file where one may be overwritten.
+
+    Raises:
+        DhcliError: `--force` has none.
+    """
+    if force and not output:
+        raise DhcliError("--force needs a file to overwrite", "name it with -o FILE")
+
+
+def format_by_suffix(output: str, suffixes: Mapping[str, str], of: str = "", more: str = "or say --format") -> str:
+    """The format that the suffix of a file stands for.
+
+    Args:
+        output: The file.
+        suffixes: The format of each suffix that is known.
+        of: What these are the suffixes of, for the hint.
+        more: What else helps.
+
+    Raises:
+        UnknownNameError: The suffix is not one of them.
+    """
+    suffix = Path(output).suffix.lower()
+    if suffix not in suffixes:
+        near = did_you_mean(suffix, suffixes)
+        hint = f"{near} " if near.startswith("did") else ""
+        hint += f"known suffixes{of}: {' '.join(suffixes)}; {more}"
+        raise UnknownNameError(f"{output} does not say which format it should have", hint)
+    return suffixes[suffix]
+
+
+def make_folder(path: Path) -> None:
+    """Make a folder unless it is there.
+
+    Raises:
+        FileError: A file has its name, or it may not be made.
+    """
+    try:
+        path.mkdir(exist_ok=True)
+    except OSError as error:
+        raise FileError(Problem(f"no folder can be made here: {error.strerror}", Place(str(path)))) from None
+
+
+def check_free(path: Path | str, *, force: bool) -> None:
+    """Make sure that no file of this name stands there, unless it may be overwritten.
+
+    Raises:
+        FileError: It exists already.
+    """
+    if Path(path).is_file() and not force:
+        raise FileError(Problem("exists already", Place(str(path)), "--force overwrites it"))
+
+
+def write_file(path: Path | str, text: str, *, force: bool) -> None:
+    """Write a file whole or not at all.
+
+    Raises:
+        FileError: It exists already and may not be overwritten, or it cannot be written.
+    """
+    from dhcli.files.atomic import write_whole
+
+    check_free(path, force=force)
+    write_whole(path, text, overwrite=force)

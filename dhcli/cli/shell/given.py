@@ -1,0 +1,125 @@
+"""What a person typed for joints, lengths, points and forms, as values."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean, plural
+from dhcli.kinematics.frames import Point
+from dhcli.kinematics.robot import Robot, Value
+from dhcli.kinematics.values import given_parameters, joint_values, parameter_values
+from dhcli.notation.names import canonical
+from dhcli.notation.parser import parse
+from dhcli.notation.quantity import DimensionError, to_length
+from dhcli.notation.scope import OPEN, Scope
+from dhcli.notation.tree import Expr
+
+
+def values_of(
+    robot: Robot, q: str | None, pose: str | None, settings: Sequence[str], *, degrees: bool, symbolic: bool
+) -> dict[str, Value]:
+    """Values of joints and parameters: in symbols those typed, in numbers the robot's own lengths too."""
+    if q is not None and pose is not None and "=" not in q:
+        raise DhcliError("--q and --pose both say where all joints are", "use one; --q NAME=VALUE varies a pose")
+    given = settings_of(settings)
+    place = Place("--set", text=" ".join(settings))
+    take = given_parameters if symbolic else parameter_values
+    lengths = take(robot, given, place)
+    posed = {} if pose is None else named_pose(robot, pose)
+    text, where = (q, Place("--q")) if q is None or not q.startswith("@") else text_of_file(q[1:])
+    return {**lengths, **posed, **joint_values(robot, text, bare="deg" if degrees else "rad", place=where)}
+
+
+def named_pose(robot: Robot, name: str) -> dict[str, Value]:
+    """The joint values of a named pose."""
+    if name not in robot.poses:
+        hint = did_you_mean(name, robot.poses) or (
+            f"poses: {', '.join(robot.poses)}" if robot.poses else f"{robot.name} has no named poses; use --q"
+        )
+        raise UnknownNameError(Problem(f"{robot.name} has no pose called {name}", Place("--pose"), hint))
+    return dict(zip(robot.variables, robot.poses[name], strict=True))
+
+
+def settings_of(settings: Sequence[str]) -> dict[str, str]:
+    """`NAME=VALUE` options by name; several may stand in one, between commas."""
+    given: dict[str, str] = {}
+    for setting in settings:
+        parts = setting.split(",") if setting.count("=") == setting.count(",") + 1 else [setting]
+        for part in parts:
+            name, equals, text = part.partition("=")
+            if not equals or not name.strip() or not text.strip():
+                raise DhcliError(Problem(f"{part} is not NAME=VALUE", Place("--set"), "write --set l1=0.4 or l1=400mm"))
+            if canonical(name.strip()) in map(canonical, given):
+                raise DhcliError(Problem(f"{name.strip()} is set twice", Place("--set")))
+            given[name.strip()] = text
+    return given
+
+
+def text_of_file(path: str) -> tuple[str, Place]:
+    """Joint values from a file: separated by commas, blanks or line ends; `#` begins a comment."""
+    from dhcli.files.reading import read_text, source_of
+
+    lines = [line.partition("#")[0].strip().rstrip(",;") for line in read_text(path).split("\n")]
+    return ", ".join(line for line in lines if line), Place(f"--q {source_of(path)}")
+
+
+def point_of(text: str, option: str, scope: Scope = OPEN) -> Point:
+    """Three coordinates, `x, y, z`; names that are not known stay free."""
+    pieces = list(split(text))
+    place = Place(option, text=text)
+    if len(pieces) != 3:  # noqa: PLR2004
+        count = plural(len(pieces), "coordinate")
+        raise DhcliError(
+            Problem(f"a point has three coordinates, {text!r} has {count}", place, f"write {option} 0,0,0.1")
+        )
+    x, y, z = (_length(piece, scope, replace(place, column=offset + 1)) for offset, piece in pieces)
+    return x, y, z
+
+
+def open_scope(robot: Robot) -> Scope:
+    """The names of a robot, and any other name for itself."""
+    return replace(robot.scope, is_open=True)
+
+
+def names_of(text: str, option: str) -> tuple[str, ...]:
+    """Names between commas: `l1, reach`."""
+    names = tuple(dict.fromkeys(name.strip() for name in text.split(",") if name.strip()))
+    for name in names:
+        if not name.replace("_", "a").replace("{", "").replace("}", "").isalnum() or not name[0].isalpha():
+            raise DhcliError(
+                Problem(f"{name!r:.60} is not a name", Place(option, text=text), f"write {option} l1,reach")
+            )
+    return names
+
+
+def forms_of(texts: Iterable[str]) -> tuple[str, ...]:
+    """`--as rpy,position --as quaternion` as one list, each once."""
+    return tuple(dict.fromkeys(form.strip() for text in texts for form in text.split(",")))
+
+
+def product_of(words: Sequence[str]) -> tuple[str, Place]:
+    """The product that was typed, or that stands on standard input."""
+    if list(words) != ["-"]:
+        return " ".join(words), Place("product")
+    from dhcli.files.reading import read_text, source_of
+
+    return read_text("-"), Place(source_of("-"))
+
+
+def split(text: str) -> Iterable[tuple[int, str]]:
+    """Pieces between commas that stand outside brackets, with their offsets."""
+    start, depth = 0, 0
+    for i, letter in enumerate(text):
+        depth += (letter in "([{") - (letter in ")]}")
+        if depth == 0 and letter in ",;":
+            yield start, text[start:i]
+            start = i + 1
+    yield start, text[start:]
+
+
+def _length(text: str, scope: Scope, place: Place) -> Expr:
+    try:
+        return to_length(parse(text, scope, place))
+    except DimensionError as error:
+        raise DhcliError(Problem(error.message, place, error.hint)) from None

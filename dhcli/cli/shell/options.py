@@ -1,0 +1,155 @@
+"""Options that several commands have, and shell completion for names."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
+
+import typer
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.robot import Robot
+
+
+def complete_robot(incomplete: str) -> list[str]:
+    """Names of robots that begin like this; reads no file."""
+    from dhcli.files.library.lookup import Kind, entries
+
+    return [entry.name for entry in entries(Kind.ROBOTS) if entry.name.startswith(incomplete)]
+
+
+RobotName: TypeAlias = Annotated[
+    str,
+    typer.Argument(
+        metavar="ROBOT", help="A name of the library, a YAML file, or - for stdin.", autocompletion=complete_robot
+    ),
+]
+
+
+def complete_exercise(incomplete: str) -> list[str]:
+    """Names of exercises that begin like this, with their folder or without; reads no file."""
+    from dhcli.files.library.lookup import Kind, entries
+
+    names = [entry.name for entry in entries(Kind.EXERCISES)]
+    return [name for name in names if name.startswith(incomplete) or name.split("/")[-1].startswith(incomplete)]
+
+
+ExerciseName: TypeAlias = Annotated[
+    str,
+    typer.Argument(
+        metavar="EXERCISE", help="An exercise of the library, or a YAML file.", autocompletion=complete_exercise
+    ),
+]
+ExerciseOrRobot: TypeAlias = Annotated[
+    str,
+    typer.Argument(
+        metavar="NAME", help="An exercise, or a robot with a question about it.", autocompletion=complete_exercise
+    ),
+]
+Variant: TypeAlias = Annotated[
+    str | None,
+    typer.Option("--variant", metavar="NAME", help="With the numbers drawn for NAME, any text; the same everywhere."),
+]
+
+
+def format_option(*names: str) -> Any:  # noqa: ANN401  what typer makes of an option
+    """`--format` for the formats that a command has, with completion."""
+    listed = f"{', '.join(names[:-1])} or {names[-1]}"
+
+    def complete(incomplete: str) -> list[str]:
+        return [name for name in names if name.startswith(incomplete)]
+
+    return typer.Option(
+        "--format", metavar="NAME", help=f"{listed}.", rich_help_panel="Output", autocompletion=complete
+    )
+
+
+def output_option(*suffixes: str) -> Any:  # noqa: ANN401  the same
+    """`-o` for the files that a command writes."""
+    return typer.Option(
+        "-o",
+        "--output",
+        metavar="FILE",
+        callback=lambda path: None if path == "-" else path,  # standard output, as - is standard input
+        help=f"Write to a file; {' '.join(suffixes)} choose the format.",
+        rich_help_panel="Output",
+    )
+
+
+Format: TypeAlias = Annotated[str | None, format_option("table", "json", "latex", "matlab", "numpy", "csv", "sympy")]
+Digits: TypeAlias = Annotated[
+    int | None, typer.Option(min=0, max=15, metavar="N", help="Decimals to show.", rich_help_panel="Output")
+]
+Spelling: TypeAlias = Annotated[
+    str | None,
+    typer.Option("--style", metavar="NAME", help="short writes c1, full writes cos(theta1).", rich_help_panel="Output"),
+]
+Output: TypeAlias = Annotated[str | None, output_option(".json", ".tex", ".m", ".py", ".csv", ".txt")]
+WHERE = "Where and what"
+"""Heading of the options that choose frames and points."""
+
+Force: TypeAlias = Annotated[bool, typer.Option("--force", help="Overwrite the file.", rich_help_panel="Output")]
+Settings: TypeAlias = Annotated[
+    list[str] | None,
+    typer.Option("--set", metavar="NAME=VALUE", help="Value of a length or constant angle; repeatable."),
+]
+
+
+def complete_forms(incomplete: str) -> list[str]:
+    """Ways to say a pose, behind those that are typed already."""
+    before, comma, begun = incomplete.rpartition(",")
+    names = ("rpy", "axis-angle", "quaternion", "position", "matrix")
+    return [f"{before}{comma}{name}" for name in names if name.startswith(begun)]
+
+
+Forms: TypeAlias = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--as",
+        metavar="FORM",
+        help="rpy, axis-angle, quaternion, position or matrix; repeatable, or with commas.",
+        autocompletion=complete_forms,
+    ),
+]
+
+
+def complete_pose(ctx: typer.Context, incomplete: str) -> list[str]:
+    """Named poses of the robot that is typed already."""
+    robot = _robot_of(ctx)
+    return [name for name in robot.poses if name.startswith(incomplete)] if robot else []
+
+
+def complete_frame(ctx: typer.Context, incomplete: str) -> list[str]:
+    """Frames of the robot that is typed already."""
+    robot = _robot_of(ctx)
+    return [name for name in robot.frames if name.startswith(incomplete)] if robot else []
+
+
+def complete_joint(ctx: typer.Context, incomplete: str) -> list[str]:
+    """Joints of the robot that is typed already."""
+    robot = _robot_of(ctx)
+    return [name for name in robot.variables if name.startswith(incomplete)] if robot else []
+
+
+def _robot_of(ctx: typer.Context) -> Robot | None:
+    """The robot, unless it cannot be read; a shell that completes has no room for errors."""
+    from dhcli.errors import DhcliError
+    from dhcli.files.yaml.robots import load_robot
+
+    # Behind an option that still lacks its value typer leaves the arguments where they are.
+    name = ctx.params.get("robot") or next(iter(ctx.args), None)
+    try:
+        return load_robot(name) if name and name != "-" else None
+    except DhcliError:
+        return None
+
+
+SeenFrom: TypeAlias = Annotated[
+    str | None,
+    typer.Option(
+        "--from",
+        metavar="FRAME",
+        help="Seen from this frame.",
+        rich_help_panel=WHERE,
+        autocompletion=complete_frame,
+    ),
+]

@@ -1,0 +1,158 @@
+"""What the commands around exercises share: which exercise is meant, how near is near enough, and the exit code."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from dhcli.checking.exercise import Exercise, Part, question_about
+from dhcli.checking.sheetmark import SheetMark
+from dhcli.checking.tolerance import Tolerance
+from dhcli.checking.verdicts import Verdict
+from dhcli.errors import DhcliError, ExitStatus, Place, Problem, UnknownNameError
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.robot import Robot
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """The options of `fk` that turn a robot into a question.
+
+    Attributes:
+        q: Joint values.
+        pose: A named pose.
+        settings: Lengths.
+        degrees: Whether bare angles are degrees.
+        symbolic: Whether symbols are asked for.
+        start: The frame it is seen from.
+        end: The frame described.
+        table: The file with a DH table to compare; its convention is the one asked for.
+    """
+
+    q: str | None = None
+    pose: str | None = None
+    settings: Sequence[str] = ()
+    degrees: bool = False
+    symbolic: bool = False
+    start: str | None = None
+    end: str | None = None
+    table: str | None = None
+
+    @property
+    def given(self) -> bool:
+        """Whether any of them was typed."""
+        return self != Asked()
+
+
+def exercise_of(name: str, asked: Asked) -> tuple[Exercise, str]:
+    """The exercise of a name, or a question about the robot of that name, and the text of the table to compare.
+
+    Raises:
+        UnknownNameError: Neither an exercise nor a robot has this name.
+        DhcliError: Options of a question stand with an exercise, or a robot without a question.
+    """
+    from dhcli.files.library.kinds import kind_of
+    from dhcli.files.library.lookup import Kind
+    from dhcli.files.yaml.exercises import load_exercise
+    from dhcli.files.yaml.robots import load_robot
+
+    if kind_of(name) is Kind.EXERCISES:
+        if asked.given:
+            raise DhcliError(
+                f"{name} is an exercise and says itself what is asked", "leave --q, --symbolic and so on out"
+            )
+        return load_exercise(name), ""
+    try:
+        robot = load_robot(name)
+    except UnknownNameError as error:
+        problem = error.problems[0]
+        hint = f"{problem.hint}; dhcli list exercises shows the exercises"
+        raise UnknownNameError(f"there is no exercise and no robot '{name}'", hint) from None
+    return _about(robot, asked)
+
+
+def _about(robot: Robot, asked: Asked) -> tuple[Exercise, str]:
+    from dhcli.checking.exercise import question_about_table
+    from dhcli.cli.shell.given import values_of
+    from dhcli.kinematics.frames import ends
+
+    if asked.table is not None:
+        from dhcli.files.yaml.sheets import read_table
+
+        table = read_table(asked.table, robot)
+        return question_about_table(robot, table.convention), table.text
+    if not asked.symbolic and asked.q is None and asked.pose is None and robot.variables:
+        hint = f"dhcli check {robot.name} --q 0.3,... or --symbolic, and --answer '[...]'"
+        raise DhcliError(f"{robot.name} is a robot: say at which joint values, or ask for symbols", hint)
+    values = values_of(robot, asked.q, asked.pose, asked.settings, degrees=asked.degrees, symbolic=asked.symbolic)
+    start, end = ends(robot, asked.start, asked.end)
+    return question_about(robot, start, end, numeric=not asked.symbolic, given=values), ""
+
+
+def with_tolerance(exercise: Exercise, rotation: float | None, position: str | None, decimals: int | None) -> Exercise:
+    """The same exercise with other tolerances.
+
+    Raises:
+        NotationError: The tolerance of a position is no length.
+        DhcliError: A tolerance is negative, or no number.
+    """
+    changes: dict[str, float | int] = {}
+    if rotation is not None:
+        changes["rotation"] = _not_negative("--tol-rotation", rotation)
+    if position is not None:
+        changes["position"] = _not_negative("--tol-position", _length(position))
+    if decimals is not None:
+        changes["decimals"] = decimals
+    if not changes:
+        return exercise
+
+    def changed(tolerance: Tolerance) -> Tolerance:
+        return replace(tolerance, **changes)  # type: ignore[arg-type]
+
+    parts = tuple(replace(p, tolerance=changed(p.tolerance)) if p.tolerance else p for p in exercise.parts)
+    return replace(exercise, tolerance=changed(exercise.tolerance), parts=parts)
+
+
+def exit_code(verdict: Verdict) -> ExitStatus:
+    """0 for what is solved, 2 for what cannot be read, else 1."""
+    if verdict is Verdict.CANNOT_READ:
+        return ExitStatus.BAD_INPUT
+    return ExitStatus.DONE if verdict.passed else ExitStatus.NOT_RIGHT
+
+
+def remember(marked: SheetMark) -> None:
+    """Note the verdicts among the progress of this user, for exercises of the library."""
+    from dhcli.cli.shell.console import say
+    from dhcli.files.progress import record
+
+    if "/" in marked.exercise.id:
+        message = record(marked.exercise.id, {p.part.id: p.mark.verdict for p in marked.parts})
+        if message:
+            say(f"dhcli: {message}\n")
+
+
+def first_open(exercise: Exercise, best: Mapping[str, str]) -> Part:
+    """The first part that is not solved yet; the first of all if all are."""
+    solved = {Verdict.RIGHT.word, Verdict.EQUIVALENT.word}
+    return next((part for part in exercise.parts if best.get(part.id) not in solved), exercise.parts[0])
+
+
+def _not_negative(option: str, value: float) -> float:
+    if not value >= 0:  # NaN is not either
+        raise DhcliError(Problem("a tolerance is a number that is not negative", Place(option)))
+    return value
+
+
+def _length(text: str) -> float:
+    from dhcli.algebra.floats import Floats
+    from dhcli.notation.parser import parse
+    from dhcli.notation.quantity import DimensionError, to_length
+    from dhcli.notation.scope import Scope
+
+    place = Place("--tol-position", text=text)
+    try:
+        return Floats().value(to_length(parse(text, Scope(), place)))
+    except DimensionError as error:
+        raise DhcliError(Problem(error.message, place, error.hint)) from None

@@ -1,0 +1,132 @@
+"""Handing over rows of numbers as they are computed: to a file that appears whole, or to stdout."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, BinaryIO
+
+from dhcli.cli.shell.console import raw_out, say, somebody_reads, write_out
+from dhcli.cli.shell.delivery import check_force, check_free, format_by_suffix
+from dhcli.errors import DhcliError, UnknownNameError, did_you_mean, plural
+from dhcli.render.code.rows import FORMATS, Layout, RowText
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+SUFFIXES = {".csv": "csv", ".jsonl": "jsonl", ".ndjson": "jsonl", ".npy": "npy"}
+
+
+class RowSink:
+    """Takes rows.
+
+    Attributes:
+        count: Rows taken so far.
+    """
+
+    def __init__(self, put: Callable[[NDArray[np.float64]], None], *, printed: bool) -> None:
+        """Hand every block on.
+
+        Args:
+            put: What writes a block.
+            printed: Whether it goes to stdout, whose reader may go away.
+        """
+        self.count = 0
+        self._put = put
+        self._printed = printed
+
+    @property
+    def wanted(self) -> bool:
+        """Whether anybody still reads what is written."""
+        return not self._printed or somebody_reads()
+
+    def write(self, block: NDArray[np.float64]) -> None:
+        """Take rows, shape (N, width)."""
+        self._put(block)
+        self.count += len(block)
+
+
+@dataclass(frozen=True, slots=True)
+class RowDelivery:
+    """How a person wants rows.
+
+    Attributes:
+        format: The format asked for; None leaves it to the file's suffix, and else takes CSV.
+        output: The file to write; None for stdout.
+        force: Whether that file may be overwritten.
+    """
+
+    format: str | None = None
+    output: str | None = None
+    force: bool = False
+
+    def chosen(self) -> str:
+        """The format, once everything that can be known before the work has been looked at.
+
+        Raises:
+            UnknownNameError: There is no such format or suffix.
+            DhcliError: A terminal would show bytes, or `--force` has no file.
+            FileError: The file exists already.
+        """
+        check_force(self.output, force=self.force)
+        if self.format is not None and self.format not in FORMATS:
+            hint = "jsonl has one object a row" if self.format == "json" else did_you_mean(self.format, FORMATS)
+            raise UnknownNameError(f"there is no format {self.format} for rows", hint)
+        name = self.format or format_by_suffix(self.output or "stdout.csv", SUFFIXES, " of rows")
+        if self.output is not None:
+            check_free(self.output, force=self.force)
+        elif name == "npy" and sys.stdout.isatty():
+            raise DhcliError("npy is not for a terminal", "write it to a file with -o poses.npy, or into a pipe")
+        return name
+
+    @contextmanager
+    def open(self, layout: Layout) -> Iterator[RowSink]:
+        """Where to put the rows; the file is there when all of them are written, else not at all.
+
+        Raises:
+            FileError: It cannot be written.
+        """
+        name = self.chosen()
+        if self.output is None:
+            with _sink(name, layout) as sink:
+                yield sink
+            return
+        from dhcli.files.atomic import whole_file
+
+        with (
+            whole_file(self.output, overwrite=self.force) as stream,
+            _sink(name, layout, stream) as sink,
+        ):
+            yield sink
+        say(f"wrote {self.output}: {plural(sink.count, 'row')}\n")
+
+
+@contextmanager
+def _sink(name: str, layout: Layout, stream: BinaryIO | None = None) -> Iterator[RowSink]:
+    """Rows in a format, in a file or on stdout."""
+    if name == "npy":
+        from dhcli.files.rows.npy import NpyWriter
+
+        with NpyWriter(stream or raw_out(), layout.shape or (layout.width,)) as writer:
+            yield RowSink(writer.write, printed=stream is None)
+        return
+    text = RowText(layout, name)
+
+    def put(lines: str) -> None:
+        if stream is not None:
+            stream.write(lines.encode("utf-8"))
+            return
+        write_out(lines)
+        sys.stdout.flush()  # rows show as they come, and a reader that has gone away is noticed
+
+    def put_rows(block: NDArray[np.float64]) -> None:
+        # The heading comes with the first rows: work that fails before there are any leaves stdout empty.
+        put(text.lines(block) if sink.count else text.heading + text.lines(block))
+
+    sink = RowSink(put_rows, printed=stream is None)
+    yield sink
+    if not sink.count:
+        put(text.heading)

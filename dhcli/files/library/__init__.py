@@ -1,0 +1,1 @@
+"""The library: what there is, and where a name is found."""

@@ -1,0 +1,166 @@
+"""What the library holds, one line each: files that cannot be read are listed too, with what is wrong.
+
+Reading all of it takes half a second, so what was read is kept in the user's cache folder, beside how long each file is
+and when it was changed. As soon as one of them differs, or another dhcli asks, all of it is read anew.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from dhcli.errors import DhcliError, Problem
+from dhcli.files.library.lookup import Entry, Kind, entries
+
+
+@dataclass(frozen=True, slots=True)
+class Listed:
+    """One file of the library.
+
+    Attributes:
+        kind: What the file describes.
+        entry: Its name, path and origin.
+        title: What it is called; empty if it cannot be read.
+        joints: The joints as letters, such as RRP; empty where there are none.
+        problems: What is wrong with it.
+        parts: How many parts an exercise has; else 0.
+        solved: Of an exercise, how many of its parts this user has solved, such as 3/8; else empty.
+    """
+
+    kind: Kind
+    entry: Entry
+    title: str = ""
+    joints: str = ""
+    problems: tuple[Problem, ...] = ()
+    parts: int = 0
+    solved: str = ""
+
+
+ROOMS = ("checking", "files", "kinematics", "mobility", "notation")
+"""Where it is decided what a file says: a checkout changes without a new version."""
+
+
+class Row(NamedTuple):
+    """What is kept of a file that could be read; see `Listed`."""
+
+    title: str
+    joints: str
+    parts: int = 0
+
+    def of(self, kind: Kind, entry: Entry) -> Listed:
+        """As it is listed."""
+        return Listed(kind, entry, self.title, self.joints, parts=self.parts)
+
+
+def catalogue(kinds: Iterable[Kind] = tuple(Kind)) -> tuple[Listed, ...]:
+    """Everything of some kinds that the library holds, in the order of the search."""
+    library = {kind: entries(kind) for kind in Kind}
+    state = _state(library)
+    known = _remembered(state)
+    if known is None:
+        every = {kind: tuple(_read(kind, entry) for entry in found) for kind, found in library.items()}
+        if not any(one.problems for listed in every.values() for one in listed):
+            _remember(state, every)
+    else:
+        every = {
+            kind: tuple(known[str(entry.path)].of(kind, entry) for entry in found) for kind, found in library.items()
+        }
+    return tuple(_with_progress(one) for kind in kinds for one in every[kind])
+
+
+def _read(kind: Kind, entry: Entry) -> Listed:
+    try:
+        return _READERS[kind](entry).of(kind, entry)
+    except DhcliError as error:
+        return Listed(kind, entry, problems=error.problems)
+
+
+def _robot(entry: Entry) -> Row:
+    from dhcli.files.yaml.robots import load_robot
+
+    robot = load_robot(entry.path)
+    return Row(robot.title, robot.pattern)
+
+
+def _exercise(entry: Entry) -> Row:
+    from dhcli.files.yaml.exercises import load_exercise
+
+    exercise = load_exercise(entry.path)
+    return Row(exercise.title, exercise.robot.pattern if exercise.robot else "", len(exercise.parts))
+
+
+def _linkage(entry: Entry) -> Row:
+    from dhcli.files.yaml.linkages import load_linkage
+
+    linkage = load_linkage(entry.path)
+    return Row(linkage.title, linkage.pattern)
+
+
+_READERS: dict[Kind, Callable[[Entry], Row]] = {
+    Kind.ROBOTS: _robot,
+    Kind.LINKAGES: _linkage,
+    Kind.EXERCISES: _exercise,
+}
+"""How to find out what a file holds."""
+
+
+def _with_progress(one: Listed) -> Listed:
+    if not one.parts:
+        return one
+    from dhcli.files.progress import solved_parts
+
+    return replace(one, solved=f"{len(solved_parts(one.entry.name))}/{one.parts}")
+
+
+def _state(library: dict[Kind, tuple[Entry, ...]]) -> list[Any]:
+    """What the index depends on: every file of the library, those that read them, and this release."""
+    from dhcli import __version__
+
+    package = Path(__file__).parents[2]
+    files = [str(entry.path) for found in library.values() for entry in found]
+    readers = sorted(str(path) for room in ROOMS for path in package.joinpath(room).rglob("*.py"))
+    return [__version__, *([os.path.abspath(path), *_stamp(path)] for path in (*files, *readers))]
+
+
+def _stamp(path: str) -> tuple[int, int]:
+    try:
+        found = os.stat(path)
+    except OSError:
+        return (0, 0)
+    return found.st_mtime_ns, found.st_size
+
+
+def _path_of_index() -> Path:
+    home = os.environ.get("XDG_CACHE_HOME", "")
+    return (Path(home) if os.path.isabs(home) else Path.home() / ".cache") / "dhcli" / "library.json"
+
+
+def _remembered(state: list[Any]) -> dict[str, Row] | None:
+    """What was read when the library was in this state; None if it was in another, or nothing is kept."""
+    try:
+        with open(_path_of_index(), encoding="utf-8") as stream:
+            kept = json.load(stream)
+        if kept["state"] != state:
+            return None
+        return {
+            str(path): Row(str(title), str(joints), int(parts)) for path, (title, joints, parts) in kept["rows"].items()
+        }
+    except (OSError, ValueError, TypeError, KeyError, AttributeError, RecursionError):
+        return None
+
+
+def _remember(state: list[Any], every: dict[Kind, tuple[Listed, ...]]) -> None:
+    """Keep what was read; where that cannot be, the next list takes as long as this one."""
+    from dhcli.files.atomic import write_whole
+
+    rows = {str(one.entry.path): (one.title, one.joints, one.parts) for listed in every.values() for one in listed}
+    path = _path_of_index()
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        write_whole(path, json.dumps({"state": state, "rows": rows}), overwrite=True)
+    except (DhcliError, OSError):
+        pass

@@ -1,0 +1,181 @@
+"""The library: where robots, linkages and exercises are found by name.
+
+A root is a folder with `robots/`, `robots/linkages/` and `exercises/` in it, each of them optional. The roots are,
+first to last: the current folder; each entry of `$DHCLI_PATH`; `dhcli` in the user's data folder (`$XDG_DATA_HOME`,
+else `~/.local/share`); what dhcli brings along. The first file of a name wins, so a user's robot hides a built-in one.
+An entry of `$DHCLI_PATH` that has neither `robots/` nor `exercises/` is itself taken as a folder of robots.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import Enum
+from pathlib import Path
+
+from dhcli.errors import UnknownNameError, did_you_mean
+
+BUILT_IN = "built-in"
+MOST_BEGUN = 4
+"""Names that are suggested for the beginning of one."""
+LEAST_TYPED = 3
+"""Letters by which names are found that hold them anywhere."""
+_SUFFIXES = (".yaml", ".yml")
+_PACKAGE = Path(__file__).parents[2]
+
+
+class Kind(Enum):
+    """What a file can describe; the value is the word on the command line."""
+
+    ROBOTS = "robots"
+    LINKAGES = "linkages"
+    EXERCISES = "exercises"
+
+    @property
+    def folder(self) -> str:
+        """Its folder in a root."""
+        return "robots/linkages" if self is Kind.LINKAGES else self.value
+
+    @property
+    def noun(self) -> str:
+        """The word for one of it."""
+        return self.value.removesuffix("s")
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One file of the library.
+
+    Attributes:
+        name: The file name without its suffix; of an exercise `folder/name`.
+        path: The file.
+        origin: `built-in`, or its folder as the user would write it.
+        shadowed: Whether a file found earlier has the same name, so that this one is found by its path only.
+    """
+
+    name: str
+    path: Path
+    origin: str
+    shadowed: bool = False
+
+
+def entries(kind: Kind) -> tuple[Entry, ...]:
+    """Everything of a kind that the library holds, in the order of the search, then by name. Opens no file."""
+    found: list[Entry] = []
+    names: set[str] = set()
+    for folder, origin in _folders(kind):
+        files = _files(folder, nested=kind is Kind.EXERCISES)
+        for name, path in sorted((path.relative_to(folder).with_suffix("").as_posix(), path) for path in files):
+            found.append(Entry(name, path, origin, shadowed=name in names))
+            names.add(name)
+    return tuple(found)
+
+
+def find(kind: Kind, name: str) -> Path:
+    """The file that a user means.
+
+    Args:
+        kind: What is looked for.
+        name: A name of the library; or a path: what ends in `.yaml` or `.yml`, has a `/`, or is `-`. The id of an
+            exercise has a `/` too and is a name as long as no file is called so.
+
+    Returns:
+        The file; a path is handed back as it is, whether it exists or not.
+
+    Raises:
+        UnknownNameError: The library holds nothing of that name; the hint has the nearest and what to type next.
+    """
+    if _is_path(kind, name):
+        return Path(name)
+    known = entries(kind)
+    for entry in known:
+        if entry.name == name:
+            return entry.path
+    raise UnknownNameError(f"there is no {kind.noun} '{name}'", hint=_hint(kind, name, known))
+
+
+def _is_path(kind: Kind, name: str) -> bool:
+    """Whether a text is a path and not a name."""
+    if name == "-" or name.lower().endswith(_SUFFIXES):
+        return True
+    separators = {"/", os.sep, os.altsep or os.sep}
+    if not any(separator in name for separator in separators):
+        return False
+    is_id = kind is Kind.EXERCISES and name.count("/") == 1 and not name.startswith((".", "/", "~"))
+    return not is_id or os.path.isfile(name)
+
+
+def _hint(kind: Kind, name: str, known: tuple[Entry, ...]) -> str:
+    """What to type instead of an unknown name."""
+    begun = _begun(name, known)
+    hints = [begun or did_you_mean(name, [entry.name for entry in known])]
+    for other in Kind:
+        if other is not kind and any(entry.name == name for entry in entries(other)):
+            hints = [f"'{name}' is the name of a{'n' if other is Kind.EXERCISES else ''} {other.noun}", begun]
+    for path in (name, *(name + suffix for suffix in _SUFFIXES)):
+        if os.path.isfile(path):
+            hints = [f"for the file in this folder type ./{path}"]
+    return "; ".join(hint for hint in (*hints, f"dhcli list {kind.value} shows what there is") if hint)
+
+
+def _begun(name: str, known: tuple[Entry, ...]) -> str:
+    """A hint at the names that begin with what was typed, else at those that hold it; empty if there are none."""
+    typed = name.lower()
+    last = {entry.name: entry.name.lower().split("/")[-1] for entry in known if not entry.shadowed}
+    begin = [full for full, short in last.items() if short.startswith(typed)]
+    found = begin or [full for full, short in last.items() if len(typed) >= LEAST_TYPED and typed in short]
+    if not found or not typed:
+        return ""
+    more = f" (and {len(found) - MOST_BEGUN} more)" if len(found) > MOST_BEGUN else ""
+    return "did you mean " + " or ".join(found[:MOST_BEGUN]) + f"{more}?"
+
+
+def _folders(kind: Kind) -> Iterator[tuple[Path, str]]:
+    """The folders of a kind that exist, each once, with what the user calls them."""
+    built_in = _built_in_root() / kind.folder
+    seen = {os.path.realpath(built_in)}
+    for folder, written in _user_folders(kind):
+        # In a checkout the current folder is the root that dhcli brings along: not the user's own.
+        if os.path.isdir(folder) and (real := os.path.realpath(folder)) not in seen:
+            seen.add(real)
+            yield folder, written
+    yield built_in, BUILT_IN
+
+
+def _user_folders(kind: Kind) -> Iterator[tuple[Path, str]]:
+    """The folders of a kind in the user's roots, existing or not."""
+    yield Path(kind.folder), f"./{kind.folder}"
+    for written in os.environ.get("DHCLI_PATH", "").split(os.pathsep):
+        root = Path(os.path.expanduser(written))
+        below = kind.folder
+        if kind is not Kind.EXERCISES and not os.path.isdir(root / "robots") and not os.path.isdir(root / "exercises"):
+            below = below.removeprefix("robots").removeprefix("/")
+        if written:
+            yield root / below, os.path.join(written, below)
+    data_home = os.environ.get("XDG_DATA_HOME", "")
+    written = data_home if os.path.isabs(data_home) else "~/.local/share"  # the standard says: ignore a relative one
+    written = os.path.join(written, "dhcli", kind.folder)
+    yield Path(os.path.expanduser(written)), written
+
+
+def _built_in_root() -> Path:
+    """The root that dhcli brings along: in the installed package, else beside the package in a checkout."""
+    # importlib.resources would find it too, and takes as long to import as the rest of a command
+    installed = _PACKAGE / "_data"
+    return installed if os.path.isdir(installed) else _PACKAGE.parent
+
+
+def _files(folder: Path, *, nested: bool) -> Iterator[Path]:
+    """The YAML files in a folder, or in its folders; a folder that cannot be read must not stop every command."""
+    try:
+        children = list(folder.iterdir())
+    except OSError:
+        return
+    for child in children:
+        if child.name.startswith("."):
+            continue
+        if nested and os.path.isdir(child):
+            yield from _files(child, nested=False)
+        elif not nested and child.suffix.lower() in _SUFFIXES and os.path.isfile(child):
+            yield child

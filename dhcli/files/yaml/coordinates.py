@@ -1,0 +1,131 @@
+"""Numbers, points and directions of linkage files: expressions over the names that `let:` gives."""
+
+from __future__ import annotations
+
+import math
+import re
+
+from dhcli.algebra.floats import Floats
+from dhcli.errors import NotationError, did_you_mean
+from dhcli.files.yaml.fields import Fields, Problems
+from dhcli.files.yaml.placed import PlacedNode, PlacedScalar
+from dhcli.mobility.linkage import Vector
+from dhcli.notation.angle import Angle
+from dhcli.notation.parser import parse
+from dhcli.notation.quantity import ANGLE_UNITS, DimensionError, to_angle, to_length
+from dhcli.notation.scope import Scope
+from dhcli.notation.tree import Expr, Unit
+from dhcli.notation.walk import symbols, walk
+
+_AXES: dict[str, Vector] = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+_FROM_TO = re.compile(r"\s*(\S+)\s+to\s+(\S+)\s*")
+
+
+class Coordinates:
+    """Reads what stands in a linkage file in numbers; what is wrong is noted, and 0 taken in its place."""
+
+    def __init__(self, problems: Problems, let: Fields, points: Fields, *, planar: bool) -> None:
+        """Read the names, then the points.
+
+        Args:
+            problems: Where to note what is wrong.
+            let: Names with their expressions, each of which may use those before it.
+            points: Points by name.
+            planar: Whether two coordinates are enough.
+        """
+        self.problems = problems
+        self.values: dict[str, Angle | float] = {}
+        self.dimensions = 2 if planar else 3
+        for name in let.entries:
+            if (scalar := let.scalar(name)) is not None:
+                self.values[name] = self.value(scalar, name)
+        self.points: dict[str, Vector] = {}
+        for name, (_, node) in points.entries.items():
+            self.points[name] = self._coordinates(node, name)
+
+    @property
+    def scope(self) -> Scope:
+        """The names known so far."""
+        angles = tuple(name for name, value in self.values.items() if isinstance(value, Angle))
+        return Scope(angles=angles, lengths=tuple(name for name in self.values if name not in angles))
+
+    def value(self, scalar: PlacedScalar, key: str) -> Angle | float:
+        """An angle, exact if it can be, or a length in metres."""
+        expr = self._expression(scalar)
+        if expr is None:
+            return 0.0
+        named = symbols(expr)
+        has_unit = any(isinstance(node, Unit) and node.name in ANGLE_UNITS for node in walk(expr))
+        if has_unit or (named and all(isinstance(self.values.get(name), Angle) for name in named)):
+            try:
+                known = {name: value for name, value in self.values.items() if isinstance(value, Angle)}
+                return to_angle(expr, bare="refuse").substitute(known)
+            except DimensionError as error:
+                if has_unit:
+                    self.problems.add(scalar.place, f"{key}: {error.message}", error.hint)
+                    return 0.0
+        return self._number(expr, scalar, key)  # also an angle that is no sum, in radians: 2*atan(1/tan(theta1/2))
+
+    def number(self, scalar: PlacedScalar, key: str) -> float:
+        """A length in metres, or a plain number."""
+        expr = self._expression(scalar)
+        return 0.0 if expr is None else self._number(expr, scalar, key)
+
+    def point(self, node: PlacedNode, key: str) -> Vector:
+        """A point by name or by its coordinates."""
+        if not isinstance(node, PlacedScalar):
+            return self._coordinates(node, key)
+        if node.text in self.points:
+            return self.points[node.text]
+        hint = did_you_mean(node.text, self.points) or "write [x, y, z], or name it under points:"
+        self.problems.add(node.place, f"{key}: there is no point called {node.text}", hint)
+        return (0.0, 0.0, 0.0)
+
+    def direction(self, node: PlacedNode, key: str) -> Vector:
+        """A direction: `x`, `-z`, `A to B`, or its components."""
+        if not isinstance(node, PlacedScalar):
+            return self._coordinates(node, key)
+        sign, letter = (-1.0, node.text[1:]) if node.text.startswith("-") else (1.0, node.text)
+        if letter in _AXES:
+            x, y, z = _AXES[letter]
+            return sign * x, sign * y, sign * z
+        if match := _FROM_TO.fullmatch(node.text):
+            ends = [self.point(PlacedScalar(name, node.place), key) for name in match.groups()]
+            return ends[1][0] - ends[0][0], ends[1][1] - ends[0][1], ends[1][2] - ends[0][2]
+        self.problems.add(node.place, f"{key}: '{node.text}' is no direction", "write x, -y, [1, 0, 1], or A to B")
+        return _AXES["z"]
+
+    def _coordinates(self, node: PlacedNode, key: str) -> Vector:
+        items = self.problems.sequence(node, key, "[x, y]" if self.dimensions < len(_AXES) else "[x, y, z]")
+        if items and not self.dimensions <= len(items) <= len(_AXES):
+            wanted = "two coordinates" if self.dimensions < len(_AXES) else "three coordinates"
+            hint = "write [x, y]" if self.dimensions < len(_AXES) else "write [x, y, z]"
+            self.problems.add(node.place, f"{key}: {wanted} are wanted, not {len(items)}", hint)
+            return (0.0, 0.0, 0.0)
+        found = [self.number(scalar, key) for item in items if (scalar := self.problems.scalar(item, key)) is not None]
+        padded = (*found, 0.0, 0.0, 0.0)
+        return padded[0], padded[1], padded[2]
+
+    def _expression(self, scalar: PlacedScalar) -> Expr | None:
+        try:
+            return parse(scalar.text, self.scope, scalar.place_of(0))
+        except NotationError as error:
+            self.problems.take(error)
+            return None
+
+    def _number(self, expr: Expr, scalar: PlacedScalar, key: str) -> float:
+        try:
+            value = Floats(self.values).value(to_length(expr))
+        except DimensionError as error:
+            self.problems.add(scalar.place, f"{key}: {error.message}", error.hint)
+            return 0.0
+        except (KeyError, OverflowError, ZeroDivisionError):
+            value = math.nan
+        if not math.isfinite(value):
+            self.problems.add(
+                scalar.place,
+                f"{key}: {scalar.text} is not a number",
+                "a root of a negative number, or a division by zero?",
+            )
+            return 0.0
+        return value

@@ -1,0 +1,267 @@
+"""Exercise files: a robot, questions and what the document prints, read with every problem at once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+from dhcli.checking.exercise import Exercise, Printed, Trial, answer_scope
+from dhcli.checking.variants import Range
+from dhcli.checking.verdicts import Verdict
+from dhcli.errors import DhcliError, FileError, Problem, did_you_mean
+from dhcli.files.library.lookup import Kind, entries, find
+from dhcli.files.reading import read_text, source_of
+from dhcli.files.yaml.fields import Problems
+from dhcli.files.yaml.parts import PartReader
+from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
+from dhcli.files.yaml.ranges import is_bare, read_variants
+from dhcli.files.yaml.robots import load_robot
+from dhcli.files.yaml.templates import NAME
+from dhcli.files.yaml.tolerances import read_tolerance
+from dhcli.files.yaml.typed import (
+    has_unit_of_angle,
+    read_flag,
+    read_texts,
+    read_value,
+)
+from dhcli.kinematics.robot import Robot, Value
+from dhcli.notation.angle import Angle
+from dhcli.notation.names import GREEK_NAMES, parts
+from dhcli.notation.quantity import LENGTH_UNITS
+from dhcli.notation.scope import Scope
+
+KEYS = (
+    "title",
+    "source",
+    "robot",
+    "task",
+    "given",
+    "names",
+    "numeric",
+    "unit",
+    "tolerance",
+    "also",
+    "parts",
+    "printed",
+    "tests",
+    "variants",
+    "feedback",
+)
+
+
+def load_exercise(name: str | Path) -> Exercise:
+    """Load an exercise by its id, such as `wpi/puma560-links`, or from a file.
+
+    Raises:
+        UnknownNameError: No exercise has this id; the nearest are listed.
+        FileError: The file is no exercise; every problem, each with file, line and column.
+    """
+    path = name if isinstance(name, Path) else find(Kind.EXERCISES, full_id(name))
+    ids = {entry.path: entry.name for entry in entries(Kind.EXERCISES)}
+    text = read_text("-" if str(path) == "-" else path)
+    robots = _robots_beside(path) if path not in ids else ()
+    return read_exercise(text, source_of(path), ids.get(path, path.stem), robots)
+
+
+def read_exercise(text: str, source: str, name: str, robots: Iterable[Path] = ()) -> Exercise:
+    """Read an exercise from the text of a file.
+
+    Args:
+        text: YAML.
+        source: What the text is called in errors.
+        name: What the exercise is called.
+        robots: Folders whose robots come before those of the library.
+
+    Raises:
+        FileError: With all problems.
+    """
+    refused: list[Problem] = []
+    return _Loader(read_yaml(text, source, refused), name, refused, tuple(robots)).exercise()
+
+
+def _robots_beside(path: Path) -> Iterator[Path]:
+    """The robots of the course that a file belongs to, so that it means the same wherever it is loaded from."""
+    for folder in path.absolute().parents:
+        if folder.name == Kind.EXERCISES.value:
+            yield folder.parent / Kind.ROBOTS.value
+            return
+
+
+def full_id(name: str) -> str:
+    """An id from its last part, where only one exercise ends so."""
+    if "/" in name or name.endswith((".yaml", ".yml")) or name == "-":
+        return name
+    ends = [entry.name for entry in entries(Kind.EXERCISES) if entry.name.split("/")[-1] == name and not entry.shadowed]
+    return ends[0] if len(ends) == 1 else name
+
+
+class _Loader:
+    """One pass over a file; what is wrong is collected, and something harmless taken in its place."""
+
+    def __init__(self, root: PlacedNode, name: str, refused: list[Problem], robots: tuple[Path, ...]) -> None:
+        self.problems = Problems(refused)
+        self.robots = robots
+        self.name = name
+        self.fields = self.problems.document(root, known=KEYS, required=("title", "source", "task", "parts"))
+        self.robot = self.read_robot("robot")
+        self.unit = self.fields.text("unit", "m")
+        self.names = read_texts(self.fields, "names")
+        self.given: dict[str, Value] = {}
+        self.read_given()
+        self.printed = self.read_printed()
+        self.tolerance = read_tolerance(self.fields)
+        has_robot = "robot" in self.fields
+        scope = answer_scope(self.robot, (*self.given, *self.names))
+        if has_robot and self.robot is None:
+            scope = Scope(is_open=True)  # its names are not known, and that it was not found is told
+        self.parts = PartReader(self.problems, scope, self.robot, has_robot, self.tolerance, self.printed, [])
+
+    def exercise(self) -> Exercise:
+        nodes = self.fields.sequence("parts", example="- {id: a1, ask: link 1}")
+        parts_ = tuple(part for node in nodes if (part := self.parts.part(node)))
+        if not nodes and isinstance(self.fields.get("parts"), PlacedSequence):
+            place = self.fields.place_of("parts")
+            self.problems.add(place, "parts: an exercise has at least one", "write - {id: a1, ask: link 1}")
+        nodes = self.fields.sequence("tests", example="- {part: a1, answer: ..., verdict: WRONG}")
+        trials = tuple(self.trial(node) for node in nodes)
+        also = self.also()
+        if self.unit not in (*LENGTH_UNITS, "none"):
+            self.problems.add(
+                self.fields.place_of("unit"), f"unit: '{self.unit}' is no unit of length", "write m, mm, cm or none"
+            )
+        self.check_printed()
+        feedback = self.fields.text("feedback", "verdict")
+        if feedback not in ("verdict", "expected"):
+            self.problems.add(
+                self.fields.place_of("feedback"), f"feedback: '{feedback}' is not known", "write expected"
+            )
+        found = Exercise(
+            id=self.name,
+            title=self.fields.text("title"),
+            source=self.source(),
+            task=self.fields.text("task"),
+            parts=parts_,
+            robot=self.robot,
+            given=self.given,
+            names=self.names,
+            numeric=read_flag(self.fields, "numeric"),
+            unit=self.unit,
+            tolerance=self.tolerance,
+            also=also,
+            trials=trials,
+            shows_expected=feedback == "expected",
+            variants=self.variants(),
+        )
+        self.problems.raise_if_any(FileError)
+        return found
+
+    def read_robot(self, key: str) -> Robot | None:
+        scalar = self.fields.scalar(key)
+        if scalar is None:
+            return None
+        try:
+            return load_robot(self.path_of(scalar.text))
+        except DhcliError as error:
+            for problem in error.problems:
+                self.problems.add(scalar.place, f"{key}: {problem.message}", problem.hint)
+            return None
+
+    def path_of(self, robot: str) -> str | Path:
+        """The file of a robot in the folders that come first, or its name as it is."""
+        found = (folder / f"{robot}.yaml" for folder in self.robots if NAME.fullmatch(robot))
+        return next((path for path in found if path.is_file()), robot)
+
+    def also(self) -> tuple[Robot, str] | None:
+        fields = self.fields.mapping(
+            "also", known=("robot", "note"), required=("robot",), example="{robot: NAME, note: why it is right too}"
+        )
+        scalar = fields.scalar("robot")
+        if scalar is None:
+            return None
+        try:
+            return load_robot(self.path_of(scalar.text)), fields.text("note")
+        except DhcliError as error:
+            self.problems.take(error)
+            return None
+
+    def source(self) -> str:
+        node = self.fields.get("source")
+        if isinstance(node, PlacedMapping):
+            fields = self.fields.mapping("source", known=("document", "item"), required=("document", "item"))
+            return f"{fields.text('document')}, {fields.text('item')}"
+        return self.fields.text("source")
+
+    def read_given(self) -> None:
+        fields = self.fields.mapping("given", example="{theta1: 30°}")
+        for key in fields.entries:
+            scalar = fields.scalar(key)
+            value = self.value(scalar, key) if scalar else None
+            if value is not None:
+                self.given[key] = value
+
+    def value(self, scalar: PlacedScalar, key: str) -> Value | None:
+        unit = self.unit_of(key)
+        if unit and not self.is_angle(key) and is_bare(scalar.text):
+            message = f"{key}: a length without its unit, on a sheet in {unit}"
+            self.problems.add(scalar.place, message, f"write {scalar.text} {unit}")
+            return None
+        is_angle = self.is_angle(key) or (not self.of_robot(key) and has_unit_of_angle(scalar))
+        return read_value(self.problems, scalar, key, is_angle=is_angle)
+
+    def is_angle(self, key: str) -> bool:
+        """Whether a name stands for an angle: by the robot, by the value given, or by its Greek letter."""
+        if self.robot is not None and self.of_robot(key):
+            return key in self.robot.angles
+        return _is_angle(key) or isinstance(self.given.get(key), Angle)
+
+    def of_robot(self, key: str) -> bool:
+        return self.robot is not None and key in self.robot.scope.names
+
+    def variants(self) -> dict[str, Range]:
+        if self.robot is None and "robot" in self.fields:
+            return {}  # that it was not found is said; its names are not known
+        known = (*(self.robot.scope.names if self.robot else ()), *self.given)
+        return read_variants(self.fields, known, self.is_angle, self.unit_of)
+
+    def unit_of(self, key: str) -> str:
+        """The unit that a length must have where a bare one, which is in metres, would be read in that of the sheet."""
+        return self.unit if self.unit in LENGTH_UNITS and self.unit != "m" and self.of_robot(key) else ""
+
+    def read_printed(self) -> dict[str, Printed]:
+        fields = self.fields.mapping("printed", example='{a1: "c1 -s1; s1 c1"}')
+        printed: dict[str, Printed] = {}
+        for key in fields.entries:
+            node = fields.get(key)
+            if isinstance(node, PlacedMapping):
+                inner = self.problems.mapping(node, key, known=("answer", "note"), required=("answer",))
+                printed[key] = Printed(inner.text("answer"), inner.text("note"))
+            else:
+                printed[key] = Printed(fields.text(key))
+        return printed
+
+    def trial(self, node: PlacedNode) -> Trial:
+        keys = ("part", "answer", "mistake", "verdict")
+        example = "{part: a1, answer: ..., verdict: WRONG}"
+        fields = self.problems.mapping(node, "tests", known=keys, required=("part", "verdict"), example=example)
+        known = self.parts.ids
+        name = fields.text("part")
+        if name and name not in known and known:
+            self.problems.add(fields.place_of("part"), f"part: there is no part {name}", did_you_mean(name, known))
+        words = [verdict.word for verdict in Verdict]
+        verdict = fields.text("verdict")
+        if verdict and verdict not in words:
+            hint = f"one of {', '.join(words)}"
+            self.problems.add(fields.place_of("verdict"), f"verdict: '{verdict}' is not known", hint)
+        blank = fields.get("answer")
+        answer = "" if isinstance(blank, PlacedScalar) and blank.quoted and not blank.text else fields.text("answer")
+        return Trial(name, answer, verdict, fields.text("mistake"))
+
+    def check_printed(self) -> None:
+        for key in self.printed:
+            if key not in self.parts.ids:
+                hint = did_you_mean(key, self.parts.ids)
+                self.problems.add(self.fields.place_of("printed"), f"printed: there is no part {key}", hint)
+
+
+def _is_angle(name: str) -> bool:
+    return parts(name)[0] in GREEK_NAMES

@@ -1,0 +1,207 @@
+"""Taking the fields of a file one by one, and telling all that is wrong with them in one error.
+
+A loader asks a `Problems` for the mapping at the top, and the `Fields` it gets for their values. Whatever is missing,
+unknown or of the wrong kind is noted and an empty value handed out, so that the loader goes on to the next mistake.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from dhcli.errors import DhcliError, FileError, Place, Problem, did_you_mean
+from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
+
+FORMAT = 1
+
+
+@dataclass(slots=True)
+class Problems:
+    """Everything found wrong with a file so far."""
+
+    found: list[Problem] = field(default_factory=list)
+
+    def add(self, place: Place, message: str, hint: str = "") -> None:
+        """Note one problem."""
+        self.found.append(Problem(message, place, hint))
+
+    def take(self, error: DhcliError) -> None:
+        """Note the problems of an error that was caught."""
+        self.found.extend(error.problems)
+
+    def raise_if_any(self, kind: type[DhcliError] = FileError) -> None:
+        """Raise all that was found, in the order of the file.
+
+        Raises:
+            DhcliError: Of the given kind, if there is at least one problem.
+        """
+        if self.found:
+            raise kind(sorted(self.found, key=_reading_order))
+
+    def document(self, root: PlacedNode, *, known: Iterable[str], required: Iterable[str] = ()) -> Fields:
+        """The mapping at the top of a file, which must begin with `format: 1`.
+
+        Args:
+            root: What `read_yaml` gave.
+            known: The keys that may stand there; `format` is added.
+            required: Those of them that must stand there.
+
+        Raises:
+            FileError: The file has another format, so that judging its other keys would mislead.
+        """
+        for key, value in root.entries if isinstance(root, PlacedMapping) else ():
+            if key.text == "format":
+                _check_format(value)
+        return self.mapping(root, "the file", known=("format", *known), required=("format", *required))
+
+    def mapping(
+        self,
+        node: PlacedNode,
+        what: str,
+        *,
+        known: Iterable[str] | None = None,
+        required: Iterable[str] = (),
+        above: Iterable[str] = (),
+        example: str = "'key: value' lines",
+    ) -> Fields:
+        """A node that should be a mapping.
+
+        Args:
+            node: The node.
+            what: Its key, or what else to call it in messages.
+            known: The keys that may stand there; None where they are free, such as names of parameters.
+            required: The keys that must stand there.
+            above: Keys that an author may look for here, and which stand at the top of the file.
+            example: What to write where it is no mapping.
+
+        Returns:
+            Its fields without the unknown ones; none if it is not a mapping.
+        """
+        if not isinstance(node, PlacedMapping):
+            self.add(node.place, f"{what}: should be a mapping, is {kind_of(node)}", f"write {example}")
+            return Fields(self, node.place, {})
+        known = None if known is None else tuple(known)
+        entries = {}
+        for key, value in node.entries:
+            if known is None or key.text in known:
+                entries[key.text] = (key, value)
+            elif key.text in above:
+                self.add(key.place, f"{key.text}: unknown key", "it stands at the top of the file, and holds for all")
+            else:
+                self.add(key.place, f"{key.text}: unknown key", _hint_for_unknown(key, value, known))
+        for name in required:
+            if name not in entries:
+                self.add(node.place, f"{name}: is missing")
+        return Fields(self, node.place, entries)
+
+    def sequence(
+        self, node: PlacedNode, what: str, example: str = "[a, b] or lines that begin with '- '"
+    ) -> tuple[PlacedNode, ...]:
+        """The items of a node that should be a list; none if it is not."""
+        if isinstance(node, PlacedSequence):
+            return node.items
+        self.add(node.place, f"{what}: should be a list, is {kind_of(node)}", f"write {example}")
+        return ()
+
+    def scalar(self, node: PlacedNode, what: str) -> PlacedScalar | None:
+        """A node that should be a text which is not empty; None if it is not."""
+        if isinstance(node, PlacedScalar) and node.text.strip():
+            return node
+        should = "is empty" if isinstance(node, PlacedScalar) else f"should be a text, is {kind_of(node)}"
+        hint = "" if isinstance(node, PlacedScalar) else "text that begins with a bracket needs quotes"
+        self.add(node.place, f"{what}: {should}", hint)
+        return None
+
+
+@dataclass(frozen=True, slots=True)
+class Fields:
+    """The entries of one mapping, by key; a key that is not there gives an empty value and no problem.
+
+    Attributes:
+        problems: Where to note what is wrong.
+        place: Where the mapping begins.
+        entries: Key and value by the text of the key, in the order of the file.
+    """
+
+    problems: Problems
+    place: Place
+    entries: dict[str, tuple[PlacedScalar, PlacedNode]]
+
+    def __contains__(self, key: str) -> bool:
+        """Whether the key stands there."""
+        return key in self.entries
+
+    def get(self, key: str) -> PlacedNode | None:
+        """The value of a key, of any kind."""
+        return self.entries[key][1] if key in self.entries else None
+
+    def place_of(self, key: str) -> Place:
+        """Where a key stands, or the mapping if the key does not."""
+        return self.entries[key][0].place if key in self.entries else self.place
+
+    def scalar(self, key: str) -> PlacedScalar | None:
+        """The value of a key as a text with its place."""
+        node = self.get(key)
+        return None if node is None else self.problems.scalar(node, key)
+
+    def text(self, key: str, default: str = "") -> str:
+        """The value of a key as a text."""
+        found = self.scalar(key)
+        return default if found is None else found.text
+
+    def sequence(self, key: str, example: str = "[a, b] or lines that begin with '- '") -> tuple[PlacedNode, ...]:
+        """The items of the list under a key."""
+        node = self.get(key)
+        return () if node is None else self.problems.sequence(node, key, example)
+
+    def mapping(
+        self,
+        key: str,
+        *,
+        known: Iterable[str] | None = None,
+        required: Iterable[str] = (),
+        example: str = "'key: value' lines",
+    ) -> Fields:
+        """The fields of the mapping under a key."""
+        node = self.get(key)
+        if node is None:
+            return Fields(self.problems, self.place, {})
+        return self.problems.mapping(node, key, known=known, required=required, example=example)
+
+
+def kind_of(node: PlacedNode) -> str:
+    """What a node is, for a message: `a list`, `a mapping`, `a text`, `empty`."""
+    if isinstance(node, PlacedScalar):
+        return "a text" if node.text or node.quoted else "empty"
+    return "a list" if isinstance(node, PlacedSequence) else "a mapping"
+
+
+def _check_format(value: PlacedNode) -> None:
+    """Refuse a file of another format at once."""
+    text = value.text if isinstance(value, PlacedScalar) else kind_of(value)
+    if text == str(FORMAT):
+        return
+    if re.fullmatch("[1-9][0-9]*", text, re.ASCII):
+        message = f"format {text} needs a newer dhcli; this one reads format {FORMAT}"
+        problem = Problem(message, value.place, "pip install --upgrade dhcli")
+    else:
+        problem = Problem(f"format: should be {FORMAT}, is '{text}'", value.place)
+    raise FileError(problem)
+
+
+def _hint_for_unknown(key: PlacedScalar, value: PlacedNode, known: tuple[str, ...]) -> str:
+    """The nearest key, or the slip of spelling that makes YAML see another key than the author."""
+    if ":" in key.text and key.text.split(":")[0].strip() in known:
+        return "a colon needs a space after it"
+    if invisible := [character for character in key.text if not character.isprintable()]:
+        return f"it holds the invisible character U+{ord(invisible[0]):04X}"
+    if kind_of(value) == "empty" and key.text.count(")") > key.text.count("("):
+        return "a value with a comma needs quotes"
+    return did_you_mean(key.text, known)
+
+
+def _reading_order(problem: Problem) -> tuple[int, int]:
+    """Line and column; what has no line comes first."""
+    place = problem.place or Place("")
+    return place.line or 0, place.column or 0

@@ -1,0 +1,138 @@
+"""The parts of an exercise file: each a question, with what it is worth, what helps, and how near is near enough."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from dhcli.checking.exercise import Part, Printed
+from dhcli.checking.questions import ChoiceQuestion, CountQuestion, Question, check_question, read_question
+from dhcli.checking.tolerance import Tolerance
+from dhcli.errors import DhcliError, NotationError, Place, did_you_mean
+from dhcli.files.yaml.fields import Fields, Problems
+from dhcli.files.yaml.placed import PlacedNode, PlacedScalar
+from dhcli.files.yaml.tolerances import read_decimals
+from dhcli.files.yaml.typed import read_flag, read_number, read_texts, read_whole
+from dhcli.kinematics.robot import Robot
+from dhcli.notation.scope import Scope
+
+KEYS = ("id", "ask", "prompt", "credit", "depends", "hints", "compare", "options", "right", "exact", "decimals")
+OF_ALL = ("numeric", "unit", "tolerance", "given", "names", "printed", "feedback", "variants", "also", "tests")
+"""Keys that stand at the top of a file and hold for all parts."""
+
+COMPARED = ("literal", "same-motion", "same-robot")
+
+
+@dataclass(slots=True)
+class PartReader:
+    """Reads the parts of one file, one after the other.
+
+    Attributes:
+        problems: Where to note what is wrong.
+        scope: The names that questions may use.
+        robot: The robot, if there is one.
+        has_robot: Whether the file names a robot, which may not have been found.
+        tolerance: The tolerance of the exercise.
+        printed: What the document prints, by part.
+        ids: The ids so far, also of parts that cannot be read.
+    """
+
+    problems: Problems
+    scope: Scope
+    robot: Robot | None
+    has_robot: bool
+    tolerance: Tolerance
+    printed: dict[str, Printed]
+    ids: list[str]
+
+    def part(self, node: PlacedNode) -> Part | None:
+        """A part; None if there is no telling what it asks."""
+        fields = self.problems.mapping(
+            node, "parts", known=KEYS, required=("id", "ask"), above=OF_ALL, example="{id: a1, ask: link 1}"
+        )
+        name, depends = fields.text("id"), read_texts(fields, "depends")
+        self.check_id(fields, name, depends)
+        ask = fields.scalar("ask")
+        question = self.question(fields, ask) if ask is not None and name else None
+        if question is None:
+            return None
+        credit = read_number(fields, "credit")
+        return Part(
+            id=name,
+            question=question,
+            prompt=fields.text("prompt"),
+            credit=1.0 if credit is None else credit,
+            depends=depends,
+            hints=read_texts(fields, "hints"),
+            tolerance=self.own_tolerance(fields),
+            compare=self.compare(fields),
+            printed=self.printed.get(name),
+        )
+
+    def check_id(self, fields: Fields, name: str, depends: tuple[str, ...]) -> None:
+        """Make sure that an id can be typed and is the only one, and that a part builds on what stands before it."""
+        place = fields.place_of("id")
+        if not all(letter.isalnum() or letter in "_-" for letter in name):
+            self.problems.add(place, f"id: '{name}' holds more than letters, digits, _ and -")
+        if name and name in self.ids:
+            self.problems.add(place, f"id: the id {name} is used twice", "each part has a name of its own")
+        for other in depends:
+            if other not in self.ids:
+                message = f"depends: {name} depends on {other}, which does not stand before it"
+                self.problems.add(fields.place_of("depends"), message, did_you_mean(other, self.ids))
+        if name:
+            self.ids.append(name)
+
+    def question(self, fields: Fields, ask: PlacedScalar) -> Question | None:
+        """What is asked; None if it cannot be read."""
+        try:
+            question = read_question(ask.text, self.scope, ask.place_of(0))
+        except NotationError as error:
+            self.problems.take(error)
+            return None
+        if isinstance(question, ChoiceQuestion):
+            options = read_texts(fields, "options")
+            right = read_whole(fields, "right") or 0
+            if not 1 <= right <= len(options):
+                self.problems.add(fields.place, "right: should be the number of an option, counted from 1")
+            question = ChoiceQuestion(options, right)
+        if isinstance(question, CountQuestion):
+            question = self.looked_up(question, ask)
+        if self.robot is not None or not self.has_robot:  # that the robot was not found is told already
+            self.check_exists(question, ask.place)
+        return question
+
+    def check_exists(self, question: Question, place: Place) -> None:
+        """Make sure that the robot has the frames, the link or the table that is asked about."""
+        try:
+            check_question(question, self.robot)
+        except DhcliError as error:
+            for problem in error.problems:
+                self.problems.add(place, f"ask: {problem.message}", problem.hint)
+
+    def looked_up(self, question: CountQuestion, ask: PlacedScalar) -> CountQuestion:
+        """The question with the linkage that it counts."""
+        from dhcli.files.yaml.linkages import find_linkage  # few exercises count
+
+        try:
+            return replace(question, found=find_linkage(question.linkage))
+        except DhcliError as error:
+            for problem in error.problems:
+                self.problems.add(ask.place, f"ask: {problem.message}", problem.hint)
+            return question
+
+    def own_tolerance(self, fields: Fields) -> Tolerance | None:
+        """The tolerance of the part, if it differs from that of the exercise."""
+        tolerance = None
+        if "exact" in fields:
+            tolerance = replace(self.tolerance, exact=read_flag(fields, "exact"))
+        if "decimals" in fields:
+            tolerance = replace(tolerance or self.tolerance, decimals=read_decimals(fields))
+        return tolerance
+
+    def compare(self, fields: Fields) -> str:
+        """How a table is judged."""
+        text = fields.text("compare", "same-robot")
+        if text not in COMPARED:
+            hint = did_you_mean(text, COMPARED)
+            self.problems.add(fields.place_of("compare"), f"compare: '{text}' is not known", hint)
+        return text

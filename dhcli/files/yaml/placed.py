@@ -1,0 +1,208 @@
+"""YAML as a tree that keeps the exact spelling and the place of everything.
+
+PyYAML is used only to find where each text begins and ends. It never decides what a text means: `1e-3`, `on`, `010`
+and `12:30` stay the texts they are, and whoever knows what belongs there reads them. What could hide a mistake
+(a key given twice, anchors, tags, merge keys, a second document) is refused, all of it in one error.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import TYPE_CHECKING, NoReturn, TypeAlias
+
+from dhcli.errors import FileError, Place, Problem
+from dhcli.files.yaml.syntax import DEEPEST, TOO_DEEP, Mark, explain_syntax
+
+if TYPE_CHECKING:
+    import yaml
+
+MOST_NODES = 20_000
+
+# What YAML 1.1 calls a line break; str.splitlines knows others, and the line numbers would drift apart.
+_LINE_BREAK = re.compile("\r\n|[\r\n\x85\u2028\u2029]")
+_MADE_BY_ESCAPE = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff]")
+
+
+@lru_cache(maxsize=1)
+def unreadable() -> re.Pattern[str]:
+    """What YAML does not allow; compiled when a line holds something odd, for it takes 8 ms."""
+    return re.compile("[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]")
+
+
+@dataclass(frozen=True, slots=True)
+class PlacedScalar:
+    """A text, with the place where it begins.
+
+    Attributes:
+        text: The text as spelled, without its quotes; empty where a value is missing.
+        place: Where it begins; the quote, if it has one.
+        quoted: Whether it stands in quotes or is a block of text (`|`, `>`), so that it cannot be meant as a number.
+    """
+
+    text: str
+    place: Place
+    quoted: bool = False
+
+    def place_of(self, offset: int) -> Place:
+        """The place of one character of the text.
+
+        Args:
+            offset: Index of the character in `text`.
+
+        Returns:
+            The place of that character, or of the whole text if it is not spelled on one line as it reads.
+        """
+        if self.place.column is None:
+            return self.place
+        start = self.place.column - 1 + self.quoted
+        if not self.place.text.startswith(self.text, start):
+            return self.place
+        return Place(self.place.source, self.place.line, start + offset + 1, self.place.text)
+
+
+@dataclass(frozen=True, slots=True)
+class PlacedSequence:
+    """A list, with the place where it begins."""
+
+    items: tuple[PlacedNode, ...]
+    place: Place
+
+
+@dataclass(frozen=True, slots=True)
+class PlacedMapping:
+    """Keys and values in the order they are written, with the place where the first begins; no key stands twice."""
+
+    entries: tuple[tuple[PlacedScalar, PlacedNode], ...]
+    place: Place
+
+
+PlacedNode: TypeAlias = PlacedScalar | PlacedSequence | PlacedMapping
+
+
+def read_yaml(text: str, source: str, refused: list[Problem] | None = None) -> PlacedNode:
+    """Read one YAML document into a tree with places.
+
+    Args:
+        text: The document; a byte order mark and any line ends are accepted.
+        source: What to call it in messages, usually the file name.
+        refused: Where to note what is refused but does not stop the reading, such as a key given twice, for a loader
+            that tells everything at once; by default it is raised.
+
+    Raises:
+        FileError: Every problem up to the first that stops the reading: it is empty, is not YAML, uses what dhcli
+            refuses, or is too deep or too large a tree.
+    """
+    import yaml
+
+    text = text.lstrip("\ufeff")
+    builder = _Builder([*_LINE_BREAK.split(text), ""], source)  # one line more: a mark may stand after the last
+    builder.refuse_unreadable()
+    loader = yaml.CBaseLoader if yaml.__with_libyaml__ else yaml.BaseLoader  # the first is five times as fast
+    try:
+        root = builder.document(yaml.parse(text, Loader=loader))
+    except yaml.MarkedYAMLError as error:
+        raise FileError([*builder.problems, explain_syntax(error, builder.lines, builder.place)]) from None
+    if refused is not None:
+        refused += builder.problems
+    elif builder.problems:
+        raise FileError(builder.problems)
+    return root
+
+
+@dataclass(slots=True)
+class _Builder:
+    """Builds the tree from PyYAML's events and collects what is refused."""
+
+    lines: list[str]
+    source: str
+    problems: list[Problem] = field(default_factory=list)
+    nodes: int = 0
+
+    def place(self, mark: Mark | None) -> Place:
+        """The place of a mark, with its line for a marker."""
+        if mark is None:
+            return Place(self.source)
+        return Place(self.source, mark.line + 1, mark.column + 1, self.lines[mark.line])
+
+    def refuse_unreadable(self) -> None:
+        """Stop at a character that no YAML file may hold, before the parser stumbles over it."""
+        for number, line in enumerate(self.lines, start=1):
+            if not line.isprintable() and (found := unreadable().search(line)):
+                place = Place(self.source, number, found.start() + 1, line)
+                self.give_up(place, f"the character U+{ord(found[0]):04X} cannot stand in a YAML file", "delete it")
+
+    def document(self, events: Iterator[yaml.Event]) -> PlacedNode:
+        """Build the tree of the only document."""
+        import yaml
+
+        next(events)
+        root = None if isinstance(next(events), yaml.StreamEndEvent) else self.node(next(events), events, 1)
+        if root is None or root == PlacedScalar("", root.place):
+            self.give_up(Place(self.source), "is empty")
+        _end, after = next(events), next(events)
+        if isinstance(after, yaml.DocumentStartEvent):
+            self.refuse(self.place(after.start_mark), "a second document begins here", "one file holds one document")
+        return root
+
+    def node(self, event: yaml.Event, events: Iterator[yaml.Event], depth: int) -> PlacedNode:
+        """Build what begins with an event."""
+        import yaml
+
+        place = self.place(event.start_mark)
+        self.nodes += 1
+        if self.nodes > MOST_NODES:
+            self.give_up(place, f"the file holds more than {MOST_NODES:,} keys and values", "is it the right file?")
+        if depth > DEEPEST:
+            self.give_up(place, TOO_DEEP)
+        if isinstance(event, yaml.NodeEvent) and event.anchor is not None:
+            sign, word = ("*", "alias") if isinstance(event, yaml.AliasEvent) else ("&", "anchor")
+            self.refuse(place, f"'{sign}{event.anchor}' is a YAML {word}", "write the value itself; text needs quotes")
+        if isinstance(event, yaml.ScalarEvent | yaml.CollectionStartEvent) and event.tag is not None:
+            self.refuse(place, "'!' begins a YAML tag", "leave it out; text needs quotes")
+        if isinstance(event, yaml.MappingStartEvent):
+            return self.mapping(place, events, depth)
+        if isinstance(event, yaml.SequenceStartEvent):
+            items: list[PlacedNode] = []
+            while not isinstance(item := next(events), yaml.SequenceEndEvent):
+                items.append(self.node(item, events, depth + 1))
+            return PlacedSequence(tuple(items), place)
+        return self.scalar(event, place) if isinstance(event, yaml.ScalarEvent) else PlacedScalar("", place)
+
+    def mapping(self, place: Place, events: Iterator[yaml.Event], depth: int) -> PlacedMapping:
+        """Build a mapping; every key is a text and stands once."""
+        import yaml
+
+        entries: dict[str, tuple[PlacedScalar, PlacedNode]] = {}
+        while not isinstance(event := next(events), yaml.MappingEndEvent):
+            key = self.node(event, events, depth + 1)
+            if not isinstance(key, PlacedScalar):
+                self.refuse(key.place, "a key cannot be a list or mapping", "text with brackets needs quotes")
+            elif key.text == "<<" and not key.quoted:
+                self.refuse(key.place, "'<<' is a YAML merge key", "write the entries themselves")
+            elif key.text == "" and not isinstance(event, yaml.AliasEvent):
+                self.refuse(key.place, "a key is missing before ':'")
+            elif key.text in entries:
+                first = entries[key.text][0].place
+                self.refuse(key.place, f"{key.text}: stands twice, first on line {first.line}", "keep one")
+            value = self.node(next(events), events, depth + 1)
+            if isinstance(key, PlacedScalar):
+                entries.setdefault(key.text, (key, value))
+        return PlacedMapping(tuple(entries.values()), place)
+
+    def scalar(self, event: yaml.ScalarEvent, place: Place) -> PlacedScalar:
+        """Keep a text, unless its double quotes have turned a LaTeX theta into a tab and `heta`."""
+        if event.style == '"' and (found := _MADE_BY_ESCAPE.search(event.value)):
+            message = f"this text in double quotes holds the control character U+{ord(found[0]):04X}"
+            self.refuse(place, message, "a backslash that is meant as one needs single quotes")
+        return PlacedScalar(event.value, place, quoted=bool(event.style))
+
+    def refuse(self, place: Place, message: str, hint: str = "") -> None:
+        """Note a problem and go on."""
+        self.problems.append(Problem(message, place, hint))
+
+    def give_up(self, place: Place, message: str, hint: str = "") -> NoReturn:
+        """Raise with what was found so far and a problem that stops the reading."""
+        raise FileError([*self.problems, Problem(message, place, hint)])

@@ -1,0 +1,258 @@
+"""Answer sheets: what `start` writes, and the answers read back, each with the place where it stands."""
+
+from __future__ import annotations
+
+import re
+import shlex
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from dhcli.checking.describe import describe, given_text
+from dhcli.checking.exercise import Exercise, Part
+from dhcli.checking.questions import (
+    ChoiceQuestion,
+    CountQuestion,
+    FactorsQuestion,
+    MatrixQuestion,
+    Question,
+    ScalarQuestion,
+    TableQuestion,
+)
+from dhcli.errors import DhcliError, FileError, Place, Problem
+from dhcli.files.reading import read_text, source_of
+from dhcli.files.yaml.fields import Problems
+from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
+from dhcli.files.yaml.prose import folded
+from dhcli.files.yaml.robot_line import robot_line, values_text
+from dhcli.files.yaml.robots import load_robot
+from dhcli.kinematics.conventions import COLUMNS, Convention
+from dhcli.kinematics.robot import Robot
+from dhcli.notation.angle import Angle
+from dhcli.notation.tree import Expr, Trig
+from dhcli.notation.walk import substitute, walk
+from dhcli.notation.writer import write, write_angle
+
+KEYS = ("exercise", "answers", "variant", "given", "name")
+BLANK = "_"
+WIDEST = 88
+"""Columns of a comment."""
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """One answer: its text, and where it stands."""
+
+    text: str
+    place: Place
+
+
+@dataclass(frozen=True, slots=True)
+class Sheet:
+    """A filled-in sheet.
+
+    Attributes:
+        exercise: Id of the exercise; empty if the sheet does not say.
+        answers: The answers by part.
+        variant: What its numbers were drawn with; empty for those of the file.
+        name: Who filled it in; empty if the sheet does not say.
+        given: The values that it was written with, as texts; none if the sheet does not say.
+    """
+
+    exercise: str
+    answers: Mapping[str, Answer]
+    variant: str = ""
+    name: str = ""
+    given: Mapping[str, str] = field(default_factory=dict)
+
+
+def read_sheet(path: Path | str) -> Sheet:
+    """Read a sheet; `-` is standard input.
+
+    Raises:
+        FileError: It is no sheet; every problem, with line and column.
+    """
+    problems = Problems()
+    root = read_yaml(read_text(path), source_of(path))
+    fields = problems.document(root, known=KEYS, required=("answers",))
+    answers = {key: _answer(node) for key, (_, node) in fields.mapping("answers").entries.items()}
+    values = fields.mapping("given")
+    given = {key: values.text(key) for key in values.entries}
+    exercise, variant, name = (fields.text(key) for key in ("exercise", "variant", "name"))
+    problems.raise_if_any(FileError)
+    return Sheet(exercise, answers, variant, name, given)
+
+
+def check_numbers(sheet: Sheet, exercise: Exercise, written: str) -> None:
+    """Make sure that a sheet was written with the numbers that its answers are judged by; an old one does not say.
+
+    Args:
+        sheet: The sheet.
+        exercise: The exercise, in the variant of the sheet.
+        written: What to call the sheet.
+
+    Raises:
+        DhcliError: They differ, for the exercise, its ranges or its robot were changed meanwhile.
+    """
+    now = values_text(exercise)
+    for name, then in sheet.given.items():
+        if then != now.get(name):
+            today = f"{now[name]} now" if name in now else "no value now"
+            message = f"{written} was written with other numbers than this exercise has: {name} = {then} there, {today}"
+            option = f" --variant {shlex.quote(exercise.variant)}" if exercise.variant else ""
+            raise DhcliError(message, f"judge it by the exercise as it was, or dhcli start {exercise.id}{option} again")
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """A DH table from a file: its convention, and its rows as the text of an answer."""
+
+    convention: Convention
+    text: str
+
+
+def read_table(path: Path | str, reference: Robot) -> Table:
+    """The DH table of a robot file, to be compared with another robot.
+
+    Args:
+        path: The file.
+        reference: The robot it is compared with. A length of the file that this one does not know, or knows with
+            another value, is put in as a number; all others stay letters.
+
+    Raises:
+        FileError: It is no robot file, or has products instead of a table.
+    """
+    robot = load_robot(path if str(path) == "-" else Path(path))
+    own = {
+        name: value
+        for name, value in robot.parameters.items()
+        if value is not None and (name not in reference.parameters or reference.parameters[name] not in (None, value))
+    }
+    lengths = {name: value for name, value in own.items() if isinstance(value, Expr)}
+    angles = {name: value for name, value in own.items() if isinstance(value, Angle)}
+    lines = [", ".join(COLUMNS)]
+    for link in robot.links:
+        if link.row is None:
+            hint = "convention: standard or modified"
+            raise FileError(Problem("has products, not a DH table", Place(str(path)), hint))
+        row = link.row
+        a, d = (substitute(length, lengths, angles) for length in (row.a, row.d))
+        alpha, theta = row.alpha.substitute(angles), row.theta.substitute(angles)
+        lines.append(", ".join((write(a), write_angle(alpha), write(d), write_angle(theta))))
+    return Table(robot.convention, "\n".join(lines))
+
+
+def write_sheet(exercise: Exercise) -> str:
+    """A blank sheet, with comments that show how each kind of answer is written."""
+    given = f"Given: {given_text(exercise)}" if exercise.given else ""
+    known = [line for text in (given, robot_line(exercise)) if text for line in _comment(text)]
+    fill = f"Fill in each {BLANK} and save; leave a part as it is to skip it. Then:"
+    lines = [
+        *_comment(exercise.title),
+        *_comment(exercise.source),
+        "#",
+        *_comment(exercise.task.strip()),
+        *(["#", *known] if known else []),
+        "#",
+        *_comment(fill),
+        f"#   dhcli check {exercise.id} THIS_FILE",  # whole, to be copied
+        *(line for text in _units(exercise) for line in _comment(text)),
+        "format: 1",
+        f"exercise: {exercise.id}",
+        *([f"variant: {_scalar(exercise.variant)}"] if exercise.variant else []),
+        *_given(exercise),
+        "answers:",
+    ]
+    for part in exercise.parts:
+        lines += _part_lines(exercise, part)
+    return "\n".join(lines) + "\n"
+
+
+def _given(exercise: Exercise) -> Iterator[str]:
+    """The numbers of the sheet as data: if the exercise is changed later, a right answer must not become wrong."""
+    if exercise.values and (exercise.numeric or exercise.variant):
+        values = ", ".join(f"{_scalar(name)}: {_value(text)}" for name, text in values_text(exercise).items())
+        yield from folded(f"given: {{{values}}}", WIDEST, "", "  ")
+
+
+def _value(text: str) -> str:
+    """A value as YAML between braces; one with a comma or a bracket in it needs quotes."""
+    return text if re.fullmatch(r"[-\w.°+*/^() ]+", text) else _scalar(text)
+
+
+def _scalar(text: str) -> str:
+    """A text as YAML; in quotes unless it is plainly a name."""
+    return text if re.fullmatch("[A-Za-z][A-Za-z0-9_-]*", text) else "'" + text.replace("'", "''") + "'"
+
+
+def _comment(text: str, first: str = "# ", rest: str = "# ") -> list[str]:
+    """Comment lines, folded."""
+    return [line.rstrip() or "#" for line in folded(text, WIDEST, first, rest)]
+
+
+def _units(exercise: Exercise) -> Iterator[str]:
+    """How numbers, or symbols, are written in the answers that this sheet asks for."""
+    questions = [part.question for part in exercise.parts]
+    in_rows = any(isinstance(question, MatrixQuestion) and question.shape[1] > 1 for question in questions)
+    if all(isinstance(question, ChoiceQuestion | CountQuestion) for question in questions):
+        return
+    if exercise.numeric:
+        has_unit = exercise.unit != "none"
+        unit = f": lengths in {exercise.unit} unless a unit stands with them" if has_unit else " without a unit"
+        yield f"Numbers{unit}; 0.7071 or sqrt(2)/2 are both fine."
+    elif any(map(_holds_cosines, questions)):
+        yield "Symbols: c1 for cos(theta1), s23 for sin(theta2 + theta3), or written out."
+        rows = "; in a row of a matrix, where a blank begins the next cell, a1*c1 or a1c1" if in_rows else ""
+        yield f"Products: a1*c1, a1c1 or a1 c1{rows}."
+
+
+def _holds_cosines(question: Question) -> bool:
+    """Whether an answer in symbols may have cosines and sines in it."""
+    if isinstance(question, ScalarQuestion):
+        return any(isinstance(node, Trig) for node in walk(question.expr))
+    return isinstance(question, MatrixQuestion | FactorsQuestion)
+
+
+def _part_lines(exercise: Exercise, part: Part) -> Iterator[str]:
+    question = part.question
+    yield ""
+    if part.prompt.strip():
+        yield from _comment(part.prompt.strip(), "  # ", "  # ")
+    yield from _comment(describe(question, exercise), "  # ", "  # ")
+    if isinstance(question, TableQuestion) and exercise.robot is not None:
+        yield "  # columns: " + "  ".join(exercise.robot.columns) + "; angles in degrees"
+    if isinstance(question, ChoiceQuestion):
+        for number, option in enumerate(question.options, 1):
+            yield from _comment(option, f"  #   {number}: ", "  #      ")
+    yield f"  {part.id}: |"
+    yield from (f"    {line}" for line in _blank(exercise, part))
+
+
+def _blank(exercise: Exercise, part: Part) -> Iterator[str]:
+    """Blank entries in the shape of the answer."""
+    question = part.question
+    rows, columns = question.shape if isinstance(question, MatrixQuestion) else (1, 1)
+    if isinstance(question, TableQuestion) and exercise.robot is not None:
+        rows, columns = len(exercise.robot.links), 4
+    if columns == 1:
+        rows, columns = 1, rows
+    for _ in range(rows):
+        yield "  ".join([BLANK] * columns)
+
+
+def _answer(node: PlacedNode) -> Answer:
+    """An answer as text; YAML lists become the matrix they look like."""
+    place = node.place
+    if isinstance(node, PlacedScalar) and place.line and place.text.rstrip().endswith(("|", ">", "|-", ">-")):
+        place = Place(place.source, place.line + 1)  # a block begins on the line below
+    return Answer(_text(node).strip(), place)
+
+
+def _text(node: PlacedNode) -> str:
+    if isinstance(node, PlacedScalar):
+        return node.text
+    if isinstance(node, PlacedSequence):
+        return "[" + ", ".join(_text(item) for item in node.items) + "]"
+    if isinstance(node, PlacedMapping):
+        return "{" + ", ".join(f"{key.text}: {_text(value)}" for key, value in node.entries) + "}"
+    raise TypeError(node)

@@ -1,0 +1,113 @@
+"""Fields as what they mean: angles and lengths, plain numbers, whole numbers, yes or no."""
+
+from __future__ import annotations
+
+from dhcli.errors import NotationError
+from dhcli.files.yaml.fields import Fields, Problems
+from dhcli.files.yaml.placed import PlacedScalar
+from dhcli.notation.angle import Angle
+from dhcli.notation.parser import parse
+from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_plain_length
+from dhcli.notation.quarters import with_right_angles
+from dhcli.notation.scope import Scope
+from dhcli.notation.tree import Expr
+
+MOST_DIGITS = 3
+NOTHING = Scope()
+"""A scope without names, for values that must be constants."""
+
+
+def read_value(
+    problems: Problems,
+    scalar: PlacedScalar,
+    key: str,
+    *,
+    is_angle: bool,
+    scope: Scope = NOTHING,
+    remarks: list[str] | None = None,
+) -> Angle | Expr | None:
+    """A scalar as an angle, whose unit must be written, or as a length [m]; None if it is neither.
+
+    Args:
+        problems: Where to note what is wrong.
+        scalar: The text with its place.
+        key: What to call it in a message.
+        is_angle: Which of the two is wanted.
+        scope: The names it may use.
+        remarks: Where to say that 1.5708 rad was taken as 90°; without it such angles are taken as they stand.
+    """
+    try:
+        expr = parse(scalar.text, scope, scalar.place_of(0))
+        if not is_angle:
+            return to_plain_length(expr)
+        return to_angle(expr if remarks is None else taken_exactly(expr, key, remarks), bare="refuse")
+    except NotationError as error:
+        problems.take(error)
+    except DimensionError as error:
+        problems.add(scalar.place, f"{key}: {error.message}", error.hint)
+    return None
+
+
+def taken_exactly(expr: Expr, key: str, remarks: list[str]) -> Expr:
+    """An angle with right angles in the place of their decimals in radians, and a remark on each."""
+    found: list[str] = []
+    expr = with_right_angles(expr, found)
+    remarks += [f"{key}: {remark} (exact: false keeps it)" for remark in found]
+    return expr
+
+
+def has_unit_of_angle(scalar: PlacedScalar) -> bool:
+    """Whether degrees, radians or π stand in a text; a text that cannot be read has none."""
+    try:
+        return has_angle_unit(parse(scalar.text, NOTHING))
+    except NotationError:
+        return False
+
+
+def read_number(fields: Fields, key: str) -> float | None:
+    """A plain number, or a length in metres; None if it is not there."""
+    from dhcli.algebra.floats import Floats
+
+    scalar = fields.scalar(key)
+    if scalar is None:
+        return None
+    own = Problems()
+    value = read_value(own, scalar, key, is_angle=False)
+    for problem in own.found:
+        named = problem.message if problem.message.startswith(f"{key}: ") else f"{key}: {problem.message}"
+        fields.problems.add(problem.place or scalar.place, named, problem.hint or "write a number")
+    return Floats().value(value) if isinstance(value, Expr) else None
+
+
+def read_degrees(fields: Fields, key: str) -> float | None:
+    """An angle in degrees; None if it is not there."""
+    from math import degrees
+
+    scalar = fields.scalar(key)
+    value = read_value(fields.problems, scalar, key, is_angle=True) if scalar else None
+    return degrees(value.constant()) if isinstance(value, Angle) else None
+
+
+def read_whole(fields: Fields, key: str) -> int | None:
+    """A whole number below a thousand; None if it is not there."""
+    scalar = fields.scalar(key)
+    if scalar is None:
+        return None
+    if scalar.text.isdecimal() and scalar.text.isascii() and len(scalar.text) <= MOST_DIGITS:
+        return int(scalar.text)
+    fields.problems.add(scalar.place, f"{key}: '{scalar.text}' is not a whole number", "write 3")
+    return None
+
+
+def read_flag(fields: Fields, key: str) -> bool:
+    """Yes or no, spelled true or false; no if it is not there."""
+    scalar = fields.scalar(key)
+    if scalar is not None and scalar.text not in ("true", "false"):
+        fields.problems.add(scalar.place, f"{key}: should be true or false, is '{scalar.text}'")
+    return scalar is not None and scalar.text == "true"
+
+
+def read_texts(fields: Fields, key: str) -> tuple[str, ...]:
+    """The texts of a list."""
+    found = (fields.problems.scalar(node, key) for node in fields.sequence(key))
+    return tuple(scalar.text for scalar in found if scalar is not None)

@@ -1,0 +1,238 @@
+"""Rules for exercises: their own tests come out, their solutions are right, and nobody is left without help."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from dhcli.algebra.floats import Floats
+from dhcli.checking.exercise import Exercise, Part, Trial
+from dhcli.checking.expected import expected
+from dhcli.checking.marking import mark
+from dhcli.checking.questions import MatrixQuestion, TableQuestion
+from dhcli.checking.sheetmark import mark_sheet
+from dhcli.checking.tolerance import Tolerance
+from dhcli.checking.truth import unvalued
+from dhcli.checking.verdicts import Mark, Verdict
+from dhcli.errors import DhcliError
+from dhcli.kinematics.validity import Finding, in_floats
+from dhcli.kinematics.values import is_within_limits, symbols_of
+from dhcli.lint.mistakes import typed
+from dhcli.lint.wording import unfinished
+from dhcli.notation.quantity import value_text
+from dhcli.notation.tree import Expr
+from dhcli.notation.walk import symbols
+
+STATED = ("base frame", "end frame", "joint zero", "positive sense")
+"""What a task says where only one table can be right."""
+
+LARGEST_ROTATION = 0.1
+"""A direction cosine that may be off by more says nothing: 6° and more."""
+
+LARGEST_SHARE = 0.1
+"""A position may be off by this share of the smallest length, or a forgotten length could pass."""
+
+LARGEST_ANGLE = 5.0
+
+PASSED = (Verdict.RIGHT.word, Verdict.EQUIVALENT.word)
+
+
+def findings(exercise: Exercise) -> Iterator[Finding]:
+    """Every broken rule of an exercise, apart from those about its variants and the mistakes that its pose hides."""
+    yield from _texts(exercise)
+    yield from _blank_sheet(exercise)
+    yield from _within_limits(exercise)
+    for index, part in enumerate(exercise.parts):
+        yield from _help(part, ("parts", index))
+        yield from _stated(exercise, part, ("parts", index))
+    tolerances = tuple(_tolerances(exercise))
+    yield from tolerances
+    if missing := _missing(exercise):
+        yield missing  # nothing can be judged without it
+        return
+    for index, part in enumerate(exercise.parts):
+        yield from _solution(exercise, part, ("parts", index))
+        yield from _printed(exercise, part)
+    if not tolerances:  # else tests fail that are right
+        yield from _trials(exercise)
+
+
+def _texts(exercise: Exercise) -> Iterator[Finding]:
+    texts: dict[tuple[str | int, ...], str] = {
+        ("title",): exercise.title,
+        ("source",): exercise.source,
+        ("task",): exercise.task,
+    }
+    for index, part in enumerate(exercise.parts):
+        if part.prompt:
+            texts["parts", index, "prompt"] = part.prompt
+        texts |= {("parts", index, "hints", k, "hint"): hint for k, hint in enumerate(part.hints)}
+    yield from unfinished(texts)
+
+
+def _within_limits(exercise: Exercise) -> Iterator[Finding]:
+    """A value that the joint cannot take is rarely meant."""
+    robot = exercise.robot
+    for name, value in exercise.given.items() if robot else ():
+        if robot and not symbols_of(value) and not is_within_limits(robot, name, in_floats(value)):
+            shown = " to ".join(map(value_text, robot.limits[name]))
+            message = f"{name}: {value_text(value)} is outside its limits, {shown}"
+            yield Finding(("given", name), message, "give it a value that the joint can take", is_warning=True)
+
+
+def _missing(exercise: Exercise) -> Finding | None:
+    """Names without a value, where numbers are asked for."""
+    if not exercise.numeric:
+        return None
+    questions = [part.question for part in exercise.parts]
+    lacking = [
+        name for question in questions if isinstance(question, MatrixQuestion) for name in unvalued(question, exercise)
+    ]
+    names = list(dict.fromkeys(lacking))
+    if not names:
+        return None
+    angles = exercise.robot.angles if exercise.robot else frozenset()
+    wanted = ", ".join(f"{name}: {'25°' if name in angles else '0.12 m'}" for name in names)
+    message = f"given: no value for {', '.join(names)}, and the answers are numbers"
+    return Finding(("given",), message, f"given: {{{wanted}}}")
+
+
+def _blank_sheet(exercise: Exercise) -> Iterator[Finding]:
+    """Whoever hands in nothing has solved nothing."""
+    for index, one in enumerate(mark_sheet(exercise, {part.id: "_" for part in exercise.parts}).parts):
+        if one.mark.verdict is not Verdict.SKIPPED or one.mark.earned:
+            yield Finding(("parts", index), f"{one.part.id}: a blank answer is judged {one.mark.verdict.word}")
+
+
+def _help(part: Part, where: tuple[str | int, ...]) -> Iterator[Finding]:
+    if not part.hints:
+        yield Finding(where, f"{part.id}: has no hints", "hints: [gentle, plain]")
+    for k, hint in enumerate(part.hints):
+        if hint in part.hints[:k]:
+            yield Finding((*where, "hints", k), f"{part.id}: the same hint stands twice", "the second one goes further")
+    if not part.credit > 0:
+        yield Finding((*where, "credit"), f"{part.id}: is worth nothing", "credit: 1")
+    for k, name in enumerate(part.depends):
+        if name in part.depends[:k]:
+            yield Finding((*where, "depends", k), f"{part.id}: depends on {name} twice", "delete one")
+
+
+def _solution(exercise: Exercise, part: Part, where: tuple[str | int, ...]) -> Iterator[Finding]:
+    """What dhcli shows as the right answer must be judged so, when somebody types it in."""
+    try:
+        answer = expected(exercise, part)
+        judged = mark(exercise, part, answer)
+    except DhcliError as error:
+        if not any(trial.part == part.id and trial.verdict == Verdict.RIGHT.word for trial in exercise.trials):
+            hint = error.problems[0].hint or "or show the right answer in a test"
+            yield Finding((*where, "ask"), f"{part.id}: has no solution: {error.problems[0].message}", hint)
+        return
+    if judged.verdict is not Verdict.RIGHT:
+        yield Finding((*where, "ask"), f"{part.id}: its own solution {answer} is judged {_told(judged)}")
+
+
+def _printed(exercise: Exercise, part: Part) -> Iterator[Finding]:
+    """What a document prints is right, or is known to be a misprint; an author's own slip is neither."""
+    if part.printed is None:
+        return
+    judged = _judged(exercise, part, part.printed.text)
+    where = ("printed", part.id)
+    is_misprint = any("misprint" in remark for remark in judged.remarks)
+    if judged.verdict in (Verdict.CANNOT_READ, Verdict.SKIPPED) and not is_misprint:
+        yield Finding(where, f"printed: {part.id}: is judged {_told(judged)}", "write it as a student would")
+    elif judged.verdict.passed is False and not is_misprint:
+        yield Finding(where, f"printed: {part.id}: is judged {_told(judged)}, and no misprint is recognised in it")
+    elif is_misprint and not part.printed.note:
+        hint = f"a misprint: {part.id}: {{answer: ..., note: what is wrong with it}}; a typo of yours: mend it"
+        yield Finding(where, f"printed: {part.id}: {_wrong(judged)}", hint, is_warning=True)
+
+
+def _wrong(judged: Mark) -> str:
+    """What a printed answer says and what is right, for the first entry that is wrong."""
+    wrong = [cell for cell in judged.cells if cell.verdict.passed is False]
+    if not wrong:
+        return f"is {judged.reading}" + (f", right is {judged.expected}" if judged.expected else ", which is not right")
+    first, *others = wrong
+    where = "" if len(judged.cells) == 1 else f"entry ({first.row + 1},{first.column + 1}) "
+    more = f" (and {len(others)} more)" if others else ""
+    return f"{where}is {first.typed}, right is {first.expected}{more}"
+
+
+def _stated(exercise: Exercise, part: Part, where: tuple[str | int, ...]) -> Iterator[Finding]:
+    """A table that must give one motion needs a task that leaves nothing open."""
+    if not isinstance(part.question, TableQuestion) or part.compare != "same-motion":
+        return
+    task = " ".join(exercise.task.lower().split())
+    if missing := [words for words in STATED if words not in task]:
+        message = f"{part.id}: same-motion wants one table, and the task does not state: {', '.join(missing)}"
+        yield Finding((*where, "compare"), message, "state it, or compare: same-robot")
+
+
+def _trials(exercise: Exercise) -> Iterator[Finding]:
+    for index, trial in enumerate(exercise.trials):
+        try:
+            answer = typed(exercise, trial)
+        except DhcliError as error:
+            yield Finding(("tests", index, "mistake"), error.problems[0].message, error.problems[0].hint)
+            continue
+        judged = _judged(exercise, exercise.part(trial.part), answer)
+        if judged.verdict.word != trial.verdict:
+            message = f"{trial.part}: is judged {_told(judged)}; the test says {trial.verdict}"
+            yield Finding(("tests", index, "mistake" if trial.mistake else "answer"), message, _right(exercise, trial))
+    verdicts = {trial.verdict for trial in exercise.trials}
+    for verdict in (Verdict.RIGHT, Verdict.WRONG):
+        if verdict.word not in verdicts:
+            hint = f"tests: - {{part: {exercise.parts[0].id}, answer: ..., verdict: {verdict.word}}}"
+            yield Finding(("tests",), f"tests: none is {verdict.word}", hint)
+
+
+def _right(exercise: Exercise, trial: Trial) -> str:
+    """The right answer, where a test holds another one for right."""
+    try:
+        answer = expected(exercise, exercise.part(trial.part)) if trial.verdict in PASSED else ""
+    except DhcliError:
+        return ""
+    return f"right is {answer}" if answer else ""
+
+
+def _tolerances(exercise: Exercise) -> Iterator[Finding]:
+    yield from _directions(exercise.tolerance)
+    smallest = _smallest_length(exercise)
+    limit = exercise.tolerance.position
+    if limit is not None and smallest is not None and limit > LARGEST_SHARE * smallest[1]:
+        name, value = smallest
+        message = f"position: a tolerance of {limit * 1000:g} mm is large beside {name} = {value * 1000:g} mm"
+        hint = f"at most {LARGEST_SHARE * value * 1000:g} mm, or an answer without {name} may pass"
+        yield Finding(("tolerance", "position"), message, hint)
+
+
+def _directions(tolerance: Tolerance) -> Iterator[Finding]:
+    if tolerance.rotation >= LARGEST_ROTATION:
+        message = f"rotation: a direction cosine may be off by {tolerance.rotation:g}"
+        yield Finding(("tolerance", "rotation"), message, f"less than {LARGEST_ROTATION}; the usual is 0.001")
+    if tolerance.angle > LARGEST_ANGLE:
+        message = f"angle: an angle may be off by {tolerance.angle:g}°"
+        yield Finding(("tolerance", "angle"), message, f"at most {LARGEST_ANGLE:g}°; the usual is 0.05°")
+
+
+def _smallest_length(exercise: Exercise) -> tuple[str, float] | None:
+    """The shortest length that is not 0, of the robot or given, with its name [m]."""
+    own = exercise.robot.parameters if exercise.robot else {}
+    lengths = {
+        name: abs(Floats().value(value))
+        for name, value in {**own, **exercise.given}.items()
+        if isinstance(value, Expr) and not symbols(value)
+    }
+    return min(((name, value) for name, value in lengths.items() if value), key=lambda pair: pair[1], default=None)
+
+
+def _judged(exercise: Exercise, part: Part, answer: str) -> Mark:
+    """A judgement; what cannot be judged at all cannot be read either."""
+    try:
+        return mark(exercise, part, answer)
+    except DhcliError as error:
+        return Mark(Verdict.CANNOT_READ, answer, remarks=(error.problems[0].message,))
+
+
+def _told(judged: Mark) -> str:
+    """A verdict with its first reason."""
+    return judged.verdict.word + (f" ({judged.remarks[0]})" if judged.remarks else "")

@@ -1,0 +1,194 @@
+"""Linting: every content rule over files and folders, all findings at once, each with its place."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from dhcli.errors import DhcliError, FileError, Place, Problem
+from dhcli.files.library.kinds import kind_of
+from dhcli.files.library.lookup import Kind
+from dhcli.files.reading import read_text
+from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
+from dhcli.kinematics.validity import Finding
+from dhcli.lint.names import Names
+from dhcli.lint.places import place_in
+from dhcli.lint.wording import unfinished
+
+SUFFIXES = (".yaml", ".yml")
+SHEETS = (".sheet.yaml", ".sheet.yml")
+USUAL = ("robots", "exercises")
+
+
+@dataclass(frozen=True, slots=True)
+class Told:
+    """A finding at its place.
+
+    Attributes:
+        problem: Where, what, and what would be right.
+        is_warning: Whether an author may well leave it as it is.
+    """
+
+    problem: Problem
+    is_warning: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Linted:
+    """What was found in files.
+
+    Attributes:
+        files: The files, in the order in which they were read.
+        told: The findings, by file and line.
+    """
+
+    files: tuple[str, ...]
+    told: tuple[Told, ...]
+
+    @property
+    def errors(self) -> int:
+        """Findings that must be mended."""
+        return sum(not one.is_warning for one in self.told)
+
+    @property
+    def warnings(self) -> int:
+        """Findings that an author may leave."""
+        return len(self.told) - self.errors
+
+
+def lint(paths: Sequence[str]) -> Linted:
+    """Look at files, and at every YAML file in folders and below them; answer sheets are passed over there.
+
+    Args:
+        paths: Files and folders; `./robots` and `./exercises` if there are none.
+
+    Raises:
+        FileError: Paths lead nowhere or to folders without a file to read; all of them are told.
+    """
+    files = list(_files(paths or _usual()))
+    told: list[Told] = []
+    names = Names.of(files)
+    for path in files:
+        told += _of_file(path, names)
+    return Linted(tuple(files), tuple(told))
+
+
+def _usual() -> list[str]:
+    found = [folder for folder in USUAL if os.path.isdir(folder)]  # noqa: PTH112
+    if not found:
+        raise DhcliError(
+            "there is no ./robots and no ./exercises here", "name files or folders: dhcli lint my-arm.yaml"
+        )
+    return found
+
+
+def _files(paths: Iterable[str]) -> Iterator[str]:
+    """The files meant, each once."""
+    problems: list[Problem] = []
+    found: dict[str, str] = {}
+    for path in paths:
+        inner = sorted(_in_folder(Path(path), problems)) if Path(path).is_dir() else [Path(path)]
+        if not inner:
+            problems.append(Problem("holds no YAML file", Place(path), "name a folder with robots or exercises"))
+        elif path == "-":
+            problems.append(
+                Problem("lint reads files, not standard input", hint="save it first: a file name is a name")
+            )
+        elif not os.path.lexists(path):
+            problems.append(_missing(path))
+        for one in inner:
+            found.setdefault(os.path.realpath(one), str(one))
+    if problems:
+        raise FileError(problems)
+    yield from found.values()
+
+
+def _missing(path: str) -> Problem:
+    """Why a path leads nowhere, as reading it tells; a name of the library is not a path."""
+    try:
+        read_text(path)
+    except FileError as error:
+        problem = error.problems[0]
+        if not path.lower().endswith(SUFFIXES):
+            problem = replace(problem, message=problem.message.replace("no such file", "no such file or folder"))
+        return replace(problem, hint=problem.hint or "lint takes files and folders, such as robots/my-arm.yaml")
+    return Problem("has just appeared", Place(path), "try again")  # between two looks at the disk
+
+
+def _in_folder(folder: Path, problems: list[Problem]) -> Iterator[Path]:
+    """YAML files in a folder and below; hidden ones and sheets are passed over."""
+
+    def refused(error: OSError) -> None:
+        problems.append(Problem(f"cannot be read: {error.strerror}", Place(str(error.filename))))
+
+    for here, folders, names in os.walk(folder, onerror=refused):
+        folders[:] = sorted(name for name in folders if not name.startswith("."))
+        for name in names:
+            if name.lower().endswith(SUFFIXES) and not name.lower().endswith(SHEETS) and not name.startswith("."):
+                yield Path(here, name)
+
+
+def _of_file(path: str, names: Names) -> Iterator[Told]:
+    """The findings of one file: what keeps it from loading, or else every broken rule, in the order of its lines."""
+    if path.lower().endswith(SHEETS):  # named itself, for in a folder it is passed over
+        problem = Problem("is an answer sheet", Place(path), f"dhcli check EXERCISE {path} judges it")
+        return iter([Told(problem)])
+    root: PlacedNode | None = None
+    try:
+        root = read_yaml(read_text(path), path, [])  # what it refuses is told by the loader, with all the rest
+        found = [
+            Told(Problem(one.message, place_in(root, one.where), one.hint), one.is_warning)
+            for one in (*_rules(path), *names.clashes(path))
+        ]
+    except DhcliError as error:
+        found = [Told(_placed(problem, path)) for problem in error.problems]
+        found += _left_to_write("", root) if root is not None else ()
+    return iter(sorted(found, key=lambda one: _line(one.problem)))
+
+
+def _left_to_write(key: str, node: PlacedNode) -> Iterator[Told]:
+    """What a template left to write in a file that does not load: its blanks keep it from that, and are told too."""
+    if isinstance(node, PlacedScalar) and node.text.strip():
+        for one in unfinished({(key,): node.text}):
+            yield Told(Problem(one.message, place_in(node, ()), one.hint))
+    for below, inner in node.entries if isinstance(node, PlacedMapping) else ():
+        yield from _left_to_write(below.text, inner)
+    for inner in node.items if isinstance(node, PlacedSequence) else ():
+        yield from _left_to_write(key, inner)
+
+
+def _rules(path: str) -> Iterator[Finding]:
+    """What the rules for its kind say of a file.
+
+    Raises:
+        DhcliError: It does not load.
+    """
+    from dhcli.files.yaml.exercises import load_exercise
+    from dhcli.files.yaml.linkages import load_linkage
+    from dhcli.files.yaml.robots import load_robot
+    from dhcli.lint import exercises, linkages, mistakes, robots, variants
+
+    kind = kind_of(path)
+    if kind is Kind.ROBOTS:
+        yield from robots.findings(load_robot(Path(path)))
+    elif kind is Kind.LINKAGES:
+        yield from linkages.findings(load_linkage(Path(path)))
+    else:
+        exercise = load_exercise(Path(path))
+        told = tuple(exercises.findings(exercise))
+        yield from told
+        if not any(one.where[:1] == ("tolerance",) for one in told):  # else the pose is not what hides mistakes
+            yield from mistakes.findings(exercise)
+            yield from variants.findings(exercise)
+
+
+def _placed(problem: Problem, path: str) -> Problem:
+    """A problem that is at least in its file."""
+    return problem if problem.place is not None else Problem(problem.message, Place(path), problem.hint)
+
+
+def _line(problem: Problem) -> tuple[int, int]:
+    place = problem.place or Place("")
+    return place.line or 0, place.column or 0

@@ -1,0 +1,30 @@
+"""Rules for linkages: the geometry decides what the formula cannot."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from dhcli.kinematics.validity import Finding
+from dhcli.lint.wording import unfinished
+from dhcli.mobility.counting import Counts
+from dhcli.mobility.finding import analyse
+from dhcli.mobility.linkage import Linkage
+from dhcli.mobility.pairs import LinkageError
+
+
+def findings(linkage: Linkage | Counts) -> Iterator[Finding]:
+    """Every broken rule of a linkage."""
+    yield from unfinished({("title",): linkage.title})
+    if isinstance(linkage, Counts):
+        return
+    yield from unfinished({("source",): linkage.source})
+    if not linkage.is_placed:
+        return
+    try:
+        found = analyse(linkage)
+    except LinkageError as error:
+        yield Finding((), error.problems[0].message, error.problems[0].hint)
+        return
+    if found.mobility is None:
+        hint = "are the lengths exact? expressions keep them so"
+        yield Finding((), f"the geometry does not decide the mobility: {found.certificate}", hint)

@@ -1,0 +1,88 @@
+"""Rules for robots: what the table needs is there, what is there is needed, and the numbers make sense."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from dhcli.algebra.floats import Floats
+from dhcli.kinematics.moves import names
+from dhcli.kinematics.robot import Robot, Value
+from dhcli.kinematics.validity import Finding, in_floats
+from dhcli.kinematics.values import is_within_limits, symbols_of
+from dhcli.lint.wording import unfinished
+from dhcli.notation.angle import Angle
+from dhcli.notation.quantity import value_text
+from dhcli.notation.tree import Expr
+from dhcli.notation.walk import symbols
+
+LONGEST = 10.0
+"""Metres; an arm with a longer link was measured in millimetres."""
+
+FULL_TURN = 360
+_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
+
+
+def findings(robot: Robot) -> Iterator[Finding]:
+    """Every broken rule of a robot."""
+    yield from unfinished({("title",): robot.title, ("source",): robot.source})
+    if robot.notes:
+        yield from unfinished({("notes",): robot.notes})
+    if not _NAME.fullmatch(robot.name):
+        hint = "letters, digits, - and _, such as my-arm.yaml"
+        yield Finding((), f"the file name '{robot.name}' is the name of the robot, and cannot be typed", hint)
+    yield from _parameters(robot)
+    yield from _rows(robot)
+    yield from _poses(robot)
+
+
+def _parameters(robot: Robot) -> Iterator[Finding]:
+    used = names(robot.chain)
+    for name, value in robot.parameters.items():
+        where = ("parameters", name)
+        if name not in used:
+            yield Finding(where, f"{name}: no link uses it", "delete it, or put it into the table")
+        elif isinstance(value, Expr) and not symbols(value):
+            length = Floats().value(value)
+            if not length:
+                yield Finding(
+                    where, f"{name}: is 0", "write 0 into the table, or leave its value open", is_warning=True
+                )
+            elif abs(length) > LONGEST:
+                hint = f"bare lengths are metres: did you mean {length:g} mm?"
+                yield Finding(where, f"{name}: {length:g} m is longer than any arm", hint, is_warning=True)
+
+
+def _rows(robot: Robot) -> Iterator[Finding]:
+    for index, link in enumerate(robot.links):
+        row = link.row
+        if row is None:
+            continue
+        where: tuple[str | int, ...] = ("links", index)
+        constants: tuple[Value, ...] = (row.a, row.alpha, row.d, row.theta)
+        if all(_is_zero(value) for value in constants):
+            message = f"row {index + 1} is all zeros: nothing moves, and nothing is moved"
+            yield Finding(where, message, "did its joint variable get lost?")
+        for column in ("alpha", "theta"):
+            angle: Angle = getattr(row, column)
+            if abs(angle.degrees) > FULL_TURN or abs(float(angle.radians)) > FULL_TURN / 57:
+                message = f"{column} of row {index + 1}: {value_text(Angle((), angle.degrees, angle.radians))}"
+                yield Finding((*where, column), f"{message} is more than a turn", "rad or °?", is_warning=True)
+            for name, factor in angle.terms:
+                if name in robot.variables and abs(factor) != 1:
+                    message = f"{column} of row {index + 1}: one degree of {name} turns the joint by {factor}"
+                    yield Finding((*where, column), message, f"write {name} or -{name}", is_warning=True)
+
+
+def _poses(robot: Robot) -> Iterator[Finding]:
+    for pose, values in robot.poses.items():
+        for name, value in zip(robot.variables, values, strict=True):
+            if symbols_of(value) or is_within_limits(robot, name, in_floats(value)):
+                continue
+            low, high = robot.limits[name]
+            message = f"{pose}: {name} = {value_text(value)} is outside its limits"
+            yield Finding(("poses", pose), message, f"{value_text(low)} to {value_text(high)}")
+
+
+def _is_zero(value: Value) -> bool:
+    return value.is_zero if isinstance(value, Angle) else not symbols(value) and not Floats().value(value)

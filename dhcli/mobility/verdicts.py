@@ -1,0 +1,112 @@
+"""The verdict over all directions that were followed from a position whose rank alone says nothing."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from dhcli.geometry.twists import Array
+from dhcli.mobility.branches import Branch
+from dhcli.mobility.landing import SHAKY, Path, Trial
+from dhcli.mobility.model import Model
+from dhcli.mobility.outputs import freedoms_of, motion_type
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What was decided beyond the rank.
+
+    Attributes:
+        mobility: The true one; None if undecided.
+        certificate: How it is known.
+        motion: Type of the output link's motion.
+        least: The smallest possible mobility where it is undecided.
+        branches: Dimensions of the families of motion found.
+        order: Power of the amplitude with which a shaky structure resists.
+        landings: World twists at the landings on the largest branches.
+    """
+
+    mobility: int | None
+    certificate: str
+    motion: str = ""
+    least: int = 0
+    branches: tuple[int, ...] = ()
+    order: int | None = None
+    landings: tuple[Array, ...] = ()
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What was looked at.
+
+    Attributes:
+        model: The linkage.
+        frozen: Orthonormal rows of the idle freedoms that are held.
+        most: The instantaneous mobility without them, less what the second order test stops.
+        tolerance: Relative error of rounded input; 0 for exact input.
+    """
+
+    model: Model
+    frozen: Array
+    most: int
+    tolerance: float
+
+
+@dataclass(frozen=True)
+class Landed:
+    """A direction that was followed, and what stands at its end.
+
+    Attributes:
+        path: The direction.
+        branch: The family of motions through the landing.
+    """
+
+    path: Path
+    branch: Branch
+
+    def motion(self, setting: Setting) -> str:
+        """The output link's motion on this branch."""
+        branch = self.branch
+        return motion_type(setting.model, branch.motions, branch.twists, blur=branch.blur, tolerance=setting.tolerance)
+
+
+def decided(trials: list[Trial], landed: list[Landed], setting: Setting) -> Verdict:
+    """The verdict over all directions tried."""
+    idle = len(setting.frozen)
+    orders = [trial.order for trial in trials if trial.order is not None and trial.moves is False]
+    order = round(float(np.median(orders))) if orders else None
+    seen = [trial.order for trial in trials if trial.moves]
+    if seen and all(power is not None and power > SHAKY for power in seen):
+        words = "undecided: within this tolerance a shaky structure cannot be told from a motion"
+        return Verdict(None, words, least=idle)
+    if any(one.branch.dimension is not None for one in landed):
+        return _moving(landed, order, setting)
+    if orders and len(orders) == len(trials):
+        words = f"numerical: the loops cannot close; the gap grows like the amplitude to the power {order}"
+        return Verdict(idle, words, motion_type(setting.model, setting.frozen.T), order=order)
+    return Verdict(None, "undecided: the loops neither close nor leave a gap with a clear trend", least=idle)
+
+
+def _moving(landed: list[Landed], order: int | None, setting: Setting) -> Verdict:
+    """The verdict where at least one branch was reached."""
+    idle, sizes = len(setting.frozen), [one.branch.dimension for one in landed]
+    known = {size for size in sizes if size is not None}
+    dimension, dimensions = max(known), tuple(sorted((size + idle for size in known), reverse=True))
+    largest = [one for one, size in zip(landed, sizes, strict=True) if size == dimension]
+    best = max(largest, key=lambda one: freedoms_of(one.motion(setting)))
+    motion, found = best.motion(setting), dimension + idle
+    if None in sizes and dimension < setting.most:
+        words = "undecided: some motions were found whose number of freedoms stayed unclear"
+        return Verdict(None, words, motion, found, dimensions)
+    if best.branch.exact and dimension == setting.most:
+        words = "exact: the loop equations are independent at a position that was reached"
+    elif best.branch.exact or setting.tolerance or best.path.goes_on():
+        words = (
+            "numerical: the loops close to rounding at amplitudes 0.3, 0.1 and 0.03, and the rank stays the same there"
+        )
+    else:
+        words = "undecided: the loops seem to close, but leave a gap at larger amplitudes that grows by degrees"
+        return Verdict(None, words, least=idle)
+    landings = tuple(one.branch.twists for one in largest)
+    return Verdict(found, words, motion, branches=dimensions, order=order, landings=landings)

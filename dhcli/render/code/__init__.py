@@ -1,0 +1,1 @@
+"""Results for programs and papers: matrices, formulas and rows."""

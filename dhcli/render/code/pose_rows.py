@@ -1,0 +1,52 @@
+"""What the columns of poses are called, one pose a row."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+from dhcli.kinematics.frames import View
+from dhcli.kinematics.pose import Pose
+from dhcli.render.code.matrices import variable
+from dhcli.render.code.rows import Group, Layout
+
+_AXES = "xyz"
+_MATRIX = tuple(head for i in range(3) for head in (*(f"r{i + 1}{k}" for k in (1, 2, 3)), f"p_{_AXES[i]}"))
+_ROW = "[%r, %r, %r, %r]"
+
+GROUPS = {
+    "matrix": Group("matrix", _MATRIX, f"[{_ROW}, {_ROW}, {_ROW}, [0.0, 0.0, 0.0, 1.0]]"),
+    "position": Group.listed("position", ("p_x", "p_y", "p_z")),
+    "rpy": Group.named("rpy", {name: name for name in ("roll", "pitch", "yaw")}),
+    "quaternion": Group.named("quaternion", {name: f"q_{name}" for name in "wxyz"}),
+    "axis-angle": Group("axis-angle", ("axis_x", "axis_y", "axis_z", "angle"), '{"axis": [%r, %r, %r], "angle": %r}'),
+}
+"""The numbers of each way to say a pose; JSON nests them as `--format json` does for one pose. Angles in radians."""
+
+
+INDEX = Group("row", ("row",), "%d", "%d")
+"""Where the joint values stand in their file."""
+
+
+def pose_layout(forms: Sequence[str], views: Iterable[View] = (), *, index: bool = False) -> Layout:
+    """The columns for poses.
+
+    Args:
+        forms: The ways in which each pose is said.
+        views: Each pose in a row, if there is more than one in it.
+        index: Whether the first column says where the joint values stand.
+    """
+    said = tuple(_unlike(GROUPS[form], forms) for form in forms)
+    keys = [variable(Pose((), view.reference, view.frame).name) for view in views]
+    groups = tuple(Group.within(key, said) for key in keys) or said
+    if index:
+        return Layout((INDEX, *groups))
+    width = (4, 4) if forms == ("matrix",) else (sum(len(group.heads) for group in said),)
+    return Layout(groups, (len(keys), *width) if keys else width)
+
+
+def _unlike(group: Group, forms: Sequence[str]) -> Group:
+    """A group whose columns are called like no others: beside a matrix, `p_x` of the position is `position_p_x`."""
+    if group.key == "position" and "matrix" in forms:
+        return replace(group, heads=tuple(f"position_{head}" for head in group.heads))
+    return group

@@ -1,0 +1,104 @@
+"""Rows of numbers as text for programs: what the columns are called, and how JSON Lines nests them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhcli.render.code.matrices import csv_line
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+FORMATS = ("csv", "jsonl", "npy")
+"""The formats of rows; the last one is no text."""
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """Numbers of a row that belong together, such as a position.
+
+    Attributes:
+        key: What JSON Lines calls them.
+        heads: What CSV calls each of them.
+        body: How JSON Lines writes them, with `%r` in the place of each number.
+        number: How CSV writes each of them.
+    """
+
+    key: str
+    heads: tuple[str, ...]
+    body: str
+    number: str = "%r"
+
+    @classmethod
+    def listed(cls, key: str, heads: Iterable[str]) -> Group:
+        """Numbers in a list: `[0.1, 0.2, 0.3]`."""
+        heads = tuple(heads)
+        return cls(key, heads, f"[{', '.join(['%r'] * len(heads))}]")
+
+    @classmethod
+    def named(cls, key: str, heads: Mapping[str, str]) -> Group:
+        """Numbers by name: `{"roll": 0.1, "pitch": 0.2}`; the heads of CSV by those names."""
+        return cls(key, tuple(heads.values()), _object([Group(name, (), "%r") for name in heads]))
+
+    @classmethod
+    def within(cls, key: str, groups: Iterable[Group]) -> Group:
+        """Groups under one key; the heads get it as a prefix: `T_01_p_x`."""
+        groups = tuple(groups)
+        return cls(key, tuple(f"{key}_{head}" for group in groups for head in group.heads), _object(groups))
+
+
+@dataclass(frozen=True, slots=True)
+class Layout:
+    """What stands in each row.
+
+    Attributes:
+        groups: The numbers in the order of the columns.
+        shape: Shape of one row in .npy; one number after the other by default.
+    """
+
+    groups: tuple[Group, ...]
+    shape: tuple[int, ...] = ()
+
+    @property
+    def heads(self) -> tuple[str, ...]:
+        """The names of the columns."""
+        return tuple(head for group in self.groups for head in group.heads)
+
+    @property
+    def width(self) -> int:
+        """How many columns there are in text."""
+        return len(self.heads)
+
+
+class RowText:
+    """Writes blocks of rows as text, every number as short as it can be without losing a bit.
+
+    Attributes:
+        heading: What stands above the rows.
+    """
+
+    def __init__(self, layout: Layout, format_: str) -> None:
+        """Write in one of the formats `csv` and `jsonl`."""
+        self.heading = csv_line(layout.heads) if format_ == "csv" else ""
+        self._width = layout.width
+        cells = (group.number for group in layout.groups for _ in group.heads)
+        self._row = (",".join(cells) if format_ == "csv" else _object(layout.groups)) + "\n"
+
+    def lines(self, block: NDArray[np.float64]) -> str:
+        """A line for each row.
+
+        Args:
+            block: Finite numbers, shape (N, width).
+        """
+        numbers = (block + 0.0).ravel().tolist()  # no minus zero
+        return (self._row * len(block)) % tuple(numbers)  # one template for all rows: twice as fast as row by row
+
+
+def _object(groups: Iterable[Group]) -> str:
+    """A JSON object as a template; a key may hold any letter, also the sign of a template."""
+    members = (f"{json.dumps(group.key).replace('%', '%%')}: {group.body}" for group in groups)
+    return "{" + ", ".join(members) + "}"

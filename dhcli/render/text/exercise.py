@@ -1,0 +1,61 @@
+"""An exercise on one page: its task, what is given, and its parts with the progress so far."""
+
+from __future__ import annotations
+
+import shlex
+from typing import Any
+
+from dhcli.checking.describe import describe, given_text
+from dhcli.checking.exercise import Exercise
+from dhcli.files.yaml.robot_line import robot_line
+from dhcli.render.look import Look
+from dhcli.render.text.marks import question_text
+from dhcli.render.text.prose import prose_lines
+from dhcli.render.text.quantities import in_units
+
+
+def exercise_table(exercise: Exercise, look: Look) -> str:
+    """A page about an exercise."""
+    paper = look.paper
+    named = f" · robot {exercise.robot.name}" if exercise.robot else ""
+    variant = f" · variant {exercise.variant}" if exercise.variant else ""
+    about = f"{exercise.id} · {exercise.source}{named}{variant}"
+    lines = [
+        *(paper.ink(line, "bold") for line in prose_lines(exercise.title, paper)),
+        *(paper.ink(line, "dim") for line in prose_lines(about, paper)),
+        "",
+        *prose_lines(exercise.task.strip(), paper),
+    ]
+    given = [f"given: {given_text(exercise)}"] if exercise.given else []
+    if robot := robot_line(exercise):
+        given.append(robot.replace("Robot", "robot", 1))
+    if given:
+        lines += ["", *(line for text in given for line in prose_lines(text, paper))]
+    for part in exercise.parts:
+        lines += ["", question_text(exercise, part, paper).rstrip("\n")]
+    option = f" --variant {shlex.quote(exercise.variant)}" if exercise.variant else ""
+    lines += ["", paper.ink(f"dhcli start {exercise.id}{option} writes a sheet to fill in", "dim")]
+    return "\n".join(lines) + "\n"
+
+
+def exercise_content(exercise: Exercise, _look: Look) -> dict[str, Any]:
+    """An exercise as JSON holds it, without its answers."""
+    return {
+        "exercise": exercise.id,
+        "title": exercise.title,
+        "source": exercise.source,
+        "robot": exercise.robot.name if exercise.robot else None,
+        "task": exercise.task,
+        "variant": exercise.variant or None,
+        "given": {name: in_units(value) for name, value in exercise.given.items()},
+        "parts": [
+            {
+                "part": part.id,
+                "asks": describe(part.question, exercise),
+                "prompt": part.prompt,
+                "credit": part.credit,
+                "depends": list(part.depends),
+            }
+            for part in exercise.parts
+        ],
+    }

@@ -1,0 +1,103 @@
+"""Answers of forward kinematics: headings that name both frames, matrices, points."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from dhcli.kinematics.conventions import NAMES
+from dhcli.kinematics.question import AnyPose, ForwardKinematics
+from dhcli.notation.tree import Expr, Trig
+from dhcli.notation.walk import walk
+from dhcli.notation.writer import write
+from dhcli.render.look import Look
+from dhcli.render.paper import Paper
+from dhcli.render.text.matrix import matrix_lines, vector_lines
+from dhcli.render.text.quantities import value_lines
+
+AXES = ("p_x", "p_y", "p_z")
+
+
+def pose_table(result: ForwardKinematics, look: Look) -> str:
+    """The pose between two frames."""
+    lines = [heading(result.pose, result.robot.name, look), *context_lines(result, look)]
+    for one in result.definitions:
+        value = look.paper.spell(write(one.expr, look.style or "short", result.robot.writing))
+        lines.append(f"{look.paper.ink('let', 'dim')} {look.paper.ink(one.name, 'cyan')} = {value}")
+    lines += matrix_lines(result.pose.rows, result.robot.writing, look)
+    if result.words:
+        lines.append(look.paper.ink(", ".join(result.words), "dim"))
+    return _text(lines)
+
+
+def poses_table(result: ForwardKinematics, look: Look) -> str:
+    """Every pose of a listing, with its heading."""
+    lines = list(context_lines(result, look))
+    for pose in result.poses:
+        lines += ["", heading(pose, result.robot.name, look), *matrix_lines(pose.rows, pose.joints, look)]
+    return _text(lines)
+
+
+def point_table(result: ForwardKinematics, look: Look) -> str:
+    """Where a point is."""
+    point = result.point
+    assert point is not None, "only a question with a point is drawn as one"  # noqa: S101
+    joints = result.robot.writing
+    given = ", ".join(write(coordinate, look.style or "short", joints) for coordinate in point.given)
+    title = f"({given}) of frame {point.frame} of {result.robot.name}, seen from frame {point.reference}"
+    lines = [look.paper.ink(look.paper.spell(title), "bold"), *context_lines(result, look)]
+    return _text([*lines, *vector_lines(AXES, point.seen, joints, look)])
+
+
+def sentence(pose: AnyPose, robot: str) -> str:
+    """What a matrix is, in words: `T_03 of scara: frame 3 seen from frame 0`."""
+    return f"{pose.name} of {robot}: {frame_words(pose.frame)} seen from {frame_words(pose.reference)}"
+
+
+def heading(pose: AnyPose, robot: str, look: Look) -> str:
+    """The line above a matrix; a factor of a link is not between two frames."""
+    is_factor = pose.title and not pose.title.startswith("A_")
+    text = f"{pose.title}, a factor of A_{pose.frame}" if is_factor else sentence(pose, robot)
+    return look.paper.ink(look.paper.spell(text), "bold")
+
+
+def context_lines(result: ForwardKinematics, look: Look) -> Iterator[str]:
+    """Convention and the values used, and what `c1` means where it is new to a reader."""
+    parts = [NAMES[result.robot.convention], *value_lines(result.robot, result.values)]
+    parts += ["lengths in m"] if not result.question.symbolic else _legend(result, look)
+    yield from (look.paper.ink(line, "dim") for line in packed(map(look.paper.spell, parts), look.paper))
+
+
+def _legend(result: ForwardKinematics, look: Look) -> list[str]:
+    """What `c1` and `s23` mean, by the first of each sort that occurs."""
+    joints = result.robot.writing
+    poses = result.poses or (result.pose,)
+    shown: dict[bool, str] = {}
+    for expr in (expr for pose in poses for row in pose.rows for expr in row if look.style != "full"):
+        for node in walk(expr) if isinstance(expr, Expr) else ():
+            if isinstance(node, Trig) and len(shown) < 2:  # noqa: PLR2004  one angle, and a sum of angles
+                short, full = write(node, "short", joints), write(node, "full", joints)
+                if short != full:
+                    shown.setdefault(len(node.angle.terms) > 1, f"{short} = {full}")
+    return [shown[key] for key in sorted(shown)]
+
+
+def frame_words(name: str) -> str:
+    """A frame in a sentence."""
+    return name if name in ("base", "tool") else f"frame {name}"
+
+
+def packed(parts: Iterable[str], paper: Paper) -> Iterator[str]:
+    """Parts between middle dots, as many on a line as fit."""
+    dot = paper.spell(" · ")
+    line = ""
+    for part in parts:
+        longer = f"{line}{dot}{part}" if line else part
+        if line and len(longer) > paper.width:
+            yield line
+            longer = part
+        line = longer
+    yield line
+
+
+def _text(lines: Iterable[str]) -> str:
+    return "\n".join(lines) + "\n"

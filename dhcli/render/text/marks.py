@@ -1,0 +1,227 @@
+"""Judgements for people and for programs: a line for each part, and under it what there is to know."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from dhcli.checking.describe import describe
+from dhcli.checking.diagnosis.diagnosis import MISPRINT, is_diagnosed
+from dhcli.checking.diagnosis.result import Diagnosis
+from dhcli.checking.exercise import Exercise, Part
+from dhcli.checking.questions import ChoiceQuestion
+from dhcli.checking.sheetmark import PartMark, SheetMark
+from dhcli.checking.solution import solution
+from dhcli.checking.verdicts import CellMark, Mark, Verdict
+from dhcli.render.code.matrices import csv_line
+from dhcli.render.look import Look
+from dhcli.render.paper import Paper
+from dhcli.render.text.prose import prose_lines
+
+_INKS = {
+    Verdict.RIGHT: ("green",),
+    Verdict.EQUIVALENT: ("green",),
+    Verdict.ROUNDED: ("yellow",),
+    Verdict.CLOSE: ("yellow",),
+    Verdict.WRONG: ("red",),
+    Verdict.CANNOT_READ: ("red",),
+    Verdict.SKIPPED: ("dim",),
+}
+_ASCII_SIGNS = {"✓": "+", "≡": "=", "≈": "~", "✗": "x", "–": "-"}  # noqa: RUF001
+MOST_HINTS = 2
+NO_SLIP = "why: no slip that dhcli knows gives this answer"
+_INDENT = " " * 4
+_UNDER_ASKED = " " * 14
+"""What stands below an answer, and below what is asked behind its verdict."""
+_LONGEST = 60
+"""Longest entry that a table of entries shows; longer ones get a line each."""
+
+
+def marks_table(marked: SheetMark, look: Look) -> str:
+    """Every part with its verdict, and the sum."""
+    lines = [line for part in marked.parts for line in _part_lines(marked, part, look)]
+    if len(marked.parts) > 1:
+        lines += ["", sum_line(marked)]
+    return "\n".join(lines) + "\n"
+
+
+def sum_line(marked: SheetMark) -> str:
+    """How many parts are solved, and the credit they earned."""
+    solved = sum(part.mark.verdict.passed is True for part in marked.parts)
+    credit = f"{plain(marked.earned)} of {plain(marked.credit)} credits"
+    return f"{solved} of {len(marked.parts)} parts solved, {credit}"
+
+
+def marks_csv(marked: SheetMark, _look: Look) -> str:
+    """One line for each part."""
+    lines = [csv_line(["part", "verdict", "earned", "credit"])]
+    for one in marked.parts:
+        earned, credit = one.mark.earned * one.part.credit, one.part.credit
+        lines.append(csv_line([one.part.id, one.mark.verdict.word, plain(earned), plain(credit)]))
+    return "".join(lines)
+
+
+def marks_content(marked: SheetMark, _look: Look) -> dict[str, Any]:
+    """The judgement as JSON holds it; the right answer only where the exercise allows."""
+    allowed = marked.exercise.shows_expected
+    return {
+        "exercise": marked.exercise.id,
+        "variant": marked.exercise.variant or None,
+        "verdict": marked.verdict.word,
+        "passed": marked.verdict.passed,
+        "earned": marked.earned,
+        "credit": marked.credit,
+        "parts": [
+            {
+                "part": one.part.id,
+                "verdict": one.mark.verdict.word,
+                "passed": one.mark.verdict.passed,
+                "earned": one.mark.earned * one.part.credit,
+                "credit": one.part.credit,
+                "cause": {
+                    "rationale": list(one.mark.remarks),
+                    "help": one.part.hints[0] if one.part.hints else None,
+                    "expected": one.mark.expected if allowed else None,
+                    "actual": one.mark.reading or None,
+                    "diagnosis": _diagnosis(one.mark.diagnosis),
+                },
+            }
+            for one in marked.parts
+        ],
+    }
+
+
+def question_text(exercise: Exercise, part: Part, paper: Paper) -> str:
+    """What a part asks, for a person who is about to answer."""
+    asked = prose_lines(f"{part.id}: {describe(part.question, exercise)}", paper)
+    lines = [paper.ink(line, "bold") for line in asked]
+    lines += prose_lines(part.prompt.strip(), paper)
+    if isinstance(part.question, ChoiceQuestion):
+        for n, option in enumerate(part.question.options, 1):
+            lines += prose_lines(option, paper, f"  {n}: ", "     ")
+    return "\n".join(lines) + "\n"
+
+
+def solution_text(exercise: Exercise, part: Part, paper: Paper) -> str:
+    """The steps of a solution, each matrix under what it is."""
+    from dhcli.render.text.matrix import matrix_lines
+
+    lines = [question_text(exercise, part, paper).rstrip("\n")]
+    for step in solution(exercise, part):
+        lines += ["", *(line for text in step.text.splitlines() for line in prose_lines(text, paper))]
+        if step.rows:
+            lines += matrix_lines(step.rows, exercise.writing, Look(paper=paper))
+    return "\n".join(lines) + "\n"
+
+
+def plain(value: float) -> str:
+    """A credit for people."""
+    return f"{value:.2f}".rstrip("0").rstrip(".")
+
+
+def _diagnosis(found: Diagnosis | None) -> dict[str, Any] | None:
+    """Every cause with its slips, and the earlier parts from which the answer is right."""
+    if found is None:
+        return None
+    return {
+        "causes": [[{"name": slip.name, "words": slip.words, "hint": slip.hint} for slip in c] for c in found.causes],
+        "follows": list(found.follows),
+    }
+
+
+def _part_lines(marked: SheetMark, one: PartMark, look: Look) -> Iterator[str]:
+    paper, mark, exercise = look.paper, one.mark, marked.exercise
+    verdict = mark.verdict
+    sign = verdict.sign if paper.unicode else _ASCII_SIGNS.get(verdict.sign, verdict.sign)
+    word = paper.ink(f"{sign} {verdict.word:<10}", "bold", *_INKS[verdict])
+    credit = _partial_credit(one) if len(marked.parts) > 1 else ""
+    asked = f"{one.part.id}: {describe(one.part.question, exercise)}{credit}"
+    first, *rest = prose_lines(paper.spell(asked), paper, _UNDER_ASKED, _UNDER_ASKED)
+    yield f"{word}  {first.removeprefix(_UNDER_ASKED)}"
+    yield from rest
+    if verdict is Verdict.SKIPPED:
+        return
+    if mark.reading and verdict not in (Verdict.RIGHT, Verdict.CANNOT_READ):
+        yield from _reading(mark, paper)
+    for remark in mark.remarks:
+        yield from _lines_below(remark, paper)
+    yield from _cells(mark, paper)
+    if exercise.shows_expected and verdict.passed is not True and mark.expected:
+        yield from _lines_below(f"right: {mark.expected}", paper)
+    for line in _why(one, named=marked.why):
+        yield from _lines_below(line, paper)
+    if verdict in (Verdict.WRONG, Verdict.CLOSE) and one.part.hints and "/" in exercise.id:
+        yield paper.ink(f"    a hint: dhcli hint {exercise.id} --part {one.part.id}", "dim")
+
+
+def _partial_credit(one: PartMark) -> str:
+    """The credit of a part that is not solved and earned some all the same; so the sum below can be followed."""
+    share, credit = one.mark.earned, one.part.credit
+    if one.mark.verdict.passed is True or not share or not credit:
+        return ""
+    if share == 1:
+        kept = "full credit" if one.mark.verdict is Verdict.ROUNDED else "credit kept"
+        return f" ({kept}: {plain(credit)})"
+    return f" ({plain(share * credit)} of {plain(credit)} credits)"
+
+
+def _lines_below(text: str, paper: Paper) -> list[str]:
+    """What is said about an answer, below its verdict; line ends that were typed are blanks here."""
+    return prose_lines(paper.spell(text), paper, _INDENT, _INDENT)
+
+
+def _why(one: PartMark, *, named: bool) -> Iterator[str]:
+    """Where to look; by name where a person has asked, who is told so where there is none."""
+    found = one.mark.diagnosis or Diagnosis()
+    if found.causes == ((MISPRINT,),):  # a remark has told which entry
+        return
+    if not found.causes:
+        if named and is_diagnosed(one.part, one.mark) and not found.follows:
+            yield NO_SLIP
+        return
+    if not named:
+        more = f"; and {len(found.hints) - MOST_HINTS} more" if len(found.hints) > MOST_HINTS else ""
+        yield "; ".join(found.hints[:MOST_HINTS]) + f"{more} (--why names the slip)"
+        return
+    if len(found.names) > 1:
+        yield "each of these alone gives just your answer:"
+    yield from (f"why: {name}" if len(found.names) == 1 else f"  - {name}" for name in found.names)
+
+
+def _reading(mark: Mark, paper: Paper) -> Iterator[str]:
+    """The echo of what was read, where the entries are not shown anyway."""
+    if not (len(mark.cells) > 1 and _fits(mark.cells)):
+        yield from _lines_below(f"I read this as: {mark.reading}", paper)
+
+
+def _fits(cells: Sequence[CellMark]) -> bool:
+    return all(len(cell.typed) <= _LONGEST // 3 for cell in cells)
+
+
+def _cells(mark: Mark, paper: Paper) -> Iterator[str]:
+    """Entries that are not right: in the matrix with a sign behind each, and a note for the first of them."""
+    bad = [cell for cell in mark.cells if cell.verdict is not Verdict.RIGHT]
+    if not bad:
+        return
+    if len(mark.cells) > 1 and _fits(mark.cells):
+        yield from (f"{_INDENT}{line}" for line in _signed(mark.cells, paper))
+    elif len(mark.cells) > 1:
+        places = ", ".join(f"({cell.row + 1},{cell.column + 1})" for cell in bad)
+        yield from _lines_below(f"not right: {places}", paper)
+    for cell in [cell for cell in bad if cell.note][:1]:
+        where = f"entry ({cell.row + 1},{cell.column + 1}): " if len(mark.cells) > 1 else ""
+        yield from _lines_below(where + cell.note, paper)
+
+
+def _signed(cells: Sequence[CellMark], paper: Paper) -> Iterator[str]:
+    """The entries as typed, each with its sign behind it."""
+    columns = max(cell.column for cell in cells) + 1
+    signs = {"✓": "+", "≈": "~", "✗": "x", "~": "~"}
+    texts = [
+        f"{paper.spell(cell.typed)} {cell.verdict.sign if paper.unicode else signs.get(cell.verdict.sign, '?')}"
+        for cell in cells
+    ]
+    rows = [texts[i : i + columns] for i in range(0, len(texts), columns)]
+    widths = [max(len(row[k]) for row in rows) for k in range(columns)]
+    for row in rows:
+        yield "   ".join(text.rjust(width) for text, width in zip(row, widths, strict=True))

@@ -1,0 +1,200 @@
+"""A robot on one page: its table, joints, parameters, poses, and where the numbers come from."""
+
+from __future__ import annotations
+
+import re
+import textwrap
+from collections.abc import Iterator
+from typing import Any
+
+from dhcli.errors import plural
+from dhcli.kinematics.conventions import NAMES, ORDER, Convention
+from dhcli.kinematics.forward import spelled
+from dhcli.kinematics.moves import Chain
+from dhcli.kinematics.robot import Joint, Link, Robot
+from dhcli.notation.angle import Angle
+from dhcli.notation.quantity import value_text
+from dhcli.notation.writer import write, write_angle
+from dhcli.render.code.matrices import csv_line
+from dhcli.render.look import Look
+from dhcli.render.paper import Paper
+from dhcli.render.text.quantities import in_units
+from dhcli.render.text.table import Inked, table_text
+
+_LETTERS = {"a": "a", "alpha": "α", "d": "d", "theta": "θ"}
+_PROSE = 96
+"""Columns at which notes are folded at most; longer lines are hard to read."""
+
+
+def heads(robot: Robot) -> tuple[str, ...]:
+    """The heads of the table in the file's order: `a_{i-1}` where the convention counts so."""
+    before = {"a", "alpha"} if robot.convention is Convention.MODIFIED else set()
+    return tuple(
+        f"{_LETTERS[column]}_{{i-1}}" if column in before else f"{_LETTERS[column]}_i" for column in robot.columns
+    )
+
+
+def robot_table(robot: Robot, look: Look) -> str:
+    """A page about a robot."""
+    paper = look.paper
+    count = plural(len(robot.joints), "joint") + f" {robot.pattern}" * bool(robot.joints)
+    facts = f"{robot.name} · {NAMES[robot.convention]} · {count}"
+    blocks = [
+        f"{paper.ink(paper.spell(robot.title), 'bold')}\n{paper.ink(paper.spell(facts), 'dim')}\n",
+        _links(robot, look),
+        *(
+            block
+            for block in (_joints(robot, look), _parameters(robot, look), _poses(robot, look), _ends(robot, look))
+            if block
+        ),
+        *(
+            _prose(name, text, paper)
+            for name, text in (("Notes", robot.notes), ("Source", robot.source))
+            if text.strip()
+        ),
+    ]
+    return "\n".join(blocks)
+
+
+def robot_csv(robot: Robot, _look: Look) -> str:
+    """The rows of the table, or the products."""
+    if robot.convention is Convention.PRODUCT:
+        return csv_line(["i", "product"]) + "".join(csv_line([str(link.number), link.text]) for link in robot.links)
+    lines = [csv_line(["i", *robot.columns])]
+    lines += [csv_line([str(link.number), *_row(robot, link, "full")]) for link in robot.links]
+    return "".join(lines)
+
+
+def robot_latex(robot: Robot, _look: Look) -> str:
+    """The table for a paper."""
+    if robot.convention is Convention.PRODUCT:
+        rows = [[str(link.number), rf"\texttt{{{link.text}}}"] for link in robot.links]
+        titles = ["$i$", "product"]
+    else:
+        rows = [[str(link.number), *(f"${cell}$" for cell in _row(robot, link, "latex"))] for link in robot.links]
+        titles = [
+            "$i$",
+            *(f"${head.replace('α', chr(92) + 'alpha').replace('θ', chr(92) + 'theta')}$" for head in heads(robot)),
+        ]
+    body = "".join(f"  {' & '.join(row)} \\\\\n" for row in rows)
+    columns = "c" + ("l" if robot.convention is Convention.PRODUCT else "c" * len(robot.columns))
+    return f"\\begin{{tabular}}{{{columns}}}\n  {' & '.join(titles)} \\\\ \\hline\n{body}\\end{{tabular}}\n"
+
+
+def robot_content(robot: Robot, _look: Look) -> dict[str, Any]:
+    """A robot as JSON holds it: constants in radians and metres, cells of the table as text."""
+    return {
+        "name": robot.name,
+        "title": robot.title,
+        "source": robot.source,
+        "notes": robot.notes,
+        "convention": robot.convention.value,
+        "pattern": robot.pattern,
+        "frames": list(robot.frames),
+        "columns": [] if robot.convention is Convention.PRODUCT else list(robot.columns),
+        "links": [_link_content(robot, link) for link in robot.links],
+        "joints": [_joint_content(robot, joint) for joint in robot.joints],
+        "parameters": {n: None if value is None else in_units(value) for n, value in robot.parameters.items()},
+        "poses": {n: [in_units(v) for v in values] for n, values in robot.poses.items()},
+        "base": _product(robot, robot.base),
+        "tool": _product(robot, robot.tool),
+    }
+
+
+def _link_content(robot: Robot, link: Link) -> dict[str, Any]:
+    if link.row is None:
+        return {"number": link.number, "product": link.text}
+    return {"number": link.number, **dict(zip(robot.columns, _row(robot, link, "full"), strict=True))}
+
+
+def _joint_content(robot: Robot, joint: Joint) -> dict[str, Any]:
+    limits = robot.limits.get(joint.name)
+    return {
+        "name": joint.name,
+        "kind": joint.kind,
+        "link": joint.link,
+        "limits": None if limits is None else [in_units(limit) for limit in limits],
+    }
+
+
+def _row(robot: Robot, link: Link, style: str) -> list[str]:
+    """The cells of a DH row in the order of the file."""
+    cells = []
+    for column in robot.columns:
+        value = getattr(link.row, column)
+        is_angle = isinstance(value, Angle)
+        cells.append(write_angle(value, style, robot.writing) if is_angle else write(value, style, robot.writing))
+    return cells
+
+
+def _links(robot: Robot, look: Look) -> str:
+    """The DH table with the order of its operations, or the products."""
+    paper = look.paper
+    kinds = {joint.link: joint for joint in robot.joints}
+    rows: list[list[str]] = []
+    for link in robot.links:
+        cells = [link.text] if link.row is None else _row(robot, link, "short")
+        kind = f"{kinds[link.number].kind}" if link.number in kinds else "fixed"
+        rows.append([str(link.number), *(_underlined(cell, robot, paper) for cell in cells), kind])
+    product = robot.convention is Convention.PRODUCT
+    table = table_text(["i", *(("A_i",) if product else heads(robot)), "joint"], rows, paper)
+    order = ORDER[robot.convention].replace("alpha_", "α_").replace("theta_", "θ_")
+    return table + paper.ink(paper.spell(order), "dim") + "\n"
+
+
+def _underlined(cell: str, robot: Robot, paper: Paper) -> Inked:
+    names = "|".join(map(re.escape, sorted(robot.variables, key=len, reverse=True)))
+    whole = rf"(?<![A-Za-z0-9_])(?:{names})(?![A-Za-z0-9_])"
+    return Inked(re.sub(whole, lambda name: paper.ink(name[0], "underline"), paper.spell(cell)) if names else cell)
+
+
+def _joints(robot: Robot, look: Look) -> str:
+    if not robot.limits:
+        return ""
+    rows = []
+    for joint in robot.joints:
+        low, high = (
+            (value_text(limit) for limit in robot.limits[joint.name]) if joint.name in robot.limits else ("", "")
+        )
+        rows.append([joint.name, low, high])
+    return table_text(["limits", "from", "to"], rows, look.paper)
+
+
+def _parameters(robot: Robot, look: Look) -> str:
+    if not robot.parameters:
+        return ""
+    rows = [[name, "no value" if value is None else value_text(value)] for name, value in robot.parameters.items()]
+    return table_text(["parameter", "value"], rows, look.paper)
+
+
+def _poses(robot: Robot, look: Look) -> str:
+    if not robot.poses:
+        return ""
+    rows = [[name, *map(value_text, values)] for name, values in robot.poses.items()]
+    return table_text(["pose", *robot.variables], rows, look.paper)
+
+
+def _ends(robot: Robot, look: Look) -> str:
+    """Base and tool, where there are any."""
+    paper = look.paper
+    ends = [(name, chain) for name, chain in (("base", robot.base), ("tool", robot.tool)) if chain]
+    return "".join(f"{paper.ink(name, 'bold')}  {paper.spell(_product(robot, chain))}\n" for name, chain in ends)
+
+
+def _product(robot: Robot, chain: Chain) -> str:
+    return " ".join(spelled(move, robot.writing) for move in chain)
+
+
+def _prose(name: str, text: str, paper: Paper) -> str:
+    return f"{paper.ink(name, 'bold')}\n" + "".join(f"  {line}\n" for line in _folded(text, paper))
+
+
+def _folded(text: str, paper: Paper) -> Iterator[str]:
+    """Paragraphs folded to the paper; a line that is indented or begins with a dash stays one of its own."""
+    width = min(paper.width - 2, _PROSE)
+    paragraph = ""
+    for line in [*text.strip().split("\n"), ""]:
+        if not line.strip() or line.startswith((" ", "-", "*")):
+            yield from textwrap.wrap(paper.spell(paragraph), width, break_long_words=False, break_on_hyphens=False)
+            paragraph = ""
+        paragraph = f"{paragraph} {line}" if paragraph else line

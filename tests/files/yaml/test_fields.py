@@ -1,0 +1,154 @@
+"""Taking fields out of a file: every problem is told, all at once, and the loader still gets a value."""
+
+from __future__ import annotations
+
+import pytest
+
+from dhcli.errors import FileError, NotationError, Place, Problem, RobotError
+from dhcli.files.yaml.fields import Fields, Problems, kind_of
+from dhcli.files.yaml.placed import PlacedScalar, read_yaml
+
+KNOWN = ("title", "source", "links", "parameters")
+
+
+def document(text: str, *required: str) -> tuple[Problems, Fields]:
+    """The fields of a file, and where its problems gather."""
+    problems = Problems()
+    return problems, problems.document(read_yaml(text, "robot.yaml"), known=KNOWN, required=required)
+
+
+def said(problems: Problems) -> list[str]:
+    """The problems that would be raised."""
+    with pytest.raises(FileError) as caught:
+        problems.raise_if_any()
+    return [str(problem) for problem in caught.value.problems]
+
+
+def test_a_right_file_has_no_problem() -> None:
+    """Texts, lists and mappings come as they are."""
+    problems, fields = document("format: 1\ntitle: PUMA\nlinks: [x, {a: 1}]\nparameters: {a2: 1 m}\n", "title")
+    assert fields.text("title") == "PUMA"
+    assert [kind_of(item) for item in fields.sequence("links")] == ["a text", "a mapping"]
+    assert fields.mapping("parameters").text("a2") == "1 m"
+    problems.raise_if_any()
+
+
+def test_a_key_that_is_not_there_gives_an_empty_value() -> None:
+    """What must stand there has been named already."""
+    problems, fields = document("format: 1\n")
+    assert (fields.text("title"), fields.text("title", "no title"), fields.sequence("links")) == ("", "no title", ())
+    assert (fields.get("title"), fields.scalar("title"), "title" in fields) == (None, None, False)
+    assert fields.mapping("parameters", known=("a",), required=("a",)).entries == {}
+    problems.raise_if_any()
+
+
+def test_free_keys_keep_their_order_and_their_places() -> None:
+    """Names of parameters are for the loader to judge."""
+    _, fields = document("format: 1\nparameters: {b: 1, a: 2}\n")
+    parameters = fields.mapping("parameters")
+    assert [(key.text, str(key.place)) for key, _ in parameters.entries.values()] == [
+        ("b", "robot.yaml:2:14"),
+        ("a", "robot.yaml:2:20"),
+    ]
+
+
+def test_a_scalar_has_its_place() -> None:
+    """For what the notation finds wrong inside of it."""
+    _, fields = document("format: 1\ntitle: PUMA\n")
+    assert fields.scalar("title") == PlacedScalar("PUMA", Place("robot.yaml", 2, 8, "title: PUMA"))
+
+
+def test_a_key_has_a_place_and_a_missing_one_that_of_its_mapping() -> None:
+    """So that every later problem can point somewhere."""
+    _, fields = document("# head\nformat: 1\ntitle: PUMA\n")
+    assert [str(fields.place_of(key)) for key in ("title", "source")] == ["robot.yaml:3:1", "robot.yaml:2:1"]
+
+
+def test_all_problems_come_at_once_in_the_order_of_the_file() -> None:
+    """Unknown, missing, of the wrong kind, and what the loader adds."""
+    problems, fields = document("format: 1\nlinks: {a: 1}\ntitel: PUMA\nsource:\n", "title", "source")
+    problems.add(fields.place_of("source"), "source: is not a book", "name one")
+    fields.sequence("links")
+    fields.text("source")
+    problems.take(NotationError(Problem("'1 +' ends too soon", Place("robot.yaml", 2, 12))))
+    assert said(problems) == [
+        "robot.yaml:1:1: title: is missing",
+        "robot.yaml:2:8: links: should be a list, is a mapping (write [a, b] or lines that begin with '- ')",
+        "robot.yaml:2:12: '1 +' ends too soon",
+        "robot.yaml:3:1: titel: unknown key (did you mean title?)",
+        "robot.yaml:4:1: source: is not a book (name one)",
+        "robot.yaml:4:8: source: is empty",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "hint"),
+    [
+        ("titel: x", "did you mean title?"),
+        ("xyz: x", "known: format, title, source, links, parameters"),
+        ("{format: 1, title:PUMA}", "a colon needs a space after it"),
+        ("{format: 1, title: atan2(a, b)}", "a value with a comma needs quotes"),
+        ("\xa0title: x", "it holds the invisible character U+00A0"),
+    ],
+)
+def test_an_unknown_key_names_the_likely_slip(text: str, hint: str) -> None:
+    """The nearest key, or what YAML made of a slip."""
+    problems = Problems()
+    problems.document(read_yaml(text, "f"), known=KNOWN)
+    assert [problem.hint for problem in problems.found if "unknown key" in problem.message] == [hint]
+
+
+@pytest.mark.parametrize(
+    ("spelled", "kind"), [("x", "a text"), ("''", "a text"), ("", "empty"), ("{b: 1}", "a mapping"), ("[1]", "a list")]
+)
+def test_a_value_of_the_wrong_kind_is_told_what_it_is(spelled: str, kind: str) -> None:
+    """Each of the three kinds against the others."""
+    problems, fields = document(f"format: 1\ntitle: {spelled}\nlinks: {spelled}\nparameters: {spelled}\n")
+    fields.text("title")
+    fields.sequence("links")
+    fields.mapping("parameters")
+    expected = {
+        "a text": {"title: is empty"} if spelled == "''" else set(),
+        "empty": {"title: is empty"},
+    }.get(kind, {f"title: should be a text, is {kind}"})
+    expected |= {f"links: should be a list, is {kind}"} if kind != "a list" else set()
+    expected |= {f"parameters: should be a mapping, is {kind}"} if kind != "a mapping" else set()
+    assert {problem.message for problem in problems.found} == expected
+
+
+def test_a_file_that_is_no_mapping_says_so() -> None:
+    """A robot is not a list of rows alone."""
+    problems, fields = document("- {alpha: 0}\n", "title")
+    assert fields.entries == {}
+    assert said(problems) == ["robot.yaml:1:1: the file: should be a mapping, is a list (write 'key: value' lines)"]
+
+
+def test_a_file_without_a_format_is_told_so() -> None:
+    """The line that lets a later dhcli know what it reads."""
+    problems, _ = document("title: PUMA\n")
+    assert said(problems) == ["robot.yaml:1:1: format: is missing"]
+
+
+@pytest.mark.parametrize("spelled", ["2", "10", "9" * 5000])
+def test_a_later_format_is_refused_without_another_word(spelled: str) -> None:
+    """Its unknown keys are no mistakes of the author."""
+    with pytest.raises(FileError) as caught:
+        document(f"unheard-of: 1\nformat: {spelled}\n", "title")
+    assert str(caught.value) == (
+        f"robot.yaml:2:9: format {spelled} needs a newer dhcli; this one reads format 1 (pip install --upgrade dhcli)"
+    )
+
+
+@pytest.mark.parametrize("spelled", ["0", "one", "1.0", "01", "-1", "٢", "[1]", ""])
+def test_a_format_that_is_no_number_of_a_format_is_refused(spelled: str) -> None:
+    """Only 1 is 1."""
+    with pytest.raises(FileError, match="format: should be 1, is "):
+        document(f"format: {spelled}\n")
+
+
+def test_the_error_can_be_of_another_class() -> None:
+    """A robot made of other parts may be wrong too."""
+    problems = Problems()
+    problems.add(Place("--set"), "l1: is not a parameter")
+    with pytest.raises(RobotError, match="--set: l1: is not a parameter"):
+        problems.raise_if_any(RobotError)

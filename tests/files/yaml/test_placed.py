@@ -1,0 +1,355 @@
+"""YAML read with its spelling and its places, under both parsers of PyYAML."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Iterator
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from dhcli.errors import FileError, Place
+from dhcli.files.yaml.placed import (
+    DEEPEST,
+    MOST_NODES,
+    PlacedMapping,
+    PlacedNode,
+    PlacedScalar,
+    PlacedSequence,
+    read_yaml,
+)
+from dhcli.files.yaml.syntax import explain_syntax
+
+# Pieces that mean something to YAML, so that random texts get past its first checks.
+PIECES = (
+    *(
+        "a",
+        "b: ",
+        ": ",
+        ": 1\n",
+        "- ",
+        "? ",
+        "[",
+        "]",
+        "{",
+        "}",
+        ", ",
+        "&x ",
+        "*x",
+        "!t ",
+        "|",
+        "> ",
+        "'",
+        '"',
+        "%",
+        "@",
+    ),
+    *(
+        " ",
+        "\n",
+        "\n  ",
+        "\r\n",
+        "\r",
+        "\n\t",
+        "\x85",
+        "\u2028",
+        "\ufeff",
+        "\0",
+        "\\",
+        "\\n",
+        "<<",
+        "---\n",
+        "...",
+        "#",
+    ),
+    *("~", "`", "-", "θ", "𝛼", "30°", "\xa0"),
+)
+
+
+@pytest.fixture(scope="module", params=["libyaml", "python"], autouse=True)
+def parser(request: pytest.FixtureRequest) -> Iterator[None]:
+    """Run every test with the fast parser and with the one that is always there."""
+    import yaml
+
+    if request.param == "libyaml" and not yaml.__with_libyaml__:
+        pytest.skip("this PyYAML was built without libyaml")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(yaml, "__with_libyaml__", request.param == "libyaml")
+        yield
+
+
+def value_of(text: str) -> PlacedScalar:
+    """The only value of a mapping with one entry."""
+    root = read_yaml(text, "robot.yaml")
+    assert isinstance(root, PlacedMapping)
+    ((_, value),) = root.entries
+    assert isinstance(value, PlacedScalar)
+    return value
+
+
+def problems_of(text: str) -> list[str]:
+    """What is wrong with a text, one line each."""
+    with pytest.raises(FileError) as caught:
+        read_yaml(text, "robot.yaml")
+    return [str(problem) for problem in caught.value.problems]
+
+
+def scalars(node: PlacedNode) -> Iterator[PlacedScalar]:
+    """Every text of a tree."""
+    if isinstance(node, PlacedScalar):
+        yield node
+    for child in node.items if isinstance(node, PlacedSequence) else ():
+        yield from scalars(child)
+    for key, value in node.entries if isinstance(node, PlacedMapping) else ():
+        yield key
+        yield from scalars(value)
+
+
+@pytest.mark.parametrize(
+    "spelled",
+    [
+        "1e-3",
+        "on",
+        "no",
+        "010",
+        "0x10",
+        "12:30",
+        "1_000",
+        "null",
+        "~",
+        "2024-01-01",
+        ".inf",
+        "θ1",
+        "30°",
+        "-90°",
+        "√3/2",
+    ],
+)
+def test_a_plain_text_keeps_its_spelling(spelled: str) -> None:
+    """YAML 1.1 would make a bool, an octal, a base-60 number or a date of some of these."""
+    assert value_of(f"theta: {spelled}\n").text == spelled
+
+
+def test_formulas_with_operators_are_plain_texts() -> None:
+    """Products of moves and offsets need no quotes in a block list."""
+    root = read_yaml("- Trans(0, 0, l1) * Rot(z, theta1)\n- theta3 - 180°\n- -d3\n", "f")
+    assert [scalar.text for scalar in scalars(root)] == ["Trans(0, 0, l1) * Rot(z, theta1)", "theta3 - 180°", "-d3"]
+
+
+@pytest.mark.parametrize(("spelled", "quoted"), [("1", False), ("'1'", True), ('"1"', True), ("|-\n  1", True)])
+def test_a_quoted_text_is_told_from_a_plain_one(spelled: str, quoted: bool) -> None:
+    """A title `'1'` is a text even where a number could stand."""
+    assert (value_of(f"a: {spelled}").text, value_of(f"a: {spelled}").quoted) == ("1", quoted)
+
+
+def test_places_are_counted_in_characters() -> None:
+    """Greek letters, degree signs and letters beyond the basic plane are one column each."""
+    root = read_yaml("links:\n  - {α𝛼: 30°, θ: 'x', a: y}\n", "robot.yaml")
+    places = {scalar.text: str(scalar.place) for scalar in scalars(root)}
+    assert places["30°"] == "robot.yaml:2:10"
+    assert places["y"] == "robot.yaml:2:26"
+
+
+def test_a_place_holds_its_whole_line() -> None:
+    """A marker can be shown without opening the file again."""
+    assert value_of("# head\na: 30° # note\n").place.text == "a: 30° # note"
+
+
+def test_a_list_and_a_mapping_know_where_they_begin() -> None:
+    """Their first entry or their bracket."""
+    root = read_yaml("\nlinks:\n  - {a: 1}\n", "f")
+    assert isinstance(root, PlacedMapping)
+    links = root.entries[0][1]
+    assert isinstance(links, PlacedSequence)
+    assert [str(node.place) for node in (root, links, links.items[0])] == ["f:2:1", "f:3:3", "f:3:5"]
+
+
+@pytest.mark.parametrize(
+    ("text", "column"),
+    [("a: x + y1", 8), ("a: 'x + y1'", 9), ('a: "x + y1"', 9), ("a: 'x+''y1'", 4), ("a: x +\n y1", 4)],
+)
+def test_a_character_inside_a_text_has_a_place(text: str, column: int) -> None:
+    """It is exact where the text stands in the file as it reads, else that of the whole text."""
+    assert value_of(text).place_of(4).column == column
+
+
+def test_a_text_that_stands_in_no_file_has_no_exact_place() -> None:
+    """An option of the command line is read by the same loaders."""
+    assert PlacedScalar("x + y", Place("--set")).place_of(4) == Place("--set")
+
+
+def test_a_missing_value_is_an_empty_text() -> None:
+    """`title:` alone is not an error of YAML; the loader says what is missing."""
+    assert value_of("title:\n") == PlacedScalar("", value_of("title:\n").place)
+
+
+@pytest.mark.parametrize("line_end", ["\n", "\r\n", "\r"])
+@pytest.mark.parametrize("mark", ["", "\ufeff"])
+def test_line_ends_and_a_byte_order_mark_change_nothing(line_end: str, mark: str) -> None:
+    """Files from Windows read the same."""
+    root = read_yaml(mark + "a: 1\nb: 'x\n  y'\n".replace("\n", line_end), "f")
+    assert [(scalar.text, str(scalar.place)) for scalar in scalars(root)] == [
+        *[("a", "f:1:1"), ("1", "f:1:4"), ("b", "f:2:1"), ("x y", "f:2:4")]
+    ]
+
+
+@pytest.mark.parametrize("text", ["", "\n\n", "# only a comment\n", "---\n", "\ufeff", " \n"])
+def test_an_empty_file_is_called_empty(text: str) -> None:
+    """Also one with nothing but comments."""
+    assert problems_of(text) == ["robot.yaml: is empty"]
+
+
+def test_every_duplicate_key_is_reported_with_the_line_of_the_first() -> None:
+    """PyYAML would silently take the last."""
+    assert problems_of("a: 1\nb: {c: 1, c: 2}\na: 3\n'a': 4\n") == [
+        "robot.yaml:2:11: c: stands twice, first on line 2 (keep one)",
+        "robot.yaml:3:1: a: stands twice, first on line 1 (keep one)",
+        "robot.yaml:4:1: a: stands twice, first on line 1 (keep one)",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "problem"),
+    [
+        ("a: &x 1", "robot.yaml:1:4: '&x' is a YAML anchor"),
+        ("a: &x [1]", "robot.yaml:1:4: '&x' is a YAML anchor"),
+        ("a: *x", "robot.yaml:1:4: '*x' is a YAML alias"),
+        ("a: * x", "robot.yaml:1:4: '*' begins a YAML alias"),
+        ("a: & x", "robot.yaml:1:4: '&' begins a YAML anchor"),
+        ("a: !!python/object:os.system x", "robot.yaml:1:4: '!' begins a YAML tag"),
+        ("a: !x {b: 1}", "robot.yaml:1:4: '!' begins a YAML tag"),
+        ("a: !e!x y", "robot.yaml:1:4: '!' begins a YAML tag"),
+        ("<<: {a: 1}", "robot.yaml:1:1: '<<' is a YAML merge key"),
+        ("a: 1\n---\nb: 2", "robot.yaml:2:1: a second document begins here"),
+        ("[a]: 1", "robot.yaml:1:1: a key cannot be a list or mapping"),
+        ("{{a}: 1}", "robot.yaml:1:2: a key cannot be a list or mapping"),
+        ("'': 1", "robot.yaml:1:1: a key is missing before ':'"),
+        ("{: 1}", "robot.yaml:1:2: a key is missing before ':'"),
+        ("a: 1\nb: x\0y", "robot.yaml:2:5: the character U+0000 cannot stand in a YAML file"),
+        ("a: \x1b[31m", "robot.yaml:1:4: the character U+001B cannot stand in a YAML file"),
+        ("ab: \ud800", "robot.yaml:1:5: the character U+D800 cannot stand in a YAML file"),
+        (r'a: "$\theta$"', "robot.yaml:1:4: this text in double quotes holds the control character U+0009"),
+    ],
+)
+def test_what_could_hide_a_mistake_is_refused(text: str, problem: str) -> None:
+    """Each with its place and what it is."""
+    (only,) = problems_of(text)
+    assert only.startswith(problem)
+
+
+def test_quotes_make_a_text_of_what_yaml_would_take_for_a_sign() -> None:
+    """The way out that the hints name works."""
+    root = read_yaml("['*x', '&x', '!x', '<<', '$\\theta$', 'a: b', '{x}', 'it''s']", "f")
+    assert [scalar.text for scalar in scalars(root)] == ["*x", "&x", "!x", "<<", "$\\theta$", "a: b", "{x}", "it's"]
+
+
+def test_all_that_is_refused_is_reported_before_a_syntax_error() -> None:
+    """One error with three problems, in reading order."""
+    assert [problem.split(" ")[0] for problem in problems_of("a: &x 1\na: *x\nb: [1\n")] == [
+        *["robot.yaml:1:4:", "robot.yaml:2:1:", "robot.yaml:2:4:", "robot.yaml:3:4:"]
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "place", "message", "hint"),
+    [
+        ("a:\n\tb: 1\n", "2:1", "a tab indents this line; YAML wants spaces", "two spaces"),
+        ("a: x\n  \tb: 1\n", "2:3", "a tab indents this line; YAML wants spaces", "two spaces"),
+        ("-\ta: 1\n", "1:2", "a tab stands here; YAML wants a space", ""),
+        ("title: Foo: bar\n", "1:11", "a second ': ' stands in one value", "needs quotes"),
+        ("a: 1\n  b: 2\n", "2:3", "this key cannot stand here", "start in one column"),
+        ("title:foo\nb: 1\n", "2:1", "this key cannot stand here", "colon needs a space after it"),
+        ("title\nb: 1\n", "2:1", "this key cannot stand here", "no ': ' after its key"),
+        ("a: 1\nb\nc: 2\n", "2:1", "this line is neither 'key: value' nor '- entry'", "a space after it"),
+        ("a: 'x\nb: 2\n", "1:4", "this quote is never closed", "close it"),
+        ("a: [1, 2", "1:4", "this '[' is never closed", "']' is missing"),
+        ("a: {b: 1\nc: 2\n", "1:4", "this '{' is still open on line 2", "'}' is missing"),
+        ("- {a: 0 d: 0}\n", "1:10", "',' or '}' should stand here", "separated by ', '"),
+        ("- {alpha_{i-1}: 0}\n", "1:10", "',' or '}' should stand here", "a name with braces or brackets needs quotes"),
+        ("- [T^{0}_{6}]\n", "1:6", "',' or ']' should stand here", "a name with braces or brackets needs quotes"),
+        ("a: 1\nb: {c: 2}}\n", "2:10", "this '}' closes nothing", "delete it"),
+        ("a:\n  b: 1\n c: 2\n", "3:2", "this line does not line up with the lines above it", "start in column 1"),
+        ("- a: 1\n b: 2\n", "2:2", "this line does not", ""),
+        ("a: 1\n- b\n", "2:1", "a list entry stands among the keys", "under their key"),
+        ("a: - theta1\n", "1:4", "a list cannot begin on the line of its key", "a minus sign has no space after it"),
+        ("a: 'it's'\n", "1:8", "text follows the closing quote", "written twice"),
+        ("a: @x\n", "1:4", "a value cannot begin with '@'", "quotes"),
+        ("a: |x|\n", "1:4", "'|' and '>' begin a block of text", "quotes"),
+        ("a: [1,,2]\n", "1:7", "a value is missing here", "needs quotes"),
+        ("a: 1\n% note\n", "2:1", "a line cannot begin with '%'", "use # for a comment"),
+        (": 1\n", "1:1", "a key is missing before ':'", ""),
+        ("a: {b: 1} c\n", "1:11", "this does not belong to the value before it", "the whole value may need quotes"),
+    ],
+)
+def test_a_syntax_error_says_in_plain_words_where_and_what(text: str, place: str, message: str, hint: str) -> None:
+    """No word of PyYAML's own reaches the reader."""
+    with pytest.raises(FileError) as caught:
+        read_yaml(text, "f")
+    (problem,) = caught.value.problems
+    assert str(problem.place) == f"f:{place}"
+    assert problem.message.startswith(message)
+    assert hint in problem.hint
+
+
+def test_an_unknown_escape_points_to_single_quotes() -> None:
+    """A LaTeX command in double quotes is the usual cause."""
+    (problem,) = problems_of(r'a: "\sin x"')
+    assert "use single quotes" in problem
+
+
+def test_a_message_not_known_yet_is_handed_on() -> None:
+    """A later PyYAML may have new ones, and may not say where."""
+    import yaml
+
+    error = yaml.MarkedYAMLError("while scanning a dream", None, "found a new word", None)
+    problem = explain_syntax(error, [], lambda mark: Place("f" if mark is None else "g"))
+    assert str(problem) == "f: not valid YAML: while scanning a dream found a new word"
+
+
+def test_a_tab_inside_quotes_or_a_comment_is_no_problem() -> None:
+    """Only where YAML counts spaces a tab is none."""
+    assert value_of("a: 'x\ty' # note\tmore\n").text == "x\ty"
+
+
+@pytest.mark.parametrize("opening", ["[", "{a: ", "- ", "? "])
+def test_deep_nesting_is_refused_at_the_limit(opening: str) -> None:
+    """A file of a hundred thousand brackets costs forty steps, not a recursion error."""
+    (problem,) = problems_of(opening * 100_000)
+    assert f"nested more than {DEEPEST} deep" in problem
+
+
+def test_nesting_up_to_the_limit_is_read() -> None:
+    """The limit itself is allowed."""
+    text = "[" * (DEEPEST - 1) + "x" + "]" * (DEEPEST - 1)
+    assert [scalar.text for scalar in scalars(read_yaml(text, "f"))] == ["x"]
+
+
+def test_a_large_tree_is_refused_at_the_limit() -> None:
+    """The list is one node, its items are the others."""
+    assert len(list(scalars(read_yaml("- x\n" * (MOST_NODES - 1), "f")))) == MOST_NODES - 1
+    (problem,) = problems_of("- x\n" * MOST_NODES)
+    assert problem.startswith(f"robot.yaml:{MOST_NODES}:3: the file holds more than 20,000 keys and values")
+
+
+@given(st.text() | st.lists(st.sampled_from(PIECES), max_size=30).map("".join))
+def test_any_text_gives_a_tree_or_a_file_error(text: str) -> None:
+    """Nothing else is ever raised; a word is found where its place says; every problem is in plain words."""
+    try:
+        root = read_yaml(text, "f")
+    except FileError as error:
+        assert error.problems
+        assert "not valid YAML" not in str(error)
+        return
+    for scalar in scalars(root):
+        assert scalar.place.column is not None
+        if not scalar.quoted and scalar.text.split() == [scalar.text]:
+            assert scalar.place.text.startswith(scalar.text, scalar.place.column - 1)
+
+
+def test_importing_the_room_does_not_import_yaml() -> None:
+    """Commands that read no file do not pay for PyYAML."""
+    modules = "dhcli.files.yaml.fields, dhcli.files.reading, dhcli.files.library.lookup, dhcli.files.atomic"
+    code = f"import sys, {modules}; sys.exit(bool({{'yaml', 'importlib.resources', 'tempfile'}} & set(sys.modules)))"
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

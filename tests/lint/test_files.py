@@ -1,0 +1,147 @@
+"""Which files lint looks at, and that a broken one keeps it from none of the others."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from dhcli.errors import DhcliError, FileError
+from dhcli.lint.files import Linted, lint
+
+ROOT = Path(__file__).parents[2]
+CLEAN = """\
+format: 1
+title: An arm
+source: a test
+convention: standard
+variables: [theta1]
+parameters: {a1: 0.4 m}
+links:
+  - {a: a1, alpha: 0, d: 0, theta: theta1}
+"""
+
+
+def put(folder: Path, *names: str, text: str | bytes = CLEAN) -> None:
+    """The same text in several files."""
+    for name in names:
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+
+
+def messages(linted: Linted) -> list[str]:
+    """Every finding with its place."""
+    return [f"{one.problem.place}: {one.problem.message}" for one in linted.told]
+
+
+@pytest.fixture(autouse=True)
+def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """An empty folder to work in."""
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def test_a_folder_is_all_files_in_it_and_below(here: Path) -> None:
+    """By name; hidden ones, sheets and files of other kinds are passed over."""
+    put(here, "arms/b.yaml", "arms/a.yml", "arms/more/c.YAML", "arms/.git/d.yaml", "arms/.e.yaml", "arms/f.txt")
+    put(here, "arms/alice.sheet.yaml", text="format: 1\nanswers: {}\n")
+    linted = lint(["arms"])
+    assert linted.files == tuple(str(Path("arms", name)) for name in ("a.yml", "b.yaml", "more/c.YAML"))
+    assert linted.told == ()
+    assert (linted.errors, linted.warnings) == (0, 0)
+
+
+def test_several_paths_are_one_list_and_no_file_is_read_twice(here: Path) -> None:
+    """Under the name by which it came first."""
+    put(here, "arms/a.yaml", "arms/b.yaml", "c.yaml")
+    (here / "arms/z.yaml").symlink_to("a.yaml")
+    assert lint(["c.yaml", "./arms/b.yaml", "arms", "arms/b.yaml"]).files == (
+        "c.yaml",
+        str(Path("arms/b.yaml")),
+        str(Path("arms/a.yaml")),
+    )
+
+
+def test_without_a_path_the_usual_folders_are_looked_at(here: Path) -> None:
+    """Where neither is there, the error names what to write."""
+    with pytest.raises(DhcliError, match=r"there is no \./robots and no \./exercises here") as caught:
+        lint([])
+    assert caught.value.problems[0].hint == "name files or folders: dhcli lint my-arm.yaml"
+    put(here, "robots/a.yaml", "exercises/course/b.yaml", "elsewhere/c.yaml")
+    assert lint([]).files == (str(Path("robots/a.yaml")), str(Path("exercises/course/b.yaml")))
+
+
+def test_every_path_that_leads_nowhere_is_told(here: Path) -> None:
+    """Before anything is linted: a file that is not there, a folder with nothing in it, a name of the library."""
+    put(here, "good.yaml")
+    (here / "empty").mkdir()
+    with pytest.raises(FileError) as caught:
+        lint(["good.yaml", "god.yaml", "empty", "planar-2r", "-"])
+    told = [(str(one.place or ""), one.message, one.hint) for one in caught.value.problems]
+    assert told == [
+        ("god.yaml", "there is no such file", "did you mean good.yaml?"),
+        ("empty", "holds no YAML file", "name a folder with robots or exercises"),
+        ("planar-2r", "there is no such file or folder", "lint takes files and folders, such as robots/my-arm.yaml"),
+        ("", "lint reads files, not standard input", "save it first: a file name is a name"),
+    ]
+
+
+BROKEN: dict[str, tuple[str | bytes, list[str]]] = {
+    "a.yaml": (b"\xff\xfeb\x00a\x00d\x00", ["a.yaml: is written in UTF-16"]),
+    "b.yaml": ("format: 1\ntitle: [\n", ["b.yaml:3:1: a value is missing here"]),
+    "c.yaml": ("", ["c.yaml: is empty"]),
+    "d.yaml": (CLEAN.replace("An arm", "TODO"), ["d.yaml:2:8: title: still says 'TODO'"]),
+    "e.yaml": (CLEAN, []),
+    "f.yaml": (
+        CLEAN.replace("theta: theta1", "theta: 2").replace("standard", "usual"),
+        [
+            "f.yaml:4:13: convention: 'usual' is not known",
+            "f.yaml:8:36: theta: the angle 2 has no unit",
+        ],
+    ),
+    "g.yaml": ("format: 1\nparts: {}\n", ["g.yaml:1:1: title: is missing", "g.yaml:1:1: source: is missing"]),
+}
+
+
+@pytest.mark.parametrize("as_folder", [True, False])
+def test_a_broken_file_keeps_lint_from_no_other(here: Path, *, as_folder: bool) -> None:
+    """Whether it came with its folder or by its name, everything is told of every file, in the order of the lines."""
+    for name, (text, _) in BROKEN.items():
+        put(here, name, text=text)
+    linted = lint(["."] if as_folder else sorted(BROKEN))
+    assert list(linted.files) == sorted(BROKEN)
+    told = messages(linted)
+    for name, (_, expected) in BROKEN.items():
+        own = [line for line in told if line.startswith(name)]
+        assert own[: len(expected)] == expected
+        assert bool(own) is bool(expected)
+    assert (linted.errors, linted.warnings) == (len(told), 0)
+
+
+def test_a_sheet_is_no_content(here: Path) -> None:
+    """Who names one is told what looks at it."""
+    put(here, "alice.sheet.yaml", text="format: 1\nanswers: {}\n")
+    (told,) = lint(["alice.sheet.yaml"]).told
+    assert (str(told.problem.place), told.problem.message) == ("alice.sheet.yaml", "is an answer sheet")
+    assert told.problem.hint == "dhcli check EXERCISE alice.sheet.yaml judges it"
+
+
+def test_two_things_of_one_name_are_told(here: Path) -> None:
+    """A robot named like an exercise is an error, one that hides another a warning; both stand at the head."""
+    put(here, "robots/planar-2r.yaml", "robots/four-bar-in-space.yaml", "robots/mine.yaml")
+    linted = lint(["robots"])
+    assert [(line.message, line.hint) for line in (one.problem for one in linted.told)] == [
+        ("four-bar-in-space is the name of the built-in linkage, too", "name the file otherwise"),
+        ("planar-2r hides the built-in robot", "name the file otherwise"),
+    ]
+    assert [one.is_warning for one in linted.told] == [False, True]
+    assert {str(one.problem.place).split(":", 1)[1] for one in linted.told} == {"1:1"}
+
+
+@pytest.mark.parametrize("folder", ["robots", "exercises/wpi"])
+def test_a_part_of_the_library_is_clean(folder: str) -> None:
+    """The robots, the linkages and a folder of exercises; CI lints all of it, as an author does."""
+    linted = lint([str(ROOT / folder)])
+    assert len(linted.files) == sum(1 for _ in (ROOT / folder).rglob("*.yaml"))
+    assert messages(linted) == []

@@ -1,0 +1,69 @@
+"""Rules for linkages: texts that are finished, and a geometry that settles the mobility."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from dhcli.files.library.lookup import Kind, find
+from tests.lint.linting import Broken, assert_told, cases, findings
+
+if TYPE_CHECKING:
+    import pytest
+
+CLEAN = """\
+format: 1
+title: Five bars
+source: a test
+space: planar
+points: {A: [0, 0], B: [-0.5, 1], C: [0.6, 1.8], D: [1.8, 1.1], E: [1.2, 0]}
+bars:
+  ground: [A, E]
+  left: [A, B]
+  left2: [B, C]
+  right2: [C, D]
+  right: [D, E]
+"""
+
+WRITE = "write what belongs there"
+
+
+@cases(
+    Broken("title: Five bars", "title: TODO", "2:8", "title: still says 'TODO'", WRITE),
+    Broken("source: a test", "source: FIXME", "3:9", "source: still says 'FIXME'", WRITE),
+)
+def test_a_text_that_is_not_finished_is_told(broken: Broken, tmp_path: Path) -> None:
+    """Wherever it stands."""
+    assert_told(tmp_path, CLEAN, broken)
+
+
+def test_a_geometry_that_cannot_be_is_told(tmp_path: Path) -> None:
+    """With the reason, and what would be right."""
+    text = CLEAN[: CLEAN.index("points:")] + (
+        "points: {O: [0, 0]}\n"
+        "joints:\n"
+        "  - ground R carrier at O\n"
+        "  - carrier R sun at O\n"
+        "  - {type: gear, links: [sun, planet], carrier: carrier, radii: [1, 0.6]}\n"
+    )
+    (found,) = findings(tmp_path, text)
+    assert (found.at, found.message) == ("1:1", "nothing but gear teeth holds planet")
+    assert found.hint == "a wheel turns in a carrier: add its joint"
+
+
+def test_a_geometry_that_leaves_the_mobility_open_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As with more motions than are tried."""
+    parallel = find(Kind.LINKAGES, "parallel-four-bar-third-crank").read_text("utf-8")
+    assert findings(tmp_path, parallel) == []
+    monkeypatch.setattr("dhcli.mobility.truth.MOST_MOTIONS", 1)
+    (found,) = findings(tmp_path, parallel)
+    assert found.message.startswith("the geometry does not decide the mobility: undecided: more than 1 motions")
+    assert found.hint == "are the lengths exact? expressions keep them so"
+
+
+def test_counts_alone_need_only_a_title(tmp_path: Path) -> None:
+    """Without a geometry there is nothing to decide."""
+    counts = "format: 1\ntitle: TITLE\nsource: a test\nspace: planar\nlinks: 4\njoints: 4R\n"
+    assert findings(tmp_path, counts.replace("TITLE", "Four bars")) == []
+    (found,) = findings(tmp_path, counts.replace("TITLE", "TODO"))
+    assert (found.at, found.message) == ("2:8", "title: still says 'TODO'")

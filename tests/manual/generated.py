@@ -1,0 +1,106 @@
+"""Pages of the manual that are made from the program itself."""
+
+from __future__ import annotations
+
+import contextlib
+import inspect
+import io
+import os
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+from unittest.mock import patch
+
+MANUAL = Path(__file__).parents[2] / "dhcli" / "manual"
+
+
+def index_page(head: str) -> str:
+    """The list of all pages, behind what is written by hand."""
+    from dhcli.files.manual import GROUPS, topics
+
+    lines = [head.partition("\n## ")[0].rstrip(), ""]
+    for group, heading in GROUPS.items():
+        lines += [f"## {heading}", ""]
+        lines += [f"- [`{one.name}`]({group}/{one.name}.md): {one.title}" for one in topics() if one.group == group]
+        lines.append("")
+    return "\n".join(lines)
+
+
+def commands_page() -> str:
+    """Every command with its help."""
+    from dhcli.cli.app import PANELS
+
+    lines = ["# Commands", "", "Each command as `--help` shows it.", ""]
+    for panel, names in PANELS.items():
+        lines += [f"## {panel}", ""]
+        for name in names:
+            lines += [f"### dhcli {name}", "", "```text", *_help_of(name), "```", ""]
+    return "\n".join(lines)
+
+
+def _help_of(*words: str) -> list[str]:
+    from dhcli.cli.main import main
+
+    screen = io.StringIO()
+    environment = {"COLUMNS": "100", "TERMINAL_WIDTH": "100", "NO_COLOR": "1"}
+    with contextlib.redirect_stdout(screen), patch.dict(os.environ, environment):
+        main([*words, "--help"])
+    lines = [line.rstrip() for line in screen.getvalue().strip("\n").splitlines()]
+    return lines[next(i for i, line in enumerate(lines) if line.strip()) :]
+
+
+def mistakes_page() -> str:
+    """Every mistake that dhcli knows, by name."""
+    from dhcli.checking.diagnosis.mistakes import MISTAKES
+
+    lines = [
+        "# Mistakes by name",
+        "",
+        "The slips that dhcli looks for behind a wrong answer, and that an exercise may test itself with:",
+        "`{part: t02, mistake: alpha-sign 2, verdict: WRONG}`. A number behind the name is the row, or row and column.",
+        "",
+        "| name | what has happened |",
+        "|---|---|",
+    ]
+    lines += [f"| `{one.id}` | {_words(one.words)} |" for one in MISTAKES]
+    return "\n".join([*lines, ""])
+
+
+def _words(text: str) -> str:
+    for name, shown in (("{where}", "i"), ("{row}", "i"), ("{entry}", "i"), ("{term}", "...")):
+        text = text.replace(name, shown)
+    return text.replace("|", "\\|")
+
+
+def library_page(head: str) -> str:
+    """The public names with their docstrings, behind what is written by hand."""
+    import dhcli
+
+    lines = [head.partition(MARK)[0].rstrip(), "", MARK, ""]
+    for name in dhcli.__all__:
+        found: Any = getattr(dhcli, name)
+        if isinstance(found, str):
+            continue
+        lines += [f"### {name}", "", "```text", f"{name}{_signature(found)}", ""]
+        lines += [*(inspect.getdoc(found) or "").splitlines(), "```", ""]
+    return "\n".join(lines)
+
+
+def _signature(found: Callable[..., object]) -> str:
+    try:
+        return re.sub(r"<[^>]*>", "...", str(inspect.signature(found)).replace("'", ""))
+    except (TypeError, ValueError):
+        return ""
+
+
+MARK = "## Every name"
+LIBRARY = MANUAL / "reference" / "library.md"
+INDEX = MANUAL / "index.md"
+GENERATED: dict[Path, Callable[[], str]] = {
+    INDEX: lambda: index_page(INDEX.read_text("utf-8")),
+    MANUAL / "reference" / "commands.md": commands_page,
+    MANUAL / "reference" / "mistakes.md": mistakes_page,
+    LIBRARY: lambda: library_page(LIBRARY.read_text("utf-8")),
+}
+"""Each page that is made, and what makes it."""

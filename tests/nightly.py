@@ -1,0 +1,36 @@
+"""How much is tried: a part of it in ordinary runs, all of it with `--hypothesis-profile nightly`.
+
+Every law and every kind of case is tried in both; a test that only nightly runs has others beside it for the same code.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TypeVar
+
+import pytest
+from hypothesis import settings
+
+T = TypeVar("T")
+
+NIGHT = settings.get_current_profile_name() == "nightly"
+"""Whether all is tried."""
+
+nightly = pytest.mark.nightly
+"""A test, or a case of one, that ordinary runs leave out."""
+
+
+def examples(share: float) -> settings:
+    """So many of the examples that the profile tries: `@examples(2)` for twice as many as usual."""
+    return settings(max_examples=max(1, round(share * settings().max_examples)))
+
+
+def some(cases: Sequence[T], step: int) -> Sequence[T]:
+    """Every so many-th of the cases, the first and the last among them; all of them at night."""
+    return cases if NIGHT else [*cases[:-1:step], *cases[-1:]]
+
+
+def cases_for_nights(cases: Sequence[T], *ordinary: T) -> list[object]:
+    """Cases of a test, all of them nightly but those named."""
+    assert set(ordinary) <= set(cases)
+    return [case if case in ordinary else pytest.param(case, marks=nightly) for case in cases]
