@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dhcli.geometry.orthonormal import not_a_rotation
-from dhcli.geometry.printed import nearest_rotation
 from dhcli.kinematics.moves import Chain, Fixed, Move
 
 
@@ -20,6 +18,9 @@ def sharpened(chain: Chain, remarks: list[str] | None) -> Chain:
 
 
 def _sharp(move: Fixed, remarks: list[str]) -> Move:
+    from dhcli.geometry.orthonormal import not_a_rotation  # most robots have no literal matrix
+    from dhcli.geometry.printed import nearest_rotation
+
     if not_a_rotation(move.rows):
         return move
     rows, remark = nearest_rotation(move.rows)

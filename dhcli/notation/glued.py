@@ -11,8 +11,6 @@ from dhcli.notation.scope import Scope
 from dhcli.notation.tokens import Token
 
 _GLUED = re.compile(r"(?P<head>.*?)(?P<function>cos|sin|tan|sqrt)(?P<digits>\d*)")
-_SHORT = re.compile(r"(.+)([csCS])")
-"""A factor with a cosine or sine behind it, as in `a_{i}c\\theta_{i}`."""
 _NAMES = re.compile(r"[^\W\d_]|(?:[^\W\d_](?:[0-9]+|_\{[^{}]*\}|_[0-9]+))+")
 """What nobody doubts where any name stands for itself: a letter, or letters each with an index."""
 
@@ -30,10 +28,11 @@ def unglued(
     """
     word = tokens[at]
     match = _GLUED.fullmatch(word.text)
-    if match is None and angle_follows and (short := _SHORT.fullmatch(word.text)) and is_factor(short[1], scope):
-        middle = word.end - 1
-        factor = Token("word", short[1], word.start, middle, word.spaced)
-        return (factor, Token("word", short[2], middle, word.end, spaced=False)), 1
+    short = len(word.text) > 1 and word.text[-1] in "csCS"
+    if match is None and angle_follows and short and is_factor(word.text[:-1], scope):
+        middle = word.end - 1  # as in `a_{i}c\theta_{i}`
+        factor = Token("word", word.text[:-1], word.start, middle, word.spaced)
+        return (factor, Token("word", word.text[-1], middle, word.end, spaced=False)), 1
     if match is None:
         return (), 0
     head, function, digits = match["head"], match["function"], match["digits"]
