@@ -5,8 +5,10 @@ Whoever types one means the right angle; taken as it stands, its cosine would be
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from fractions import Fraction
 
+from dhcli.notation.angle import Angle
 from dhcli.notation.dimensions import ANGLE_UNITS
 from dhcli.notation.tree import Expr, Number, Product, Sum, Unit, add, multiply
 
@@ -16,6 +18,7 @@ MOST_QUARTERS = 8
 
 _QUARTER = Fraction(31415926535897932384626433832795028841971, 2 * 10**40)
 _LEAST_PLACES = 2
+_MOST_PLACES = 30
 
 
 def right_angle_of(value: Fraction, places: int | None) -> int | None:
@@ -52,6 +55,25 @@ def with_right_angles(expr: Expr, remarks: list[str]) -> Expr:
                 remarks.append(f"{Number(value, places)} rad is taken as {degrees}°, which it is to its digits")
                 return multiply(Number(Fraction(degrees)), Unit("deg"))
     return expr
+
+
+def right_angles_among(values: Mapping[str, Angle | Expr], remarks: list[str]) -> dict[str, Angle | Expr]:
+    """Values of joints with multiples of 90° in the place of their decimals in radians, for a symbolic result."""
+    found = dict(values)
+    for name, value in values.items():
+        if isinstance(value, Angle) and value.radians and not value.terms and not value.degrees:
+            degrees = right_angle_of(value.radians, _decimals(value.radians))
+            if degrees is not None:
+                found[name] = Angle.in_degrees(degrees)
+                remarks.append(
+                    f"{name}: {float(value.radians):.16g} rad is taken as {degrees}°, which it is to its digits"
+                )
+    return found
+
+
+def _decimals(value: Fraction) -> int | None:
+    """How many decimals a number is written with; None where it is no decimal of a few."""
+    return next((places for places in range(_MOST_PLACES) if 10**places % value.denominator == 0), None)
 
 
 def _is(first: Expr, second: Expr) -> bool:

@@ -73,6 +73,22 @@ def test_every_multiple_is_known_at_every_number_of_digits(count: int, places: i
     assert right_angle_of(Fraction(beside), places) is None
 
 
+def test_a_symbolic_result_has_no_cosine_of_a_right_angle_in_decimals() -> None:
+    """Nor of one that was given for a joint; in numbers a joint stands where it was put."""
+    from dhcli import load_robot
+    from dhcli.kinematics.frames import View
+    from dhcli.kinematics.question import Question, answer
+    from dhcli.kinematics.values import joint_values
+
+    robot = load_robot("planar-2r")
+    values = joint_values(robot, {"theta1": 1.5708})
+    found = answer(robot, values, Question(View("0", "2"), symbolic=True))
+    assert "1.57" not in str(found.pose.rows)
+    assert found.warnings == ("theta1: 1.5708 rad is taken as 90°, which it is to its digits",)
+    kept = answer(robot, joint_values(robot, {"theta1": 1.57089}), Question(View("0", "2"), symbolic=True))
+    assert "1.57089" in str(kept.pose.rows)
+
+
 def test_a_product_says_so_where_somebody_listens() -> None:
     """Whoever gives a list for remarks; else the angle stays as typed."""
     remarks: list[str] = []
