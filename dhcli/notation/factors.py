@@ -12,7 +12,8 @@ from typing import Literal
 
 from dhcli.errors import Place
 from dhcli.notation.angle import Angle
-from dhcli.notation.matrix import matching, read_matrix
+from dhcli.notation.cells import matching
+from dhcli.notation.matrix import read_matrix
 from dhcli.notation.operators import DEEPEST
 from dhcli.notation.parser import Parser
 from dhcli.notation.quantity import DimensionError, to_angle, to_plain_length

@@ -48,21 +48,21 @@ class Operators(Cursor, ABC):
         while True:
             token = self.token
             self._count()
-            if token.kind == "end":
+            if token.kind == "sign":
+                if token.text in "+-" and binding < _SUM:
+                    left = self._sum(left, token)
+                    continue
+                if token.text in "*/" and binding < _PRODUCT:
+                    left = self._multiplied(left)
+                    continue
+                if token.text == "^" and binding < _POWER:
+                    self.advance()
+                    left = self._power(left, token)
+                    continue
+            if binding >= _PRODUCT or token.kind == "end" or not self._starts_operand():
                 self._depth -= 1
                 return left
-            if token.kind == "sign" and token.text in "+-" and binding < _SUM:
-                left = self._sum(left, token)
-            elif token.kind == "sign" and token.text in "*/" and binding < _PRODUCT:
-                left = self._multiplied(left)
-            elif token.kind == "sign" and token.text == "^" and binding < _POWER:
-                self.advance()
-                left = self._power(left, token)
-            elif self._starts_operand() and binding < _PRODUCT:
-                left = self._build(token, multiply, left, self._implicit(left))
-            else:
-                self._depth -= 1
-                return left
+            left = self._build(token, multiply, left, self._implicit(left))
 
     def _sum(self, first: Expr, token: Token) -> Expr:
         """All terms of a sum at once, for one by one each would be compared with those before it again and again."""
