@@ -13,8 +13,7 @@ from dhcli.errors import ExitStatus
 
 if TYPE_CHECKING:
     from dhcli.checking.exercise import Exercise
-    from dhcli.errors import Place
-    from dhcli.files.yaml.sheets import Sheet
+    from dhcli.checking.judge import Judge
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -26,6 +25,10 @@ dhcli check planar-two-links --part d02 --answer "a1*c1 + a2*c12, a1*s1 + a2*s12
 dhcli check puma560 --symbolic --from 4 --to 6 --answer "c5c6 -c5s6 -s5 0; s6 c6 0 0; s5c6 -s5s6 c5 0; 0 0 0 1"
 
 dhcli check scara --pose zero --answer "1 0 0 0; 0 1 0 0.5; 0 0 1 0.4; 0 0 0 1" --tol-position 0.5mm
+
+dhcli check scara --q 0.3,0.5,0.1 --answer "-0.2321, 0.4259, 0.3"
+
+dhcli check puma560 --pose ready --as rpy --answer "0, 0, 180°"
 
 dhcli check puma560 --table my-table.yaml
 """
@@ -56,6 +59,18 @@ def check(
         str | None,
         typer.Option(metavar="FILE", help="A DH table: a robot file in either convention.", rich_help_panel=_QUESTION),
     ] = None,
+    as_: Annotated[
+        str | None,
+        typer.Option(
+            "--as",
+            metavar="FORM",
+            help="What is answered: position, rotation, rpy, quaternion, axis-angle, zyz, ...; the shape says it else.",
+            rich_help_panel=_QUESTION,
+        ),
+    ] = None,
+    entry: Annotated[
+        str | None, typer.Option(metavar="ROW,COLUMN", help="One entry of the pose: 1,4.", rich_help_panel=_QUESTION)
+    ] = None,
     tol_rotation: Annotated[
         float | None, typer.Option(metavar="X", help="Of a direction cosine; 0.001.", rich_help_panel=_TOLERANCE)
     ] = None,
@@ -72,62 +87,63 @@ def check(
     force: Force = False,
 ) -> ExitStatus:
     """Check an answer sheet, one answer, or a DH table."""
-    from dhcli.checking.sheetmark import mark_sheet
+    from dhcli.checking.judge import Judge
     from dhcli.checking.variants import variant_of
     from dhcli.cli.shell.delivery import Delivery
-    from dhcli.cli.shell.quiz import Asked, exercise_of, exit_code, remember, with_tolerance
+    from dhcli.cli.shell.quiz import RobotOptions, exercise_of, exit_code, remember, with_tolerance
     from dhcli.errors import DhcliError
-    from dhcli.files.yaml.sheets import Sheet, check_numbers, read_sheet
+    from dhcli.files.yaml.sheets import judged_sheet, read_sheet
 
     delivery = Delivery("check", format_, output=output, force=force)
     delivery.chosen("marks")
-    asked = Asked(q, pose, tuple(set_ or ()), deg, symbolic, from_, to, table)
-    exercise, typed = exercise_of(name, asked)
+    asked = RobotOptions(q, pose, tuple(set_ or ()), deg, symbolic, from_, to, table, as_, entry)
+    answer = None if answer is None else _text(answer)
+    exercise, typed = exercise_of(name, asked, answer or "")
     exercise = with_tolerance(exercise, tol_rotation, tol_position, decimals)
     if sum(source is not None for source in (sheet, answer, table)) > 1:
         raise DhcliError("a sheet, --answer and --table are three ways to give an answer", "use one of them")
     if sheet is None and answer is None and table is None:
-        return _walk(variant_of(exercise, variant), part)
-    read = read_sheet(sheet) if sheet is not None else Sheet(exercise.id, {})
-    exercise.accepts(read.exercise, sheet or "")
-    exercise = variant_of(exercise, variant, read.variant, sheet or "")
-    check_numbers(read, exercise, sheet or "")
-    answers, places, only = _answers(exercise, read if sheet else None, part, answer, typed if table else None)
-    marked = mark_sheet(exercise, answers, places, only)
+        return _walk(variant_of(Judge(exercise), variant), part)
+    if sheet is not None:
+        read = read_sheet(sheet)
+        exercise.accepts(read.exercise, sheet)
+        marked = judged_sheet(Judge(exercise), read, sheet, variant, part)
+    else:
+        judge = variant_of(Judge(exercise), variant)
+        only = _meant(exercise, part)
+        marked = judge.sheet({only: typed if answer is None else answer}, only=only)
     remember(marked)
     delivery.hand_over("marks", replace(marked, why=why))
     return exit_code(marked.verdict)
 
 
-def _walk(exercise: Exercise, part: str | None) -> ExitStatus:
+def _walk(judge: Judge, part: str | None) -> ExitStatus:
     """Ask part by part, on a terminal only: a script must never wait."""
     from dhcli.cli.shell.quiz import exit_code
     from dhcli.errors import DhcliError
 
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
-        hint = f"dhcli start {exercise.id} writes one; or give --part PART --answer TEXT"
-        if "/" not in exercise.id:
+        hint = f"dhcli start {judge.exercise.id} writes one; or give --part PART --answer TEXT"
+        if "/" not in judge.exercise.id:
             hint = "give it with --answer TEXT; - reads it from standard input"
         raise DhcliError("there is no answer to check: name a sheet", hint)
     from dhcli.cli.shell.walk import walk
 
-    return exit_code(walk(exercise, part).verdict)
+    return exit_code(walk(judge, part).verdict)
 
 
-def _answers(
-    exercise: Exercise, sheet: Sheet | None, part: str | None, answer: str | None, table: str | None
-) -> tuple[dict[str, str], dict[str, Place], str | None]:
-    """Answers by part, where they stand, and the one part meant."""
+def _meant(exercise: Exercise, part: str | None) -> str:
+    """The one part that an answer is to."""
     from dhcli.errors import DhcliError
-    from dhcli.files.reading import read_text
 
-    if sheet is not None:
-        answers = {name: given.text for name, given in sheet.answers.items()}
-        return answers, {name: given.place for name, given in sheet.answers.items()}, part
-    only = exercise.part(part).id if part else exercise.parts[0].id
     if part is None and len(exercise.parts) > 1:
         names = ", ".join(one.id for one in exercise.parts)
         raise DhcliError(f"{exercise.id} has {len(exercise.parts)} parts: say which one is answered", f"--part {names}")
-    if table is not None:
-        return {only: table}, {}, only
-    return {only: read_text("-") if answer == "-" else answer or ""}, {}, only
+    return exercise.part(part).id if part else exercise.parts[0].id
+
+
+def _text(answer: str) -> str:
+    """The answer that was typed, or stands on standard input."""
+    from dhcli.files.reading import read_text
+
+    return read_text("-") if answer == "-" else answer

@@ -8,17 +8,19 @@ from dataclasses import replace
 import pytest
 
 from dhcli import check, load_robot
-from dhcli.checking.exercise import Exercise, Part, question_about
-from dhcli.checking.expected import expected
-from dhcli.checking.questions import MatrixQuestion, Span
+from dhcli.checking.exercise import Exercise, Part
+from dhcli.checking.kinds.made import question_about
+from dhcli.checking.kinds.matrix import MatrixQuestion
 from dhcli.checking.verdicts import Verdict
+from dhcli.checking.wanted import Span
 from dhcli.kinematics.values import joint_values
+from tests.judging import expected
 
 
 def about(name: str, start: str, end: str, q: str = "") -> Exercise:
     """The pose of a frame of a robot; in numbers where joint values are given."""
     robot = load_robot(name)
-    return question_about(robot, start, end, numeric=bool(q), given=joint_values(robot, q) if q else {})
+    return question_about(robot, f"pose {start}..{end}", numeric=bool(q), given=joint_values(robot, q) if q else {})
 
 
 def said(exercise: Exercise, answer: str) -> tuple[str, ...]:
