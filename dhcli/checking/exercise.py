@@ -19,6 +19,7 @@ from dhcli.checking.verdicts import Mark
 from dhcli.checking.written import Printed, Range, Trial, answer_scope
 from dhcli.errors import DhcliError, Place, UnknownNameError, did_you_mean
 from dhcli.kinematics.conventions import Row
+from dhcli.kinematics.derived import replaced
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.validity import Finding
 from dhcli.notation.operators import OPENING
@@ -387,8 +388,9 @@ class Exercise:
 
     def __post_init__(self) -> None:
         """Work out what follows from the rest."""
-        own = self.robot.parameters if self.robot and self.numeric else {}
-        values = {**{name: value for name, value in own.items() if value is not None}, **self.given}
+        values: Mapping[str, Value] = self.given
+        if self.robot and self.numeric:
+            values = replaced(self.robot.derived, self.robot.parameters, self.given)
         object.__setattr__(self, "scope", answer_scope(self.robot, (*self.given, *self.names)))
         object.__setattr__(self, "values", values)
 

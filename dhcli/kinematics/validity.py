@@ -14,6 +14,7 @@ from dhcli.notation.names import canonical
 from dhcli.notation.parser import RESERVED
 from dhcli.notation.quantity import UNITS, is_affine
 from dhcli.notation.scope import trig_name
+from dhcli.notation.tokens import is_name
 from dhcli.notation.tree import Expr, Number, Trig
 from dhcli.notation.walk import symbols, walk
 
@@ -67,7 +68,11 @@ def _names(robot: Description) -> Iterator[Finding]:
     for section, listed in (("variables", robot.variables), ("parameters", tuple(robot.parameters))):
         for index, name in enumerate(listed):
             where = (section, index if section == "variables" else name)
-            if name in RESERVED or name in UNITS:
+            if not is_name(name):
+                yield Finding(
+                    where, f"{name!r:.60} is not a name", "write letters, with digits or an index: elbow_1, l_x"
+                )
+            elif name in RESERVED or name in UNITS:
                 yield Finding(where, f"{name} has a meaning of its own", "choose another name")
             if canonical(name) in seen:
                 yield Finding(where, f"{name} is used twice", f"{seen[canonical(name)]} is declared already")

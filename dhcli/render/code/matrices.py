@@ -161,4 +161,8 @@ def _numpy(rows: Sequence[Sequence[str]]) -> str:
 def _syms(rows: Sequence[Sequence[Expr | float]], without: Collection[str] = ()) -> str:
     """The line that tells MATLAB which names are symbols."""
     names = {n for row in rows for value in row if isinstance(value, Expr) for n in symbols(value)} - set(without)
-    return f"syms {' '.join(map(identifier, sorted(names, key=natural_key)))} real\n" if names else ""
+    return (
+        f"syms {' '.join(identifier(name, 'matlab') for name in sorted(names, key=natural_key))} real\n"
+        if names
+        else ""
+    )
