@@ -28,8 +28,6 @@ def find_two(samples: Samples, loop: Loop, unknown: Sequence[int], missing: Sequ
     """The best two equations in two joints, if there are two."""
     best: tuple[float, Two] | None = None
     for joint, other in permutations(missing, 2):
-        if not samples.actions.arm.axes[other].turns and samples.actions.arm.axes[joint].turns:
-            continue  # of a slide and a turn, the turn is eliminated
         wanted = tuple(sorted((joint, other)))
         equations = list[tuple[Cut, int]]()
         rows = list["Array"]()
@@ -72,7 +70,7 @@ def _error(samples: Samples, joint: int, other: int, pairs: Array) -> float:
     if not axes[joint].turns:
         pairs = np.einsum("nekj,ki->neij", pairs, HALVES)
         true = 2 * np.arctan(true)
-    at, angles = roots(pairs)
+    at, angles = roots(pairs, turns=axes[other].turns)
     gaps = np.abs(np.angle(np.exp(1j * (angles - true[at]))))
     nearest = np.full(len(true), np.pi)
     np.minimum.at(nearest, at, gaps)

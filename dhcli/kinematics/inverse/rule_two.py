@@ -27,6 +27,9 @@ _FAR = 1e6
 HALVES = np.array([[0.5, 0.5, 0.0], [0.0, 0.0, 0.5], [0.25, -0.25, 0.0]])
 """1, d and d²/2 by 1, c and s where d = tan(phi/2), all times (1 + c)/2."""
 
+_LINEAR = 1e-9
+"""A square of a length with a coefficient below this share of the largest does not occur."""
+
 
 def eliminated(rows: Rows, step: Two) -> Rows:
     """Candidates with one joint more; the other joint of the equations follows by ONE."""
@@ -36,7 +39,8 @@ def eliminated(rows: Rows, step: Two) -> Rows:
         return rows
     pairs = two_equations(rows, step)
     turns = axes[step.joint].turns
-    at, angles = roots(pairs if turns else np.einsum("nekj,ki->neij", pairs, HALVES))
+    pairs = pairs if turns else np.einsum("nekj,ki->neij", pairs, HALVES)
+    at, angles = roots(pairs, turns=axes[step.other].turns)
     digit = np.arange(len(at)) - np.searchsorted(at, at)
     found = rows.take(at)
     found.path = found.path * 8 + digit
@@ -60,12 +64,13 @@ def two_equations(rows: Rows, step: Two) -> Array:
     return np.stack([tensors[cut][:, k] for cut, k in step.equations], axis=1)
 
 
-def roots(pairs: Array) -> tuple[Array, Array]:
+def roots(pairs: Array, *, turns: bool) -> tuple[Array, Array]:
     """The angles at which two equations, linear in the cosine and sine of another joint, have a common solution.
 
     Args:
         pairs: Coefficients (N, 2, 3, 3) by 1, cosine and sine of this angle, and the same of the other; of a slide
             that is eliminated by 1, length and half its square.
+        turns: Whether the other joint turns.
 
     Returns:
         The row and the angle of each root, sorted by row.
@@ -75,8 +80,11 @@ def roots(pairs: Array) -> tuple[Array, Array]:
     values = np.einsum("nekj,kp->nepj", pairs, basis)
     (e1, a1, b1), (e2, a2, b2) = (np.moveaxis(values[:, k], 2, 0) for k in range(2))
     cosine, sine, det = b1 * e2 - e1 * b2, e1 * a2 - a1 * e2, a1 * b2 - b1 * a2
-    resultant = cosine**2 + sine**2 - det**2
-    return unit_roots(resultant)
+    if turns:
+        return unit_roots(cosine**2 + sine**2 - det**2)
+    if np.abs(pairs[..., 2]).max(initial=0) < _LINEAR * np.abs(pairs).max(initial=0):
+        return unit_roots(e1 * a2 - a1 * e2)
+    return unit_roots(2 * sine * det - cosine**2)
 
 
 def unit_roots(values: Array) -> tuple[Array, Array]:
