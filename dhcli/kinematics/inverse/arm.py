@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, TypeAlias
@@ -11,10 +12,7 @@ import numpy as np
 from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
 from dhcli.kinematics.fold import fold
-from dhcli.kinematics.frames import between
 from dhcli.kinematics.moves import Chain, Fixed, Rot, Trans, names
-from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.values import Values, numbers, require
 from dhcli.notation.angle import Angle
 from dhcli.notation.factors import AXES
 
@@ -90,31 +88,28 @@ def inverse_pose(pose: Array) -> Array:
     return back
 
 
-def arm_of(robot: Robot, values: Values, start: str, end: str) -> Arm:
-    """The joint axes of a robot between two of its frames.
+def arm_of(chain: Chain, variables: tuple[str, ...], values: Mapping[str, Angle | float]) -> Arm:
+    """The joint axes of a chain of moves.
 
     Args:
-        robot: The robot.
-        values: Value of each length and constant angle.
-        start: The frame it is seen from.
-        end: The frame whose pose is asked for.
+        chain: The moves from the start frame to the end frame.
+        variables: The joint variables.
+        values: Value of each length [m] and constant angle.
 
     Raises:
-        RobotError: A length has no value, or a joint does not move about or along one axis.
+        RobotError: A joint does not move about or along one axis, or the zero pose is not a pose.
     """
-    chain = between(robot, start, end)
-    require(robot, chain, {**values, **dict.fromkeys(robot.variables, Angle())})
-    still = {**numbers(values), **dict.fromkeys(robot.variables, 0.0)}
-    moving = {name: tuple(k for k, move in enumerate(chain) if name in names((move,))) for name in robot.variables}
+    still = {**values, **dict.fromkeys(variables, 0.0)}
+    moving = {name: tuple(k for k, move in enumerate(chain) if name in names((move,))) for name in variables}
     order = sorted((name for name, at in moving.items() if at), key=lambda name: moving[name])
     first = min((at[0] for at in moving.values() if at), default=len(chain))
     before = np.array(fold(chain[:first], Floats(still)), dtype=float)
     found = [_axis(chain, name, moving[name], still, first) for name in order]
     home = np.array(fold(chain[first:], Floats(still)), dtype=float)
+    if not np.isfinite(home).all() or not np.isfinite(before).all():
+        raise RobotError("the zero pose of the robot has an entry that is not a real number")
     points = [np.array(axis.point) for axis in found] + [home[:3, 3]]
     reach = float(max((np.linalg.norm(p - q) for p in points for q in points), default=0.0)) or 1.0
-    if not np.isfinite(home).all() or not np.isfinite(reach):
-        raise RobotError("the zero pose of the robot has an entry that is not a real number")
     home[:3, 3] /= reach
     return Arm(tuple(_scaled(axis, reach) for axis in found), len(found), before, home, reach)
 
