@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhcli.kinematics.inverse.polishing import motion
+from dhcli.kinematics.inverse.polishing import cross, motion
 
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.arm import Array, Arm
@@ -29,6 +29,7 @@ class Anatomy:
         shoulder: Whether the first two axes cross, so that the arm can reach a point facing it or backwards.
         offset: By how much the arm stands beside the first axis, along the second.
         elbow: The number of the joint that is the elbow, with the shoulder's joint before it; -1 where there is none.
+        three: Whether a third axis is parallel to those of shoulder and elbow.
         flips: Whether the last three joints are a wrist that can flip.
         ahead: Sign of the direction in which the arm faces in the zero pose.
         level: Whether the arm moves in a plane across its first axis, as SCARA does.
@@ -38,6 +39,7 @@ class Anatomy:
     shoulder: bool
     offset: float
     elbow: int
+    three: bool
     flips: bool
     ahead: float
     level: bool
@@ -50,34 +52,24 @@ def anatomy(arm: Arm) -> Anatomy:
     z = [np.array(axis.direction) for axis in axes]
     p = [np.array(axis.point) for axis in axes]
     count = arm.joints
-    tip = arm.home[:3, 3]
-    wrist, flips = tip, False
-    if count >= 3 and all(turns[-3:]):  # noqa: PLR2004  joints of a wrist
-        centre = _common_point(z[-2:], p[-2:])
-        if centre is not None:
-            wrist = centre
-        flips = _parallel_nowhere(z[-3:]) and (count > 3 or centre is not None)  # noqa: PLR2004
-        flips = flips and (count == 3 or centre is not None)  # noqa: PLR2004
-    across = count > 2 and turns[0] and turns[1] and not _parallel(z[0], z[1])  # noqa: PLR2004
-    shoulder = across and count - 3 * flips > 1
-    offset = float((wrist - p[0]) @ z[1]) if shoulder else 0.0
-    elbow, level = -1, False
+    wrist = _common_point(z[-2:], p[-2:]) if count > 2 and all(turns[-2:]) else None  # noqa: PLR2004
+    flips = wrist is not None and all(turns[-3:]) and _parallel_nowhere(z[-3:])
+    place = arm.home[:3, 3] if wrist is None else wrist
+    elbow, three, level = -1, False, False
     for first in (0, 1):
-        pair = first + 1 < count and turns[first] and turns[first + 1] and _parallel(z[first], z[first + 1])
-        # the pair is an elbow only where both move the wrist, and nothing before them but a turn does
-        if pair and (first == 0 or turns[0]):
+        if first + 1 < count and turns[0] and turns[first] and turns[first + 1] and _parallel(z[first], z[first + 1]):
             elbow, level = first + 1, first == 0
+            three = first + 2 < count and turns[first + 2] and _parallel(z[first + 1], z[first + 2])
             break
-    if elbow >= 0 and count > 3 and not flips and level is False:  # noqa: PLR2004
-        nxt = elbow + 1
-        if nxt < count and turns[nxt] and _parallel(z[elbow], z[nxt]):
-            flips = count == 6 and _parallel_nowhere(z[-3:])  # noqa: PLR2004
-    ahead = 1.0
+    shoulder = count - 3 * flips > 1 and turns[0] and turns[1] and not _parallel(z[0], z[1])
+    offset, ahead = 0.0, 1.0
     if shoulder:
-        facing = float(np.cross(z[1], z[0]) @ (wrist - p[0]))
-        ahead = np.sign(facing) if abs(facing) > CLOSE else (np.sign(np.cross(z[1], z[0]) @ (1.0, 0.3, 0.1)) or 1.0)
-    x, y, height = (float(part) for part in wrist)
-    return Anatomy((x, y, height), shoulder, offset, elbow, flips, float(ahead), level)
+        offset = float((place - p[0]) @ z[1])
+        facing = np.cross(z[1], z[0])
+        ahead = float(facing @ (place - p[0]))
+        ahead = ahead if abs(ahead) > CLOSE else float(facing @ (1.0, 0.3, 0.1))
+    x, y, height = (float(part) for part in place)
+    return Anatomy((x, y, height), shoulder, offset, elbow, three, flips, -1.0 if ahead < 0 else 1.0, level)
 
 
 def _parallel(a: Array, b: Array) -> bool:
@@ -97,59 +89,65 @@ def _common_point(z: Sequence[Array], p: Sequence[Array]) -> Array | None:
     return np.asarray(p[0] + z[0] * float(np.cross(p[1] - p[0], z[1]) @ normal) / size)
 
 
-def posture(arm: Arm, parts: Anatomy, motions: Array) -> tuple[tuple[str, str], ...]:
-    """How an arm holds its parts, as pairs of part and word, such as ("elbow", "up").
+def posture(arm: Arm, parts: Anatomy, motions: Array) -> list[list[str]]:
+    """How an arm holds its parts, in words such as `elbow up`, for each of some joint values.
 
     Args:
         arm: The arm.
         parts: Its parts.
-        motions: Motions of the joints, shape (n,).
+        motions: Motions of the joints, shape (K, n).
     """
     z, p, wrist = _placed(arm, parts, motions)
-    words = []
-    facing = 1.0
+    said: list[list[str]] = [[] for _ in motions]
+    facing = np.ones(len(motions))
     if parts.shoulder:
-        facing = float(np.cross(z[1], z[0]) @ (wrist - p[0]))
+        facing = _along(cross(z[1], z[0]), wrist - p[0])
         if abs(parts.offset) > CLOSE:
-            words.append(("shoulder", _word(facing * parts.offset, "left", "right")))
+            _say(said, "shoulder", facing * parts.offset, ("left", "right"))
         else:
-            words.append(("shoulder", _word(facing * parts.ahead, "front", "back")))
+            _say(said, "shoulder", facing * parts.ahead, ("front", "back"))
     if parts.elbow >= 0:
         first, second = parts.elbow - 1, parts.elbow
-        end = wrist
-        if not parts.level and second + 1 < arm.joints and _parallel(z[second], z[second + 1]):
-            end = p[second + 1]  # three parallel axes: the third stands where the forearm ends
-        bend = float(np.cross(end - p[first], p[second] - p[first]) @ z[first])
+        # three parallel axes: the third stands where the forearm ends
+        end = p[second + 1] if parts.three else wrist
+        bend = _along(cross(end - p[first], p[second] - p[first]), z[first])
         if parts.level:
-            words.append(("elbow", _word(bend, *(("left", "right") if _slides(arm) else ("up", "down")))))
+            _say(said, "elbow", bend, ("left", "right") if _slides(arm) else ("up", "down"))
         else:
-            words.append(("elbow", _word(-bend * np.sign(facing or 1.0), "up", "down")))
+            _say(said, "elbow", -bend * np.where(facing < 0, -1.0, 1.0), ("up", "down"))
     if parts.flips:
-        words.append(("wrist", _word(float(np.cross(z[-3], z[-1]) @ z[-2]), "noflip", "flip")))
-    return tuple((part, word) for part, word in words if word)
+        _say(said, "wrist", _along(cross(z[-3], z[-1]), z[-2]), ("noflip", "flip"))
+    return said
+
+
+def _say(said: list[list[str]], part: str, signs: Array, words: tuple[str, str]) -> None:
+    """A word for each by a sign; none where the arm stands where two branches meet."""
+    for names, sign in zip(said, signs.tolist(), strict=True):
+        if abs(sign) > _NOWHERE:
+            names.append(f"{part} {words[sign < 0]}")
+
+
+def _along(one: Array, other: Array) -> Array:
+    return np.asarray((one * other).sum(axis=-1))
 
 
 def _slides(arm: Arm) -> bool:
     return any(not axis.turns for axis in arm.axes[: arm.joints])
 
 
-def _word(sign: float, positive: str, negative: str) -> str:
-    return "" if abs(sign) < _NOWHERE else positive if sign > 0 else negative
-
-
 def _placed(arm: Arm, parts: Anatomy, motions: Array) -> tuple[list[Array], list[Array], Array]:
-    """Axes, points on them, and the wrist, at some joint values."""
-    total = np.eye(4)
-    z, p, wrist = [], [], np.array(parts.wrist)
-    last = arm.joints - 1
-    place = wrist
+    """Axes, points on them, and the wrist, at some joint values, each (K, 3)."""
+    total = np.broadcast_to(np.eye(4), (len(motions), 4, 4))
+    z, p = [], []
+    wrist = np.array(parts.wrist)
+    place = np.broadcast_to(wrist, (len(motions), 3))
     for k in range(arm.joints):
         axis = arm.axes[k]
-        z.append(total[:3, :3] @ np.array(axis.direction))
-        p.append(total[:3, :3] @ np.array(axis.point) + total[:3, 3])
-        if k == last and parts.flips:
-            place = total[:3, :3] @ wrist + total[:3, 3]
-        total = total @ motion(axis, motions[k : k + 1])[0]
+        z.append(total[:, :3, :3] @ np.array(axis.direction))
+        p.append(total[:, :3, :3] @ np.array(axis.point) + total[:, :3, 3])
+        if k == arm.joints - 1 and parts.flips:
+            place = total[:, :3, :3] @ wrist + total[:, :3, 3]
+        total = total @ motion(axis, motions[:, k])
     if not parts.flips:
-        place = total[:3, :3] @ wrist + total[:3, 3]
+        place = total[:, :3, :3] @ wrist + total[:, :3, 3]
     return z, p, place

@@ -223,7 +223,7 @@ def _answer(question: Question, solved: Solved, said: list[str]) -> Solutions:
     held = tuple((ready.arm.axes[j].name, float(q[0, question.order[j]])) for j in ready.plan.held) if len(q) else ()
     names = list[str]()
     for index in dict.fromkeys(solved.index.tolist()):
-        names += branch_names(ready.plan, solved.motions[solved.index == index])
+        names += branch_names(ready.plan, ready.parts, solved.motions[solved.index == index])
     return Solutions(robot, ready.task.name, q, tuple(names), solved.residual, (), free, held, remarks=tuple(said))
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhcli.kinematics.inverse.anatomy import anatomy, posture
+from dhcli.kinematics.inverse.anatomy import Anatomy, posture
 from dhcli.kinematics.inverse.polishing import product
 from dhcli.kinematics.inverse.rows import Rows
 from dhcli.kinematics.inverse.steps import One, Plan
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 _NOWHERE = 1e-9
 
 
-def branch_names(plan: Plan, motions: Array) -> tuple[str, ...]:
+def branch_names(plan: Plan, parts: Anatomy, motions: Array) -> tuple[str, ...]:
     """A name for each of some solutions of one pose.
 
     The words for shoulder, elbow and wrist first; where they leave two solutions with one name, the signs that tell
@@ -27,11 +27,12 @@ def branch_names(plan: Plan, motions: Array) -> tuple[str, ...]:
 
     Args:
         plan: The plan that found them.
+        parts: The parts of the arm.
         motions: The solutions, shape (K, n).
     """
-    arm = plan.actions.arm
-    parts = anatomy(arm)
-    said = [[f"{part} {word}" for part, word in posture(arm, parts, row)] for row in motions]
+    said = posture(plan.actions.arm, parts, motions)
+    if len(set(map(tuple, said))) == len(said):
+        return tuple(", ".join(words) for words in said)
     for name, signs in _signs(plan, motions):
         if max(Counter(map(tuple, said)).values(), default=0) < 2:  # noqa: PLR2004
             break

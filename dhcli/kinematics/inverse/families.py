@@ -97,7 +97,7 @@ def _reduced_from_left(rows: Array) -> Array:
 def _is_straight(arm: Arm, task: Task, motions: Array, rates: Array, total: Array) -> bool:
     """Whether the end stays while all joints move at constant rates, as far as half a turn."""
     ways = motions + np.array([[0.3], [1.1], [-2.0]]) * rates
-    return bool(residuals(task, arm.home, product(arm, ways), np.repeat(total, 3, axis=0)).max() < _STAYS * 10)
+    return bool(residuals(task, arm.home, product(arm, ways), np.repeat(total, 3, axis=0)).max() < _STAYS)
 
 
 def _walked(

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, TypeAlias
 import numpy as np
 
 from dhcli.errors import RobotError, plural
+from dhcli.kinematics.inverse.anatomy import Anatomy, anatomy
 from dhcli.kinematics.inverse.arm import Arm, arm_of
 from dhcli.kinematics.inverse.planning import NoPlanError, find_plan
 from dhcli.kinematics.inverse.polishing import jacobian
@@ -43,12 +44,14 @@ class Prepared:
         task: What is wanted.
         spare: How many joints are more than the task needs.
         chosen: Whether the joints held were chosen here and not asked for.
+        parts: Shoulder, elbow and wrist.
     """
 
     plan: Plan
     task: Task
     spare: int
     chosen: bool
+    parts: Anatomy
 
     @property
     def arm(self) -> Arm:
@@ -80,7 +83,7 @@ def prepare(
     asked = tuple(names.index(name) for name in hold if name in names)
     spare = arm.joints - _rank(arm, task)
     plan = _plan(arm, task, asked, spare)
-    return Prepared(plan, task, spare, len(plan.held) > len(asked))
+    return Prepared(plan, task, spare, len(plan.held) > len(asked), anatomy(arm))
 
 
 def _plan(arm: Arm, task: Task, asked: tuple[int, ...], spare: int) -> Plan:

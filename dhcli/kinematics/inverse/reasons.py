@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhcli.kinematics.inverse.polishing import jacobian, product
+from dhcli.kinematics.inverse.polishing import cross, jacobian, product
 from dhcli.kinematics.inverse.prepared import Prepared
 
 if TYPE_CHECKING:
@@ -147,9 +147,9 @@ def _slope(arm: Arm, motions: Array, end: Array, columns: list[int]) -> Array:
         moved = []
         for k in columns:
             if k < 3:  # noqa: PLR2004  a direction
-                moved.append(np.cross(along, end[:, :3, k]) if axis.turns else np.zeros_like(along))
+                moved.append(cross(along, end[:, :3, k]) if axis.turns else np.zeros_like(along))
             else:
-                moved.append(np.cross(along, end[:, :3, 3] - point) if axis.turns else along)
+                moved.append(cross(along, end[:, :3, 3] - point) if axis.turns else along)
         parts.append(np.concatenate(moved, axis=1))
         total = total @ motion(axis, value)
     return np.stack(parts, axis=2)

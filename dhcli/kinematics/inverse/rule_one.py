@@ -24,6 +24,9 @@ STRAY = 0.5
 SNAP = 1e-14
 """A square below this is a double root: two angles that rounding alone tells apart."""
 
+DOUBTFUL = 30.0
+"""A square below this many times the rounding may be that of a double root."""
+
 OUTSIDE = -1e-6
 """A square above this may still be a double root."""
 
@@ -132,9 +135,17 @@ def pair(rows: Rows, joint: int, a: Array, b: Array, e: Array) -> Rows:
         rows, a, b, e, square = rows.take(real), a[real], b[real], e[real], square[real]
     double = square < SNAP
     h = np.sqrt(np.where(double, 0, square))
-    e = np.where(double, np.sign(e), e)
-    rows.loss = rows.loss / np.maximum(h, np.sqrt(rows.loss))
-    return two_ways(rows, joint, (a * e - b * h, b * e + a * h), (a * e + b * h, b * e - a * h), ~double)
+    once = np.where(double, np.sign(e), e)
+    loss, rows.loss = rows.loss, rows.loss / np.maximum(h, np.sqrt(rows.loss))
+    both = two_ways(rows, joint, (a * once - b * h, b * once + a * h), (a * once + b * h, b * once - a * h), ~double)
+    doubtful = ~double & (square < np.minimum(DOUBTFUL * loss, -OUTSIDE))
+    if not doubtful.any():
+        return both
+    # rounding may have split a double root: between the two stands the one that further equations may vanish at
+    middle = rows.take(doubtful)
+    middle.path = middle.path * BASE + 2
+    sign = np.sign(e[doubtful])
+    return both.joined(known_as(middle, joint, a[doubtful] * sign, b[doubtful] * sign))
 
 
 def two_ways(

@@ -61,10 +61,12 @@ def solve(
     found = run(plan, task, np.repeat(goal[None], count, axis=0), tries(ready, best), held, tolerance)
     if not len(found.index):
         return Solved(np.empty((0, arm.joints)), np.empty(0), (), np.empty(0, dtype=int))
-    found = found.take(_representatives(ready, found))
+    least = least_singular(ready, found.motions)
+    kept = representatives(found, least)
+    found, least = found.take(kept), least[kept]
     rows: list[tuple[int, Array, tuple[Freedom, ...]]] = []
-    for index, motions in zip(found.index.tolist(), found.motions, strict=True):
-        ways = freedoms(arm, task, motions, plan.held)
+    for index, motions, size in zip(found.index.tolist(), found.motions, least.tolist(), strict=True):
+        ways = freedoms(arm, task, motions, plan.held) if size < SINGULAR else ()
         placed = motions
         for way in ways:
             there = moved_to(arm, task, placed, goal, way, float(best[way.parameter]), plan.held)
@@ -90,17 +92,24 @@ def _gap(turning: Array, one: Array, other: Array) -> float:
 
 
 def _wrapped(motions: Array, turning: Array) -> Array:
-    wrapped = motions - 2 * np.pi * np.round(motions / (2 * np.pi))
-    return np.where(turning & (np.abs(motions) > np.pi + 1e-15), wrapped, motions)
+    """The same angles above -π, up to π."""
+    turns = np.ceil((motions - np.pi) / (2 * np.pi) - _SAME)
+    return np.where(turning, motions - 2 * np.pi * turns, motions)
 
 
-def _representatives(ready: Prepared, found: Found) -> Array:
-    """Of solutions that differ in the value tried for a free joint alone, the first; of all others each."""
-    _, slope = jacobian(ready.arm, ready.task, found.motions)
+def least_singular(ready: Prepared, motions: Array) -> Array:
+    """The least singular value of the Jacobian at each solution, joints held left out, shape (K,)."""
+    _, slope = jacobian(ready.arm, ready.task, motions)
     slope = np.delete(slope, list(ready.plan.held), axis=2)
-    least = np.zeros(len(found.index))
-    if slope.shape[1] >= slope.shape[2]:
-        least = np.linalg.svd(slope, compute_uv=False)[:, -1] if slope.shape[2] else least + 1
+    if not slope.shape[2]:
+        return np.ones(len(motions))
+    if slope.shape[1] < slope.shape[2]:
+        return np.zeros(len(motions))
+    return np.asarray(np.linalg.svd(slope, compute_uv=False)[:, -1])
+
+
+def representatives(found: Found, least: Array) -> Array:
+    """Of solutions that differ in the value tried for a free joint alone, the first; of all others each."""
     loose = (found.free > 0) & (least < SINGULAR)
     kept = ~loose
     seen = set[tuple[int, int]]()

@@ -84,12 +84,12 @@ def _parts(ready: Prepared, goal: Array) -> list[str]:
             plan = find_plan(arm, ready.plan.held)
         except NoPlanError:
             # more joints than this part needs: the nearest pose tells whether it can be reached
-            part = Prepared(ready.plan, task, 0, chosen=False)
+            part = Prepared(ready.plan, task, 0, False, ready.parts)  # noqa: FBT003
             _, apart, angle = nearest_reachable(part, goal, {})
             near = apart < 1e-6 * ready.arm.reach and angle < 1e-6  # noqa: PLR2004
             said.append(f"{label}: {'in many ways' if near else 'not'}")
             continue
-        part = Prepared(plan, task, 0, chosen=False)
+        part = Prepared(plan, task, 0, False, ready.parts)  # noqa: FBT003
         found = run(plan, task, goal[None], tries(part, np.zeros(arm.joints)))
         count = len(found.index)
         said.append(f"{label}: {plural(count, 'solution') if count else 'not'}")

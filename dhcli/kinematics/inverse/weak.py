@@ -20,6 +20,9 @@ FREE = 50.0
 DIM = 1e-6
 """Below this the second direction of the equations is too faint to tell the two roots of the first apart."""
 
+MOST = 1e-5
+"""No coefficient above this is zero, however much rounding there may be."""
+
 _CONTRADICTS = 1e-5
 """A constant above this in an equation without unknown is a contradiction."""
 
@@ -36,7 +39,7 @@ def from_all(rows: Rows, step: One, draws: Array) -> Rows:
     tensor = np.concatenate([loop.tensor(cut, (step.joint,)) for cut in step.cuts], axis=1)
     left, sizes, directions = np.linalg.svd(tensor[:, :, 1:], full_matrices=False)
     constants = -np.einsum("nmk,nm->nk", left, tensor[:, :, 0])
-    zero = np.minimum(FREE * rows.loss, DIM)
+    zero = np.minimum(FREE * rows.loss, MOST)
     free = sizes[:, 0] < zero
     dim = ~free & (sizes[:, 1] < np.maximum(zero, DIM * sizes[:, 0]))
     turns = rows.actions.arm.axes[step.joint].turns
