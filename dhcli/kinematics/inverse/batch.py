@@ -104,7 +104,7 @@ def _block(question: Question, poses: Array, held: dict[int, float], tolerance: 
         return found
     least = np.ones(len(found.index))
     least[loose] = least_singular(ready, found.motions[loose])
-    return found.take(representatives(found, least))
+    return found.take(representatives(ready, found, least)[0])
 
 
 def _in_turn(question: Question, q: Array) -> Array:

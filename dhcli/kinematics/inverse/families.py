@@ -20,6 +20,9 @@ _TRY = 0.05
 """How far the arm is moved to see whether its end stays [rad, reaches]."""
 
 _STAYS = 1e-12
+_NEARLY = 2e-11
+"""An arm this near to a singular pose moves as if it were there; the members of its family are polished."""
+
 _STRIDE = 0.25
 _WHOLE = 1e-6
 
@@ -97,7 +100,7 @@ def _reduced_from_left(rows: Array) -> Array:
 def _is_straight(arm: Arm, task: Task, motions: Array, rates: Array, total: Array) -> bool:
     """Whether the end stays while all joints move at constant rates, as far as half a turn."""
     ways = motions + np.array([[0.3], [1.1], [-2.0]]) * rates
-    return bool(residuals(task, arm.home, product(arm, ways), np.repeat(total, 3, axis=0)).max() < _STAYS)
+    return bool(residuals(task, arm.home, product(arm, ways), np.repeat(total, 3, axis=0)).max() < _NEARLY)
 
 
 def _walked(
@@ -133,7 +136,9 @@ def moved_to(  # noqa: PLR0913  where from, where to, and what has to stay
     now = motions.copy()
     way = value - now[freedom.parameter]
     if freedom.straight:
-        return np.asarray(now + way * np.array(freedom.rates))
+        now += way * np.array(freedom.rates)
+        led, left = polished(arm, task, now[None], goal[None], (freedom.parameter, *held))
+        return np.asarray(led[0]) if left[0] <= _STAYS else None
     steps = int(np.ceil(abs(way) / _STRIDE))
     for k in range(1, steps + 1):
         now[freedom.parameter] = motions[freedom.parameter] + way * k / steps

@@ -130,7 +130,7 @@ def slides(rows: Rows, joint: int, e: Array, a: Array) -> Rows:
 def pair(rows: Rows, joint: int, a: Array, b: Array, e: Array) -> Rows:
     """Both angles of `a c + b s = e`, with a² + b² = 1; one where they are one within rounding."""
     square = 1 - e * e
-    real = square > OUTSIDE
+    real = square > np.minimum(OUTSIDE, -DOUBTFUL * rows.loss)
     if not real.all():
         rows, a, b, e, square = rows.take(real), a[real], b[real], e[real], square[real]
     double = square < SNAP

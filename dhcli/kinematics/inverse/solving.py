@@ -61,12 +61,10 @@ def solve(
     found = run(plan, task, np.repeat(goal[None], count, axis=0), tries(ready, best), held, tolerance)
     if not len(found.index):
         return Solved(np.empty((0, arm.joints)), np.empty(0), (), np.empty(0, dtype=int))
-    least = least_singular(ready, found.motions)
-    kept = representatives(found, least)
-    found, least = found.take(kept), least[kept]
+    kept, families = representatives(ready, found, least_singular(ready, found.motions))
+    found = found.take(kept)
     rows: list[tuple[int, Array, tuple[Freedom, ...]]] = []
-    for index, motions, size in zip(found.index.tolist(), found.motions, least.tolist(), strict=True):
-        ways = freedoms(arm, task, motions, plan.held) if size < SINGULAR else ()
+    for index, motions, ways in zip(found.index.tolist(), found.motions, families, strict=True):
         placed = motions
         for way in ways:
             there = moved_to(arm, task, placed, goal, way, float(best[way.parameter]), plan.held)
@@ -108,13 +106,26 @@ def least_singular(ready: Prepared, motions: Array) -> Array:
     return np.asarray(np.linalg.svd(slope, compute_uv=False)[:, -1])
 
 
-def representatives(found: Found, least: Array) -> Array:
-    """Of solutions that differ in the value tried for a free joint alone, the first; of all others each."""
-    loose = (found.free > 0) & (least < SINGULAR)
-    kept = ~loose
+def representatives(ready: Prepared, found: Found, least: Array) -> tuple[Array, list[tuple[Freedom, ...]]]:
+    """Of the members of a family that differ in the value tried for a free joint alone, the first; all else.
+
+    Args:
+        ready: The robot made ready.
+        found: Solutions.
+        least: The least singular value of each one's Jacobian.
+
+    Returns:
+        Which are kept, in their order, and the ways in which the arm can move at each.
+    """
+    ways: dict[int, tuple[Freedom, ...]] = {}
     seen = set[tuple[int, int]]()
-    for k in sorted(np.flatnonzero(loose).tolist(), key=lambda k: int(found.draw[k])):
+    loose = set(np.flatnonzero(least < SINGULAR).tolist())
+    for k in sorted(range(len(found.index)), key=lambda k: int(found.draw[k])):
         key = int(found.index[k]), int(found.path[k])
-        kept[k] = key not in seen
-        seen.add(key)
-    return np.flatnonzero(kept)
+        if k in loose and found.free[k] and key in seen:
+            continue
+        ways[k] = freedoms(ready.arm, ready.task, found.motions[k], ready.plan.held) if k in loose else ()
+        if ways[k] and found.free[k]:
+            seen.add(key)
+    kept = sorted(ways)
+    return np.array(kept, dtype=int), [ways[k] for k in kept]

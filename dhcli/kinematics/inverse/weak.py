@@ -20,6 +20,9 @@ FREE = 50.0
 DIM = 1e-6
 """Below this the second direction of the equations is too faint to tell the two roots of the first apart."""
 
+UNSURE = 1e4
+"""Coefficients below this many times the rounding leave the joint so uncertain that it is tried as a free one too."""
+
 MOST = 1e-5
 """No coefficient above this is zero, however much rounding there may be."""
 
@@ -46,6 +49,7 @@ def from_all(rows: Rows, step: One, draws: Array) -> Rows:
     clear = ~free & ~dim
     found = _clear(rows, step.joint, clear, sizes, directions, constants, turns=turns)
     found = found.joined(_dim(rows, step.joint, dim, sizes, directions, constants, turns=turns))
+    free |= sizes[:, 0] < np.minimum(UNSURE * rows.loss, MOST)
     free &= np.abs(tensor[:, :, 0]).max(axis=1) < np.maximum(_CONTRADICTS, FREE * rows.loss)
     return found.joined(_free(rows.take(free), step.joint, draws, turns=turns))
 
