@@ -27,6 +27,9 @@ if TYPE_CHECKING:
     from dhcli.kinematics.forms import roll_pitch_yaw as roll_pitch_yaw
     from dhcli.kinematics.forward import forward as forward
     from dhcli.kinematics.forward import symbolic as symbolic
+    from dhcli.kinematics.inverse.asked import inverse as inverse
+    from dhcli.kinematics.inverse.batch import inverse_batch as inverse_batch
+    from dhcli.kinematics.inverse.solutions import Solutions as Solutions
     from dhcli.kinematics.pose import Pose as Pose
     from dhcli.kinematics.robot import Robot as Robot
     from dhcli.kinematics.sweep.asked import sweep as sweep
@@ -37,10 +40,13 @@ _HOMES = {
     "DhcliError": "dhcli.errors",
     "Pose": "dhcli.kinematics.pose",
     "Robot": "dhcli.kinematics.robot",
+    "Solutions": "dhcli.kinematics.inverse.solutions",
     "axis_angles": "dhcli.kinematics.forms",
     "check": "dhcli.checking.marking",
     "forward": "dhcli.kinematics.forward",
     "forward_batch": "dhcli.kinematics.batch",
+    "inverse": "dhcli.kinematics.inverse.asked",
+    "inverse_batch": "dhcli.kinematics.inverse.batch",
     "load_exercise": "dhcli.files.yaml.exercises",
     "load_robot": "dhcli.files.yaml.robots",
     "quaternions": "dhcli.kinematics.forms",
@@ -53,11 +59,14 @@ __all__ = [
     "DhcliError",
     "Pose",
     "Robot",
+    "Solutions",
     "__version__",
     "axis_angles",
     "check",
     "forward",
     "forward_batch",
+    "inverse",
+    "inverse_batch",
     "load_exercise",
     "load_robot",
     "quaternions",

@@ -11,7 +11,7 @@ import numpy as np
 from dhcli.kinematics.inverse.polishing import cross, motion
 
 if TYPE_CHECKING:
-    from dhcli.kinematics.inverse.arm import Array, Arm
+    from dhcli.kinematics.inverse.arm import Arm, Array
 
 CLOSE = 1e-7
 """Axes are parallel, or meet, within this."""

@@ -76,7 +76,7 @@ class Question:
         return self.motions(np.nan_to_num(middle))
 
 
-def ask(
+def ask(  # noqa: PLR0913  what may be asked of a robot
     robot: Robot,
     task: TaskName,
     *,
@@ -165,7 +165,7 @@ def inverse(  # noqa: PLR0913  what may be asked of a pose
     answer = _answer(question, solved, said)
     answer = replace(answer, remarks=(*remarks, *answer.remarks))
     if not len(answer):
-        return why_not(question.robot, ready, answer, poses[0], held, question.values)
+        return why_not(ready, answer, poses[0], held, question.values)
     return placed(answer, question.near, within_limits=within_limits, all_turns=all_turns)
 
 
@@ -217,9 +217,7 @@ def _sampled(
 def _answer(question: Question, solved: Solved, said: list[str]) -> Solutions:
     robot, ready = question.robot, question.ready
     q = question.values(solved.motions)
-    free = tuple(
-        tuple(_free(question, row, way) for way in ways) for row, ways in zip(q, solved.freedoms, strict=True)
-    )
+    free = tuple(tuple(_free(question, row, way) for way in ways) for row, ways in zip(q, solved.freedoms, strict=True))
     held = tuple((ready.arm.axes[j].name, float(q[0, question.order[j]])) for j in ready.plan.held) if len(q) else ()
     names = list[str]()
     for index in dict.fromkeys(solved.index.tolist()):

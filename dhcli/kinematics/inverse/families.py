@@ -10,7 +10,7 @@ import numpy as np
 from dhcli.kinematics.inverse.polishing import jacobian, polished, product, residuals
 
 if TYPE_CHECKING:
-    from dhcli.kinematics.inverse.arm import Array, Arm
+    from dhcli.kinematics.inverse.arm import Arm, Array
     from dhcli.kinematics.inverse.tasks import Task
 
 SINGULAR = 1e-6
@@ -103,20 +103,18 @@ def _is_straight(arm: Arm, task: Task, motions: Array, rates: Array, total: Arra
     return bool(residuals(task, arm.home, product(arm, ways), np.repeat(total, 3, axis=0)).max() < _NEARLY)
 
 
-def _walked(
-    arm: Arm, task: Task, motions: Array, goal: Array, parameter: int, held: tuple[int, ...]
-) -> Array | None:
+def _walked(arm: Arm, task: Task, motions: Array, goal: Array, parameter: int, held: tuple[int, ...]) -> Array | None:
     """A solution with the parameter a little further on, or a little back; None where there is none."""
     for step in (_TRY, -_TRY):
         start = motions.copy()
         start[parameter] += step
         led, left = polished(arm, task, start[None], goal, (parameter, *held))
-        if left[0] < _STAYS and np.abs(led[0] - motions).max() < 20 * _TRY:  # noqa: PLR2004
+        if left[0] < _STAYS and np.abs(led[0] - motions).max() < 20 * _TRY:
             return np.asarray(led[0])
     return None
 
 
-def moved_to(  # noqa: PLR0913  where from, where to, and what has to stay
+def moved_to(  # noqa: PLR0913, PLR0917  where from, where to, and what has to stay
     arm: Arm, task: Task, motions: Array, goal: Array, freedom: Freedom, value: float, held: tuple[int, ...] = ()
 ) -> Array | None:
     """The member of a family with a certain value of its parameter.

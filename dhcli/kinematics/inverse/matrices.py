@@ -10,7 +10,7 @@ import numpy as np
 from dhcli.kinematics.inverse.motions import SIZES, Entry, expanded, rotated, translated
 
 if TYPE_CHECKING:
-    from dhcli.kinematics.inverse.arm import Array, Arm, Axis
+    from dhcli.kinematics.inverse.arm import Arm, Array, Axis
 
 PARALLEL = 1e-7
 """Axes that are closer than this to being parallel, or to meeting, are first taken to be [rad, reaches].
@@ -51,7 +51,7 @@ class Actions:
         _, sizes, rows = np.linalg.svd(np.vstack(generators))
         return _reduced(rows[np.count_nonzero(sizes > PARALLEL) :])
 
-    def moved(self, kind: int, joint: int, value: Sequence[Array], *, back: bool = False) -> Array:
+    def moved(self, kind: int, joint: int, value: Sequence[Entry], *, back: bool = False) -> Array:
         """The matrices of a joint at known values, shape (N, d, d)."""
         rest, first, second = self.signed(kind, joint, back=back)
         u, v = (np.asarray(part)[..., None, None] for part in value)

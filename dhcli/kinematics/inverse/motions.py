@@ -120,7 +120,9 @@ def expanded(kind: int, thing: Thing, axis: Axis) -> tuple[list[Entry], list[Ent
         return _slid(kind, thing, axis.direction)
     a, away = axis.direction, tuple(-part for part in axis.point)
     here = translated(kind, thing, away)
-    rest, cosine, sine = list(here), [0.0] * len(here), [0.0] * len(here)
+    rest: list[Entry] = list(here)
+    cosine: list[Entry] = [0.0] * len(here)
+    sine: list[Entry] = [0.0] * len(here)
     for k in VECTORS[kind]:
         v = here[k : k + 3]
         rest[k : k + 3] = along = _scaled(dot(a, v), a)

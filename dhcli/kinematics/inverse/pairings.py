@@ -97,7 +97,7 @@ class Loop:
             total[(slice(None), slice(None), *place)] += sign * self.walked(cut.kind, x, y, walk, met, back=back)
         return total
 
-    def walked(  # noqa: PLR0913  what is walked with, from where to where
+    def walked(
         self, kind: int, x: Array, y: Array, walk: Sequence[int], unknown: Sequence[int], *, back: bool
     ) -> Array:
         """One side of the equations: things x carried along a walk, and paired with things y.
@@ -131,7 +131,7 @@ class Loop:
         if key not in self._matrices:
             if joint == GOAL:
                 found = acting(kind, self._goal)
-                found = found if back else np.linalg.inv(found)
+                found = found if back else np.asarray(np.linalg.inv(found))
             else:
                 turns = self.actions.arm.axes[joint].turns
                 found = self.actions.moved(kind, joint, value_of(self._known[joint], turns=turns), back=back)

@@ -72,7 +72,7 @@ def find_plan(arm: Arm, held: Sequence[int] = ()) -> Plan:
         unknown = [j for j in range(len(arm.axes)) if j not in known]
         loop = samples.loop(known)
         step: Step | None = find_one(samples, loop, unknown, missing)
-        step = step or find_two(samples, loop, unknown, missing) or find_all(samples, loop, unknown, missing)
+        step = step or find_two(samples, loop, unknown, missing) or find_all(samples, loop, unknown)
         if step is None:
             raise NoPlanError(", ".join(arm.axes[j].name for j in missing))
         steps.append(step)

@@ -37,7 +37,7 @@ _ELIMINATED = 8
 """Monomials of the two joints."""
 
 
-def find_all(samples: Samples, loop: Loop, unknown: Sequence[int], missing: Sequence[int]) -> All | None:
+def find_all(samples: Samples, loop: Loop, unknown: Sequence[int]) -> All | None:
     """The best way to take three joints at once, if five or six are unknown."""
     best: tuple[float, All] | None = None
     if not _FEWEST <= len(unknown) <= _MOST:
@@ -48,7 +48,7 @@ def find_all(samples: Samples, loop: Loop, unknown: Sequence[int], missing: Sequ
         ready = _rows(loop, step)
         if ready is None:
             continue
-        error = _error(samples, ready[0], ready[1], step)
+        error = _error(samples, *ready)
         if error < _BAD and (best is None or error < best[0]):
             best = error, ready[0]
     return None if best is None else best[1]
@@ -69,7 +69,7 @@ def _arrangements(actions: Actions, unknown: Sequence[int]) -> Iterator[All]:
             own = [j for j in three[0] if j in unknown]
             others = [j for j in two[0] if j in unknown]
             for order in permutations(reversed(own)):
-                yield All(order, (others[0], others[1]), things, three, two, (), _TURN)  # type: ignore[arg-type]
+                yield All(order, (others[0], others[1]), things, three, two, (), _TURN)
 
 
 def _things(actions: Actions, joint: int, count: int) -> tuple[tuple[int, tuple[tuple[float, ...], ...]], ...]:
@@ -104,10 +104,10 @@ def _rows(loop: Loop, step: All) -> tuple[All, tuple[Array, Array]] | None:
 def _meets(three: Array, two: Array, k: int) -> bool:
     """Whether an equation holds any of the joints."""
     sides_of = (three[:, k].reshape(len(three), -1)[:, 1:], two[:, k].reshape(len(two), -1)[:, 1:])
-    return max(np.abs(side).max() for side in sides_of) > 1e-9  # noqa: PLR2004
+    return bool(max(np.abs(side).max() for side in sides_of) > 1e-9)  # noqa: PLR2004
 
 
-def _error(samples: Samples, step: All, both: tuple[Array, Array], _: All) -> float:
+def _error(samples: Samples, step: All, both: tuple[Array, Array]) -> float:
     axes = samples.actions.arm.axes
     turning = [axes[j].turns for j in step.joints]
     at, angles = solved(*both, step.turn, turning)

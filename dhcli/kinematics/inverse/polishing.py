@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
-    from dhcli.kinematics.inverse.arm import Array, Arm, Axis
+    from dhcli.kinematics.inverse.arm import Arm, Array, Axis
     from dhcli.kinematics.inverse.tasks import Task
 
 STEPS = 12

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import combinations, islice
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 
@@ -19,9 +19,6 @@ from dhcli.kinematics.inverse.steps import One, Plan
 from dhcli.kinematics.inverse.tasks import Task, TaskName, for_task, task_called
 from dhcli.kinematics.moves import Chain
 from dhcli.notation.angle import Angle
-
-if TYPE_CHECKING:
-    from dhcli.kinematics.inverse.arm import Array
 
 Known: TypeAlias = tuple[tuple[str, Angle | float], ...]
 """Names and values of what is no joint: exact angles, metres."""
@@ -122,5 +119,5 @@ def _rank(arm: Arm, task: Task, held: tuple[int, ...] = ()) -> int:
         return 0
     _, slope = jacobian(arm, task, rng.uniform(-1.3, 1.3, (3, arm.joints)))
     slope[:, :, list(held)] = 0
-    sizes: Array = np.linalg.svd(slope, compute_uv=False)
+    sizes = np.linalg.svd(slope, compute_uv=False)
     return int((sizes > _RANK).sum(axis=1).max())

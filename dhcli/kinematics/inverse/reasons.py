@@ -11,7 +11,7 @@ from dhcli.kinematics.inverse.polishing import cross, jacobian, product
 from dhcli.kinematics.inverse.prepared import Prepared
 
 if TYPE_CHECKING:
-    from dhcli.kinematics.inverse.arm import Array, Arm
+    from dhcli.kinematics.inverse.arm import Arm, Array
     from dhcli.kinematics.inverse.tasks import Task
 
 _SAMPLES = 40
@@ -44,7 +44,8 @@ def what_never_changes(arm: Arm, task: Task, pose: Array) -> Iterator[str]:
         axis = "xyz"[k]
         if np.ptp(column, axis=0).max() < _CONSTANT:
             if np.abs(column[0] - pose[:3, k]).max() > _CONSTANT:
-                yield f"the last {axis} axis always points along {_along(column[0])}; yours is {_tilt(column[0], pose[:3, k])} off"
+                off = _tilt(column[0], pose[:3, k])
+                yield f"the last {axis} axis always points along {_along(column[0])}; yours is {off} off"
             continue
         for i, name in enumerate("xyz"):
             values = column[:, i]
@@ -106,7 +107,12 @@ def nearest_reachable(ready: Prepared, goal: Array, held: dict[int, float]) -> t
         less, other, left = _cost(arm, task, trial, wanted)
         other[:, :, list(held)] = 0
         better = less < cost
-        motions[better], cost[better], slope[better], error[better] = trial[better], less[better], other[better], left[better]
+        motions[better], cost[better], slope[better], error[better] = (
+            trial[better],
+            less[better],
+            other[better],
+            left[better],
+        )
         damping = np.where(better, damping * 0.3, damping * 4).clip(1e-12, 1e6)
     best = int(np.argmin(cost))
     end, target = product(arm, motions[best : best + 1])[0] @ arm.home, goal @ arm.home

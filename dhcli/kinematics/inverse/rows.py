@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,13 +12,9 @@ from dhcli.kinematics.inverse.motions import Entry, carried, expanded, form, rot
 from dhcli.kinematics.inverse.pairings import GOAL, Loop
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from dhcli.kinematics.inverse.arm import Array
+    from dhcli.kinematics.inverse.arm import Array, Flags, Ints
     from dhcli.kinematics.inverse.matrices import Actions
     from dhcli.kinematics.inverse.steps import Equation
-
-    Ints: TypeAlias = NDArray[np.int64]
 
 NOISE = 1e-15
 """What rounding leaves in an equation before anything is known."""
@@ -52,9 +48,7 @@ class Rows:
     @classmethod
     def start(cls, actions: Actions, goal: Array, held: Mapping[int, tuple[Array, Array]]) -> Rows:
         """A row for each pose (P, 4, 4), with the values of joints that are held."""
-        columns = np.ascontiguousarray(
-            np.concatenate([goal[:, :3, :3].reshape(-1, 9), goal[:, :3, 3]], axis=1).T
-        )
+        columns = np.ascontiguousarray(np.concatenate([goal[:, :3, :3].reshape(-1, 9), goal[:, :3, 3]], axis=1).T)
         zeros = np.zeros(len(goal), dtype=np.int64)
         index = np.arange(len(goal))
         return cls(actions, columns, index, dict(held), zeros, zeros, zeros, np.full(len(goal), NOISE))
@@ -62,11 +56,11 @@ class Rows:
     def __len__(self) -> int:
         return len(self.index)
 
-    def take(self, at: NDArray[np.int64] | NDArray[np.bool_]) -> Rows:
+    def take(self, at: Ints | Flags) -> Rows:
         """Some of the rows, or some of them several times."""
         known = {j: (u[at], v[at]) for j, (u, v) in self.known.items()}
-        parts = (part[at] for part in (self.path, self.free, self.draw, self.loss))
-        return Rows(self.actions, self.goal, self.index[at], known, *parts)
+        path, free, draw = self.path[at], self.free[at], self.draw[at]
+        return Rows(self.actions, self.goal, self.index[at], known, path, free, draw, self.loss[at])
 
     def joined(self, other: Rows) -> Rows:
         """These rows and others."""

@@ -23,7 +23,7 @@ from dhcli.kinematics.inverse.rule_two import HALVES
 from dhcli.kinematics.inverse.steps import All
 
 if TYPE_CHECKING:
-    from dhcli.kinematics.inverse.arm import Array
+    from dhcli.kinematics.inverse.arm import Array, Ints
 
 TANGENTS = np.array([[1.0, 1.0, 0.0], [0.0, 0.0, 2.0], [1.0, -1.0, 0.0]])
 """1, t and t² by 1, c and s where t = tan(phi/2), all over 1 + t²."""
@@ -89,7 +89,7 @@ def _stacked(parts: list[Array]) -> Array:
     return np.concatenate([np.broadcast_to(part, (count, *part.shape[1:])) for part in parts], axis=1)
 
 
-def solved(three: Array, two: Array, turn: tuple[float, ...], turning: list[bool]) -> tuple[Array, list[Array]]:
+def solved(three: Array, two: Array, turn: tuple[float, ...], turning: list[bool]) -> tuple[Ints, list[Array]]:
     """The angles of the three joints from both sides of the equations; of a slide twice the arc tangent of its length.
 
     Returns:
@@ -112,7 +112,7 @@ def solved(three: Array, two: Array, turn: tuple[float, ...], turning: list[bool
         i, j = np.unravel_index(np.abs(w[:, :, :2]).reshape(len(w), -1).argmax(axis=1), (4, 2))
         s = w[here, i, j + 1] / w[here, i, j]
     tangents = (np.nan_to_num(part.real, nan=0.0, posinf=1e9, neginf=-1e9) for part in (t, r, s))
-    return at, [2 * np.arctan(part) + zero for part, zero in zip(tangents, turn, strict=True)]
+    return at.astype(np.int64), [2 * np.arctan(part) + zero for part, zero in zip(tangents, turn, strict=True)]
 
 
 def _left(three: Array, two: Array, count: int) -> Array:

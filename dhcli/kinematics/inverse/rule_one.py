@@ -11,9 +11,7 @@ from dhcli.kinematics.inverse.steps import One
 from dhcli.kinematics.inverse.weak import from_all
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from dhcli.kinematics.inverse.arm import Array
+    from dhcli.kinematics.inverse.arm import Array, Flags
 
 WEAK = 1e-4
 """Where an equation falls below this share of its ordinary size, all equations are used."""
@@ -59,7 +57,7 @@ def known_as(rows: Rows, joint: int, u: Array, v: Array) -> Rows:
     return rows
 
 
-def _ordinary(rows: Rows, step: One) -> tuple[NDArray[np.bool_], Rows]:
+def _ordinary(rows: Rows, step: One) -> tuple[Flags, Rows]:
     """Which rows the chosen equations serve, and these with the joint known."""
     k = [np.broadcast_arrays(*rows.coefficients(e, step.joint), rows.loss)[:3] for e in step.equations]
     sizes = [equation.size for equation in step.equations]
@@ -84,14 +82,12 @@ def _ordinary(rows: Rows, step: One) -> tuple[NDArray[np.bool_], Rows]:
     return strong, pair(at, step.joint, a, b, e)
 
 
-def _strong(rows: Rows, strong: NDArray[np.bool_]) -> Rows:
+def _strong(rows: Rows, strong: Flags) -> Rows:
     """The rows that the chosen equations serve; all of them as they are."""
     return rows.take(np.arange(len(rows))) if strong.all() else rows.take(strong)
 
 
-def _both(
-    rows: Rows, joint: int, k: list[tuple[Array, ...]], sizes: list[float]
-) -> tuple[NDArray[np.bool_], Rows]:
+def _both(rows: Rows, joint: int, k: list[tuple[Array, ...]], sizes: list[float]) -> tuple[Flags, Rows]:
     (e1, a1, b1), (e2, a2, b2) = k
     det = a1 * b2 - b1 * a2
     share = np.abs(det) / (sizes[0] * sizes[1])
@@ -106,9 +102,7 @@ def _both(
     return strong, known_as(at, joint, c if whole else c[kept], s if whole else s[kept])
 
 
-def _lengths(
-    rows: Rows, joint: int, k: tuple[Array, Array, Array], size: float
-) -> tuple[NDArray[np.bool_], Rows]:
+def _lengths(rows: Rows, joint: int, k: tuple[Array, Array, Array], size: float) -> tuple[Flags, Rows]:
     e, a, b = k
     strong = np.abs(b) > WEAK * size
     at, e, a, b = _strong(rows, strong), e[strong], a[strong], b[strong]
@@ -153,7 +147,7 @@ def two_ways(
     joint: int,
     first: tuple[Array, Array],
     second: tuple[Array, Array],
-    apart: NDArray[np.bool_] | None = None,
+    apart: Flags | None = None,
 ) -> Rows:
     """Each row twice, with one root and with the other where they are two."""
     count = np.arange(len(rows))
@@ -161,5 +155,7 @@ def two_ways(
     both = rows.take(np.concatenate([count, again]))
     both.path = both.path * BASE
     both.path[len(count) :] += 1
-    u, v = (np.concatenate([one, two if again is count else two[again]]) for one, two in zip(first, second, strict=True))
+    u, v = (
+        np.concatenate([one, two if again is count else two[again]]) for one, two in zip(first, second, strict=True)
+    )
     return known_as(both, joint, u, v)

@@ -10,7 +10,7 @@ from dhcli.kinematics.inverse.rows import Rows
 from dhcli.kinematics.inverse.steps import Two
 
 if TYPE_CHECKING:
-    from dhcli.kinematics.inverse.arm import Array
+    from dhcli.kinematics.inverse.arm import Array, Ints
 
 DEGREE = 4
 """Of the resultant in cosine and sine."""
@@ -64,7 +64,7 @@ def two_equations(rows: Rows, step: Two) -> Array:
     return np.stack([tensors[cut][:, k] for cut, k in step.equations], axis=1)
 
 
-def roots(pairs: Array, *, turns: bool) -> tuple[Array, Array]:
+def roots(pairs: Array, *, turns: bool) -> tuple[Ints, Array]:
     """The angles at which two equations, linear in the cosine and sine of another joint, have a common solution.
 
     Args:
@@ -87,7 +87,7 @@ def roots(pairs: Array, *, turns: bool) -> tuple[Array, Array]:
     return unit_roots(2 * sine * det - cosine**2)
 
 
-def unit_roots(values: Array) -> tuple[Array, Array]:
+def unit_roots(values: Array) -> tuple[Ints, Array]:
     """The real angles at which trigonometric polynomials of degree 4 vanish, from their values at 16 points."""
     spectrum = np.fft.fft(values, axis=1) / _POINTS
     coefficients = np.concatenate([spectrum[:, -DEGREE:], spectrum[:, : DEGREE + 1]], axis=1)
@@ -102,4 +102,4 @@ def unit_roots(values: Array) -> tuple[Array, Array]:
     companion[:, :, -1] = -monic[:, :-1] / lead[:, None]
     z = np.linalg.eigvals(companion)
     which, k = np.nonzero(np.abs(np.abs(z) - 1) < _NEAR_CIRCLE)
-    return usable[which], np.angle(z[which, k])
+    return usable[which].astype(np.int64), np.angle(z[which, k])

@@ -18,8 +18,7 @@ from dhcli.kinematics.inverse.steps import All, Plan, Two
 from dhcli.kinematics.inverse.tasks import Task
 
 if TYPE_CHECKING:
-    from dhcli.kinematics.inverse.arm import Array
-    from dhcli.kinematics.inverse.rows import Ints
+    from dhcli.kinematics.inverse.arm import Array, Flags, Ints
 
 CONFIRMED = 1e-12
 """A residual below this is a solution [reaches, and of direction cosines]."""
@@ -54,10 +53,10 @@ class Found:
     free: Ints
     draw: Ints
 
-    def take(self, at: object) -> Found:
+    def take(self, at: Ints | Flags) -> Found:
         """Some of them."""
-        parts = (self.index, self.motions, self.residual, self.path, self.free, self.draw)
-        return Found(*(part[at] for part in parts))  # type: ignore[index]
+        path, free, draw = self.path[at], self.free[at], self.draw[at]
+        return Found(self.index[at], self.motions[at], self.residual[at], path, free, draw)
 
 
 def run(
@@ -111,7 +110,7 @@ def _confirmed(plan: Plan, task: Task, rows: Rows, tolerance: float) -> Found:
     return Found(rows.index, _wrapped(motions, arm.turning), residual, rows.path, rows.free, rows.draw).take(kept)
 
 
-def _wrapped(motions: Array, turning: Array) -> Array:
+def _wrapped(motions: Array, turning: Flags) -> Array:
     """The same angles from -π to π."""
     wrapped = motions - 2 * np.pi * np.round(motions / (2 * np.pi))
     return np.where(turning & (np.abs(motions) > np.pi), wrapped, motions)

@@ -125,14 +125,18 @@ class Solutions:
         numeric = len(self.robot.variables) + 1
         lines = []
         for line in (heads, *rows):
-            cells = [c.rjust(w) if i < numeric else c.ljust(w) for i, (c, w) in enumerate(zip(line, widths, strict=True))]
+            cells = [
+                c.rjust(w) if i < numeric else c.ljust(w) for i, (c, w) in enumerate(zip(line, widths, strict=True))
+            ]
             lines.append("  ".join(cells).rstrip())
         told = dict.fromkeys(way.relation for ways in self.free for way in ways)
         return "\n".join((*lines, *told, *self.remarks))
 
     def _repr_latex_(self) -> str:
         """The joint values as an array, angles in degrees."""
-        body = r" \\ ".join(" & ".join(cell.replace("°", r"^\circ") for cell in self._shown(k)) for k in range(len(self)))
+        body = r" \\ ".join(
+            " & ".join(cell.replace("°", r"^\circ") for cell in self._shown(k)) for k in range(len(self))
+        )
         return rf"$\begin{{array}}{{{'r' * len(self.robot.variables)}}} {body} \end{{array}}$"
 
     def _shown(self, k: int) -> list[str]:

@@ -14,7 +14,7 @@ from dhcli.kinematics.inverse.prepared import Prepared
 from dhcli.kinematics.inverse.running import CONFIRMED, Found, run
 
 if TYPE_CHECKING:
-    from dhcli.kinematics.inverse.arm import Array
+    from dhcli.kinematics.inverse.arm import Array, Flags, Ints
 
 TRIED = np.array([0.0, 0.5, -0.5, 1.0, 0.25, -0.25, 0.75, -0.75])
 """Where a free joint is tried: half turns from where it should best be, or reaches."""
@@ -35,7 +35,7 @@ class Solved:
     motions: Array
     residual: Array
     freedoms: tuple[tuple[Freedom, ...], ...]
-    index: Array
+    index: Ints
     """Which of the values of the joints held each is for, shape (K,)."""
 
 
@@ -83,13 +83,13 @@ def tries(ready: Prepared, best: Array) -> Array:
     return np.asarray(best[:, None] + np.where(turning[:, None], np.pi * TRIED, TRIED))
 
 
-def _gap(turning: Array, one: Array, other: Array) -> float:
+def _gap(turning: Flags, one: Array, other: Array) -> float:
     gap = one - other
     gap = np.where(turning, gap - 2 * np.pi * np.round(gap / (2 * np.pi)), gap)
     return float(np.abs(gap).max(initial=0.0))
 
 
-def _wrapped(motions: Array, turning: Array) -> Array:
+def _wrapped(motions: Array, turning: Flags) -> Array:
     """The same angles above -π, up to π."""
     turns = np.ceil((motions - np.pi) / (2 * np.pi) - _SAME)
     return np.where(turning, motions - 2 * np.pi * turns, motions)
@@ -106,7 +106,7 @@ def least_singular(ready: Prepared, motions: Array) -> Array:
     return np.asarray(np.linalg.svd(slope, compute_uv=False)[:, -1])
 
 
-def representatives(ready: Prepared, found: Found, least: Array) -> tuple[Array, list[tuple[Freedom, ...]]]:
+def representatives(ready: Prepared, found: Found, least: Array) -> tuple[Ints, list[tuple[Freedom, ...]]]:
     """Of the members of a family that differ in the value tried for a free joint alone, the first; all else.
 
     Args:

@@ -44,7 +44,10 @@ def placed(answer: Solutions, near: Array | None, *, within_limits: bool, all_tu
     turning = turning_joints(robot)
     rows, origin = list["Array"](), list[int]()
     for k, q in enumerate(answer.q):
-        choices = [_turns(x, limits[j], turns=bool(turning[j]), near=near if near is None else near[j]) for j, x in enumerate(q)]
+        choices = [
+            _turns(x, limits[j], turns=bool(turning[j]), near=near if near is None else near[j])
+            for j, x in enumerate(q)
+        ]
         many = islice(product(*choices), MOST_TURNS) if all_turns else [tuple(values[0] for values in choices)]
         for values in many:
             rows.append(np.array(values))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,14 +17,12 @@ from dhcli.kinematics.inverse.running import run
 from dhcli.kinematics.inverse.solutions import Solutions
 from dhcli.kinematics.inverse.solving import tries
 from dhcli.kinematics.inverse.tasks import TASKS, for_task
-from dhcli.kinematics.robot import Robot
 
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.arm import Array
 
 
-def why_not(  # noqa: PLR0913  what the question was
-    robot: Robot,
+def why_not(
     ready: Prepared,
     answer: Solutions,
     pose: Array,
@@ -33,7 +32,6 @@ def why_not(  # noqa: PLR0913  what the question was
     """The answer that there is no solution, with what keeps the arm from the pose.
 
     Args:
-        robot: The robot.
         ready: The robot made ready.
         answer: The answer without a solution.
         pose: The pose asked for, shape (4, 4) [m].
@@ -64,7 +62,7 @@ def _too_far(ready: Prepared, goal: Array) -> list[str]:
     points = [first] + [np.array(axis.point) for axis in arm.axes[1 : arm.joints] if axis.turns] + [arm.home[:3, 3]]
     if not arm.turning.all():
         return []
-    longest = sum(float(np.linalg.norm(b - a)) for a, b in zip(points, points[1:], strict=False)) * arm.reach
+    longest = sum(float(np.linalg.norm(b - a)) for a, b in pairwise(points)) * arm.reach
     distance = float(np.linalg.norm(end - first)) * arm.reach
     if distance <= longest:
         return []

@@ -1,4 +1,4 @@
-"""Poses in which the chosen equations of a joint vanish: all equations are asked, and a joint may turn out to be free."""
+"""Poses in which the chosen equations of a joint vanish: all are asked then, and the joint may turn out to be free."""
 
 from __future__ import annotations
 
@@ -10,9 +10,7 @@ from dhcli.kinematics.inverse.rows import Rows
 from dhcli.kinematics.inverse.steps import One
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from dhcli.kinematics.inverse.arm import Array
+    from dhcli.kinematics.inverse.arm import Array, Flags
 
 FREE = 50.0
 """Coefficients below this many times the rounding are zero."""
@@ -57,7 +55,7 @@ def from_all(rows: Rows, step: One, draws: Array) -> Rows:
 def _clear(  # noqa: PLR0913  what an SVD has
     rows: Rows,
     joint: int,
-    at: NDArray[np.bool_],
+    at: Flags,
     sizes: Array,
     directions: Array,
     constants: Array,
@@ -80,7 +78,7 @@ def _clear(  # noqa: PLR0913  what an SVD has
 def _dim(  # noqa: PLR0913  what an SVD has
     rows: Rows,
     joint: int,
-    at: NDArray[np.bool_],
+    at: Flags,
     sizes: Array,
     directions: Array,
     constants: Array,
