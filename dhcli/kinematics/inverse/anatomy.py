@@ -45,6 +45,10 @@ class Anatomy:
     level: bool
 
 
+NOTHING = Anatomy((0.0, 0.0, 0.0), False, 0.0, -1, False, False, 1.0, False)  # noqa: FBT003
+"""Of an arm seen from its end."""
+
+
 def anatomy(arm: Arm) -> Anatomy:
     """The parts of an arm, from its axes in the zero pose."""
     axes = arm.axes[: arm.joints]

@@ -16,7 +16,7 @@ from dhcli.kinematics.inverse.branches import branch_names
 from dhcli.kinematics.inverse.families import Freedom
 from dhcli.kinematics.inverse.prepared import Prepared, prepare
 from dhcli.kinematics.inverse.running import CONFIRMED
-from dhcli.kinematics.inverse.solutions import Free, Solutions, in_numbers, relation, turning_joints
+from dhcli.kinematics.inverse.solutions import Free, Solutions, in_numbers, relation, shown_value, turning_joints
 from dhcli.kinematics.inverse.solving import Solved, solve
 from dhcli.kinematics.inverse.targets import EXACT, read_targets
 from dhcli.kinematics.inverse.tasks import TaskName
@@ -34,6 +34,10 @@ if TYPE_CHECKING:
 
 SEARCHED = 48
 """Values of a joint held that are tried where none was asked for and the first does not do."""
+
+
+SPREAD = (1.0, 0.6180339887498949, 0.7548776662466927, 0.8191725133961645, 0.5698402909980532, 0.6710436067037893)
+"""Steps, in turns, by which values of several joints are spread."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -179,7 +183,6 @@ def _solved(
     if not chosen:
         fixed = {j: np.array([value]) for j, value in held.items()}
         return solve(ready, goal, best, fixed, tolerance), []
-    names = ", ".join(ready.arm.axes[j].name for j in chosen)
     count = family or 1
     solved = solve(ready, goal, best, _sampled(question, held, chosen, best, count), tolerance)
     if not len(solved.motions) and family is None:
@@ -190,7 +193,18 @@ def _solved(
             ways = tuple(solved.freedoms[k] for k in at)
             solved = Solved(solved.motions[at], solved.residual[at], ways, solved.index[at])
     more = f"{question.robot.name} has {plural(ready.spare, 'joint')} more than this needs"
-    return solved, [f"{more}: {names} {'sampled' if family else 'held'}"]
+    return solved, [f"{more}: {_held_words(question, chosen, solved, sampled=bool(family))}"]
+
+
+def _held_words(question: Question, chosen: list[int], solved: Solved, *, sampled: bool) -> str:
+    """Which joints were held, and where if it is the same for all solutions."""
+    order = question.order
+    if sampled or not len(solved.motions):
+        names = ", ".join(question.robot.variables[order[j]] for j in sorted(chosen))
+        return f"{names} {'sampled' if sampled else 'held'}"
+    q = question.values(solved.motions)[0]
+    shown = [shown_value(question.robot, order[j], float(q[order[j]])) for j in sorted(chosen)]
+    return f"held {', '.join(shown)}"
 
 
 def _sampled(
@@ -198,20 +212,19 @@ def _sampled(
 ) -> dict[int, Array]:
     """Values of the joints held, as many for each that was chosen as asked for."""
     ready = question.ready
-    spans = []
     limits = limits_of(question.robot)[list(question.order)] * ready.arm.factors[:, None]
-    for j in chosen:
+    if count == 1:
+        return {**{j: np.array([value]) for j, value in held.items()}, **{j: best[j : j + 1] for j in chosen}}
+    # one joint in equal steps; several so that any few of the values are spread evenly
+    steps = np.linspace(0, 1, count)
+    result = {j: np.full(count, value) for j, value in held.items()}
+    for k, j in enumerate(chosen):
         low, high = sorted(limits[j])
         if not (math.isfinite(low) and math.isfinite(high)):
             half = np.pi if ready.arm.turning[j] else 1.0
             low, high = best[j] - half, best[j] + half
-        spans.append(best[j : j + 1] if count == 1 else np.linspace(low, high, count))
-    grid = np.meshgrid(*spans, indexing="ij")
-    total = grid[0].size
-    return {
-        **{j: np.full(total, value) for j, value in held.items()},
-        **{j: part.ravel() for j, part in zip(chosen, grid, strict=True)},
-    }
+        result[j] = low + (high - low) * (steps if not k else np.arange(count) * SPREAD[k % len(SPREAD)] % 1)
+    return result
 
 
 def _answer(question: Question, solved: Solved, said: list[str]) -> Solutions:

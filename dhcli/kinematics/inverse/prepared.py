@@ -11,7 +11,7 @@ from typing import TypeAlias
 import numpy as np
 
 from dhcli.errors import RobotError, plural
-from dhcli.kinematics.inverse.anatomy import Anatomy, anatomy
+from dhcli.kinematics.inverse.anatomy import NOTHING, Anatomy, anatomy
 from dhcli.kinematics.inverse.arm import Arm, arm_of
 from dhcli.kinematics.inverse.planning import NoPlanError, find_plan
 from dhcli.kinematics.inverse.polishing import jacobian
@@ -74,13 +74,16 @@ def prepare(
     """
     task = task_called(task_name)
     arm = for_task(arm_of(chain, variables, dict(values)), task)
+    if not arm.joints:
+        raise RobotError("no joint moves the end", "there is nothing to compute; fk says where it is")
     if arm.joints > MOST_JOINTS:
         raise RobotError(f"the arm has {arm.joints} joints", f"inverse kinematics takes at most {MOST_JOINTS}")
     names = [axis.name for axis in arm.axes[: arm.joints]]
     asked = tuple(names.index(name) for name in hold if name in names)
     spare = arm.joints - _rank(arm, task)
     plan = _plan(arm, task, asked, spare)
-    return Prepared(plan, task, spare, len(plan.held) > len(asked), anatomy(arm))
+    parts = anatomy(arm) if names == [name for name in variables if name in names] else NOTHING
+    return Prepared(plan, task, spare, len(plan.held) > len(asked), parts)
 
 
 def _plan(arm: Arm, task: Task, asked: tuple[int, ...], spare: int) -> Plan:
@@ -102,22 +105,30 @@ def _plan(arm: Arm, task: Task, asked: tuple[int, ...], spare: int) -> Plan:
 
 
 def _choices(arm: Arm, task: Task, asked: tuple[int, ...], spare: int) -> Iterator[tuple[int, ...]]:
-    """Which further joints to hold, the last ones first; none where the rest of the arm is then short of the task."""
+    """Which further joints to hold; none of the sets that leave the arm short of the task where the joints held are 0.
+
+    Of an arm that only has to point, the first joints are held, for its wrist points; else the last ones.
+    """
     missing = max(spare - len(asked), 0)
-    others = [j for j in range(arm.joints - 1, -1, -1) if j not in asked]
+    others = [j for j in range(arm.joints) if j not in asked]
+    if task.place:
+        others.reverse()
     wanted = arm.joints - spare
+    doubtful = []
     for more in combinations(others, missing):
-        held = {*asked, *more}
-        if len(asked) > spare or _rank(arm, task, tuple(held)) == wanted:
+        if len(asked) > spare or _rank(arm, task, (*asked, *more)) == wanted:
             yield more
+        else:
+            doubtful.append(more)
+    yield from doubtful
 
 
 def _rank(arm: Arm, task: Task, held: tuple[int, ...] = ()) -> int:
     """How many conditions the joints can meet in an ordinary pose, those held left out."""
     rng = np.random.default_rng(7)
-    if not arm.joints:
-        return 0
-    _, slope = jacobian(arm, task, rng.uniform(-1.3, 1.3, (3, arm.joints)))
+    motions = rng.uniform(-1.3, 1.3, (3, arm.joints))
+    motions[:, list(held)] = 0
+    _, slope = jacobian(arm, task, motions)
     slope[:, :, list(held)] = 0
     sizes = np.linalg.svd(slope, compute_uv=False)
     return int((sizes > _RANK).sum(axis=1).max())

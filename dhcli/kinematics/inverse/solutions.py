@@ -158,6 +158,12 @@ def shown_beyond(robot: Robot, outside: Beyond) -> str:
     return f"{outside.joint} {shown} {'above' if outside.by > 0 else 'below'}"
 
 
+def shown_value(robot: Robot, joint: int, value: float) -> str:
+    """A joint value as `theta7 = 45°`."""
+    shown = f"{round(float(np.degrees(value)), 4) + 0.0:g}°" if turning_joints(robot)[joint] else f"{value + 0.0:.6g} m"
+    return f"{robot.variables[joint]} = {shown}"
+
+
 def turning_joints(robot: Robot) -> NDArray[np.bool_]:
     """Which joints of a robot turn, shape (n,)."""
     kinds = {joint.name: joint.kind for joint in robot.joints}
@@ -200,4 +206,4 @@ def relation(names: tuple[str, ...], turning: NDArray[np.bool_], q: Array, rates
     return ", ".join((*parts, f"any {names[at]}"))
 
 
-__all__ = ["Beyond", "Free", "Solutions", "in_numbers", "relation", "shown_beyond", "turning_joints"]
+__all__ = ["Beyond", "Free", "Solutions", "in_numbers", "relation", "shown_beyond", "shown_value", "turning_joints"]

@@ -41,10 +41,10 @@ def why_not(
     arm = ready.arm
     goal = arm.goal(pose[None])[0]
     motions, apart, angle = nearest_reachable(ready, goal, held)
-    reasons = list(what_never_changes(arm, ready.task, pose)) if arm.joints else ["the arm has no joint"]
+    reasons = list(what_never_changes(arm, ready.task, pose))
     if not reasons:
         reasons = list(_too_far(ready, goal))
-    parts = list(_parts(ready, goal)) if ready.task.name in {"pose", "axis"} else []
+    parts = list(_parts(ready, goal, held)) if ready.task.name in {"pose", "axis"} else []
     left = [f"{apart:.4g} m"] if ready.task.place else []
     left += [f"{np.degrees(angle):.4g}°"] if ready.task.directions else []
     nearest = f"the nearest pose reached is {' and '.join(left)} away"
@@ -69,7 +69,7 @@ def _too_far(ready: Prepared, goal: Array) -> list[str]:
     return [f"the point is {distance:.4g} m from the first joint, and the links laid end to end are {longest:.4g} m"]
 
 
-def _parts(ready: Prepared, goal: Array) -> list[str]:
+def _parts(ready: Prepared, goal: Array, held: dict[int, float]) -> list[str]:
     """Which part of the pose can be reached by itself, and in how many ways."""
     said = []
     for name in ("position", "orientation"):
@@ -79,16 +79,17 @@ def _parts(ready: Prepared, goal: Array) -> list[str]:
         arm = for_task(ready.arm, task)
         label = f"the {'direction' if task.name == 'direction' else name} alone"
         try:
-            plan = find_plan(arm, ready.plan.held)
+            plan = find_plan(arm, tuple(held))
         except NoPlanError:
             # more joints than this part needs: the nearest pose tells whether it can be reached
             part = Prepared(ready.plan, task, 0, False, ready.parts)  # noqa: FBT003
-            _, apart, angle = nearest_reachable(part, goal, {})
+            _, apart, angle = nearest_reachable(part, goal, held)
             near = apart < 1e-6 * ready.arm.reach and angle < 1e-6  # noqa: PLR2004
             said.append(f"{label}: {'in many ways' if near else 'not'}")
             continue
         part = Prepared(plan, task, 0, False, ready.parts)  # noqa: FBT003
-        found = run(plan, task, goal[None], tries(part, np.zeros(arm.joints)))
+        fixed = {j: np.array([value]) for j, value in held.items()}
+        found = run(plan, task, goal[None], tries(part, np.zeros(arm.joints)), fixed)
         count = len(found.index)
         said.append(f"{label}: {plural(count, 'solution') if count else 'not'}")
     return said

@@ -125,5 +125,7 @@ def test_beside_a_singular_pose_nothing_is_lost(name: str, beside: float) -> Non
     robot, parameters = ready(name)
     rng = np.random.default_rng(4)
     cases = 100 if NIGHT else 4
-    lost = [q for q in (round_values(robot, rng, beside) for _ in range(cases)) if not is_covered(robot, parameters, q, {})]
+    lost = [
+        q for q in (round_values(robot, rng, beside) for _ in range(cases)) if not is_covered(robot, parameters, q, {})
+    ]
     assert len(lost) <= cases // 50, lost
