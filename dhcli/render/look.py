@@ -29,6 +29,7 @@ _NOUNS = {
     "library": "a list",
     "lint": "findings",
     "sweep": "a sweep",
+    "inverse": "inverse kinematics",
 }
 """What each kind of result is called in messages."""
 
@@ -84,6 +85,9 @@ _RENDERERS = {
     ("library", "csv"): "dhcli.render.text.library:library_csv",
     ("sweep", "table"): "dhcli.render.text.sweep:sweep_table",
     ("sweep", "csv"): "dhcli.render.text.sweep:sweep_csv",
+    ("inverse", "table"): "dhcli.render.text.inverse:inverse_table",
+    ("inverse", "csv"): "dhcli.render.text.inverse:inverse_csv",
+    ("inverse", "latex"): "dhcli.render.text.inverse:inverse_latex",
 }
 """Where the renderer of each kind of result and format stands; it is imported when it is needed."""
 
@@ -104,6 +108,7 @@ _CONTENTS = {
     "library": "dhcli.render.text.library:library_content",
     "lint": "dhcli.render.text.lint:lint_content",
     "sweep": "dhcli.render.text.sweep:sweep_content",
+    "inverse": "dhcli.render.text.inverse:inverse_content",
 }
 """Where each kind of result becomes what stands under `data` in JSON."""
 
