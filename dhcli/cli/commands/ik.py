@@ -88,7 +88,7 @@ def ik(
         str | None,
         typer.Option(
             metavar="WHAT",
-            help="What of the pose counts: pose, position, orientation, axis (position and direction of z) or direction.",
+            help="What of it counts: pose, position, orientation, axis (position and direction of z) or direction.",
             rich_help_panel=_POSE,
             autocompletion=complete_task,
         ),

@@ -45,7 +45,7 @@ def what_never_changes(arm: Arm, task: Task, pose: Array) -> Iterator[str]:
         if np.ptp(column, axis=0).max() < _CONSTANT:
             if np.abs(column[0] - pose[:3, k]).max() > _CONSTANT:
                 off = _tilt(column[0], pose[:3, k])
-                yield f"the last {axis} axis always points along {_along(column[0])}; yours is {off} off"
+                yield f"the last {axis} axis always points along {_along(column[0])}, yours is {off} off"
             continue
         for i, name in enumerate("xyz"):
             values = column[:, i]
@@ -58,8 +58,8 @@ def _slant(axis: str, name: str, wanted: float, given: float) -> str:
     angle, yours = (float(np.degrees(np.arccos(np.clip(value, -1, 1)))) for value in (wanted, given))
     if abs(wanted) < _CONSTANT:
         how = "level" if name == "z" else f"square to {name}"
-        return f"the last {axis} axis of this arm is always {how}; yours is tilted by {abs(90 - yours):.4g}°"
-    return f"the last {axis} axis always makes {angle:.4g}° with {name}; yours makes {yours:.4g}°"
+        return f"the last {axis} axis of this arm is always {how}, yours is tilted by {abs(90 - yours):.4g}°"
+    return f"the last {axis} axis always makes {angle:.4g}° with {name}, yours makes {yours:.4g}°"
 
 
 def _along(direction: Array) -> str:

@@ -41,6 +41,7 @@ def why_not(
     arm = ready.arm
     goal = arm.goal(pose[None])[0]
     motions, apart, angle = nearest_reachable(ready, goal, held)
+    motions = np.where(arm.turning, motions - 2 * np.pi * np.round(motions / (2 * np.pi)), motions)
     reasons = list(what_never_changes(arm, ready.task, pose))
     if not reasons:
         reasons = list(_too_far(ready, goal))

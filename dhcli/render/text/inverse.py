@@ -31,7 +31,8 @@ def inverse_table(result: InverseKinematics, look: Look) -> str:
     """The whole answer, to be read from top to bottom."""
     paper = look.paper
     context = [NAMES[result.robot.convention], *value_lines(result.robot, result.lengths), "lengths in m"]
-    title = f"{_WORDS[result.task]} of {frame_words(result.end)} of {result.robot.name}, seen from {frame_words(result.start)}"
+    placed = f"{_WORDS[result.task]} of {frame_words(result.end)} of {result.robot.name}"
+    title = f"{placed}, seen from {frame_words(result.start)}"
     lines = [
         paper.ink(paper.spell(f"inverse kinematics: {title}"), "bold"),
         *(paper.ink(line, "dim") for line in packed(map(paper.spell, context), paper)),
@@ -82,7 +83,7 @@ def _nothing(result: InverseKinematics, look: Look) -> Iterator[str]:
             f"{name} = {_value(result, j, float(found.closest[j]), look)}"
             for j, name in enumerate(result.robot.variables)
         ]
-        yield paper.spell(f"  there: {', '.join(values)}")
+        yield paper.spell(f"  nearest with {', '.join(values)}")
 
 
 def _value(result: InverseKinematics, joint: int, value: float, look: Look) -> str:

@@ -26,7 +26,7 @@ def test_an_arm_that_cannot_tilt_says_so_and_what_it_can_reach() -> None:
     tilt = np.eye(4)
     tilt[1:3, 1:3] = [[np.cos(0.2), -np.sin(0.2)], [np.sin(0.2), np.cos(0.2)]]
     found = inverse(robot, forward(robot, [0.1, 0.2, 0.3]).matrix @ tilt)
-    assert "the last z axis always points along +z; yours is 11.46° off" in found.why
+    assert "the last z axis always points along +z, yours is 11.46° off" in found.why
     assert "the position alone: 2 solutions" in found.why
     assert "11.46° away" in found.why
 
@@ -34,7 +34,8 @@ def test_an_arm_that_cannot_tilt_says_so_and_what_it_can_reach() -> None:
 def test_a_plane_arm_says_which_height_it_must_have() -> None:
     """Planar 2R moves in one plane."""
     robot = load_robot("planar-2r")
-    point = np.array(forward(robot, [0.3, 0.5]).position) + [0, 0, 0.1]
+    x, y, z = forward(robot, [0.3, 0.5]).position
+    point = [x, y, z + 0.1]
     found = inverse(robot, point, task="position")
     assert "z must be 0 m, is 0.1 m" in found.why
 
@@ -43,7 +44,7 @@ def test_the_last_axis_that_is_always_level_is_told_from_one_that_is_tilted() ->
     """Of an arm whose z axis can go round in a level plane only."""
     robot = load_robot("articulated")
     found = inverse(robot, np.eye(4))
-    assert "the last z axis of this arm is always level; yours is tilted by 90°" in found.why
+    assert "the last z axis of this arm is always level, yours is tilted by 90°" in found.why
 
 
 @pytest.mark.parametrize("name", ["puma560", "ur5e", "scara", "planar-2r"])

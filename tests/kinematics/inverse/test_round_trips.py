@@ -16,7 +16,7 @@ TRIES = np.tile(np.pi * np.array([0.0, 0.5, -0.5, 1.0]), (6, 1))
 
 
 def lost_and_odd(kind: Class, seed: int, poses: int) -> tuple[int, int]:
-    """How many joint vectors of a random arm are not found again, and how many poses have an odd number of solutions."""
+    """How many joint vectors are not found again, and how many poses have an odd number of solutions."""
     rng = np.random.default_rng(seed)
     arm = random_arm(kind, rng)
     motions, goal = random_motions(arm, poses, rng)

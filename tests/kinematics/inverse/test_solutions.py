@@ -204,7 +204,7 @@ def test_a_pose_typed_with_few_digits_is_put_right_and_told() -> None:
         (lambda t: t.T, "last row"),
         (lambda t: t[:3], "an array of the shape"),
         (lambda t: "abc", "no pose"),
-        (lambda t: t + [[0, 0, 0, 1e13], [0] * 4, [0] * 4, [0] * 4], "farther away"),
+        (lambda t: np.add(t, np.outer([1e13, 0, 0, 0], [0, 0, 0, 1])), "farther away"),
     ],
 )
 def test_what_is_no_pose_is_refused(change: object, said: str) -> None:
