@@ -30,6 +30,7 @@ _NOUNS = {
     "lint": "findings",
     "sweep": "a sweep",
     "inverse": "inverse kinematics",
+    "derivation": "a derivation",
 }
 """What each kind of result is called in messages."""
 
@@ -88,6 +89,10 @@ _RENDERERS = {
     ("inverse", "table"): "dhcli.render.text.inverse:inverse_table",
     ("inverse", "csv"): "dhcli.render.text.inverse:inverse_csv",
     ("inverse", "latex"): "dhcli.render.text.inverse:inverse_latex",
+    ("derivation", "table"): "dhcli.render.text.derivation:derivation_table",
+    ("derivation", "latex"): "dhcli.render.code.derivation:derivation_latex",
+    ("derivation", "matlab"): "dhcli.render.code.derivation:derivation_code",
+    ("derivation", "numpy"): "dhcli.render.code.derivation:derivation_code",
 }
 """Where the renderer of each kind of result and format stands; it is imported when it is needed."""
 
@@ -109,6 +114,7 @@ _CONTENTS = {
     "lint": "dhcli.render.text.lint:lint_content",
     "sweep": "dhcli.render.text.sweep:sweep_content",
     "inverse": "dhcli.render.text.inverse:inverse_content",
+    "derivation": "dhcli.render.text.derivation:derivation_content",
 }
 """Where each kind of result becomes what stands under `data` in JSON."""
 

@@ -175,6 +175,50 @@ def test_what_cannot_be_answered_is_refused_with_2(dhcli: Run, words: tuple[str,
     assert said in done.err
 
 
+def test_formulas_are_derived_step_by_step(dhcli: Run) -> None:
+    """The rule, the equations with the level they stand in, the formula, and where it says nothing."""
+    out = dhcli("ik", "planar-2r", "--derive").out
+    assert "1. theta2: SQUARES" in out
+    assert "   theta2 = ± acos((px^2 + py^2 - a1^2 - a2^2)/(2*a1*a2))\n" in out
+    assert "   px = a1*c1 + a2*c12    (1,4) of T = T_02\n" in out
+    assert "   theta1 = atan2(py, px) - atan2(a2*s2, a1 + a2*c2)\n" in out
+    assert "2 combinations of signs" in out
+
+
+def test_a_derivation_has_these_keys_in_json(dhcli: Run) -> None:
+    """A new key is a decision, and stands here."""
+    data = dhcli("ik", "puma560", "--derive", "--format", "json").data
+    assert set(data) == {"robot", "convention", "reference", "frame", "task", "branches", "steps"}
+    keys = {"rule", "unknown", "equations", "value", "plus_minus", "or_half_a_turn_more", "condition"}
+    assert all(set(step) == keys for step in data["steps"])
+    assert [step["unknown"] for step in data["steps"]][:4] == ["theta1", "theta3", "theta2 + theta3", "theta2"]
+
+
+def test_a_derivation_is_written_for_papers_and_programs(dhcli: Run) -> None:
+    """LaTeX, Python, MATLAB."""
+    assert dhcli("ik", "planar-2r", "--derive", "--format", "latex").out.startswith(
+        "\\begin{aligned}\n\\theta_{2} &= \\pm "
+    )
+    assert "def inverse(T, a1=0.4, a2=0.3):" in dhcli("ik", "planar-2r", "--derive", "--format", "numpy").out
+    assert "function solutions = inverse(T, a1, a2)" in dhcli("ik", "planar-2r", "--derive", "--format", "matlab").out
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("panda", "--derive"), "no textbook form by these rules"),
+        (("puma560", "--derive", "--pose", "ready"), "takes no pose"),
+        (("puma560", "--derive", "--task", "axis"), "knows no task axis"),
+        (("puma560", "--derive", "--format", "csv"), "there is no format csv"),
+    ],
+)
+def test_what_cannot_be_derived_is_refused_with_2(dhcli: Run, words: tuple[str, ...], said: str) -> None:
+    """And why."""
+    done = dhcli("ik", *words)
+    assert (done.code, done.out) == (2, "")
+    assert said in done.err
+
+
 def test_errors_are_json_too_when_json_is_asked_for(dhcli: Run) -> None:
     """One envelope."""
     done = dhcli("ik", "puma560", "--format", "json")

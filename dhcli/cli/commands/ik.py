@@ -33,6 +33,8 @@ dhcli ik planar-2r --position 0.5,0.3,0
 
 dhcli ik panda --pose ready --hold theta7=30°
 
+dhcli ik planar-2r --derive
+
 dhcli fk puma560 --pose nominal --format json | dhcli ik puma560 --target -
 """
 
@@ -131,6 +133,9 @@ def ik(
             min=2, max=1000, metavar="N", help="Sample the joints to spare of a redundant arm.", rich_help_panel=_WHICH
         ),
     ] = None,
+    derive: Annotated[
+        bool, typer.Option("--derive", help="The formulas, step by step as a book derives them; no pose is needed.")
+    ] = False,
     deg: Annotated[bool, typer.Option("--deg", help="Bare numbers of angles are degrees.")] = False,
     set_: Settings = None,
     from_: SeenFrom = None,
@@ -138,9 +143,9 @@ def ik(
         str | None,
         typer.Option(metavar="FRAME", help="Of this frame.", rich_help_panel=WHERE, autocompletion=complete_frame),
     ] = None,
-    format_: Annotated[str | None, format_option("table", "json", "csv", "latex")] = None,
+    format_: Annotated[str | None, format_option("table", "json", "csv", "latex", "numpy", "matlab")] = None,
     digits: Digits = None,
-    output: Annotated[str | None, output_option(".json", ".csv", ".tex", ".txt")] = None,
+    output: Annotated[str | None, output_option(".json", ".csv", ".tex", ".py", ".m", ".txt")] = None,
     force: Force = False,
 ) -> int:
     """Inverse kinematics: every way to hold the joints so that the end frame stands in a pose."""
@@ -149,14 +154,17 @@ def ik(
     # a second thread does nothing for matrices this small but be started
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     from dhcli.cli.shell.delivery import Delivery
-    from dhcli.cli.shell.goal import Goal, asked, held_of, near_of, only_branches
+    from dhcli.cli.shell.goal import Goal, asked, derived, held_of, near_of, only_branches
     from dhcli.errors import ExitStatus
     from dhcli.files.yaml.robots import load_robot
 
     delivery = Delivery("ik", format_, digits, None, output, force)
-    delivery.chosen("inverse")
+    delivery.chosen("derivation" if derive else "inverse")
     arm = load_robot(robot)
     goal = Goal(q, pose, target, position, rpy, quaternion, pointing, task)
+    if derive:
+        delivery.hand_over("derivation", derived(arm, goal, from_, to))
+        return ExitStatus.DONE
     question = asked(arm, goal, from_, to, set_ or [], robot, degrees=deg)
     wish = near_of(arm, near, degrees=deg)
     held = held_of(arm, hold or [], degrees=deg)

@@ -22,6 +22,7 @@ from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr
 
 if TYPE_CHECKING:
+    from dhcli.kinematics.inverse.derive import Derivation
     from dhcli.kinematics.inverse.solutions import Solutions
     from dhcli.kinematics.inverse.tasks import TaskName
 
@@ -108,6 +109,21 @@ def asked(
     task = _task(goal)
     rows = _rows(robot, goal, (first, last), settings, typed, degrees=degrees)
     return Question(robot, rows, cast("TaskName", task), first, last, lengths)
+
+
+def derived(robot: Robot, goal: Goal, start: str | None, end: str | None) -> Derivation:
+    """The formulas for a robot, for all of its pose or for the position.
+
+    Raises:
+        DhcliError: A pose is given, or something else of it counts, or there are no formulas.
+    """
+    from dhcli.kinematics.inverse.derive import derive
+
+    if any((goal.q, goal.pose, goal.target, goal.position, goal.rpy, goal.quaternion, goal.pointing)):
+        raise DhcliError("--derive is in letters and takes no pose", "leave it out, or leave --derive out")
+    if goal.task not in {None, "pose", "position"}:
+        raise DhcliError(Problem(f"--derive knows no task {goal.task}", Place("--task"), "pose or position"))
+    return derive(robot, start=start, end=end, task=goal.task or "")
 
 
 def _task(goal: Goal) -> str:
