@@ -7,13 +7,23 @@ import random
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import combinations
+from itertools import combinations, permutations
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
 from dhcli.kinematics.frames import between, ends
 from dhcli.kinematics.inverse.derive_levels import POSITION, Equation, entries, squares
-from dhcli.kinematics.inverse.derive_rules import Found, Step, both, difference, of_coefficients, ratio, slide, squared
+from dhcli.kinematics.inverse.derive_rules import (
+    Found,
+    Step,
+    both,
+    difference,
+    of_coefficients,
+    ratio,
+    single,
+    slide,
+    squared,
+)
 from dhcli.kinematics.inverse.derive_terms import Atom, Coefficients, Knowledge, length, name_of
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.notation.angle import Angle
@@ -168,7 +178,10 @@ def _both(by_atom: Mapping[Atom, list[Found]], points: Points) -> Step | None:
             # no pair is shorter than its constants
             if best is not None and not best[0][0] and length(first[1][0]) + length(second[1][0]) > best[0][1]:
                 continue
-            sign = _sign(first[1], second[1], points)
+            det = _determinant(first[1], second[1])
+            if best is not None and not best[0][0] and type(det) is not Number:
+                continue  # where there are equations that never vanish, no others are wanted
+            sign = _sign(det, points)
             for step in (both(first, second, atom, sign), both(second, first, atom, -sign)):
                 if step is None:
                     continue
@@ -179,9 +192,12 @@ def _both(by_atom: Mapping[Atom, list[Found]], points: Points) -> Step | None:
     return None if best is None else best[1]
 
 
-def _sign(one: Coefficients, other: Coefficients, points: Points) -> int:
-    """The sign of the determinant of two equations where it is always the same, else 0."""
-    det = add(multiply(one[1], other[2]), negate(multiply(one[2], other[1])))
+def _determinant(one: Coefficients, other: Coefficients) -> Expr:
+    return add(multiply(one[1], other[2]), negate(multiply(one[2], other[1])))
+
+
+def _sign(det: Expr, points: Points) -> int:
+    """The sign of a determinant where it is always the same, else 0."""
     if type(det) is Number:
         return (det.value > 0) - (det.value < 0)
     dets = points.values(det)
@@ -193,12 +209,11 @@ def _sign(one: Coefficients, other: Coefficients, points: Points) -> int:
 
 
 def _ratio(known: Knowledge, found: Sequence[Equation], points: Points) -> Step | None:
-    singles = [one for one in found if known.is_known(one.left) != known.is_known(one.right)]
-    for first, second in combinations(singles, 2):
-        for a, b in ((first, second), (second, first)):
-            step = ratio(a, b, known)
-            if step is not None and points.lives(step):
-                return step
+    singles = [(one, parts) for one in found if (parts := single(one, known))]
+    for first, second in permutations(singles, 2):
+        step = ratio(first, second)
+        if step is not None and points.lives(step):
+            return step
     return None
 
 

@@ -112,9 +112,13 @@ def _starts_negative(expr: Expr) -> bool:
     return is_negative(terms[0]) if isinstance(terms, tuple) and isinstance(terms[0], Expr) else is_negative(expr)
 
 
-def ratio(first: Equation, second: Equation, known: Knowledge) -> Step | None:
+Single: TypeAlias = tuple[tuple[Atom, Expr, str], Expr]
+"""Cosine or sine of an unknown, what it is multiplied by, which of the two it is, and what that comes to."""
+
+
+def ratio(one_found: tuple[Equation, list[Single]], other_found: tuple[Equation, list[Single]]) -> Step | None:
     """RATIO: cosine and sine of an angle, each times the same unknown."""
-    one, other = _single(first, known), _single(second, known)
+    (first, one), (second, other) = one_found, other_found
     for (angle, f1, kind1), e1 in one:
         for (same, f2, kind2), e2 in other:
             if (kind1, kind2) == ("cos", "sin") and same == angle and f2 in {f1, negate(f1)}:
@@ -123,11 +127,11 @@ def ratio(first: Equation, second: Equation, known: Knowledge) -> Step | None:
     return None
 
 
-def _single(one: Equation, known: Knowledge) -> list[tuple[tuple[Atom, Expr, str], Expr]]:
+def single(one: Equation, known: Knowledge) -> list[Single]:
     """An equation as cosine or sine of an unknown times something, equal to something known."""
-    found = list[tuple[tuple[Atom, Expr, str], Expr]]()
+    found = list[Single]()
     for side, other in ((one.right, one.left), (one.left, one.right)):
-        if not known.is_known(other) or type(side) is not Product:
+        if type(side) is not Product or not known.is_known(other):
             continue
         trigs = [f for f in side.factors if type(f) is Trig and known.unknown_terms(f.angle)]
         for trig in trigs:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 import sys
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -34,6 +35,12 @@ DERIVED = (
 )
 
 
+@cache
+def derived(name: str) -> Derivation:
+    """The derivation for a robot, made once."""
+    return derive(load_robot(name))
+
+
 def shown(derivation: Derivation) -> dict[str, str]:
     """Each step's formula, by its rule and what it finds."""
     joints = derivation.robot.writing
@@ -51,7 +58,7 @@ def shown(derivation: Derivation) -> dict[str, str]:
 
 def test_planar_arm_comes_out_as_in_books() -> None:
     """The law of cosines for theta2, and theta1 as the difference of two angles."""
-    assert shown(derive(load_robot("planar-2r"))) == {
+    assert shown(derived("planar-2r")) == {
         "theta2": "SQUARES: ± acos((px^2 + py^2 - a1^2 - a2^2)/(2*a1*a2))",
         "theta1": "BOTH: atan2(py, px) - atan2(a2*s2, a1 + a2*c2)",
     }
@@ -59,7 +66,7 @@ def test_planar_arm_comes_out_as_in_books() -> None:
 
 def test_puma_comes_out_by_the_rules_of_craig() -> None:
     """theta1 from the entry that only holds it, theta3 from squares, theta2 from both, and the wrist last."""
-    found = shown(derive(load_robot("puma560")))
+    found = shown(derived("puma560"))
     assert list(found) == ["theta1", "theta3", "theta2+theta3", "theta2", "theta4", "theta5", "theta6"]
     assert [text.split(":")[0] for text in found.values()] == [
         "ONE", "SQUARES", "BOTH", "SUM", "RATIO", "BOTH", "BOTH",
@@ -70,7 +77,7 @@ def test_puma_comes_out_by_the_rules_of_craig() -> None:
 
 def test_a_wrist_comes_out_as_euler_angles() -> None:
     """Z Y Z: theta4 and its opposite from the third column, the others from both their equations."""
-    assert shown(derive(load_robot("spherical-wrist"))) == {
+    assert shown(derived("spherical-wrist")) == {
         "theta4": "RATIO: atan2(r23, r13) (+ 180°)",
         "theta5": "BOTH: atan2(r13*c4 + r23*s4, r33)",
         "theta6": "BOTH: atan2(-r11*s4 + r21*c4, -r12*s4 + r22*c4)",
@@ -81,7 +88,7 @@ def test_a_wrist_comes_out_as_euler_angles() -> None:
 def test_formulas_give_the_solutions_that_the_engine_gives(name: str) -> None:
     """At random poses: as many, each of them, and each reaches the pose; no combination of signs is a stranger."""
     robot = load_robot(name)
-    derivation = derive(robot)
+    derivation = derived(name)
     lengths = numbers(parameter_values(robot, {}))
     chain = between(robot, derivation.start, derivation.end)
     draw = random.Random(5)  # noqa: S311  a fixed seed, for the same poses every time
@@ -103,7 +110,7 @@ def test_formulas_give_the_solutions_that_the_engine_gives(name: str) -> None:
 def test_the_python_function_returns_what_the_formulas_say(name: str) -> None:
     """With the robot's own lengths for defaults; the same joint values, each combination of signs once."""
     robot = load_robot(name)
-    derivation = derive(robot)
+    derivation = derived(name)
     space: dict[str, Any] = {}
     exec(derivation_code(derivation, Look("numpy")), space)  # noqa: S102  this is what a user does with it
     q = [0.4, 0.7, 0.5, -0.6, 0.8, 1.1][: len(robot.variables)]
