@@ -12,7 +12,7 @@ from dhcli.kinematics.inverse.motions import SIZES, Entry, expanded, rotated, tr
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.arm import Arm, Array, Axis
 
-PARALLEL = 1e-7
+PARALLEL = 1e-6
 """Axes that are closer than this to being parallel, or to meeting, are first taken to be [rad, reaches].
 
 The answer is polished on the robot as it is, so that nothing of it stays but the order in which joints are found.

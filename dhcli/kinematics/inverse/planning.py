@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhcli.kinematics.inverse.arm import Arm
-from dhcli.kinematics.inverse.matrices import Actions
+from dhcli.kinematics.inverse.matrices import PARALLEL, Actions, value_of
 from dhcli.kinematics.inverse.motions import CIRCLE, POINT
 from dhcli.kinematics.inverse.pairings import Cut, Loop, cuts
 from dhcli.kinematics.inverse.polishing import product
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 SAMPLES = 12
 """Random poses that an equation is tried at."""
 
-_VANISHES = 1e-7
+_VANISHES = 10 * PARALLEL
 """Coefficients below this at every sample are zero."""
 
 _WELL = 0.05
@@ -51,6 +51,19 @@ class Samples:
         """The loop at these poses with some joints known."""
         return Loop(self.actions, self.goal, {j: self.values[:, j] for j in known})
 
+    def gap(self, loop: Loop, step: One) -> float:
+        """How far the equations of a step are from holding: not at all, unless axes are only nearly parallel."""
+        u, v = value_of(self.values[:, step.joint], turns=self.actions.arm.axes[step.joint].turns)
+        values = np.stack([np.ones_like(u), u, v], axis=1)
+        worst = 0.0
+        for equation in step.equations:
+            x = self.actions.fixed(equation.cut.kind, equation.cut.second)
+            y = self.actions.fixed(equation.cut.kind, equation.cut.first)
+            number = y.tolist().index(list(equation.y)) * len(x) + x.tolist().index(list(equation.x))
+            rows = loop.tensor(equation.cut, (step.joint,))[:, number]
+            worst = max(worst, float(np.abs((rows * values).sum(axis=1)).max()) / equation.size)
+        return worst
+
 
 def find_plan(arm: Arm, held: Sequence[int] = ()) -> Plan:
     """The plan for an arm.
@@ -68,6 +81,7 @@ def find_plan(arm: Arm, held: Sequence[int] = ()) -> Plan:
     actions = Actions(arm)
     samples = Samples(actions)
     known, steps = list(held), list[Step]()
+    slack = 0.0
     while missing := [j for j in range(arm.joints) if j not in known]:
         unknown = [j for j in range(len(arm.axes)) if j not in known]
         loop = samples.loop(known)
@@ -76,8 +90,10 @@ def find_plan(arm: Arm, held: Sequence[int] = ()) -> Plan:
         if step is None:
             raise NoPlanError(", ".join(arm.axes[j].name for j in missing))
         steps.append(step)
+        if isinstance(step, One):
+            slack = max(slack, samples.gap(loop, step))
         known += getattr(step, "joints", ()) or (step.joint,)  # type: ignore[union-attr]
-    return Plan(actions, tuple(held), tuple(steps))
+    return Plan(actions, tuple(held), tuple(steps), slack)
 
 
 def find_one(samples: Samples, loop: Loop, unknown: Sequence[int], missing: Sequence[int]) -> One | None:
@@ -143,7 +159,7 @@ def _choice(rows: Array, *, turns: bool) -> tuple[float, Kind, tuple[int, ...]] 
         k = int(np.argmax(scores))
         if scores[k] > best[0]:
             best = float(scores[k]), (i, i + 1 + k)
-    if best[0] > _VANISHES * 10:
+    if best[0] > _VANISHES:
         return best[0], "both", best[1]
     homogeneous = np.abs(rows[:, :, 0]).max(axis=1) < _VANISHES * typical
     if homogeneous.any():

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhcli.kinematics.inverse.matrices import PARALLEL
 from dhcli.kinematics.inverse.pairings import Cut, Loop, cuts
 from dhcli.kinematics.inverse.rule_two import HALVES, roots
 from dhcli.kinematics.inverse.steps import Two
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
     from dhcli.kinematics.inverse.arm import Array
     from dhcli.kinematics.inverse.planning import Samples
 
-_VANISHES = 1e-7
+_VANISHES = 10 * PARALLEL
 _MOST = 6
 """Equations of a pair of joints that are tried with each other."""
 
@@ -55,7 +56,7 @@ def independent(rows: Sequence[Array]) -> list[int]:
     for _ in range(min(flat.shape)):
         norms = np.linalg.norm(flat, axis=1)
         k = int(np.argmax(norms > norms.max() * 0.7))  # the first that is nearly the largest
-        if norms[k] < _VANISHES * 10:
+        if norms[k] < _VANISHES:
             break
         chosen.append(k)
         unit = flat[k] / norms[k]

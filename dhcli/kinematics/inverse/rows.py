@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 NOISE = 1e-15
 """What rounding leaves in an equation before anything is known."""
 
+ROUNDED = 1e-12
+"""An equation that holds to this holds, and only rounding keeps it from doing so exactly."""
+
 
 @dataclass
 class Rows:
@@ -46,12 +49,21 @@ class Rows:
     _memo: dict[object, Sequence[Entry]] = field(default_factory=dict)
 
     @classmethod
-    def start(cls, actions: Actions, goal: Array, held: Mapping[int, tuple[Array, Array]]) -> Rows:
+    def start(cls, actions: Actions, goal: Array, held: Mapping[int, tuple[Array, Array]], slack: float = 0.0) -> Rows:
         """A row for each pose (P, 4, 4), with the values of joints that are held."""
         columns = np.ascontiguousarray(np.concatenate([goal[:, :3, :3].reshape(-1, 9), goal[:, :3, 3]], axis=1).T)
         zeros = np.zeros(len(goal), dtype=np.int64)
         index = np.arange(len(goal))
-        return cls(actions, columns, index, dict(held), zeros, zeros, zeros, np.full(len(goal), NOISE))
+        return cls(
+            actions,
+            columns,
+            index,
+            dict(held),
+            zeros,
+            zeros,
+            zeros,
+            np.full(len(goal), max(NOISE, slack if slack > ROUNDED else 0.0)),
+        )
 
     def __len__(self) -> int:
         return len(self.index)

@@ -79,7 +79,7 @@ def run(
     """
     arm = plan.actions.arm
     known = {j: _value(value, turns=arm.axes[j].turns) for j, value in (held or {}).items()}
-    rows = Rows.start(plan.actions, goal, known)
+    rows = Rows.start(plan.actions, goal, known, plan.slack)
     for step in plan.steps:
         if isinstance(step, Two):
             rows = eliminated(rows, step)

@@ -97,11 +97,13 @@ class Plan:
         actions: How the joints act.
         held: Joints whose values are given.
         steps: The steps.
+        slack: How far its equations are from holding, where axes that are nearly parallel were taken to be.
     """
 
     actions: Actions
     held: tuple[int, ...]
     steps: tuple[Step, ...]
+    slack: float = 0.0
 
     @property
     def rules(self) -> tuple[str, ...]:
