@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cache
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhcli.kinematics.inverse.motions import SIZES, Entry, expanded, rotated, translated
+from dhcli.kinematics.inverse.motions import SIZES, Entry, expanded, form, rotated, translated
 
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.arm import Arm, Array, Axis
@@ -82,10 +83,9 @@ def acting(kind: int, goal: Array) -> Array:
     return result
 
 
+@cache
 def forms(kind: int) -> Array:
     """The matrix of the form of a kind, shape (d, d)."""
-    from dhcli.kinematics.inverse.motions import form
-
     units = np.eye(SIZES[kind]).tolist()
     return np.array([[form(kind, x, y) for y in units] for x in units], dtype=float)
 

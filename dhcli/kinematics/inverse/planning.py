@@ -11,7 +11,7 @@ from dhcli.kinematics.inverse.arm import Arm
 from dhcli.kinematics.inverse.matrices import PARALLEL, Actions, value_of
 from dhcli.kinematics.inverse.motions import CIRCLE, POINT
 from dhcli.kinematics.inverse.pairings import Cut, Loop, cuts
-from dhcli.kinematics.inverse.polishing import product
+from dhcli.kinematics.inverse.polishing import product, spread
 from dhcli.kinematics.inverse.steps import Equation, Kind, One, Plan, Step
 
 if TYPE_CHECKING:
@@ -40,11 +40,10 @@ class Samples:
     def __init__(self, actions: Actions, seed: int = 5) -> None:
         """Draw them."""
         axes = actions.arm.axes
-        rng = np.random.default_rng(seed)
         turns = np.array([axis.turns for axis in axes], dtype=bool)
         low, high = np.where(turns, -np.pi, 0.2), np.where(turns, np.pi, 1.2)
         self.actions = actions
-        self.values = rng.uniform(low, high, (SAMPLES, len(axes)))
+        self.values = low + (high - low) * spread(SAMPLES, len(axes), seed)
         self.goal = product(actions.arm, self.values)
 
     def loop(self, known: Sequence[int]) -> Loop:
@@ -139,15 +138,15 @@ def _choice(rows: Array, *, turns: bool) -> tuple[float, Kind, tuple[int, ...]] 
     """Which of some equations to use, from coefficients (m, N, 3): how well, how, and which."""
     if not turns:
         linear = np.abs(rows[:, :, 2]).max(axis=1) < _VANISHES
-        sizes = np.quantile(np.abs(rows[:, :, 1]), 0.25, axis=1) / np.abs(rows).max(axis=(1, 2))
+        sizes = _quarter(np.abs(rows[:, :, 1])) / np.abs(rows).max(axis=(1, 2))
         if linear.any():
             k = int(np.argmax(np.where(linear, sizes, -1)))
             return float(sizes[k]), "length", (k,)
-        k = int(np.argmax(np.quantile(np.abs(rows[:, :, 2]), 0.25, axis=1)))
+        k = int(np.argmax(_quarter(np.abs(rows[:, :, 2]))))
         return 0.0, "lengths", (k,)
     norms = np.hypot(rows[:, :, 1], rows[:, :, 2])
-    typical = np.median(norms, axis=1)
-    steady = np.quantile(norms, 0.25, axis=1) / np.abs(rows).max(axis=(1, 2))
+    typical = np.sort(norms, axis=1)[:, SAMPLES // 2]
+    steady = _quarter(norms) / np.abs(rows).max(axis=(1, 2))
     a, b = rows[:, :, 1] / typical[:, None], rows[:, :, 2] / typical[:, None]
     best: tuple[float, tuple[int, ...]] = (0.0, ())
     for i in range(len(rows)):
@@ -155,7 +154,7 @@ def _choice(rows: Array, *, turns: bool) -> tuple[float, Kind, tuple[int, ...]] 
         if not len(dets):
             break
         # beside a few samples: a determinant that often is small serves badly
-        scores = np.quantile(dets, 0.25, axis=1)
+        scores = _quarter(dets)
         k = int(np.argmax(scores))
         if scores[k] > best[0]:
             best = float(scores[k]), (i, i + 1 + k)
@@ -169,11 +168,16 @@ def _choice(rows: Array, *, turns: bool) -> tuple[float, Kind, tuple[int, ...]] 
     return float(steady[k]), "pair", (k,)
 
 
+def _quarter(sizes: Array) -> Array:
+    """What three quarters of the samples are above, shape (m,)."""
+    return np.asarray(np.sort(sizes, axis=1)[:, SAMPLES // 4])
+
+
 def _equation(actions: Actions, cut: Cut, number: int, rows: Array) -> Equation:
     """An equation of a cut by its number, with the things that it pairs."""
     x, y = actions.fixed(cut.kind, cut.second), actions.fixed(cut.kind, cut.first)
     i, k = divmod(number, len(x))
-    size = float(np.median(np.abs(rows[:, 1:]).max(axis=1)))
+    size = float(np.sort(np.abs(rows[:, 1:]).max(axis=1))[SAMPLES // 2])
     return Equation(cut, tuple(x[k].tolist()), tuple(y[i].tolist()), size)
 
 

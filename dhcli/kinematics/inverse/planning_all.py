@@ -116,4 +116,4 @@ def _error(samples: Samples, step: All, both: tuple[Array, Array]) -> float:
     gaps = np.array([np.abs(np.angle(np.exp(1j * (a - t)))) for a, t in zip(angles, true[at].T, strict=True)])
     nearest = np.full(len(true), np.pi)
     np.minimum.at(nearest, at, gaps.max(axis=0))
-    return float(np.median(nearest))
+    return float(np.sort(nearest)[len(nearest) // 2])

@@ -76,6 +76,6 @@ def _error(samples: Samples, joint: int, other: int, pairs: Array) -> float:
     nearest = np.full(len(true), np.pi)
     np.minimum.at(nearest, at, gaps)
     spread = np.bincount(at, minlength=len(true))
-    if np.median(spread) >= 8:  # noqa: PLR2004  every root on the circle: the resultant vanishes
+    if np.sort(spread)[len(spread) // 2] >= 8:  # noqa: PLR2004  every root on the circle: the resultant vanishes
         return np.pi
     return float(np.sort(nearest)[-2])

@@ -30,6 +30,17 @@ def cross(one: Array, other: Array) -> Array:
     return np.stack([y * w - z * v, z * u - x * w, x * v - y * u], axis=-1)
 
 
+_ROOTS = np.sqrt([2.0, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53])
+
+
+def spread(count: int, width: int, seed: int = 0) -> Array:
+    """Numbers from 0 to 1 without a pattern, shape (count, width): always the same, and without numpy's generators,
+    whose import takes as long as a plan.
+    """  # noqa: D205  one sentence
+    steps = np.arange(1 + seed, 1 + seed + count)[:, None]
+    return np.asarray((steps * _ROOTS[np.arange(width) % len(_ROOTS)] * (1 + np.arange(width) // len(_ROOTS))) % 1)
+
+
 def motion(axis: Axis, value: Array) -> Array:
     """The motion of a joint, for values (N,), shape (N, 4, 4)."""
     result = np.zeros((len(value), 4, 4))

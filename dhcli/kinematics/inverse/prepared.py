@@ -14,7 +14,7 @@ from dhcli.errors import RobotError, plural
 from dhcli.kinematics.inverse.anatomy import NOTHING, Anatomy, anatomy
 from dhcli.kinematics.inverse.arm import Arm, arm_of
 from dhcli.kinematics.inverse.planning import NoPlanError, find_plan
-from dhcli.kinematics.inverse.polishing import jacobian
+from dhcli.kinematics.inverse.polishing import jacobian, spread
 from dhcli.kinematics.inverse.steps import One, Plan
 from dhcli.kinematics.inverse.tasks import Task, TaskName, for_task, task_called
 from dhcli.kinematics.moves import Chain
@@ -125,8 +125,7 @@ def _choices(arm: Arm, task: Task, asked: tuple[int, ...], spare: int) -> Iterat
 
 def _rank(arm: Arm, task: Task, held: tuple[int, ...] = ()) -> int:
     """How many conditions the joints can meet in an ordinary pose, those held left out."""
-    rng = np.random.default_rng(7)
-    motions = rng.uniform(-1.3, 1.3, (3, arm.joints))
+    motions = 2.6 * spread(3, arm.joints, 7) - 1.3
     motions[:, list(held)] = 0
     _, slope = jacobian(arm, task, motions)
     slope[:, :, list(held)] = 0

@@ -18,6 +18,7 @@ import numpy as np
 
 from dhcli.kinematics.inverse.motions import SIZES
 from dhcli.kinematics.inverse.pairings import Loop
+from dhcli.kinematics.inverse.polishing import spread
 from dhcli.kinematics.inverse.rows import Rows
 from dhcli.kinematics.inverse.rule_two import HALVES
 from dhcli.kinematics.inverse.steps import All
@@ -122,7 +123,7 @@ def _left(three: Array, two: Array, count: int) -> Array:
     total[:, :, 0, 0, 0] -= flat[:, :, 0]
     null = np.linalg.qr(flat[:, :, 1:], mode="complete")[0][:, :, 8:]
     if null.shape[2] > EQUATIONS:
-        null = null @ np.random.default_rng(3).normal(size=(null.shape[2], EQUATIONS))
+        null = null @ (spread(null.shape[2], EQUATIONS, 3) - 0.5)
     result = null.transpose(0, 2, 1) @ total.reshape(count, total.shape[1], 27)
     return np.asarray(result.reshape(count, -1, 3, 3, 3))
 
@@ -150,7 +151,7 @@ def _eigen(pencil: Array) -> tuple[Array, Array]:
     try:
         both = np.linalg.solve(lead, np.concatenate([last, middle], axis=2))
     except np.linalg.LinAlgError:
-        lead = lead + 1e-12 * np.random.default_rng(1).normal(size=(size, size))
+        lead = lead + 1e-12 * (spread(size, size, 1) - 0.5)
         both = np.linalg.solve(lead, np.concatenate([last, middle], axis=2))
     both = np.nan_to_num(both, nan=0.0, posinf=1e200, neginf=-1e200)
     companion = np.zeros((len(last), 2 * size, 2 * size))

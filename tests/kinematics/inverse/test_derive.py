@@ -18,6 +18,7 @@ from dhcli.kinematics.values import numbers, parameter_values
 from dhcli.notation.writer import write
 from dhcli.render.code.derivation import derivation_code
 from dhcli.render.look import Look
+from tests.nightly import cases_for_nights
 
 DERIVED = (
     *(
@@ -33,6 +34,9 @@ DERIVED = (
     *("articulated", "spherical-wrist", "stanford", "zhou-3r", "zhou-3r-modified", "zhou-6r", "ur5e"),
     *("puma560", "puma560-standard", "puma560-unimation", "puma200-spherical-wrist"),
 )
+
+USUAL = ("planar-2r", "scara-yim", "cylindrical-wrist", "spherical-wrist", "zhou-3r", "stanford", "puma560", "ur5e")
+"""What ordinary runs try: each rule occurs in them."""
 
 
 @cache
@@ -84,7 +88,7 @@ def test_a_wrist_comes_out_as_euler_angles() -> None:
     }
 
 
-@pytest.mark.parametrize("name", DERIVED)
+@pytest.mark.parametrize("name", cases_for_nights(DERIVED, *USUAL))
 def test_formulas_give_the_solutions_that_the_engine_gives(name: str) -> None:
     """At random poses: as many, each of them, and each reaches the pose; no combination of signs is a stranger."""
     robot = load_robot(name)
