@@ -21,7 +21,6 @@ from dhcli.kinematics.inverse.solving import Solved, solve
 from dhcli.kinematics.inverse.targets import EXACT, read_targets
 from dhcli.kinematics.inverse.tasks import TaskName
 from dhcli.kinematics.inverse.turns import limits_of, placed
-from dhcli.kinematics.inverse.unreached import why_not
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.values import JointInput, joint_values, numbers, parameter_values, require
@@ -169,6 +168,8 @@ def inverse(  # noqa: PLR0913  what may be asked of a pose
     answer = _answer(question, solved, said)
     answer = replace(answer, remarks=(*remarks, *answer.remarks))
     if not len(answer):
+        from dhcli.kinematics.inverse.unreached import why_not  # not for the poses that are reached
+
         return why_not(ready, answer, poses[0], held, question.values)
     return placed(answer, question.near, within_limits=within_limits, all_turns=all_turns)
 

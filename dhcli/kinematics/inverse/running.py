@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,10 +11,8 @@ import numpy as np
 from dhcli.kinematics.inverse.motions import DIRECTION, POINT
 from dhcli.kinematics.inverse.polishing import polished, product, residuals
 from dhcli.kinematics.inverse.rows import Rows
-from dhcli.kinematics.inverse.rule_all import all_at_once
 from dhcli.kinematics.inverse.rule_one import read_off
-from dhcli.kinematics.inverse.rule_two import eliminated
-from dhcli.kinematics.inverse.steps import All, Plan, Two
+from dhcli.kinematics.inverse.steps import All, Plan, Step, Two
 from dhcli.kinematics.inverse.tasks import Task
 
 if TYPE_CHECKING:
@@ -25,6 +23,9 @@ CONFIRMED = 1e-12
 
 _POLISH = 2e-14
 """Candidates above this are led nearer by Newton's steps."""
+
+OTHER_TURN = (-2.3519, 0.4127, -0.9061)
+"""Where angles are counted from at a second try."""
 
 _CLOSE = 1e-3
 """Solutions closer than this may be one that rounding has split [rad, reaches]."""
@@ -58,6 +59,19 @@ class Found:
         path, free, draw = self.path[at], self.free[at], self.draw[at]
         return Found(self.index[at], self.motions[at], self.residual[at], path, free, draw)
 
+    def joined(self, other: Found) -> Found:
+        """These and others, sorted by pose."""
+        index = np.concatenate([self.index, other.index])
+        both = Found(
+            index,
+            np.concatenate([self.motions, other.motions]),
+            np.concatenate([self.residual, other.residual]),
+            np.concatenate([self.path, other.path]),
+            np.concatenate([self.free, other.free]),
+            np.concatenate([self.draw, other.draw]),
+        )
+        return both.take(np.argsort(index, kind="stable"))
+
 
 def run(
     plan: Plan,
@@ -77,13 +91,38 @@ def run(
         held: Motions of the joints that are held, each (P,).
         tolerance: Residual up to which a candidate is a solution.
     """
+    found = _tried(plan, task, goal, draws, held or {}, tolerance)
+    if not any(isinstance(step, All) for step in plan.steps):
+        return found
+    # roots of six joints come in pairs: where one is alone, or there is none, angles are counted from another zero
+    count = np.bincount(found.index, minlength=len(goal))
+    doubtful = np.flatnonzero((count % 2 == 1) | (count == 0))
+    if not len(doubtful):
+        return found
+    other = replace(plan, steps=tuple(_turned(step) for step in plan.steps))
+    values = {j: value[doubtful] for j, value in (held or {}).items()}
+    more = _tried(other, task, goal[doubtful], draws, values, tolerance)
+    more = replace(more, index=doubtful[more.index])
+    return _once(plan, task, goal, found.joined(more))
+
+
+def _turned(step: Step) -> Step:
+    return replace(step, turn=OTHER_TURN) if isinstance(step, All) else step
+
+
+def _tried(plan: Plan, task: Task, goal: Array, draws: Array, held: Mapping[int, Array], tolerance: float) -> Found:
+    """The solutions that a plan finds, each once."""
     arm = plan.actions.arm
-    known = {j: _value(value, turns=arm.axes[j].turns) for j, value in (held or {}).items()}
+    known = {j: _value(value, turns=arm.axes[j].turns) for j, value in held.items()}
     rows = Rows.start(plan.actions, goal, known, plan.slack)
     for step in plan.steps:
         if isinstance(step, Two):
+            from dhcli.kinematics.inverse.rule_two import eliminated  # most arms need neither of the two
+
             rows = eliminated(rows, step)
         elif isinstance(step, All):
+            from dhcli.kinematics.inverse.rule_all import all_at_once
+
             rows = all_at_once(rows, step)
         else:
             rows = read_off(rows, step, draws[step.joint])
