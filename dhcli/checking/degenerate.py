@@ -2,68 +2,67 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Collection, Mapping
 from fractions import Fraction
 from itertools import combinations
-from typing import TYPE_CHECKING
 
-from dhcli.checking.tables.screws import Arm, Rigid, cross, plus, scaled
+from dhcli.checking.exercise import Exercise
 from dhcli.errors import RobotError
+from dhcli.geometry.pivots import pivots
+from dhcli.kinematics.axes import Arm
 from dhcli.kinematics.moves import names
+from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Number
 
-if TYPE_CHECKING:
-    from dhcli.checking.exercise import Exercise
-    from dhcli.kinematics.robot import Robot, Value
-
-RIGHT_ANGLE = Fraction(90)
+RIGHT_ANGLE = 90
 NEAR = 0.1
 """A pose is near a singularity if the weakest motion of its end is below this share of what it is elsewhere."""
 
 GENERIC = (0.73, 1.91, 2.57)
 """Joint angles [rad], and displacements as shares of the size, from which poses to compare with are made."""
 
-VANISHED = 1e-9
 
-
-def flaw(exercise: Exercise) -> str:
-    """Why the varied numbers of an exercise hide mistakes, in words; empty if they do not.
+def flaw(exercise: Exercise, drawn: Mapping[str, Value] | None = None) -> str:
+    """Why values drawn for the varied numbers of an exercise hide mistakes, in words; empty if they do not.
 
     Only what varies is looked at: what the author fixed is the author's choice. The geometry is computed without
     numpy, for a sheet is started far more often than this is thought about.
     """
-    varied = exercise.variants.keys()
-    found = _of_angles(exercise, varied) or _of_lengths(exercise, varied)
-    if not found and exercise.robot is not None and _is_near_singular(exercise.robot, exercise.values):
+    values, varied = {**exercise.values, **(drawn or {})}, exercise.variants.keys()
+    found = _of_angles(values, varied) or _of_lengths(values, varied)
+    if not found and exercise.robot is not None and _is_near_singular(exercise.robot, values):
         return "the arm is near a singularity"
     return found
 
 
-def _of_angles(exercise: Exercise, varied: Collection[str]) -> str:
+def _of_angles(values: Mapping[str, Value], varied: Collection[str]) -> str:
     """An angle at a right angle or half of one, or two that differ by a multiple of a right angle or add up to it."""
-    angles = {name: value for name, value in exercise.values.items() if isinstance(value, Angle)}
+    angles = {name: value for name, value in values.items() if isinstance(value, Angle)}
     for name in varied:
-        if name in angles and _is_right(angles[name] * 2):  # at 45° sine and cosine are the same
+        if name in angles and _is_right(
+            2 * angles[name].degrees, angles[name].radians
+        ):  # at 45° sine and cosine are the same
             return f"{name} is a multiple of 45°"
     for one, other in combinations(angles, 2):
         if one in varied or other in varied:
-            if _is_right(angles[one] - angles[other]):
+            a, b = angles[one], angles[other]
+            if _is_right(a.degrees - b.degrees, a.radians - b.radians):
                 return f"{one} and {other} differ by a multiple of 90°"
-            if _is_right(angles[one] + angles[other]):
+            if _is_right(a.degrees + b.degrees, a.radians + b.radians):
                 return f"{one} and {other} add up to a multiple of 90°"
     return ""
 
 
-def _is_right(angle: Angle) -> bool:
-    return not angle.radians and not angle.degrees % RIGHT_ANGLE
+def _is_right(degrees: Fraction, radians: Fraction) -> bool:
+    """Whether an angle is a multiple of a right one."""
+    return not radians and degrees.denominator == 1 and not degrees.numerator % RIGHT_ANGLE
 
 
-def _of_lengths(exercise: Exercise, varied: Collection[str]) -> str:
+def _of_lengths(values: Mapping[str, Value], varied: Collection[str]) -> str:
     """A length that is 0, or two that are equal."""
-    lengths = {name: value.value for name, value in exercise.values.items() if isinstance(value, Number)}
+    lengths = {name: value.value for name, value in values.items() if isinstance(value, Number)}
     for name in varied:
         if name not in lengths:
             continue
@@ -94,58 +93,13 @@ def _is_near_singular(robot: Robot, values: Mapping[str, Value]) -> bool:
         {name: (start + 1.3 * k) if name in turning else start * size for k, name in enumerate(arm.variables)}
         for start in GENERIC
     ]
-    elsewhere = max((_pivots(_jacobian(arm, point, other, size)) for other in others), key=_rank_and_least)
-    here = _pivots(_jacobian(arm, point, q, size))
+    elsewhere = max((pivots(arm.columns(point, other, size)) for other in others), key=_rank_and_least)
+    here = pivots(arm.columns(point, q, size))
     return bool(elsewhere) and (len(here) < len(elsewhere) or here[-1] < NEAR * elsewhere[-1])
 
 
-def _jacobian(arm: Arm, point: Mapping[str, Angle | float], q: Mapping[str, float], size: float) -> list[list[float]]:
-    """Columns of the geometric Jacobian, six numbers each: the velocity of the end [size] and the turning rate."""
-    screws, end = arm.screws(point)
-    here, axes = Rigid(), []
-    for screw in screws:
-        axis, at = here.turned(screw.direction), here.moved(screw.point)
-        axes.append((screw, axis, at))
-        moved = screw.rate * q[screw.name]
-        if screw.turns:
-            here @= Rigid.turn(screw.direction, moved, screw.point)
-        else:
-            here @= Rigid.shift(scaled(screw.direction, moved))
-    tip = (here @ end).offset
-    return [
-        [*scaled(cross(axis, plus(tip, at, -1)), 1 / size), *axis] if screw.turns else [*axis, 0.0, 0.0, 0.0]
-        for screw, axis, at in axes
-    ]
-
-
-def _pivots(columns: list[list[float]]) -> list[float]:
-    """Lengths that columns have across those taken before, longest first: as many as the rank."""
-    left, found = columns, []
-    while left:
-        most = max(map(_length, left))
-        longest = next(
-            column for column in left if _length(column) >= most * (1 - VANISHED)
-        )  # alike: the first, always
-        size = _length(longest)
-        if size < VANISHED:
-            break
-        found.append(size)
-        unit = [x / size for x in longest]
-        left = [_across(column, unit) for column in left if column is not longest]
-    return found
-
-
-def _rank_and_least(pivots: list[float]) -> tuple[int, float]:
-    return len(pivots), min(pivots, default=0.0)
-
-
-def _across(column: list[float], unit: list[float]) -> list[float]:
-    along = sum(x * y for x, y in zip(column, unit, strict=True))
-    return [x - along * y for x, y in zip(column, unit, strict=True)]
-
-
-def _length(column: list[float]) -> float:
-    return math.sqrt(sum(x * x for x in column))
+def _rank_and_least(found: list[float]) -> tuple[int, float]:
+    return len(found), min(found, default=0.0)
 
 
 def _plain(value: Angle | float) -> float:

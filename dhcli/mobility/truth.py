@@ -1,30 +1,44 @@
 """The true mobility of a linkage in its given position, step by step.
 
 1 twists and scale, 2 λ of the loops, 3 rank, 4 certificates, 5 idle freedoms, 6 second order, 7 imposed amplitude,
-8 rank at the landings, 9 bounds where it stays undecided, 10 motion of the output link. Source: mobility.md.
+8 rank at the landings, 9 bounds where it stays undecided, 10 motion of the output link.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
 import numpy as np
 
+from dhcli.geometry.rank import TIGHT, orthonormal, spaces
+from dhcli.geometry.twists import Array
 from dhcli.mobility.branches import LANDED, branch_at
-from dhcli.mobility.idle import Idle, idle_freedoms, still_idle
-from dhcli.mobility.landing import Path, Trial, attempt
+from dhcli.mobility.decision import Decision, Landed, Setting, Truth, certain, decided
+from dhcli.mobility.idle import idle_freedoms, still_idle
+from dhcli.mobility.landing import SHAKY, Path, Trial, attempt
+from dhcli.mobility.large import large_mobility
 from dhcli.mobility.linkage import Linkage
 from dhcli.mobility.loops import lambdas
 from dhcli.mobility.model import Model, model_of
 from dhcli.mobility.outputs import motion_nearby, motion_type, twists_nearby
-from dhcli.mobility.rank import TIGHT, Rank, orthonormal, spaces
-from dhcli.mobility.screws import Array
-from dhcli.mobility.second_order import common_zero, possible, proves_rigid, quadratic_forms, vanish_nowhere
-from dhcli.mobility.verdicts import Landed, Setting, Verdict, decided
+from dhcli.mobility.second_order import (
+    CLEAR,
+    DRAWN,
+    DRAWN_NEGATIVE,
+    MOST_DIRECTIONS,
+    MOST_FORMS,
+    ROUNDING,
+    common_zero,
+    cover,
+    possible,
+    proves_rigid,
+    quadratic_forms,
+)
 
 DIRECTIONS = 4
-STARTS = 16
-"""Random directions from which those that go on in second order are looked for."""
+STARTS = 48
+"""Directions from which those that go on in second order are looked for."""
+
+ABOVE_SECOND = 2.5
+"""Along a direction that passes the second order test a gap grows like A³ at least; like A², no way was found."""
 
 ENOUGH = 2
 """Landings on which the full instantaneous mobility was found."""
@@ -42,39 +56,6 @@ MOST_MOTIONS = 700
 """With more motions an amplitude is not imposed: the answer would take minutes."""
 
 
-@dataclass(frozen=True)
-class Truth:
-    """What the geometry says; see `Mobility` for the words.
-
-    Attributes:
-        model: The linkage in numbers.
-        rank: The rank in the given position.
-        instantaneous: Freedoms at this instant.
-        lambdas: λ of each loop of the spanning tree.
-        mobility: The true one; None if undecided.
-        bounds: Lowest and highest possible mobility.
-        certificate: How it is known.
-        idle: Idle freedoms.
-        passing: Motions of a part alone that exist in this position only, and are lost when the rest moves.
-        branches: Dimensions of the families of motion found, with idle freedoms.
-        order: Power of the amplitude with which a shaky structure resists.
-        motion: Type of the output link's motion.
-    """
-
-    model: Model
-    rank: Rank
-    instantaneous: int
-    lambdas: tuple[int, ...]
-    mobility: int | None
-    bounds: tuple[int, int]
-    certificate: str
-    idle: tuple[Idle, ...] = ()
-    passing: tuple[Idle, ...] = ()
-    branches: tuple[int, ...] = ()
-    order: int | None = None
-    motion: str = field(default="")
-
-
 def true_mobility(linkage: Linkage, tolerance: float = 0.0) -> Truth:
     """Find the mobility of a linkage whose geometry is known.
 
@@ -88,8 +69,6 @@ def true_mobility(linkage: Linkage, tolerance: float = 0.0) -> Truth:
     model = model_of(linkage)
     equations = len(model.basis) * len(model.chords) + len(model.ties)
     if len(linkage.links) > MANY or max(equations, model.motions) > WIDE:
-        from dhcli.mobility.large import large_mobility
-
         return large_mobility(model, tolerance)
     tight = max(TIGHT, tolerance)
     rank, motions, stresses = spaces(model.jacobian(), tight)
@@ -98,14 +77,15 @@ def true_mobility(linkage: Linkage, tolerance: float = 0.0) -> Truth:
     equations = sum(found) + len(model.ties)
     idle = idle_freedoms(model, tight)
     lasting = tuple(one for one in idle if one.lasting)
-    verdict = Verdict(instantaneous, certain(model, rank, equations, instantaneous))
+    verdict = Decision(instantaneous, certain(model, rank, equations, instantaneous))
     if verdict.certificate:
         there = twists_nearby(model, motions, tolerance) if len(idle) > len(lasting) else None
-        motion = motion_nearby(model, motions, tolerance)
-        verdict = Verdict(instantaneous, verdict.certificate, motion, landings=() if there is None else (there,))
+        # an open chain has no equations that rounding could hide
+        motion = motion_nearby(model, motions, tolerance if equations else 0.0)
+        verdict = Decision(instantaneous, verdict.certificate, motion, landings=() if there is None else (there,))
     elif instantaneous == len(idle):
         words = "exact: apart from the idle freedoms nothing can move, not even for an instant"
-        verdict = Verdict(instantaneous, words, motion_type(model, motions, tolerance=tolerance))
+        verdict = Decision(instantaneous, words, motion_type(model, motions, tolerance=tolerance))
     else:
         frozen = orthonormal(np.array([one.rates for one in lasting]).T).T if lasting else np.zeros((0, model.motions))
         verdict = _beyond_rank(model, stresses, frozen, equations, tolerance)
@@ -127,63 +107,67 @@ def true_mobility(linkage: Linkage, tolerance: float = 0.0) -> Truth:
         verdict.branches,
         verdict.order,
         verdict.motion,
+        verdict.kinds,
     )
 
 
-def _beyond_rank(model: Model, stresses: Array, frozen: Array, equations: int, tolerance: float) -> Verdict:
+def _beyond_rank(model: Model, stresses: Array, frozen: Array, equations: int, tolerance: float) -> Decision:
     """Where the rank alone says nothing: second order, then imposed amplitudes."""
     _, free, _ = spaces(np.concatenate([model.jacobian(), frozen]), max(TIGHT, tolerance))
-    forms = np.zeros((0, free.shape[1], free.shape[1]))
-    if not tolerance:
+    forms, flat = np.zeros((0, free.shape[1], free.shape[1])), max(CLEAR, DRAWN * tolerance)
+    if free.shape[1] <= MOST_FORMS:
         forms = quadratic_forms(model, free, stresses)
-        if proves_rigid(forms) or vanish_nowhere(forms):
-            words = "exact: the second order test: what can begin to move is stopped at once"
-            return Verdict(len(frozen), words, motion_type(model, frozen.T), order=2)
-        left = possible(forms)
+        left = possible(forms, flat, max(ROUNDING, DRAWN_NEGATIVE * tolerance))
         free, forms = free @ left, left.T @ forms @ left
+        if not free.shape[1] or (not tolerance and (proves_rigid(forms) or not len(cover(forms)))):
+            sure = "exact" if not tolerance else "numerical"
+            words = f"{sure}: the second order test: what can begin to move is stopped at once"
+            return Decision(len(frozen), words, motion_type(model, frozen.T), order=2)
+    vanish = len(forms) > 0 and float(np.abs(forms).max()) <= max(CLEAR, DRAWN_NEGATIVE * tolerance)
+    if tolerance:
+        forms = forms[:0]  # where they vanish together is not to be seen in a drawing
     if model.motions > MOST_MOTIONS:
-        return Verdict(None, f"undecided: more than {MOST_MOTIONS} motions, too many to try how far they go")
-    trials, branches = _try_out(model, _directions(free, forms), free.shape[1], frozen, equations, tolerance)
-    return decided(trials, branches, Setting(model, frozen, free.shape[1], tolerance))
+        return Decision(None, f"undecided: more than {MOST_MOTIONS} motions, too many to try how far they go")
+    directions, go_on = _directions(free, forms)
+    setting = Setting(model, frozen, free.shape[1], tolerance, ABOVE_SECOND if go_on or vanish else SHAKY)
+    return decided(*_try_out(setting, directions, equations), setting)
 
 
-def certain(model: Model, rank: Rank, equations: int, instantaneous: int) -> str:
-    """A certificate that needs no more than the rank; empty if there is none."""
-    if not model.chords and not len(model.ties):
-        return "exact: there is no loop, so every joint moves freely"
-    if instantaneous == 0:
-        return "exact: nothing can move, not even for an instant"
-    if rank.rank == equations:
-        return "exact: the loop equations are independent here, so every instantaneous motion goes on"
-    return ""
-
-
-def _try_out(
-    model: Model, directions: list[Array], most: int, frozen: Array, equations: int, tolerance: float
-) -> tuple[list[Trial], list[Landed]]:
+def _try_out(setting: Setting, directions: list[Array], equations: int) -> tuple[list[Trial], list[Landed]]:
     """Impose amplitudes along some directions, and look at every landing."""
     trials: list[Trial] = []
     landed: list[Landed] = []
     for direction in directions:
-        path = Path(model, direction, frozen)
-        trial = attempt(path, tolerance)
+        path = Path(setting.model, direction, setting.frozen)
+        trial = attempt(path, setting.tolerance, setting.least)
         trials.append(trial)
         if trial.q is not None:
-            landed.append(Landed(path, branch_at(model, trial.q, frozen, equations, tolerance)))
-        if sum(one.branch.dimension == most for one in landed) >= ENOUGH:
+            branch = branch_at(setting.model, trial.q, setting.frozen, equations, setting.tolerance)
+            landed.append(Landed(path, branch))
+        if sum(one.branch.dimension == setting.most for one in landed) >= ENOUGH:
             break
     return trials, landed
 
 
-def _directions(free: Array, forms: Array) -> list[Array]:
-    """Unit vectors among the instantaneous motions that go on in second order, both ways along each."""
+def _directions(free: Array, forms: Array) -> tuple[list[Array], bool]:
+    """Unit vectors among the instantaneous motions, both ways along each; whether they pass the second order test."""
+    k = free.shape[1]
     draw = np.random.default_rng(7)
+    random = np.linalg.qr(draw.normal(size=(k, k)))[0] if k < DIRECTIONS else _units(draw.normal(size=(DIRECTIONS, k)))
+    if not forms.size or float(np.abs(forms).max()) < CLEAR:
+        return [sign * free @ way for way in random[: DIRECTIONS if k > 1 else 1] for sign in (1.0, -1.0)], bool(
+            len(forms)
+        )
+    starts = draw.permutation(cover(forms))[:STARTS] if k <= MOST_DIRECTIONS else _units(draw.normal(size=(STARTS, k)))
     found: list[Array] = []
-    for _ in range(STARTS if free.shape[1] > 1 else 1):
-        weights = draw.normal(size=free.shape[1])
-        direction = free @ common_zero(forms, np.asarray(weights / np.linalg.norm(weights)))
-        if not any(abs(float(direction @ other)) > SAME for other in found):
-            found += [direction, -direction]
-        if len(found) == 2 * DIRECTIONS:
+    for start in starts:
+        zero = common_zero(forms, start)
+        if zero is not None and not any(abs(float(zero @ other)) > SAME for other in found):
+            found.append(zero)
+        if len(found) == DIRECTIONS:
             break
-    return found
+    return [sign * free @ way for way in found or random for sign in (1.0, -1.0)], bool(found)
+
+
+def _units(rows: Array) -> Array:
+    return np.asarray(rows / np.linalg.norm(rows, axis=1, keepdims=True))

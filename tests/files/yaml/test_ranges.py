@@ -5,7 +5,7 @@ from fractions import Fraction
 import pytest
 
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.variants import Range
+from dhcli.checking.written import Range
 from dhcli.errors import FileError
 from dhcli.files.yaml.exercises import read_exercise
 from dhcli.notation.angle import Angle
@@ -42,6 +42,9 @@ def values(variants: str) -> list[str]:
         ("{d3: 80 mm..180 mm step 10 mm}", "2/25", "9/50", 11),
         ("{d3: 0.1..0.3 step 0.1}", "1/10", "3/10", 3),
         ("{l1: 1 m..1 m step 1 m}", "1", "1", 1),
+        ("{theta1: 20°..70° n 3}", "20° 0 rad", "70° 0 rad", 3),
+        ("{theta1: 70°..20° n 11}", "70° 0 rad", "20° 0 rad", 11),
+        ("{d3: 0..0.1 n 4}", "0", "1/10", 4),
         ("{e: [5 mm, 0.7 cm]}", "1/200", "7/1000", 2),
         ("{beta: [10°, 20°, 0.1 rad]}", "10° 0 rad", "0° 1/10 rad", 3),
     ],
@@ -77,6 +80,14 @@ def test_a_length_is_shown_with_its_decimals() -> None:
         ("{d3: 1 mm..2 m step 1 mm}", 16, "the range mixes units"),
         ("{d3: 0..20000 step 1}", 30, "these are 20,001 values"),
         ("{d3: 0..sqrt(2) step 0.1}", 16, "a range goes from a number to a number"),
+        (
+            "{theta1: 20°..70° n 1}",
+            31,
+            "n 1 is one value, and a range has two ends (write n 2 or more; or one value, [20°])",
+        ),
+        ("{theta1: 20°..70° n five}", 31, "'five' is not a number of values (write n 11)"),
+        ("{theta1: 20°..70° n 20001}", 31, "these are 20,001 values"),
+        ("{theta1: 20°..70° n}", 20, "'20°..70° n' is no range"),
         ("{theta1: 20° to 70°}", 20, "'20° to 70°' is no range (write 20°..70° step 5°, or a list of values)"),
         ("{theta1: 20°..70°}", 20, "'20°..70°' is no range"),
         ("{theta1: []}", 20, "the list is empty"),

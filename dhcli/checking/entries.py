@@ -1,0 +1,174 @@
+"""An answer as typed, up to the gate before its values: read, known, of the right shape, with a proper bottom row."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from dhcli.algebra.floats import Floats
+from dhcli.checking.commas import comma_remark, with_points
+from dhcli.checking.exercise import Exercise
+from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, without_label
+from dhcli.checking.truth import is_length, names_of
+from dhcli.checking.vectors import as_column
+from dhcli.checking.wanted import Wanted
+from dhcli.errors import NotationError, Place
+from dhcli.notation.matrix import Cell, bracketed, parse_matrix
+from dhcli.notation.names import suggestion
+from dhcli.notation.parser import parse
+from dhcli.notation.quantity import DimensionError, to_length
+from dhcli.notation.tree import ONE, ZERO, Expr, Number, multiply, number
+from dhcli.notation.walk import symbols
+
+LARGEST = 256_000
+LEAST = 1e-12
+"""What floating point leaves where an exact 0 or 1 was meant."""
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One entry of an answer: as typed, and as read in metres."""
+
+    expr: Expr
+    text: str
+    typed: Expr
+
+
+Entries: TypeAlias = tuple[tuple[Entry, ...], ...]
+
+
+def read_entries(question: Wanted, exercise: Exercise, text: str, place: Place | None = None) -> Entries:
+    """Read an answer to a question about a matrix, in the shape of the right one.
+
+    Raises:
+        UnreadableError: It has another shape, an unknown name, or cannot be read.
+    """
+    if len(text) > LARGEST:
+        raise UnreadableError(f"the answer has {len(text)} characters, more than the {LARGEST} that are read")
+    body = without_label(as_matrix(text, question.shape))
+    refuse_blanks(body)
+    if question.shape == (3, 1):
+        body = as_column(with_points(body), exercise.scope, is_axis=question.piece == "axis")
+    elif not body.lstrip().startswith(("[", "(", "{", "\\", "|")):
+        body = f"[{body}]" if question.piece == "rotation" else body
+    try:
+        if question.shape == (1, 1):
+            _refuse_matrix(body, exercise)
+            expr = parse(body.strip(), exercise.scope, place or Place("answer"))
+            return ((_entry(question, exercise, Cell(expr, body.strip(), 0), 0, 0),),)
+        cells = parse_matrix(body, exercise.scope, place or Place("answer"))
+    except NotationError as error:
+        remarks = (*(str(problem) for problem in error.problems), comma_remark(text))
+        raise UnreadableError(*filter(None, remarks)) from None
+    shaped = _shaped(question, cells, text)
+    entries = tuple(
+        tuple(_entry(question, exercise, cell, r, c) for c, cell in enumerate(row)) for r, row in enumerate(shaped)
+    )
+    if question.piece == "pose":
+        _check_bottom_row(entries)
+    return entries
+
+
+def check_names(exercise: Exercise, names: frozenset[str]) -> None:
+    """Refuse names that stand nowhere in a task without a robot; its scope takes any.
+
+    Raises:
+        UnreadableError: Naming one of them, and those that are known.
+    """
+    if not exercise.scope.is_open:
+        return
+    known = names_of(exercise)
+    for name in sorted(names - known):
+        hint = suggestion(name, sorted(known))
+        raise UnreadableError(f"{name} is not a name that is known here" + (f" ({hint})" if hint else ""))
+
+
+def _refuse_matrix(text: str, exercise: Exercise) -> None:
+    """Say so where a whole matrix was typed for one number."""
+    if text.lstrip().startswith(("[", "(", "{", "\\", "|")):
+        try:
+            cells = parse_matrix(text, exercise.scope)
+        except NotationError:
+            return
+        if (len(cells), len(cells[0])) != (1, 1):
+            raise UnreadableError(f"this is a matrix, {len(cells)}x{len(cells[0])}; one number was asked")
+
+
+def _shaped(question: Wanted, cells: tuple[tuple[Cell, ...], ...], text: str) -> tuple[tuple[Cell, ...], ...]:
+    """The cells in the shape of the answer; a column may be typed as a row, and a point with its final 1."""
+    wanted = question.shape
+    shape = (len(cells), len(cells[0]))
+    if wanted[1] == 1 and 1 in shape:
+        flat = [cell for row in cells for cell in row]
+        last = 0 if question.piece in ("vector", "axis") else 1
+        if len(flat) == wanted[0] + 1 == 4 and flat[3].expr == number(last):  # noqa: PLR2004  homogeneous
+            flat = flat[:3]
+        if len(flat) == wanted[0]:
+            return tuple((cell,) for cell in flat)
+    if shape == wanted:
+        return cells
+    raise UnreadableError(*filter(None, (_shape_remark(question, shape), comma_remark(text))))
+
+
+def _shape_remark(question: Wanted, shape: tuple[int, int]) -> str:
+    rows, columns = question.shape
+    if columns == 1 < rows and 1 in shape:
+        count = max(shape)
+        given = "1 number is given" if count == 1 else f"{count} numbers are given"
+        missing = ": is z missing?" if count == rows - 1 else ""
+        return f"{given}, {rows} were asked{missing}"
+    asked = f"a {rows}x{columns} matrix" if columns > 1 else f"a column of {rows}" if rows > 1 else "one number"
+    if question.piece == "pose" and shape == (3, 3):
+        return "this is a rotation, 3x3; a pose was asked: add the position as fourth column and the row 0 0 0 1"
+    if question.piece == "pose" and shape == (3, 4):
+        return "the bottom row is missing: add the row 0 0 0 1"
+    if question.piece == "pose" and shape[1] == 3:  # noqa: PLR2004
+        return "the rows have 3 entries; a pose has 4 in each row, the position in the fourth"
+    if question.piece == "rotation" and shape == (4, 4):
+        return "this is a pose, 4x4; only the rotation was asked, its first three rows and columns"
+    if question.piece in ("position", "point") and shape == (4, 4):
+        return "this is a pose, 4x4; only three coordinates were asked"
+    return f"the answer is {shape[0]}x{shape[1]}; {asked} was asked" if rows > 1 else f"{asked} was asked"
+
+
+def _entry(question: Wanted, exercise: Exercise, cell: Cell, row: int, column: int) -> Entry:
+    where = f"entry ({row + 1},{column + 1})"
+    try:
+        expr = to_length(cell.expr)
+    except DimensionError as error:
+        raise UnreadableError(f"{where}: {error.message}") from None
+    check_names(exercise, symbols(expr))
+    length = is_length(question, row, column)
+    if expr != cell.expr and not length:
+        raise UnreadableError(f"{where} is a direction cosine and has no unit")
+    if length and expr == cell.expr and not symbols(expr) and exercise.metres != 1:
+        expr = multiply(expr, Number(exercise.metres))
+    return Entry(expr, cell.text, cell.expr)
+
+
+def _check_bottom_row(entries: Entries) -> None:
+    """Refuse a pose with another bottom row than 0 0 0 1; one that holds the position is a slip that has a name.
+
+    Raises:
+        UnreadableError: It is another one.
+    """
+    last = (ZERO, ZERO, ZERO, ONE)
+    if all(_is_about(entry.expr, right) for entry, right in zip(entries[-1], last, strict=True)):
+        return
+    remark = "the bottom row of a pose is 0 0 0 1"
+    if all(_is_about(row[-1].expr, right) for row, right in zip(entries, last, strict=True)):
+        remark += "; yours holds the position, which belongs in the last column"
+    raise UnreadableError(remark)
+
+
+def _is_about(expr: Expr, wanted: Number) -> bool:
+    """Whether an entry is a number but for what floating point leaves of it."""
+    return expr == wanted or (not symbols(expr) and abs(Floats().value(expr) - float(wanted.value)) <= LEAST)
+
+
+def entries_text(rows: Sequence[Sequence[str]]) -> str:
+    """Entries as a matrix that can be read again; a single one by itself."""
+    if len(rows) == 1 and len(rows[0]) == 1:
+        return rows[0][0]
+    return bracketed(rows)

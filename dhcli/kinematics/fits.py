@@ -1,0 +1,150 @@
+"""The rigid maps that fit the joints of two robots so far, and how the next joint cuts them down."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field, replace
+
+from dhcli.geometry.rigid import Rigid
+from dhcli.geometry.vectors import (
+    ORIGIN,
+    UNITS,
+    Vector,
+    across,
+    angle_about,
+    cross,
+    dot,
+    length,
+    plus,
+    scaled,
+    within,
+)
+from dhcli.kinematics.axes import Screw
+
+ALONG = 1e-3
+"""What is left of a unit vector that counts as lying in a span."""
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """When two axes agree.
+
+    Attributes:
+        turn: Largest difference of a direction cosine.
+        shift: Largest distance [m].
+        parallel: Largest sine between axes that count as parallel.
+        coincident: Largest distance between parallel lines that count as one [m].
+    """
+
+    turn: float
+    shift: float
+    parallel: float
+    coincident: float
+
+    @classmethod
+    def exact(cls, size: float) -> Limits:
+        """For cells without rounding; what remains is the error of floats."""
+        return cls(1e-7, 1e-7 * size, 1e-8, 1e-9 * size)
+
+    @classmethod
+    def rounded(cls, turn: float, shift: float, times: float = 1.0) -> Limits:
+        """For numbers with tolerances."""
+        return cls(turn * times, shift * times, 3 * turn, 1e-3 * shift)
+
+
+@dataclass(frozen=True, slots=True)
+class Fit:
+    """The rigid maps that fit so far: `T(v) · R(line, t) · g`, v in the span of `spread`.
+
+    Attributes:
+        g: One of them.
+        line: Direction and a point of the line they may turn about; None where they may not.
+        spread: Perpendicular unit vectors they may be shifted along.
+        anything: Whether every rigid map fits, as before the first joint.
+    """
+
+    g: Rigid = field(default_factory=Rigid)
+    line: tuple[Vector, Vector] | None = None
+    spread: tuple[Vector, ...] = UNITS
+    anything: bool = True
+
+
+def held_by(fit: Fit, one: Screw, other: Screw, limits: Limits) -> Fit | None:
+    """Those maps that bring one axis onto another, in a given sense."""
+    aimed = _aimed(fit, one.direction, other.direction, limits)
+    if aimed is None or not one.turns:
+        return aimed
+    if aimed.line is not None and len(aimed.spread) < len(UNITS):
+        axis, through = aimed.line
+        here = across(plus(aimed.g.moved(one.point), through, -1), axis)
+        there = across(plus(other.point, through, -1), axis)
+        if min(length(here), length(there)) > limits.coincident:
+            turn = Rigid.turn(axis, angle_about(axis, here, there), through)
+            aimed = replace(aimed, g=turn @ aimed.g, line=None)
+    gap = across(plus(other.point, aimed.g.moved(one.point), -1), other.direction)
+    step, left = _solved(gap, aimed.spread, other.direction)
+    if length(left) > limits.shift:
+        return None
+    slides = length(plus(other.direction, within(other.direction, aimed.spread), -1)) <= limits.parallel
+    return replace(
+        aimed,
+        g=Rigid.shift(step) @ aimed.g,
+        line=None if aimed.line is None else (other.direction, other.point),
+        spread=(other.direction,) if slides else (),
+    )
+
+
+def _aimed(fit: Fit, one: Vector, other: Vector, limits: Limits) -> Fit | None:
+    """Those maps that turn one direction into another."""
+    here = fit.g.turned(one)
+    if fit.anything:
+        axis = cross(here, other)
+        sine = length(axis)
+        if sine <= limits.parallel:
+            axis = next(a for unit in UNITS if length(a := cross(here, unit)) > 0.5)  # noqa: PLR2004  any will do
+        turn = Rigid.turn(scaled(axis, 1 / length(axis)), math.atan2(sine, dot(here, other)))
+        return Fit(turn @ fit.g, (other, ORIGIN), fit.spread, anything=False)
+    if fit.line is not None and length(cross(here, fit.line[0])) > limits.parallel:
+        axis, through = fit.line
+        turn = Rigid.turn(axis, angle_about(axis, here, other), through)
+        fit = replace(fit, g=turn @ fit.g, line=None)
+        here = turn.turned(here)
+    return fit if length(plus(here, other, -1)) <= limits.turn else None
+
+
+def released(held: Fit, screw: Screw) -> Fit:
+    """The maps behind a joint: its zero is free."""
+    if screw.turns:
+        return replace(held, line=(screw.direction, screw.point))
+    new = plus(screw.direction, within(screw.direction, held.spread), -1)
+    if length(new) <= ALONG:  # it slides along it already
+        return held
+    return replace(held, spread=(*held.spread, scaled(new, 1 / length(new))))
+
+
+def slid(g: Rigid, held: Fit, screw: Screw) -> float:
+    """How far a sliding joint has to go from a map that fits before it to one behind it."""
+    new = plus(screw.direction, within(screw.direction, held.spread), -1)
+    if length(new) <= ALONG:  # it could as well be the base
+        return 0.0
+    through = ORIGIN if held.line is None else held.line[1]
+    way = plus((g @ held.g.inverse()).moved(through), through, -1)
+    return dot(way, new) / dot(new, new)
+
+
+def _solved(gap: Vector, spread: tuple[Vector, ...], along: Vector) -> tuple[Vector, Vector]:
+    """A step in a span that closes a gap as seen along a direction, and what it leaves open."""
+    step = ORIGIN
+    pairs: list[tuple[Vector, Vector]] = []
+    for unit in spread:
+        seen, true = across(unit, along), unit
+        for seen_before, true_before in pairs:
+            share = dot(seen, seen_before)
+            seen, true = plus(seen, seen_before, -share), plus(true, true_before, -share)
+        size = length(seen)
+        if size > 1e-6:  # noqa: PLR2004  else it only moves along the direction
+            pairs.append((scaled(seen, 1 / size), scaled(true, 1 / size)))
+    for seen, true in pairs:
+        share = dot(gap, seen)
+        step, gap = plus(step, true, share), plus(gap, seen, -share)
+    return step, gap
