@@ -35,7 +35,7 @@ dhcli ik panda --pose ready --hold theta7=30°
 
 dhcli ik planar-2r --derive
 
-dhcli fk puma560 --pose nominal --format json | dhcli ik puma560 --target -
+dhcli ik puma560 --q 0.3,-0.5,0.7,1,0.8,-2 --branch "elbow up" --within-limits
 """
 
 
