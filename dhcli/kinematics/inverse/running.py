@@ -24,6 +24,9 @@ CONFIRMED = 1e-12
 _POLISH = 2e-14
 """Candidates above this are led nearer by Newton's steps."""
 
+FULL = 6
+"""Joints and free motions of an arm that is neither short of its task nor has any to spare."""
+
 OTHER_TURN = (-2.3519, 0.4127, -0.9061)
 """Where angles are counted from at a second try."""
 
@@ -92,7 +95,7 @@ def run(
         tolerance: Residual up to which a candidate is a solution.
     """
     found = _tried(plan, task, goal, draws, held or {}, tolerance)
-    if not any(isinstance(step, All) for step in plan.steps):
+    if not any(isinstance(step, All) for step in plan.steps) or len(plan.actions.arm.axes) != FULL:
         return found
     # roots of six joints come in pairs: where one is alone, or there is none, angles are counted from another zero
     count = np.bincount(found.index, minlength=len(goal))
