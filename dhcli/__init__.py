@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from dhcli.kinematics.forward import symbolic as symbolic
     from dhcli.kinematics.inverse.asked import inverse as inverse
     from dhcli.kinematics.inverse.batch import inverse_batch as inverse_batch
+    from dhcli.kinematics.inverse.path import follow as follow
     from dhcli.kinematics.inverse.solutions import Solutions as Solutions
     from dhcli.kinematics.pose import Pose as Pose
     from dhcli.kinematics.robot import Robot as Robot
@@ -43,6 +44,7 @@ _HOMES = {
     "Solutions": "dhcli.kinematics.inverse.solutions",
     "axis_angles": "dhcli.geometry.many",
     "check": "dhcli.checking.judge",
+    "follow": "dhcli.kinematics.inverse.path",
     "forward": "dhcli.kinematics.forward",
     "forward_batch": "dhcli.kinematics.batch",
     "inverse": "dhcli.kinematics.inverse.asked",
@@ -63,6 +65,7 @@ __all__ = [
     "__version__",
     "axis_angles",
     "check",
+    "follow",
     "forward",
     "forward_batch",
     "inverse",

@@ -78,7 +78,7 @@ def inverse_batch(  # noqa: PLR0913  what may be asked of poses
     poses, _ = read_targets(T, question.ready.task)
     values, indices = [], []
     for first in range(0, len(poses), BLOCK):
-        found = _block(question, poses[first : first + BLOCK], held, tolerance)
+        found = solved_block(question, poses[first : first + BLOCK], held, tolerance)
         q = _in_turn(question, question.values(found.motions))
         index = found.index
         if within_limits:
@@ -94,7 +94,8 @@ def inverse_batch(  # noqa: PLR0913  what may be asked of poses
     return np.concatenate(values), np.concatenate(indices)
 
 
-def _block(question: Question, poses: Array, held: dict[int, float], tolerance: float) -> Found:
+def solved_block(question: Question, poses: Array, held: dict[int, float], tolerance: float) -> Found:
+    """All solutions of a block of poses, sorted by pose; of a family one member."""
     ready = question.ready
     best = question.best()
     fixed = {j: np.full(len(poses), held.get(j, float(best[j]))) for j in ready.plan.held}
