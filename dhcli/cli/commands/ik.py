@@ -21,6 +21,7 @@ from dhcli.cli.shell.options import (
 
 _POSE = "The pose"
 _WHICH = "Which solutions"
+_MANY = "Many poses"
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -133,6 +134,20 @@ def ik(
             min=2, max=1000, metavar="N", help="Sample the joints to spare of a redundant arm.", rich_help_panel=_WHICH
         ),
     ] = None,
+    in_: Annotated[
+        str | None,
+        typer.Option(
+            "--in",
+            metavar="FILE",
+            help="Poses, a row each, as fk --in writes them: CSV, JSON Lines or .npy; - is stdin. Gives rows: where "
+            "the pose stands, and joint values; csv, or jsonl or npy by --format or -o.",
+            rich_help_panel=_MANY,
+        ),
+    ] = None,
+    each: Annotated[
+        str | None,
+        typer.Option(metavar="WHICH", help="Of each row: all, nearest (to --near) or first.", rich_help_panel=_MANY),
+    ] = None,
     derive: Annotated[
         bool, typer.Option("--derive", help="The formulas, step by step as a book derives them; no pose is needed.")
     ] = False,
@@ -154,10 +169,19 @@ def ik(
     # a second thread does nothing for matrices this small but be started
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     from dhcli.cli.shell.delivery import Delivery
-    from dhcli.cli.shell.goal import Goal, asked, derived, held_of, near_of, only_branches
+    from dhcli.cli.shell.goal import Goal, asked
+    from dhcli.cli.shell.solutions import derived, held_of, near_of, only_branches
     from dhcli.errors import ExitStatus
     from dhcli.files.yaml.robots import load_robot
 
+    if in_ is not None or each is not None:
+        from dhcli.cli.shell.inverse_rows import RowWish, solve_rows
+
+        others: dict[str, object] = {"--q": q, "--pose": pose, "--target": target, "--position": position, "--rpy": rpy}
+        others |= {"--quaternion": quaternion, "--pointing": pointing, "--branch": branch, "--family": family}
+        others |= {"--all-turns": all_turns, "--derive": derive, "--digits": digits}
+        rows = RowWish(in_, each, task, near, hold or [], set_ or [], from_, to, within_limits, deg)
+        return solve_rows(robot, rows, others, format_, output, force=force)
     delivery = Delivery("ik", format_, digits, None, output, force)
     delivery.chosen("derivation" if derive else "inverse")
     arm = load_robot(robot)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
@@ -92,6 +92,17 @@ def inverse_batch(  # noqa: PLR0913  what may be asked of poses
     if not values:
         return np.empty((0, len(robot.variables))), np.empty(0, dtype=np.int64)
     return np.concatenate(values), np.concatenate(indices)
+
+
+def numbered(places: Sequence[int], index: NDArray[np.int64], q: Array) -> Array:
+    """Joint values with where the pose of each stands in front, shape (M, 1 + n).
+
+    Args:
+        places: Where each pose stands.
+        index: The number of the pose of each row.
+        q: Joint values, shape (M, n).
+    """
+    return np.column_stack([np.array(places)[index], q])
 
 
 def solved_block(question: Question, poses: Array, held: dict[int, float], tolerance: float) -> Found:
