@@ -169,6 +169,10 @@ class Question(ABC, Generic[T]):
     def describe(self, exercise: Exercise) -> str:
         """What is asked for, in a few words."""
 
+    def describe_form(self, exercise: Exercise) -> str:
+        """The same where a task says in its own words what is asked for, and how it is found would give it away."""
+        return self.describe(exercise)
+
     @property
     def statements(self) -> tuple[str, ...]:
         """The statements to choose from."""
@@ -329,6 +333,10 @@ class Part:
     tolerance: Tolerance | None = None
     compare: str = "same-robot"
     printed: Printed | None = None
+
+    def heading(self, exercise: Exercise) -> str:
+        """What is asked for, in a few words that do not tell more than the task does."""
+        return self.question.describe_form(exercise) if self.prompt else self.question.describe(exercise)
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from typer._click import Command, Context
 
 PANELS = {
-    "Compute": ("fk", "ik", "sweep", "transform", "dof"),
+    "Compute": ("fk", "ik", "sweep", "jacobian", "singularities", "rates", "torques", "transform", "dof"),
     "Exercises": ("start", "check", "watch", "hint", "solution"),
     "Classes": ("grade",),
     "Library and authors": ("show", "list", "new", "lint"),

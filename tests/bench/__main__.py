@@ -22,6 +22,7 @@ os.environ.update(dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL
 import classes
 import freedoms
 import marking
+import motion
 import poses
 import rows
 import startup
@@ -36,6 +37,10 @@ GROUPS: dict[str, Callable[[int], Iterator[Row]]] = {
     "growth": poses.growth,
     "rows": rows.rows,
     "symbols": symbols.rows,
+    "jacobian": motion.one,
+    "jacobians": motion.batch,
+    "jacobian-symbols": motion.symbols,
+    "singularities": motion.factors,
     "parsing": marking.parsing,
     "marking": marking.rows,
     "freedoms": freedoms.rows,

@@ -10,6 +10,7 @@ from dhcli.checking.kinds.choice import ChoiceQuestion
 from dhcli.checking.kinds.count import CountQuestion
 from dhcli.checking.kinds.factors import FactorsQuestion
 from dhcli.checking.kinds.matrix import MatrixQuestion
+from dhcli.checking.kinds.orientation import OrientationQuestion
 from dhcli.checking.kinds.scalar import ScalarQuestion
 from dhcli.checking.kinds.table import TableQuestion
 from dhcli.checking.wanted import NotAskedError
@@ -22,6 +23,7 @@ KINDS: list[type[Question[Any]]] = [
     CellQuestion,
     FactorsQuestion,
     ScalarQuestion,
+    OrientationQuestion,
     CountQuestion,
     ChoiceQuestion,
 ]

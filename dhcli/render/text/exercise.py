@@ -50,7 +50,7 @@ def exercise_content(exercise: Exercise, _look: Look) -> dict[str, Any]:
         "parts": [
             {
                 "part": part.id,
-                "asks": part.question.describe(exercise),
+                "asks": part.heading(exercise),
                 "prompt": part.prompt,
                 "credit": part.credit,
                 "depends": list(part.depends),
