@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import math
-import random
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations, permutations
 
-from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
-from dhcli.kinematics.frames import between, ends
-from dhcli.kinematics.inverse.derive_levels import POSITION, Equation, entries, squares
+from dhcli.kinematics.frames import ends
+from dhcli.kinematics.inverse.derive_levels import Equation, entries, squares
+from dhcli.kinematics.inverse.derive_points import VANISHES, Points, symbols_of_chain
 from dhcli.kinematics.inverse.derive_rules import (
     Found,
     Step,
@@ -26,16 +25,10 @@ from dhcli.kinematics.inverse.derive_rules import (
 )
 from dhcli.kinematics.inverse.derive_terms import Atom, Coefficients, Knowledge, length, name_of
 from dhcli.kinematics.robot import Robot, check_robot
-from dhcli.notation.angle import Angle
-from dhcli.notation.tree import Call, Expr, Number, Symbol, add, multiply, negate, number
-
-SAMPLES = 24
-"""Random poses at which signs are looked at, and every formula is tried."""
+from dhcli.notation.tree import Expr, Number, Symbol, add, multiply, negate, number
 
 _MOST = 16
 """Equations in one unknown that are tried with each other."""
-
-_VANISHES = 1e-9
 
 
 class NoFormError(RobotError):
@@ -109,13 +102,6 @@ def _steps(robot: Robot, start: str, end: str, *, place_only: bool) -> tuple[Ste
         steps.append(step)
         known.learn(step.atom)
     return tuple(steps)
-
-
-def symbols_of_chain(robot: Robot, start: str, end: str) -> frozenset[str]:
-    """The names that stand between two frames."""
-    from dhcli.kinematics.moves import names
-
-    return names(between(robot, start, end))
 
 
 def _sum(known: Knowledge, steps: Sequence[Step]) -> Step | None:
@@ -203,7 +189,7 @@ def _sign(det: Expr, points: Points) -> int:
     dets = points.values(det)
     size = max(map(abs, dets), default=0.0)
     signs = {1 if value > 0 else -1 for value in dets}
-    if size < _VANISHES or len(signs) != 1 or min(map(abs, dets)) < _VANISHES * size:
+    if size < VANISHES or len(signs) != 1 or min(map(abs, dets)) < VANISHES * size:
         return 0
     return signs.pop()
 
@@ -239,40 +225,3 @@ def _squares(known: Knowledge, found: Sequence[tuple[Equation, list[Expr], list[
         if step is not None and points.lives(step):
             made.append(step)
     return min(made, key=lambda step: length(step.spread or step.value), default=None)
-
-
-class Points:
-    """Random joint values of a robot, with the pose they lead to: what letters are tried on."""
-
-    def __init__(self, robot: Robot, start: str, end: str) -> None:
-        """Draw them; lengths without a value are drawn too."""
-        draw = random.Random(17)  # noqa: S311  a fixed seed, for the same derivation every time
-        self.values_of: list[dict[str, Angle | float]] = []
-        chain = between(robot, start, end)
-        for _ in range(SAMPLES):
-            values: dict[str, Angle | float] = {}
-            for name in sorted(symbols_of_chain(robot, start, end)):
-                turning = name in robot.angles
-                values[name] = draw.uniform(-3, 3) if turning else draw.uniform(0.2, 1.3)
-            self.values_of.append({**values, **pose_values(chain, values)})
-
-    def values(self, expr: Expr) -> list[float]:
-        """An expression at each of them; not where it is no number."""
-        found = (Floats(values).value(expr) for values in self.values_of)
-        return [value for value in found if math.isfinite(value)]
-
-    def lives(self, step: Step) -> bool:
-        """Whether a step gives a number at most of them, and not because everything in it is 0."""
-        if step.two == "opposite" and isinstance(step.value, Call):
-            sizes = [math.hypot(*pair) for pair in zip(*map(self.values, step.value.arguments), strict=False)]
-            return len(sizes) > SAMPLES // 2 and sorted(sizes)[SAMPLES // 4] > _VANISHES
-        return len(self.values(step.spread or step.value)) > SAMPLES // 2
-
-
-def pose_values(chain: object, values: Mapping[str, Angle | float]) -> dict[str, float]:
-    """The entries of a pose by their names."""
-    from dhcli.kinematics.fold import fold
-
-    rows = fold(chain, Floats(dict(values)))  # type: ignore[arg-type]
-    named = {f"r{i + 1}{j + 1}": float(rows[i][j]) for i in range(3) for j in range(3)}
-    return named | {name: float(rows[i][3]) for i, name in enumerate(POSITION)}

@@ -12,7 +12,8 @@ import pytest
 
 from dhcli import forward, inverse, load_robot
 from dhcli.kinematics.frames import between
-from dhcli.kinematics.inverse.derive import Derivation, NoFormError, derive, pose_values
+from dhcli.kinematics.inverse.derive import Derivation, NoFormError, derive
+from dhcli.kinematics.inverse.derive_points import pose_values
 from dhcli.kinematics.inverse.derive_values import joint_values
 from dhcli.kinematics.values import numbers, parameter_values
 from dhcli.notation.writer import write
