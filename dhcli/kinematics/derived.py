@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TypeAlias
 
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import DimensionError, to_angle, to_plain_length
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import substitute, symbols
 
-if TYPE_CHECKING:
-    from dhcli.kinematics.description import Value
+Value: TypeAlias = Angle | Expr
+"""The value of a name: an exact angle, or an expression of lengths in metres."""
 
 
 @dataclass(frozen=True, slots=True)
