@@ -5,24 +5,26 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
-from itertools import islice
 
-from dhcli.algebra.equality import equal
+from dhcli.algebra.equality import equal_in_floats, equal_in_residues
 from dhcli.algebra.floats import Floats
-from dhcli.algebra.points import general
+from dhcli.algebra.points import all_round
 from dhcli.checking.entries import Entries, Entry
 from dhcli.checking.exercise import Exercise
+from dhcli.checking.reach import reach_of
 from dhcli.checking.truth import Truth
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
 from dhcli.checking.wanted import Wanted
 from dhcli.kinematics.robot import Value
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr, Number
-from dhcli.notation.walk import rebuild, substitute, symbols, walk
+from dhcli.notation.walk import rebuild, substitute, walk
 from dhcli.notation.writer import write
 
-POINTS = 6
-SEED = 7
+MOST_OFF = 0.05
+"""What decimals in the place of exact values may be off in all, as a share of the size of the truth: that of 0.10."""
+
+REST = 1e-12
 
 
 def mark_symbols(question: Wanted, truth: Truth, entries: Entries, exercise: Exercise) -> Mark:
@@ -54,11 +56,25 @@ def mark_symbols(question: Wanted, truth: Truth, entries: Entries, exercise: Exe
     return Mark(verdict, cells=cells, remarks=remarks, earned=earned)
 
 
-def same(first: Expr, second: Expr, values: Mapping[str, Value]) -> bool:
-    """Whether two expressions are equal, for all values or at the values given."""
-    if equal(first, second):
+def same(first: Expr, second: Expr, values: Mapping[str, Value], exercise: Exercise | None = None) -> bool:
+    """Whether two expressions are equal, for all values or at the values given.
+
+    Args:
+        first: An expression.
+        second: Another.
+        values: Values that may stand for their names.
+        exercise: Says which values the other names have, where residues cannot decide.
+    """
+    if _are_equal(first, second, exercise):
         return True
-    return bool(values) and equal(put(first, values), put(second, values))
+    return bool(values) and _are_equal(put(first, values), put(second, values), exercise)
+
+
+def _are_equal(first: Expr, second: Expr, exercise: Exercise | None) -> bool:
+    known = equal_in_residues(first, second)
+    if known is None:
+        return equal_in_floats(first, second, reach_of(exercise) if exercise is not None else None)
+    return known
 
 
 def put(expr: Expr, values: Mapping[str, Value]) -> Expr:
@@ -73,9 +89,9 @@ def _cell(truth: Truth, entry: Entry, place: tuple[int, int], exercise: Exercise
     right = truth.rows[row][column]
     counted = not truth.is_structural(row, column)
     expected = write(right, "short", exercise.writing)
-    if same(entry.expr, right, exercise.values):
+    if same(entry.expr, right, exercise.values, exercise):
         return CellMark(row, column, Verdict.RIGHT, entry.text, expected, counted=counted)
-    if has_decimals(entry.expr) and _about_equal(entry.expr, right, exercise.values):
+    if has_decimals(entry.expr) and about_equal(entry.expr, right, exercise):
         return CellMark(row, column, Verdict.ROUNDED, entry.text, expected, counted=counted)
     note = counterexample(entry.expr, right, exercise)
     return CellMark(row, column, Verdict.WRONG, entry.text, expected, note, counted)
@@ -86,15 +102,22 @@ def has_decimals(expr: Expr) -> bool:
     return any(isinstance(n, Number) and n.places is not None and n.value.denominator != 1 for n in walk(expr))
 
 
-def _about_equal(typed: Expr, right: Expr, given: Mapping[str, Value]) -> bool:
-    """Whether an answer agrees at several points when each decimal may be off by half a unit of its last digit."""
-    typed, right = put(typed, given), put(right, given)
+def about_equal(typed: Expr, right: Expr, exercise: Exercise) -> bool:
+    """Whether an answer agrees at forty points when each decimal may be off by half a unit of its last digit.
+
+    However often a decimal stands in it, all together are never worth more than a share of the truth: a zero that is
+    made of decimals is not half of everything.
+    """
+    reach = reach_of(exercise)
+    typed, right = put(typed, exercise.values), put(right, exercise.values)
     shifted = [_shifted(typed, index) for index in range(sum(_is_decimal(node) for node in walk(typed)))]
-    for values in islice(general(symbols(typed) | symbols(right), SEED), POINTS):
-        point = Floats(values)
-        value, slack = point.value(typed), 1e-12
-        slack += sum(abs(point.value(other) - value) for other in shifted)
-        if not abs(value - point.value(right)) <= slack:
+    points = [Floats(values) for values in all_round((typed, right), reach)]
+    truths = [over.value(right) for over in points]
+    most = MOST_OFF * max((abs(truth) for truth in truths), default=0.0)
+    for over, truth in zip(points, truths, strict=True):
+        value = over.value(typed)
+        slack = min(most, sum(abs(over.value(other) - value) for other in shifted))
+        if not abs(value - truth) <= slack + REST:
             return False
     return True
 
@@ -120,17 +143,11 @@ def _shifted(expr: Expr, index: int) -> Expr:
 
 
 def counterexample(typed: Expr, right: Expr, exercise: Exercise) -> str:
-    """A point where the answer differs from the truth, with both numbers."""
+    """Where an answer holds, if it does anywhere, and a point where it differs from the truth, with both numbers."""
+    from dhcli.checking.branches import explained
+
     typed, right = put(typed, exercise.values), put(right, exercise.values)
-    for drawn in islice(general(symbols(typed) | symbols(right), SEED), POINTS):
-        values = {name: round(value, 1) for name, value in drawn.items()}
-        over = Floats(values)
-        one, other = over.value(typed), over.value(right)
-        if abs(one - other) > 1e-6:  # noqa: PLR2004
-            where = ", ".join(f"{name} = {value:g}" for name, value in values.items())
-            at = f"at {where}: " if where else ""
-            return f"{at}yours gives {one:.4g}, the right one {other:.4g}"
-    return ""
+    return explained(typed, right, reach_of(exercise), writing=exercise.writing)
 
 
 def _half_right(cells: tuple[CellMark, ...]) -> tuple[str, ...]:

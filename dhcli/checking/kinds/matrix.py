@@ -176,7 +176,7 @@ class MatrixQuestion(Wanted, Question[Entries]):
         for cell in cells:
             r, c = cell.row, cell.column
             typed, shown = judged.reading.value[r][c].expr, printed.reading.value[r][c].expr
-            if cell.verdict in UNSOLVED and same(typed, shown, exercise.values):
+            if cell.verdict in UNSOLVED and same(typed, shown, exercise.values, exercise):
                 where = "this" if len(cells) == 1 else f"entry ({r + 1},{c + 1})"
                 right = f", the right entry is {cell.expected}" if exercise.shows_expected else ""
                 remarks.append(f"{where} is what the document prints; it is a misprint{right}")
