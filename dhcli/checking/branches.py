@@ -14,6 +14,7 @@ from typing import TypeAlias
 from dhcli.algebra.equality import CLOSE, agree
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.points import Reach, all_round
+from dhcli.notation.angle import Angle
 from dhcli.notation.styles import THETAS, Joints
 from dhcli.notation.tree import Call, Expr, Power, Symbol, Trig
 from dhcli.notation.walk import walk
@@ -111,14 +112,14 @@ def _condition(typed: Expr, right: Expr, found: tuple[Sample, ...], writing: Joi
 def _quantities(typed: Expr, right: Expr, writing: Joints) -> Iterator[tuple[str, Expr]]:
     """What may have a sign: sines and cosines, the names, the truth, and what stands in the answer's functions."""
     seen = set[Expr]()
-    trees = (right, typed)
-    for tree in trees:
+    angles = {name for tree in (right, typed) for node in walk(tree) if type(node) is Trig for name in node.angle.names}
+    for tree in (right, typed):
         for node in walk(tree):
             both: tuple[Expr, ...] = ()
             if type(node) is Trig:
                 both = (Trig("sin", node.angle), Trig("cos", node.angle))
             elif type(node) is Symbol:
-                both = (node, *_of_angle(node))
+                both = _of_angle(node) if node.name in angles else (node,)
             elif type(node) is Call:
                 both = node.arguments
             for one in both:
@@ -129,8 +130,6 @@ def _quantities(typed: Expr, right: Expr, writing: Joints) -> Iterator[tuple[str
 
 
 def _of_angle(node: Symbol) -> tuple[Expr, ...]:
-    from dhcli.notation.angle import Angle
-
     return Trig("sin", Angle.of(node.name)), Trig("cos", Angle.of(node.name))
 
 

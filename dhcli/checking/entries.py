@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
@@ -11,6 +11,7 @@ from dhcli.checking.commas import comma_remark, with_points
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, without_label
 from dhcli.checking.truth import is_length, names_of
+from dhcli.checking.units import in_metres
 from dhcli.checking.vectors import as_column
 from dhcli.checking.wanted import Wanted
 from dhcli.errors import NotationError, Place
@@ -18,7 +19,7 @@ from dhcli.notation.matrix import Cell, bracketed, parse_matrix
 from dhcli.notation.names import suggestion
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_length
-from dhcli.notation.tree import ONE, ZERO, Expr, Number, multiply, number
+from dhcli.notation.tree import ONE, ZERO, Expr, Number, number
 from dhcli.notation.walk import symbols
 
 LARGEST = 256_000
@@ -142,9 +143,21 @@ def _entry(question: Wanted, exercise: Exercise, cell: Cell, row: int, column: i
     length = is_length(question, row, column)
     if expr != cell.expr and not length:
         raise UnreadableError(f"{where} is a direction cosine and has no unit")
-    if length and expr == cell.expr and not symbols(expr) and exercise.metres != 1:
-        expr = multiply(expr, Number(exercise.metres))
+    if length and exercise.metres != 1:
+        expr = to_length(in_metres(cell.expr, exercise.metres, exercise.scope))
     return Entry(expr, cell.text, cell.expr)
+
+
+def in_unit_of(question: Wanted, entries: Entries, exercise: Exercise) -> Entries:
+    """Entries that have been read, with their bare lengths in the unit of another sheet."""
+
+    def moved(entry: Entry) -> Entry:
+        return replace(entry, expr=to_length(in_metres(entry.typed, exercise.metres, exercise.scope)))
+
+    return tuple(
+        tuple(moved(entry) if is_length(question, r, c) else entry for c, entry in enumerate(row))
+        for r, row in enumerate(entries)
+    )
 
 
 def _check_bottom_row(entries: Entries) -> None:

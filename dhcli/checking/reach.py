@@ -17,8 +17,8 @@ _COORDINATE = re.compile(r"[pnoasdr]?_?[xyz]\d*(_.*)?|r_?\d\d|[xyz]_?\w{1,2}", r
 def reach_of(exercise: Exercise) -> Reach:
     """The values that each name of an exercise can have [rad or m].
 
-    Limits and ranges that are stated count. Else an angle goes all round the circle, a displacement and a coordinate
-    to either side, and a length has the sign that the robot gives it, or is positive.
+    Limits and ranges that are stated count. Else an angle goes all round the circle, a coordinate to either side, and
+    a length or a displacement has the sign that the robot gives it, or is positive, as books draw it.
     """
     robot, scope = exercise.robot, exercise.scope
     known = {name: _of_name(exercise, name) for name in {*scope.names, *exercise.names, *exercise.given}}
@@ -44,7 +44,7 @@ def _of_joint(robot: Robot, name: str) -> tuple[float, float]:
     if name in robot.limits and not any(symbols(v) for v in robot.limits[name] if not hasattr(v, "terms")):
         low, high = (in_floats(limit) for limit in robot.limits[name])
         return low, high
-    return CIRCLE if name in robot.angles else EITHER_SIDE
+    return CIRCLE if name in robot.angles else GENERAL
 
 
 def _is_negative(value: Value | None) -> bool:

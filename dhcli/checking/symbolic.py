@@ -12,7 +12,8 @@ from dhcli.algebra.points import all_round
 from dhcli.checking.entries import Entries, Entry
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.reach import reach_of
-from dhcli.checking.truth import Truth
+from dhcli.checking.truth import Truth, is_length
+from dhcli.checking.units import on_sheet
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
 from dhcli.checking.wanted import Wanted
 from dhcli.kinematics.robot import Value
@@ -36,7 +37,9 @@ def mark_symbols(question: Wanted, truth: Truth, entries: Entries, exercise: Exe
         entries: The answer as read, in the shape of the question.
         exercise: The exercise, for its values and its way of writing.
     """
-    cells = tuple(_cell(truth, entry, (r, c), exercise) for r, row in enumerate(entries) for c, entry in enumerate(row))
+    cells = tuple(
+        _cell(question, truth, entry, (r, c), exercise) for r, row in enumerate(entries) for c, entry in enumerate(row)
+    )
     bad = [cell for cell in cells if cell.verdict is not Verdict.RIGHT]
     verdict = Verdict.RIGHT
     if bad:
@@ -77,6 +80,15 @@ def _are_equal(first: Expr, second: Expr, exercise: Exercise | None) -> bool:
     return known
 
 
+def is_exactly(typed: Expr, right: Expr, exercise: Exercise) -> bool:
+    """Whether an expression is the right one itself, as 0.5 is cos 60°, and 0.8660 or 13/15 is not cos 30°."""
+    typed, right = put(typed, exercise.values), put(right, exercise.values)
+    known = equal_in_residues(typed, right)
+    if known is None:  # floats tell only what is no exact number: it has digits
+        return not has_decimals(typed) and same(typed, right, {}, exercise)
+    return known
+
+
 def put(expr: Expr, values: Mapping[str, Value]) -> Expr:
     """An expression with given values in the place of their names."""
     lengths = {name: value for name, value in values.items() if isinstance(value, Expr)}
@@ -84,17 +96,22 @@ def put(expr: Expr, values: Mapping[str, Value]) -> Expr:
     return substitute(expr, lengths, angles)
 
 
-def _cell(truth: Truth, entry: Entry, place: tuple[int, int], exercise: Exercise) -> CellMark:
+def _cell(question: Wanted, truth: Truth, entry: Entry, place: tuple[int, int], exercise: Exercise) -> CellMark:
     row, column = place
     right = truth.rows[row][column]
     counted = not truth.is_structural(row, column)
-    expected = write(right, "short", exercise.writing)
+    expected = write(_on_sheet(question, right, place, exercise), "short", exercise.writing)
     if same(entry.expr, right, exercise.values, exercise):
         return CellMark(row, column, Verdict.RIGHT, entry.text, expected, counted=counted)
     if has_decimals(entry.expr) and about_equal(entry.expr, right, exercise):
         return CellMark(row, column, Verdict.ROUNDED, entry.text, expected, counted=counted)
     note = counterexample(entry.expr, right, exercise)
     return CellMark(row, column, Verdict.WRONG, entry.text, expected, note, counted)
+
+
+def _on_sheet(question: Wanted, right: Expr, place: tuple[int, int], exercise: Exercise) -> Expr:
+    """A right entry as it is written on the sheet."""
+    return on_sheet(right, exercise.metres, exercise.scope) if is_length(question, *place) else right
 
 
 def has_decimals(expr: Expr) -> bool:

@@ -11,7 +11,7 @@ from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
 from dhcli.checking.kinds.linked import found_link, link_of, place_of, read_number
 from dhcli.checking.pasted import UnreadableError
-from dhcli.checking.values import TypedValue, mark_value, read_value, spelled_value
+from dhcli.checking.values import Quantity, TypedValue, mark_value, read_value, spelled_value
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import DhcliError, NotationError, Place, Problem, RobotError
 from dhcli.kinematics.conventions import COLUMNS, Row
@@ -20,6 +20,10 @@ from dhcli.notation.scope import Scope
 
 if TYPE_CHECKING:
     from dhcli.checking.diagnosis.alternatives import Alternative
+
+
+LENGTHS = ("a", "d")
+"""Columns of lengths; the others are angles."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +54,7 @@ class CellQuestion(Question[TypedValue]):
         return f"{self.column} of link {self.link}"
 
     def expected(self, case: Case, _style: str = "short") -> str:
-        return spelled_value(getattr(link_of(case.exercise, self.link).row, self.column), case.exercise)
+        return spelled_value(self._quantity(getattr(link_of(case.exercise, self.link).row, self.column)), case.exercise)
 
     def steps(self, case: Case) -> Iterable[Shown]:
         from dhcli.checking.tables.steps import MEANINGS
@@ -69,7 +73,12 @@ class CellQuestion(Question[TypedValue]):
         return self._mark(case, getattr(row, self.column), reading.value)
 
     def _mark(self, case: Case, right: Value, typed: TypedValue) -> Mark:
-        return mark_value(case.memo.of("of table", lambda: _of_table(case.exercise)), right, typed, case.tolerance)
+        exercise = case.memo.of("of table", lambda: _of_table(case.exercise))
+        return mark_value(exercise, self._quantity(right), typed, case.tolerance)
+
+    def _quantity(self, value: Value) -> Quantity:
+        """A cell: a length with the unit of the sheet, or an angle."""
+        return Quantity(value, is_length=self.column in LENGTHS, is_angle=self.column not in LENGTHS)
 
     def slips(self, case: Case) -> Iterable[Slip]:
         from dhcli.checking.diagnosis.alternatives import changing
@@ -98,7 +107,9 @@ class CellQuestion(Question[TypedValue]):
         def asked(slip: Slip, row: Row | None) -> Iterator[Alternative[TypedValue]]:
             if row is not None:
                 value: Value = getattr(row, self.column)
-                yield Alternative(slip, spelled_value(value, case.exercise), partial(self._mark, case, value))
+                yield Alternative(
+                    slip, spelled_value(self._quantity(value), case.exercise), partial(self._mark, case, value)
+                )
 
         index = place_of(robot, self.link)
         for one in table_candidates(case.exercise, robot.convention, name):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import Any, ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
@@ -11,9 +12,9 @@ from dhcli.checking.entries import Entries, entries_text, read_entries
 from dhcli.checking.exercise import Case, Causes, Exercise, Judged, Matrices, Points, Question, Reading, Shown
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.pasted import UnreadableError
-from dhcli.checking.truth import names_in, truth_of, unvalued
+from dhcli.checking.truth import is_length, names_in, truth_of, unvalued
 from dhcli.checking.verdicts import UNSOLVED, Mark, Verdict
-from dhcli.checking.wanted import Span, Wanted, read_wanted
+from dhcli.checking.wanted import Composed, Span, Wanted, read_wanted
 from dhcli.errors import DhcliError, Place, RobotError
 from dhcli.kinematics.frames import frame
 from dhcli.kinematics.robot import Robot
@@ -45,7 +46,20 @@ class MatrixQuestion(Wanted, Question[Entries]):
     def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
         """A link, a pose, a product, an inverse, or a piece of one."""
         found = read_wanted(text, scope, place)
-        return cls(found.source, found.inverse, found.piece, found.index, found.point)
+        return cls(found.source, found.inverse, found.piece, found.index, found.point, found.measured)
+
+    def in_unit(self, unit: Fraction, scope: Scope) -> Self:
+        """Bare coordinates of a point, and bare lengths of a product, are in the unit of the sheet."""
+        from dhcli.checking.units import chain_in_metres, in_metres
+
+        source = self.source
+        if isinstance(source, Composed):
+            source = Composed(chain_in_metres(source.text, unit, scope), source.text)
+        if self.piece not in ("point", "vector") or not is_length(self, 0, 0):
+            return replace(self, source=source)
+        pairs = zip(self.point, self.measured, strict=True)
+        point = tuple(one if measured else in_metres(one, unit, scope) for one, measured in pairs)
+        return replace(self, source=source, point=point)
 
     def check(self, robot: Robot | None) -> None:
         if isinstance(self.source, Span):
