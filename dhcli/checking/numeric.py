@@ -6,7 +6,7 @@ import math
 from dataclasses import replace
 
 from dhcli.algebra.floats import Floats
-from dhcli.checking.entries import Entries, Entry, in_unit_of
+from dhcli.checking.entries import Entries, Entry
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.orientations import (
     LEAST_SLACK,
@@ -31,13 +31,20 @@ from dhcli.checking.tolerance import (
     without_unit,
 )
 from dhcli.checking.truth import Truth, is_length
-from dhcli.checking.verdicts import INVERSE, TOO_FEW, TRANSPOSED, UNSOLVED, CellMark, Mark, Verdict, worst
+from dhcli.checking.verdicts import (
+    INVERSE,
+    TOO_FEW,
+    TRANSPOSED,
+    UNSOLVED,
+    CellMark,
+    Mark,
+    Verdict,
+    worst,
+)
 from dhcli.checking.wanted import Wanted
 from dhcli.kinematics.pose import rounded
 from dhcli.kinematics.values import numbers
 from dhcli.notation.walk import symbols
-
-SOLVED = (Verdict.RIGHT, Verdict.ROUNDED)
 
 LEAST_TURN = 0.1
 """Turn below which entries that are wrong have too few digits and no wrong direction [deg]."""
@@ -53,7 +60,7 @@ def mark_numbers(
     exercise: Exercise,
     tolerance: Tolerance,
 ) -> Mark:
-    """Judge an answer in numbers.
+    """Judge an answer in numbers, its bare lengths in the unit of the sheet.
 
     Args:
         question: The question.
@@ -63,19 +70,11 @@ def mark_numbers(
         tolerance: Largest errors that count as right.
 
     Raises:
-        UnreadableError: An entry has no finite value, or every length is right in another unit.
+        UnreadableError: An entry has no finite value.
     """
-    judged = _judged(question, truth, entries, exercise, tolerance)
-    if judged.verdict in UNSOLVED and exercise.unit != "none":
-        return _in_other_unit(question, truth, entries, exercise, tolerance, judged) or judged
-    return judged
-
-
-def _judged(question: Wanted, truth: Truth, entries: Entries, exercise: Exercise, tolerance: Tolerance) -> Mark:
-    """The judgement of an answer in the unit of the sheet."""
     assert truth.numbers is not None  # noqa: S101  the caller has looked
     typed = _values(entries, exercise)
-    limits = _limits(question, truth, tolerance)
+    limits = limits_of(question, truth, tolerance)
     cells = tuple(
         _cell(question, truth, entries[r][c], typed[r][c], limits[r][c], tolerance, (r, c), exercise)
         for r in range(len(typed))
@@ -97,60 +96,6 @@ def _judged(question: Wanted, truth: Truth, entries: Entries, exercise: Exercise
     return Mark(verdict, cells=cells, remarks=remarks, earned=_earned(question, cells, typed, verdict))
 
 
-def _in_other_unit(
-    question: Wanted, truth: Truth, entries: Entries, exercise: Exercise, tolerance: Tolerance, own: Mark
-) -> Mark | None:
-    """The judgement of a wrong answer whose lengths are plainly in another unit: what else is wrong is said in that.
-
-    Raises:
-        UnreadableError: Nothing else is wrong.
-    """
-    unit, other = _plain_unit(question, truth, entries, exercise, tolerance, own)
-    if other is None:
-        return None
-    if other.verdict in SOLVED:
-        digits = ", to the digits typed" if other.verdict is Verdict.ROUNDED else ""
-        raise UnreadableError(f"right in {unit}{digits}; this sheet is in {exercise.unit}")
-    cells = tuple(replace(cell, expected=one.expected) for cell, one in zip(other.cells, own.cells, strict=True))
-    remark = f"the lengths are in {unit}; this sheet is in {exercise.unit}: the rest is judged in {unit}"
-    return Mark(Verdict.WRONG, cells=cells, remarks=(remark, *other.remarks), earned=own.earned)
-
-
-def plain_unit(question: Wanted, truth: Truth, entries: Entries, exercise: Exercise, tolerance: Tolerance) -> str:
-    """The unit, not that of the sheet, in which the lengths of a wrong answer plainly are; empty if there is none."""
-    if exercise.unit == "none" or truth.numbers is None:
-        return ""
-    own = _judged(question, truth, entries, exercise, tolerance)
-    return _plain_unit(question, truth, entries, exercise, tolerance, own)[0]
-
-
-def _plain_unit(  # noqa: PLR0913, PLR0917  everything an answer is judged by
-    question: Wanted, truth: Truth, entries: Entries, exercise: Exercise, tolerance: Tolerance, own: Mark
-) -> tuple[str, Mark | None]:
-    """The unit in which the lengths plainly are, and the judgement in it."""
-    for unit in ("mm", "cm", "m"):
-        if unit != exercise.unit:
-            there = replace(exercise, unit=unit)
-            other = _judged(question, truth, in_unit_of(question, entries, there), there, tolerance)
-            if _is_plainly(question, truth, own, other, tolerance):
-                return unit, other
-    return "", None
-
-
-def _is_plainly(question: Wanted, truth: Truth, own: Mark, other: Mark, tolerance: Tolerance) -> bool:
-    """Whether lengths that are not zero are right in another unit, and none in that of the sheet."""
-    assert truth.numbers is not None  # noqa: S101
-    limits, found = _limits(question, truth, tolerance), False
-    for here, there in zip(own.cells, other.cells, strict=True):
-        r, c = here.row, here.column
-        if not is_length(question, r, c) or abs(truth.numbers[r][c]) <= limits[r][c]:
-            continue
-        if here.verdict in SOLVED and there.verdict not in SOLVED:
-            return False
-        found = found or (there.verdict in SOLVED and here.verdict not in SOLVED)
-    return found
-
-
 def _values(entries: Entries, exercise: Exercise) -> list[list[float]]:
     over = Floats(numbers(exercise.values))
     typed: list[list[float]] = []
@@ -167,7 +112,8 @@ def _values(entries: Entries, exercise: Exercise) -> list[list[float]]:
     return typed
 
 
-def _limits(question: Wanted, truth: Truth, tolerance: Tolerance) -> list[list[float]]:
+def limits_of(question: Wanted, truth: Truth, tolerance: Tolerance) -> list[list[float]]:
+    """What each entry may be off: a length by a share of the robot, a direction cosine by its own tolerance."""
     position = tolerance.position if tolerance.position is not None else max(RELATIVE * truth.size, ZERO)
     if question.piece == "vector" and not is_length(question, 0, 0):  # a direction of any length
         position = tolerance.rotation

@@ -13,7 +13,7 @@ from dhcli.checking.exercise import Case, Causes, Exercise, Judged, Matrices, Po
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.truth import is_length, names_in, truth_of, unvalued
-from dhcli.checking.verdicts import UNSOLVED, Mark, Verdict
+from dhcli.checking.verdicts import IN_OTHER_UNIT, UNSOLVED, Mark, Verdict
 from dhcli.checking.wanted import Composed, Span, Wanted, read_wanted
 from dhcli.errors import DhcliError, Place, RobotError
 from dhcli.kinematics.frames import frame
@@ -157,7 +157,7 @@ class MatrixQuestion(Wanted, Question[Entries]):
         return read_entries(self, case.exercise, text, place)
 
     def mark(self, case: Case, reading: Reading[Entries]) -> Mark:
-        from dhcli.checking.numeric import mark_numbers
+        from dhcli.checking.other_unit import mark_measured
         from dhcli.checking.symbolic import mark_symbols
 
         exercise, entries = case.exercise, reading.value
@@ -167,7 +167,7 @@ class MatrixQuestion(Wanted, Question[Entries]):
                 missing = unvalued(self, exercise)
                 hint = f"--set {missing[0]}=..., or given: in the file of an exercise"
                 raise RobotError(f"{exercise.id} asks for numbers, and has no value for {', '.join(missing)}", hint)
-            judged = mark_numbers(self, truth, entries, exercise, case.tolerance)
+            judged = mark_measured(self, truth, entries, exercise, case.tolerance)
         else:
             judged = mark_symbols(self, truth, entries, exercise)
         typed = tuple(tuple(write(entry.typed, "short", exercise.writing) for entry in row) for row in entries)
@@ -225,6 +225,8 @@ class MatrixQuestion(Wanted, Question[Entries]):
         from dhcli.checking.diagnosis.geometry import HALVES, geometry
         from dhcli.checking.diagnosis.typed import typed_answer
 
+        if mark.remarks and mark.remarks[0].startswith(IN_OTHER_UNIT):
+            return mark
         try:
             typed = typed_answer(case, self, reading.value)
         except (UnreadableError, DhcliError):

@@ -1,0 +1,67 @@
+"""Verdicts against an oracle of floats: answers made by a seed, a share of them in ordinary runs, all at night."""
+
+from __future__ import annotations
+
+import zlib
+from pathlib import Path
+from random import Random
+
+import pytest
+
+from dhcli.checking.judge import check
+from dhcli.checking.verdicts import Verdict
+from tests.checking.mutated_kinds import FILES, KINDS, Answer
+from tests.checking.mutations import MUTATIONS, torn
+from tests.cli.running import run
+from tests.judging import checked, mark
+from tests.nightly import NIGHT
+
+MANY = 2000 if NIGHT else 40
+
+
+def answers(kind: str, how_many: int) -> list[Answer]:
+    """Answers of one kind, the same ones each time, no text twice."""
+    draw = Random(zlib.crc32(kind.encode()))
+    found = (KINDS[kind](draw) for _ in range(how_many))
+    return list({answer.text + answer.exercise.unit: answer for answer in found}.values())
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_no_verdict_is_wrong(kind: str) -> None:
+    """Right where an answer agrees with the truth all round the circle, and nowhere else."""
+    wrong = []
+    for answer in answers(kind, MANY):
+        judged = mark(answer.exercise, answer.part, answer.text)
+        if judged.verdict.word not in answer.fair:
+            wrong.append((answer.made, answer.text, judged.verdict.word, sorted(answer.fair), judged.remarks))
+    assert wrong == []
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_torn_text_is_judged_or_refused_and_never_a_bug(kind: str) -> None:
+    """Whatever characters are lost or put in, there is a verdict, and its explanation."""
+    draw = Random(5)
+    for answer in answers(kind, MANY // 4):
+        text = torn(answer.text, draw)
+        assert isinstance(checked(answer.exercise, answer.part, text).verdict, Verdict), text
+
+
+@pytest.mark.parametrize("kind", ["entry in symbols", "position in numbers", "angle", "cell of a length", "count"])
+def test_the_verdict_is_the_same_in_every_format_and_by_library(kind: str, tmp_path: Path) -> None:
+    """A table for people, JSON for programs, and a call."""
+    for answer in answers(kind, 12 if NIGHT else 3):
+        path = tmp_path / "x.yaml"
+        path.write_text(FILES[id(answer.exercise)], "utf-8")
+        word = check(answer.exercise, "a", answer.text).verdict.word
+        for_programs = run("check", str(path), "--part", "a", f"--answer={answer.text}", "--format", "json")
+        for_people = run("check", str(path), "--part", "a", f"--answer={answer.text}")
+        assert for_programs.envelope["data"]["verdict"] == word
+        assert word in for_people.out
+        assert for_people.code == for_programs.code == (0 if word == "RIGHT" else 2 if word == "CAN'T READ" else 1)
+
+
+def test_every_mutation_changes_something() -> None:
+    """So that none is in the list for nothing."""
+    text = "a1*cos(theta1) + a2*sin(theta1 + theta2)"
+    same = [kind for kind, change in MUTATIONS.items() if all(change(text, Random(k)) == text for k in range(5))]
+    assert same == []
