@@ -212,7 +212,7 @@ def angle_in_numbers(draw: Random) -> Answer:
 def cell(draw: Random) -> Answer:
     """A twist of a table: the same modulo a full turn."""
     exercise, part = exercise_of("cell alpha 2", robot="puma560")
-    degrees, off = -90 + 360 * draw.choice((-10**15, -2, 0, 1)), draw.choice((0.0, 0.04, 0.2, 1.0, 90.0, 180.0))
+    degrees, off = -90 + 360 * draw.choice((-(10**15), -2, 0, 1)), draw.choice((0.0, 0.04, 0.2, 1.0, 90.0, 180.0))
     number = Fraction(degrees) + Fraction(str(off))
     text = draw.choice(("{n}", "{n}°", "{n}*pi/180", "({n}) deg")).format(n=_decimal(number))
     fair = {RIGHT} if off <= 0.05 else {CLOSE} if off <= 0.5 else {WRONG}

@@ -95,9 +95,11 @@ def torn(text: str, draw: Random) -> str:
     """A text with a few characters lost, doubled, or put in."""
     for _ in range(draw.randint(1, 4)):
         k = draw.randrange(len(text) + 1)
-        text = draw.choice((
-            text[:k] + text[k + 1 :],
-            text[:k] + text[k : k + 3] + text[k:],
-            text[:k] + draw.choice("()[]{}+-*/^=.,;:°'\"\\&|_ \n0123456789θπ√⎡eEcsxyz") + text[k:],
-        ))
+        text = draw.choice(
+            (
+                text[:k] + text[k + 1 :],
+                text[:k] + text[k : k + 3] + text[k:],
+                text[:k] + draw.choice("()[]{}+-*/^=.,;:°'\"\\&|_ \n0123456789θπ√⎡eEcsxyz") + text[k:],
+            )
+        )
     return text
