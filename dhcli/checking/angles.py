@@ -16,6 +16,7 @@ from dhcli.checking.tolerance import Tolerance, judge
 from dhcli.checking.verdicts import Verdict
 from dhcli.kinematics.robot import Value
 from dhcli.notation.angle import Angle
+from dhcli.notation.dimensions import INVERSE
 from dhcli.notation.quantity import ANGLE_UNITS, LENGTH_UNITS, Bare, DimensionError, to_length
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import (
@@ -37,9 +38,6 @@ from dhcli.notation.tree import (
 from dhcli.notation.walk import rebuild, symbols
 from dhcli.notation.writer import write
 
-INVERSE = frozenset(("acos", "asin", "atan", "atan2"))
-"""Functions whose value is an angle."""
-
 RADIANS = ("rad", "radian", "radians")
 SHOWN_DIGITS = 4
 
@@ -47,15 +45,6 @@ EXACT = Tolerance(angle=1e-10)
 """Two angles that are the same but for what floats leave."""
 
 _DEGREE = multiply(Number(Fraction(1, 180)), PI)
-
-
-def is_by_inverse(expr: Expr) -> bool:
-    """Whether an expression is an angle by an inverse function, a multiple of one, or a sum that holds one."""
-    if isinstance(expr, Sum):
-        return any(map(is_by_inverse, expr.terms))
-    if isinstance(expr, Product):
-        return sum(map(is_by_inverse, expr.factors)) == 1
-    return isinstance(expr, Call) and expr.function in INVERSE
 
 
 def in_radians(value: Value, scope: Scope, bare: Bare = "rad") -> Expr:

@@ -17,7 +17,7 @@ from dhcli.kinematics.robot import Value
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import FULL_TURN, Angle
 from dhcli.notation.parser import parse
-from dhcli.notation.quantity import Bare, DimensionError, has_angle_unit, to_angle, to_length
+from dhcli.notation.quantity import Bare, DimensionError, has_angle_unit, is_inverse, to_angle, to_length
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write, write_angle
@@ -61,10 +61,10 @@ def quantity_of(expr: Expr, exercise: Exercise) -> Quantity:
 
     Exact angles have the values of the task put in where answers are numbers.
     """
-    from dhcli.checking.angles import in_radians, is_by_inverse
+    from dhcli.checking.angles import in_radians
 
     scope, inside = exercise.scope, symbols(expr)
-    if is_by_inverse(expr):
+    if is_inverse(expr):
         return Quantity(in_radians(expr, scope), is_angle=True)
     if has_angle_unit(expr) or (inside and all(scope.is_angle(name) for name in inside)):
         try:
@@ -125,12 +125,12 @@ def _as_asked(expr: Expr, right: Quantity, exercise: Exercise, bare: Bare) -> Qu
 
 
 def _read_as(expr: Expr, right: Quantity, exercise: Exercise, bare: Bare) -> Quantity:
-    from dhcli.checking.angles import in_radians, is_by_inverse
+    from dhcli.checking.angles import in_radians
 
     if not right.is_angle:
         length = in_metres(expr, exercise.metres, exercise.scope) if right.is_length else expr
         return replace(right, value=to_length(length))
-    if isinstance(right.value, Angle) and not is_by_inverse(expr):
+    if isinstance(right.value, Angle) and not is_inverse(expr):
         return replace(right, value=to_angle(expr, bare=bare))
     return replace(right, value=in_radians(expr, exercise.scope, bare))
 

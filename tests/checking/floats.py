@@ -44,7 +44,7 @@ def names(text: str) -> frozenset[str]:
 
 def points(found: frozenset[str], seed: int) -> Iterator[dict[str, float]]:
     """Points all round the circle; names that begin with a Greek letter's name are angles, others lengths."""
-    draw = Random(seed)
+    draw = Random(seed)  # noqa: S311  the same each time
     for _ in range(POINTS):
         yield {
             name: draw.uniform(-math.pi, math.pi) if name.startswith(("theta", "alpha")) else draw.uniform(0.2, 1.3)

@@ -51,7 +51,7 @@ Maker = Callable[[Random], Answer]
 
 def document(ask: str, **more: Any) -> dict[str, Any]:  # noqa: ANN401  keys of an exercise
     """An exercise of one part, as its file holds it."""
-    part = {"id": "a", "ask": ask, **{key: more.pop(key) for key in ("options", "right") if key in more}}
+    part = {"id": "a", "ask": ask, **{key: more.pop(key) for key in ("options", "right", "exact") if key in more}}
     found = {"format": 1, "title": "x", "source": "x", "task": "x", "robot": "planar-2r", **more, "parts": [part]}
     return {key: value for key, value in found.items() if value is not None}
 
@@ -189,7 +189,7 @@ def _agreement_of_angles(typed: str, right: str) -> float:
 
 
 def _coordinates() -> Iterator[tuple[float, float]]:
-    draw = Random(3)
+    draw = Random(3)  # noqa: S311  the same each time
     for _ in range(40):
         yield draw.uniform(-2, 2), draw.uniform(-2, 2)
 
@@ -212,10 +212,11 @@ def angle_in_numbers(draw: Random) -> Answer:
 def cell(draw: Random) -> Answer:
     """A twist of a table: the same modulo a full turn."""
     exercise, part = exercise_of("cell alpha 2", robot="puma560")
-    degrees, off = -90 + 360 * draw.choice((-(10**15), -2, 0, 1)), draw.choice((0.0, 0.04, 0.2, 1.0, 90.0, 180.0))
+    turns, off = draw.choice((-(10**15), -2, 0, 0, 1)), draw.choice((0.0, 0.04, 0.2, 1.0, 90.0, 180.0))
+    degrees = -90 + 360 * turns
     number = Fraction(degrees) + Fraction(str(off))
     text = draw.choice(("{n}", "{n}°", "{n}*pi/180", "({n}) deg")).format(n=_decimal(number))
-    fair = {RIGHT} if off <= 0.05 else {CLOSE} if off <= 0.5 else {WRONG}
+    fair = {UNREAD} if abs(turns) > 2 else {RIGHT} if off <= 0.05 else {CLOSE} if off <= 0.5 else {WRONG}
     return Answer(exercise, part, text, f"off {off}°", frozenset(fair))
 
 
@@ -259,8 +260,8 @@ def factors(draw: Random) -> Answer:
     return Answer(exercise, part, text, made, frozenset({RIGHT if right else WRONG}))
 
 
-COUNTS = ("{n}", "{n}.0", "{m}+1", "2*{n}/2", "M = {n}", "{n}.0000000000000001", "{m}.9999999999999999", "{n}/1", "-{n}",
-          "{m}", "{n} mm", "7 = {n}", "{n}.5", "{n}e0", "10*{n}", "sqrt({n}^2)")  # fmt: skip
+COUNTS = ("{n}", "{n}.0", "{m}+1", "2*{n}/2", "M = {n}", "{n}.0000000000000001", "{m}.9999999999999999", "{n}/1",
+          "-{n}", "{m}", "{n} mm", "7 = {n}", "{n}.5", "{n}e0", "10*{n}", "sqrt({n}^2)")  # fmt: skip
 
 
 def count(draw: Random) -> Answer:
