@@ -237,7 +237,7 @@ def _decimal(number: Fraction) -> str:
 
 def factors(draw: Random) -> Answer:
     """The moves of a link turned full turns further, in another order, with one forgotten, or with one too many."""
-    exercise, part = exercise_of("factors 2", robot="scara-zhou")
+    exercise, part = exercise_of("factors 2", robot="scara-yim")
     moves = expected(exercise, part).replace(") ", ")|").split("|")
     right, made = True, draw.choice(("as it is", "full turn", "nothing", "order", "forgotten", "twice", "turned"))
     k = draw.randrange(len(moves))

@@ -17,6 +17,7 @@ from dhcli.errors import DhcliError, NotationError, Place, Problem, RobotError
 from dhcli.kinematics.conventions import COLUMNS, Row
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.notation.scope import Scope
+from dhcli.notation.tree import multiply
 
 if TYPE_CHECKING:
     from dhcli.checking.diagnosis.alternatives import Alternative
@@ -98,7 +99,8 @@ class CellQuestion(Question[TypedValue]):
     def _alternatives(self, case: Case, name: str = "") -> Iterator[Alternative[TypedValue]]:
         """A slip in the row, or the same column of the row before or behind."""
         from dhcli.checking.diagnosis.alternatives import Alternative
-        from dhcli.checking.diagnosis.slips import table_candidates
+        from dhcli.checking.diagnosis.mistakes.changes import scale_of
+        from dhcli.checking.diagnosis.slips import setting_of, table_candidates
 
         robot = case.exercise.robot
         if robot is None:
@@ -120,6 +122,11 @@ class CellQuestion(Question[TypedValue]):
                 words = f"this is {self.column} of row {number}"
                 hint = f"which row holds this {self.column} in this convention?"
                 yield from asked(Slip(f"neighbour {number}", words, hint), robot.links[other].row)
+        right, factor = robot.links[index].row, scale_of(setting_of(case.exercise))
+        if right is not None and factor is not None and self.column in LENGTHS:
+            slip = Slip("in-mm", "the unit is another, mm for m", "look at the unit of the sheet")
+            a, d = (multiply(factor, length) for length in (right.a, right.d))
+            yield from asked(slip, replace(right, a=a, d=d))
 
     def follows(self, case: Case, reading: Reading[TypedValue], earlier: Mapping[str, Reading[Any]]) -> tuple[str, ...]:
         robot = case.exercise.robot
