@@ -16,7 +16,7 @@ from dhcli.checking.tolerance import Tolerance, judge
 from dhcli.checking.verdicts import Verdict
 from dhcli.kinematics.robot import Value
 from dhcli.notation.angle import Angle
-from dhcli.notation.dimensions import INVERSE
+from dhcli.notation.dimensions import INVERSE, has_units
 from dhcli.notation.quantity import ANGLE_UNITS, LENGTH_UNITS, Bare, DimensionError, to_length
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import (
@@ -85,7 +85,7 @@ def _angle(factor: Expr, scope: Scope, bare: Bare) -> tuple[Expr, bool]:
         return factor, True
     if isinstance(factor, Unit) and factor.name in LENGTH_UNITS:
         raise DimensionError(f"{factor.name} is a unit of length, an angle is wanted", "write 30° or 0.5 rad")
-    if isinstance(factor, Number) or (isinstance(factor, Power) and not symbols(factor)):
+    if isinstance(factor, Number) or (isinstance(factor, Power) and not symbols(factor) and not has_units(factor)):
         return factor, False
     raise DimensionError(f"{write(factor)} is no angle, and one is wanted", "write 30°, 0.5 rad or atan2(y, x)")
 

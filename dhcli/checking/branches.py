@@ -9,21 +9,24 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from itertools import chain, islice
 from typing import TypeAlias
 
 from dhcli.algebra.equality import CLOSE, agree
 from dhcli.algebra.floats import Floats
-from dhcli.algebra.points import Reach, all_round
+from dhcli.algebra.points import Reach, all_round, general
 from dhcli.notation.angle import Angle
 from dhcli.notation.styles import THETAS, Joints
 from dhcli.notation.tree import Call, Expr, Power, Symbol, Trig
-from dhcli.notation.walk import walk
+from dhcli.notation.walk import symbols, walk
 from dhcli.notation.writer import write
 
 Same: TypeAlias = Callable[[float, float], bool]
 
 NEAR_ZERO = 1e-6
 PLAIN_DIGITS = 1
+PLAIN_POINTS = 6
+PLAIN_SEED = 7
 
 _LOSSES = {
     "acos": "acos gives angles from 0° to 180° only, atan2 all",
@@ -143,9 +146,17 @@ def _loss(typed: Expr) -> str:
     return ""
 
 
+def _plain_points(typed: Expr, right: Expr, reach: Reach) -> Iterator[dict[str, float]]:
+    """Points that are easy to try on paper, everything positive and below 75°, where the names may be there."""
+    for values in islice(general(symbols(typed) | symbols(right), PLAIN_SEED), PLAIN_POINTS):
+        within = ((values[name], reach[name]) for name in values.keys() & reach.keys())
+        if all(low <= value <= high for value, (low, high) in within):
+            yield values
+
+
 def _counterexample(typed: Expr, right: Expr, reach: Reach, same: Same) -> str:
     unreal = ""
-    for drawn in all_round((typed, right), reach):
+    for drawn in chain(_plain_points(typed, right, reach), all_round((typed, right), reach)):
         values = {name: round(value, PLAIN_DIGITS) for name, value in drawn.items()}
         over = Floats(values)
         one, other = over.value(typed), over.value(right)

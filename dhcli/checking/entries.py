@@ -133,31 +133,40 @@ def _shape_remark(question: Wanted, shape: tuple[int, int]) -> str:
     return f"the answer is {shape[0]}x{shape[1]}; {asked} was asked" if rows > 1 else f"{asked} was asked"
 
 
+def as_read(question: Wanted, row: int, column: int, exercise: Exercise, expr: Expr) -> Expr:
+    """What was typed for an entry, bare lengths and those with a unit in metres.
+
+    Raises:
+        DimensionError: It is no length, and no number.
+    """
+    is_bare = is_length(question, row, column) and exercise.metres != 1
+    return to_length(in_metres(expr, exercise.metres, exercise.scope) if is_bare else expr)
+
+
 def _entry(question: Wanted, exercise: Exercise, cell: Cell, row: int, column: int) -> Entry:
     where = f"entry ({row + 1},{column + 1})"
+    length = is_length(question, row, column)
     try:
         expr = to_length(cell.expr)
+        if expr != cell.expr and not length:
+            raise UnreadableError(f"{where} is a direction cosine and has no unit")
+        expr = as_read(question, row, column, exercise, cell.expr)
     except DimensionError as error:
         raise UnreadableError(f"{where}: {error.message}") from None
     check_names(exercise, symbols(expr))
-    length = is_length(question, row, column)
-    if expr != cell.expr and not length:
-        raise UnreadableError(f"{where} is a direction cosine and has no unit")
-    if length and exercise.metres != 1:
-        expr = to_length(in_metres(cell.expr, exercise.metres, exercise.scope))
     return Entry(expr, cell.text, cell.expr)
 
 
 def in_unit_of(question: Wanted, entries: Entries, exercise: Exercise) -> Entries:
     """Entries that have been read, with their bare lengths in the unit of another sheet."""
 
-    def moved(entry: Entry) -> Entry:
-        return replace(entry, expr=to_length(in_metres(entry.typed, exercise.metres, exercise.scope)))
+    def moved(entry: Entry, row: int, column: int) -> Entry:
+        try:
+            return replace(entry, expr=as_read(question, row, column, exercise, entry.typed))
+        except DimensionError:  # what is no length in that unit stays wrong
+            return entry
 
-    return tuple(
-        tuple(moved(entry) if is_length(question, r, c) else entry for c, entry in enumerate(row))
-        for r, row in enumerate(entries)
-    )
+    return tuple(tuple(moved(entry, r, c) for c, entry in enumerate(row)) for r, row in enumerate(entries))
 
 
 def _check_bottom_row(entries: Entries) -> None:

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 
 from dhcli.algebra.equality import equal_in_floats, equal_in_residues
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.points import all_round
-from dhcli.checking.entries import Entries, Entry
+from dhcli.checking.entries import Entries, Entry, as_read
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.reach import reach_of
 from dhcli.checking.truth import Truth, is_length
@@ -82,10 +83,10 @@ def _are_equal(first: Expr, second: Expr, exercise: Exercise | None) -> bool:
 
 def is_exactly(typed: Expr, right: Expr, exercise: Exercise) -> bool:
     """Whether an expression is the right one itself, as 0.5 is cos 60°, and 0.8660 or 13/15 is not cos 30°."""
-    typed, right = put(typed, exercise.values), put(right, exercise.values)
-    known = equal_in_residues(typed, right)
+    exact, truth = put(typed, exercise.values), put(right, exercise.values)
+    known = equal_in_residues(exact, truth)
     if known is None:  # floats tell only what is no exact number: it has digits
-        return not has_decimals(typed) and same(typed, right, {}, exercise)
+        return not has_decimals(typed) and same(exact, truth, {}, exercise)
     return known
 
 
@@ -103,7 +104,8 @@ def _cell(question: Wanted, truth: Truth, entry: Entry, place: tuple[int, int], 
     expected = write(_on_sheet(question, right, place, exercise), "short", exercise.writing)
     if same(entry.expr, right, exercise.values, exercise):
         return CellMark(row, column, Verdict.RIGHT, entry.text, expected, counted=counted)
-    if has_decimals(entry.expr) and about_equal(entry.expr, right, exercise):
+    read = partial(as_read, question, row, column, exercise)
+    if has_decimals(entry.typed) and about_equal(entry.typed, right, exercise, read):
         return CellMark(row, column, Verdict.ROUNDED, entry.text, expected, counted=counted)
     note = counterexample(entry.expr, right, exercise)
     return CellMark(row, column, Verdict.WRONG, entry.text, expected, note, counted)
@@ -119,16 +121,23 @@ def has_decimals(expr: Expr) -> bool:
     return any(isinstance(n, Number) and n.places is not None and n.value.denominator != 1 for n in walk(expr))
 
 
-def about_equal(typed: Expr, right: Expr, exercise: Exercise) -> bool:
+def about_equal(typed: Expr, right: Expr, exercise: Exercise, read: Callable[[Expr], Expr]) -> bool:
     """Whether an answer agrees at forty points when each decimal may be off by half a unit of its last digit.
 
     However often a decimal stands in it, all together are never worth more than a share of the truth: a zero that is
     made of decimals is not half of everything.
+
+    Args:
+        typed: The answer as it was typed, for its digits.
+        right: The truth.
+        exercise: For its values, whose own digits do not matter.
+        read: What was typed, in metres.
     """
-    reach = reach_of(exercise)
-    typed, right = put(typed, exercise.values), put(right, exercise.values)
-    shifted = [_shifted(typed, index) for index in range(sum(_is_decimal(node) for node in walk(typed)))]
-    points = [Floats(values) for values in all_round((typed, right), reach)]
+    reach, values = reach_of(exercise), exercise.values
+    others = (_shifted(typed, index) for index in range(sum(_is_decimal(node) for node in walk(typed))))
+    shifted = [put(read(other), values) for other in others]
+    typed, right = put(read(typed), values), put(right, values)
+    points = [Floats(drawn) for drawn in all_round((typed, right), reach)]
     truths = [over.value(right) for over in points]
     most = MOST_OFF * max((abs(truth) for truth in truths), default=0.0)
     for over, truth in zip(points, truths, strict=True):

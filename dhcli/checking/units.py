@@ -8,17 +8,19 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from dhcli.errors import Place
+from dhcli.errors import NotationError, Place, Problem
 from dhcli.kinematics.moves import Chain, Fixed, Move, Trans, from_factor
 from dhcli.kinematics.ranges import units_in
 from dhcli.notation.factors import parse_factors
-from dhcli.notation.quantity import LENGTH_UNITS
+from dhcli.notation.quantity import LENGTH_UNITS, DimensionError
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr, Number, Power, Product, Sum, Symbol, Unit, add, multiply, power
 from dhcli.notation.walk import walk
 
 ONE = Fraction(1)
 MOST_PLACES = 12
+MOST_POWER = 64
+"""Of a length, below roots: no formula of an arm has more."""
 
 
 def degree(expr: Expr, scope: Scope) -> Fraction:
@@ -48,13 +50,24 @@ def in_metres(expr: Expr, unit: Fraction, scope: Scope) -> Expr:
         expr: The length, units as they were written.
         unit: Metres in a bare length of the sheet.
         scope: Says which names are angles.
+
+    Raises:
+        DimensionError: A number in it becomes too large or too small to compute with.
     """
-    return expr if unit == 1 else _scaled(expr, unit, scope, ONE)
+    if unit == 1:
+        return expr
+    try:
+        return _scaled(expr, unit, scope, ONE)
+    except (OverflowError, ZeroDivisionError):
+        raise DimensionError("the number becomes too large or too small", "write it in another unit") from None
 
 
 def on_sheet(expr: Expr, unit: Fraction, scope: Scope) -> Expr:
     """A length in metres as it is written on a sheet, where its bare numbers are in another unit."""
-    return in_metres(expr, 1 / unit, scope)
+    try:
+        return in_metres(expr, 1 / unit, scope)
+    except DimensionError:  # nobody types that
+        return expr
 
 
 def chain_in_metres(text: str, unit: Fraction, scope: Scope, place: Place | None = None) -> Chain:
@@ -67,7 +80,10 @@ def chain_in_metres(text: str, unit: Fraction, scope: Scope, place: Place | None
     for factor in parse_factors(text, scope, place):
         move = from_factor(factor)
         own = any(name in LENGTH_UNITS for name in units_in(factor.text))
-        chain.append(move if own else move_in_metres(move, unit, scope))
+        try:
+            chain.append(move if own else move_in_metres(move, unit, scope))
+        except DimensionError as error:
+            raise NotationError(Problem(f"{factor.text:.60}: {error.message}", place, error.hint)) from None
     return tuple(chain)
 
 
@@ -93,7 +109,7 @@ def _scaled(expr: Expr, unit: Fraction, scope: Scope, power_of: Fraction) -> Exp
             k = found[0]
             scaled = _scaled(expr.factors[k], unit, scope, power_of)
             return multiply(*expr.factors[:k], scaled, *expr.factors[k + 1 :])
-    if _is_measured(expr, scope) or power_of.denominator != 1:
+    if _is_measured(expr, scope) or power_of.denominator != 1 or abs(power_of) > MOST_POWER:
         return expr
     factor = unit ** int(power_of)
     return multiply(Number(factor, _places(factor)), expr)

@@ -151,7 +151,13 @@ def _verdict(
         return judge_angle(in_radians(typed, scope), in_radians(right, scope), exercise, tolerance)
     if same(typed, right, exercise.values, exercise):
         return Verdict.RIGHT
-    if not exercise.numeric and has_decimals(typed) and about_equal(typed, right, exercise):
+
+    def read(expr: Expr) -> Expr:
+        found = _read_as(expr, quantity, exercise, "deg").value
+        assert isinstance(found, Expr)  # noqa: S101  no angle is asked for here
+        return found
+
+    if not exercise.numeric and has_decimals(typed_expr) and about_equal(typed_expr, right, exercise, read):
         return Verdict.ROUNDED
     typed, right = put(typed, exercise.values), put(right, exercise.values)
     if symbols(typed) or symbols(right):

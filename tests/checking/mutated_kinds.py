@@ -86,8 +86,17 @@ def written(rows: list[list[str]]) -> str:
     return rows[0][0] if len(rows) == len(rows[0]) == 1 else "[" + ", ".join(f"[{', '.join(r)}]" for r in rows) + "]"
 
 
-def fair_formula(typed: str, right: str) -> set[str]:
+NOTHING = ("zero of decimals", "no root", "no arc")
+"""Mutations whose numbers may be refused before anything is compared."""
+
+
+def fair_formula(typed: str, right: str, made: str) -> set[str]:
     """What a formula may be judged, by where it agrees with the right one."""
+    fair = _by_agreement(typed, right)
+    return fair | {UNREAD} if WRONG in fair and any(kind in made for kind in NOTHING) else fair
+
+
+def _by_agreement(typed: str, right: str) -> set[str]:
     if right == "0" or not math.isfinite(distance(typed, right)):
         share = agreement(typed, right)
         return {RIGHT} if share == 1 else {WRONG, UNREAD}
@@ -106,7 +115,7 @@ def in_symbols(kind: str) -> Maker:
         r, c = draw.choice(free)
         right = rows[r][c]
         rows[r][c], made = mutated(right, draw)
-        return Answer(exercise, part, written(rows), made, frozenset(fair_formula(rows[r][c], right)))
+        return Answer(exercise, part, written(rows), made, frozenset(fair_formula(rows[r][c], right, made)))
 
     return make
 
@@ -161,7 +170,7 @@ def scalar(draw: Random) -> Answer:
     exercise, part = exercise_of("scalar a1*cos(theta1) + a2*sin(theta1 + theta2)")
     right = "a1*cos(theta1) + a2*sin(theta1 + theta2)"
     text, made = mutated(right, draw)
-    return Answer(exercise, part, text, made, frozenset(fair_formula(text, right)))
+    return Answer(exercise, part, text, made, frozenset(fair_formula(text, right, made)))
 
 
 ARCS = (

@@ -99,3 +99,22 @@ def test_exact_angles_are_exact_modulo_a_turn(answer: str, verdict: Verdict) -> 
     given = {"px": "1 m", "py": "1 m"}
     exercise, part = exercise_of("scalar atan2(py, px)", robot=None, given=given, numeric=True, exact=True)
     assert mark(exercise, part, answer).verdict is verdict
+
+
+@pytest.mark.parametrize(
+    ("answer", "verdict"), [("a1*c1", Verdict.RIGHT), ("(a1 + 0.02)*c1", Verdict.WRONG), ("0.4*c1", Verdict.RIGHT)]
+)
+def test_the_digits_of_given_values_are_no_digits_typed(answer: str, verdict: Verdict) -> None:
+    """A length of 0.4 m stands in the task, and is exact."""
+    exercise, part = exercise_of("entry 1 4 of link 1", given={"a1": "0.4 m"})
+    assert mark(exercise, part, answer).verdict is verdict
+
+
+@pytest.mark.parametrize(
+    ("answer", "verdict"),
+    [("10*c1 - 20*s1", Verdict.WRONG), ("10.35*c1 - 20*s1", Verdict.ROUNDED), ("10.346*c1 - 20*s1", Verdict.RIGHT)],
+)
+def test_digits_count_in_the_unit_of_the_sheet(answer: str, verdict: Verdict) -> None:
+    """Ten millimetres are not ten to half a millimetre, but two decimals are two decimals."""
+    exercise, part = exercise_of('entry 1 4 of product "Rot(z, theta1) Trans(10.346, 20, 0)"', unit="mm")
+    assert mark(exercise, part, answer).verdict is verdict

@@ -10,7 +10,7 @@ import pytest
 
 from dhcli.checking.judge import check
 from dhcli.checking.verdicts import Verdict
-from tests.checking.mutated_kinds import FILES, KINDS, Answer
+from tests.checking.mutated_kinds import FILES, KINDS, Answer, exercise_of
 from tests.checking.mutations import MUTATIONS, torn
 from tests.cli.running import run
 from tests.judging import checked, mark
@@ -44,6 +44,38 @@ def test_torn_text_is_judged_or_refused_and_never_a_bug(kind: str) -> None:
     for answer in answers(kind, MANY // 4):
         text = torn(answer.text, draw)
         assert isinstance(checked(answer.exercise, answer.part, text).verdict, Verdict), text
+
+
+HARD = (
+    "sqrt(" * 25 + "a1 + 1" + ")" * 25,
+    "(a1 + 10^100)^64",
+    "10^-300*a1",
+    "1/(a1 - a1)",
+    "atan2(0, 0)*a1",
+    "sqrt(acos(2))",
+    "cos(1e17)",
+    "acos(c1) + a1",
+    "theta1*atan2(1, 2)",
+    "atan2(a1 mm, 3)",
+    "(10 mm)^2",
+    "10 mm/(3 mm)",
+    "a1*90°",
+    "tan(90°)",
+)
+"""What has no value, two dimensions, or numbers that no float holds."""
+
+
+@pytest.mark.parametrize("unit", ["m", "mm"])
+@pytest.mark.parametrize("ask", ["position of link 1", "scalar atan2(a1, a2)", "scalar 2*a1", "cell a 1", "factors 1"])
+def test_hard_formulas_are_judged_or_refused_and_never_a_bug(ask: str, unit: str) -> None:
+    """In symbols and in numbers."""
+    for numeric in (True, False):
+        exercise, part = exercise_of(ask, unit=unit, numeric=numeric, given={"theta1": "35°"} if numeric else None)
+        for text in HARD:
+            forms = {"position": f"[{text}, {text}, 0]", "factors": f"Trans({text}, 0, 0)"}
+            typed = forms.get(ask.partition(" ")[0], text)
+            judged = checked(exercise, part, typed)
+            assert judged.verdict in (Verdict.WRONG, Verdict.CANNOT_READ), (text, judged.verdict)
 
 
 @pytest.mark.parametrize("kind", ["entry in symbols", "position in numbers", "angle", "cell of a length", "count"])

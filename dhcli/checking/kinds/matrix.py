@@ -15,10 +15,11 @@ from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.truth import is_length, names_in, truth_of, unvalued
 from dhcli.checking.verdicts import IN_OTHER_UNIT, UNSOLVED, Mark, Verdict
 from dhcli.checking.wanted import Composed, Span, Wanted, read_wanted
-from dhcli.errors import DhcliError, Place, RobotError
+from dhcli.errors import DhcliError, NotationError, Place, Problem, RobotError
 from dhcli.kinematics.frames import frame
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.operators import OPENING
+from dhcli.notation.quantity import DimensionError
 from dhcli.notation.scope import Scope
 from dhcli.notation.writer import write
 
@@ -58,7 +59,10 @@ class MatrixQuestion(Wanted, Question[Entries]):
         if self.piece not in ("point", "vector") or not is_length(self, 0, 0):
             return replace(self, source=source)
         pairs = zip(self.point, self.measured, strict=True)
-        point = tuple(one if measured else in_metres(one, unit, scope) for one, measured in pairs)
+        try:
+            point = tuple(one if measured else in_metres(one, unit, scope) for one, measured in pairs)
+        except DimensionError as error:
+            raise NotationError(Problem(error.message, None, error.hint)) from None
         return replace(self, source=source, point=point)
 
     def check(self, robot: Robot | None) -> None:

@@ -91,12 +91,12 @@ class PartReader:
         """What is asked; None if it cannot be read."""
         try:
             question = read_question(ask.text, self.scope, ask.place_of(0))
+            if self.unit != 1:
+                question = question.in_unit(self.unit, self.scope)
         except NotationError as error:
             self.problems.take(error)
             return None
         question = question.completed(_Besides(self.problems, fields, ask.place))
-        if self.unit != 1:
-            question = question.in_unit(self.unit, self.scope)
         if self.robot is not None or not self.has_robot:  # that the robot was not found is told already
             self.check_exists(question, ask.place)
         return question
