@@ -8,7 +8,7 @@ from dhcli.algebra.points import CIRCLE, EITHER_SIDE, GENERAL, Reach
 from dhcli.checking.exercise import Exercise
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.validity import in_floats
-from dhcli.notation.walk import symbols
+from dhcli.kinematics.values import symbols_of
 
 _COORDINATE = re.compile(r"[pnoasdr]?_?[xyz]\d*(_.*)?|r_?\d\d|[xyz]_?\w{1,2}", re.IGNORECASE)
 """Names of coordinates and direction cosines, `px`, `y3`, `r11`, which have both signs; lengths are positive."""
@@ -41,7 +41,7 @@ def _of_name(exercise: Exercise, name: str) -> tuple[float, float]:
 
 
 def _of_joint(robot: Robot, name: str) -> tuple[float, float]:
-    if name in robot.limits and not any(symbols(v) for v in robot.limits[name] if not hasattr(v, "terms")):
+    if name in robot.limits and not any(map(symbols_of, robot.limits[name])):
         low, high = (in_floats(limit) for limit in robot.limits[name])
         return low, high
     return CIRCLE if name in robot.angles else GENERAL

@@ -92,6 +92,21 @@ def test_exact_means_exact(ask: str, answer: str, verdict: Verdict) -> None:
 
 @pytest.mark.parametrize(
     ("answer", "verdict"),
+    [
+        ("Rot(z, 30°) Trans(0.4, 0, 0)", Verdict.RIGHT),
+        ("Rot(z, pi/6) Trans(2/5, 0, 0)", Verdict.RIGHT),
+        ("Rot(z, 0.5236 rad) Trans(0.4, 0, 0)", Verdict.ROUNDED),
+        ("Rot(z, 30°) Trans(0.4001, 0, 0)", Verdict.ROUNDED),
+    ],
+)
+def test_exact_moves_are_exact(answer: str, verdict: Verdict) -> None:
+    """Within the tolerance is not enough."""
+    exercise, part = exercise_of("factors 1", given={"theta1": "30°"}, numeric=True, exact=True)
+    assert mark(exercise, part, answer).verdict is verdict
+
+
+@pytest.mark.parametrize(
+    ("answer", "verdict"),
     [("45°", Verdict.RIGHT), ("pi/4", Verdict.RIGHT), ("atan2(2, 2)", Verdict.RIGHT), ("0.7854 rad", Verdict.ROUNDED)],
 )
 def test_exact_angles_are_exact_modulo_a_turn(answer: str, verdict: Verdict) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING, ClassVar, Self
 
@@ -11,7 +11,7 @@ from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
 from dhcli.checking.kinds.linked import found_link, link_of, place_of, read_number
 from dhcli.checking.pasted import without_label
-from dhcli.checking.tolerance import Tolerance
+from dhcli.checking.tolerance import NOT_EXACT, Tolerance
 from dhcli.checking.units import chain_in_metres, move_in_metres
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.checking.wanted import Span, Wanted
@@ -132,5 +132,9 @@ def _mark(exercise: Exercise, right: Chain, typed: Chain, tolerance: Tolerance) 
     elif verdict is Verdict.WRONG:
         remarks = (f"{matched} of {len(wanted)} moves are right",)
     earned = float(verdict is Verdict.RIGHT)
+    if verdict is Verdict.RIGHT and tolerance.exact:
+        strict = Comparison(exercise, right, replace(tolerance, angle=0.0, position=0.0))
+        if strict.matched(strict.elementary(typed), strict.elementary(right)) < len(wanted):
+            verdict, remarks = Verdict.ROUNDED, (NOT_EXACT,)
     shown = _spelled(right, exercise)
     return Mark(verdict, _spelled(typed, exercise), remarks=remarks, earned=earned, expected=shown)
