@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from dhcli.checking.verdicts import Verdict
-from tests.checking.mutated_kinds import exercise_of
+from tests.checking.mutated_kinds import FILES, exercise_of
+from tests.cli.running import run
 from tests.judging import mark
 
 
@@ -31,6 +34,16 @@ def test_one_branch_is_not_enough(ask: str, answer: str, where: str) -> None:
     assert judged.cells[0].note.startswith(where)
     assert "yours gives" in judged.cells[0].note
     assert judged.earned == 0
+
+
+@pytest.mark.parametrize("words", [(), ("--format", "json")], ids=["table", "json"])
+def test_where_it_holds_is_said_in_every_format(tmp_path: Path, words: tuple[str, ...]) -> None:
+    """To people and to programs."""
+    path = tmp_path / "x.yaml"
+    path.write_text(FILES[id(exercise_of("entry 2 4 of link 1")[0])], "utf-8")
+    done = run("check", str(path), "--part", "a", "--answer", "a1*sqrt(1 - c1^2)", *words)
+    assert done.code == 1
+    assert "right only where sin(theta1) >= 0; a square root loses the sign" in done.out
 
 
 @pytest.mark.parametrize(
