@@ -115,6 +115,13 @@ def say(text: str) -> None:
     sys.stderr.write(text)
 
 
+def tell(text: str) -> None:
+    """Write talk that has foreign text in it, such as the name of a file, on a line of its own."""
+    from dhcli.render.paper import Paper
+
+    say(f"{Paper.of(sys.stderr).spell(text)}\n")
+
+
 def finish() -> None:
     """Make sure that everything is written while errors can still be told."""
     sys.stdout.flush()
