@@ -21,10 +21,10 @@ if TYPE_CHECKING:
     from dhcli.errors import DhcliError as DhcliError
     from dhcli.files.yaml.exercises import load_exercise as load_exercise
     from dhcli.files.yaml.robots import load_robot as load_robot
+    from dhcli.geometry.many import axis_angles as axis_angles
+    from dhcli.geometry.many import quaternions as quaternions
+    from dhcli.geometry.many import roll_pitch_yaw as roll_pitch_yaw
     from dhcli.kinematics.batch import forward_batch as forward_batch
-    from dhcli.kinematics.forms import axis_angles as axis_angles
-    from dhcli.kinematics.forms import quaternions as quaternions
-    from dhcli.kinematics.forms import roll_pitch_yaw as roll_pitch_yaw
     from dhcli.kinematics.forward import forward as forward
     from dhcli.kinematics.forward import symbolic as symbolic
     from dhcli.kinematics.pose import Pose as Pose
@@ -37,14 +37,14 @@ _HOMES = {
     "DhcliError": "dhcli.errors",
     "Pose": "dhcli.kinematics.pose",
     "Robot": "dhcli.kinematics.robot",
-    "axis_angles": "dhcli.kinematics.forms",
+    "axis_angles": "dhcli.geometry.many",
     "check": "dhcli.checking.marking",
     "forward": "dhcli.kinematics.forward",
     "forward_batch": "dhcli.kinematics.batch",
     "load_exercise": "dhcli.files.yaml.exercises",
     "load_robot": "dhcli.files.yaml.robots",
-    "quaternions": "dhcli.kinematics.forms",
-    "roll_pitch_yaw": "dhcli.kinematics.forms",
+    "quaternions": "dhcli.geometry.many",
+    "roll_pitch_yaw": "dhcli.geometry.many",
     "sweep": "dhcli.kinematics.sweep.asked",
     "symbolic": "dhcli.kinematics.forward",
 }

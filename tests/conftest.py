@@ -6,11 +6,14 @@ typer reads some of these variables when it is imported, so they are set here, b
 import os
 import signal
 from collections.abc import Iterator
+from functools import cache
 from itertools import count
 from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
+
+from dhcli.files.yaml import robots
 
 collect_ignore = ["bench"]  # programs of their own, not modules with examples to run
 
@@ -40,6 +43,9 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 if hasattr(signal, "SIGHUP") and signal.getsignal(signal.SIGHUP) is signal.SIG_IGN:
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
+
+# A robot is frozen: one that was read from the same text, under the same name, is the same.
+robots.read_robot = cache(robots.read_robot)
 
 # A busy machine is not a failure: no deadline, and no health check that looks at the clock. At the desk other examples
 # are tried each time, in CI always the same few; `--hypothesis-profile nightly` tries many, and runs what is nightly.

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from dhcli.algebra.tape import Cell, Column, Number, Step, Tape
+from dhcli.algebra.tape import Cell, Column, Number, Operation, Tape
 
 Register: TypeAlias = int
 
@@ -70,7 +70,7 @@ def assemble(tape: Tape, results: Sequence[Number]) -> Program:
     return Program(top, inputs, constants, tuple(instructions))
 
 
-def _needed(tape: Tape, columns: Iterable[Column]) -> dict[Column, Step]:
+def _needed(tape: Tape, columns: Iterable[Column]) -> dict[Column, Operation]:
     """The steps that lead to some columns, in their order."""
     needed = set(columns)
     kept = {}

@@ -30,7 +30,7 @@ class Column:
 
 
 @dataclass(frozen=True, slots=True)
-class Step:
+class Operation:
     """One operation on whole columns.
 
     Attributes:
@@ -103,14 +103,14 @@ class Tape:
             values: Values of the other names: exact angles, radians, metres.
         """
         self.variables = {name: Cell(self, Column(k)) for k, name in enumerate(variables)}
-        self.steps: dict[Step, Column] = {}
+        self.steps: dict[Operation, Column] = {}
         self._known = Floats(values)
         self._angles = {name: value for name, value in (values or {}).items() if isinstance(value, Angle)}
 
     def step(self, ufunc: str, *operands: Column | float, negative: bool = False) -> Cell:
         """The column that an operation gives, noted unless it was before."""
         following = Column(len(self.variables) + len(self.steps))
-        return Cell(self, self.steps.setdefault(Step(ufunc, operands), following), negative)
+        return Cell(self, self.steps.setdefault(Operation(ufunc, operands), following), negative)
 
     def cos_sin(self, angle: Angle) -> tuple[Number | int, Number | int]:
         """Cosine and sine, by t = tan(angle/2): (1 - t²)/(1 + t²) and 2t/(1 + t²).

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Collection, Mapping
 from fractions import Fraction
 from itertools import combinations
 from typing import TYPE_CHECKING
 
-from dhcli.checking.tables.screws import Arm, Rigid, cross, plus, scaled
 from dhcli.errors import RobotError
+from dhcli.geometry.pivots import pivots
+from dhcli.kinematics.axes import Arm
 from dhcli.kinematics.moves import names
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
@@ -25,8 +25,6 @@ NEAR = 0.1
 
 GENERIC = (0.73, 1.91, 2.57)
 """Joint angles [rad], and displacements as shares of the size, from which poses to compare with are made."""
-
-VANISHED = 1e-9
 
 
 def flaw(exercise: Exercise) -> str:
@@ -94,58 +92,13 @@ def _is_near_singular(robot: Robot, values: Mapping[str, Value]) -> bool:
         {name: (start + 1.3 * k) if name in turning else start * size for k, name in enumerate(arm.variables)}
         for start in GENERIC
     ]
-    elsewhere = max((_pivots(_jacobian(arm, point, other, size)) for other in others), key=_rank_and_least)
-    here = _pivots(_jacobian(arm, point, q, size))
+    elsewhere = max((pivots(arm.columns(point, other, size)) for other in others), key=_rank_and_least)
+    here = pivots(arm.columns(point, q, size))
     return bool(elsewhere) and (len(here) < len(elsewhere) or here[-1] < NEAR * elsewhere[-1])
 
 
-def _jacobian(arm: Arm, point: Mapping[str, Angle | float], q: Mapping[str, float], size: float) -> list[list[float]]:
-    """Columns of the geometric Jacobian, six numbers each: the velocity of the end [size] and the turning rate."""
-    screws, end = arm.screws(point)
-    here, axes = Rigid(), []
-    for screw in screws:
-        axis, at = here.turned(screw.direction), here.moved(screw.point)
-        axes.append((screw, axis, at))
-        moved = screw.rate * q[screw.name]
-        if screw.turns:
-            here @= Rigid.turn(screw.direction, moved, screw.point)
-        else:
-            here @= Rigid.shift(scaled(screw.direction, moved))
-    tip = (here @ end).offset
-    return [
-        [*scaled(cross(axis, plus(tip, at, -1)), 1 / size), *axis] if screw.turns else [*axis, 0.0, 0.0, 0.0]
-        for screw, axis, at in axes
-    ]
-
-
-def _pivots(columns: list[list[float]]) -> list[float]:
-    """Lengths that columns have across those taken before, longest first: as many as the rank."""
-    left, found = columns, []
-    while left:
-        most = max(map(_length, left))
-        longest = next(
-            column for column in left if _length(column) >= most * (1 - VANISHED)
-        )  # alike: the first, always
-        size = _length(longest)
-        if size < VANISHED:
-            break
-        found.append(size)
-        unit = [x / size for x in longest]
-        left = [_across(column, unit) for column in left if column is not longest]
-    return found
-
-
-def _rank_and_least(pivots: list[float]) -> tuple[int, float]:
-    return len(pivots), min(pivots, default=0.0)
-
-
-def _across(column: list[float], unit: list[float]) -> list[float]:
-    along = sum(x * y for x, y in zip(column, unit, strict=True))
-    return [x - along * y for x, y in zip(column, unit, strict=True)]
-
-
-def _length(column: list[float]) -> float:
-    return math.sqrt(sum(x * x for x in column))
+def _rank_and_least(found: list[float]) -> tuple[int, float]:
+    return len(found), min(found, default=0.0)
 
 
 def _plain(value: Angle | float) -> float:

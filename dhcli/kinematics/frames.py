@@ -1,10 +1,81 @@
-"""Between which frames: the part of a robot's chain that leads from one to the other."""
+"""Which frame is meant, seen from where, and the part of a robot's chain that leads from one to the other."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass, replace
+from typing import TypeAlias
+
 from dhcli.errors import UnknownNameError
-from dhcli.kinematics.moves import Chain, inverse
+from dhcli.kinematics.moves import Chain, Trans, inverse
 from dhcli.kinematics.robot import Robot
+from dhcli.notation.tree import ZERO, Expr
+
+Point: TypeAlias = tuple[Expr, Expr, Expr]
+"""Coordinates of a point, or of a vector [m]."""
+
+ORIGIN: Point = (ZERO, ZERO, ZERO)
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """Which frame of a robot is described, seen from where.
+
+    Attributes:
+        start: The frame it is seen from.
+        end: The frame described.
+        inverse: Whether the two change places.
+        point: A point of the frame described that is meant instead of its origin [m]; None where none was given.
+    """
+
+    start: str
+    end: str
+    inverse: bool = False
+    point: Point | None = None
+
+    @classmethod
+    def of(
+        cls,
+        robot: Robot,
+        start: str | int | None = None,
+        end: str | int | None = None,
+        *,
+        inverse: bool = False,
+        point: Point | None = None,
+    ) -> View:
+        """A view by the frames that a person names, by default the first and the last of the numbered ones.
+
+        Raises:
+            UnknownNameError: The robot has no such frame; the hint lists those it has.
+        """
+        return cls(*ends(robot, start, end), inverse, point)
+
+    @property
+    def reference(self) -> str:
+        """The frame that it is seen from in the end."""
+        return self.end if self.inverse else self.start
+
+    @property
+    def frame(self) -> str:
+        """The frame that is described in the end."""
+        return self.start if self.inverse else self.end
+
+    @property
+    def coordinates(self) -> Point:
+        """The point meant, the origin where none was given."""
+        return ORIGIN if self.point is None else self.point
+
+    def chain(self, robot: Robot) -> Chain:
+        """The moves from the reference to the frame."""
+        return between(robot, self.reference, self.frame)
+
+    def chain_to_point(self, robot: Robot) -> Chain:
+        """The same, and on to the point: the last translation, so that its brackets nest as in a textbook."""
+        return self.chain(robot) if self.coordinates == ORIGIN else (*self.chain(robot), Trans(*self.coordinates))
+
+    def on_the_way(self, robot: Robot) -> tuple[View, ...]:
+        """A view of each frame that one comes by: not of the reference, unless it is all there is."""
+        names = path(robot, self.reference, self.frame) or (self.frame,)
+        return tuple(replace(self, start=self.reference, end=name, inverse=False) for name in names)
 
 
 def frame(robot: Robot, name: str | int) -> str:

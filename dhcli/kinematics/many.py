@@ -8,11 +8,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
+from dhcli.geometry.many import locked, table
 from dhcli.kinematics.batch import forward_batch
-from dhcli.kinematics.forms import FORMS, check_forms, locked
-from dhcli.kinematics.frames import ends, path
+from dhcli.kinematics.frames import ORIGIN, View
+from dhcli.kinematics.placement import ORIENTATIONS, check_forms
 from dhcli.kinematics.robot import Robot, Value
+from dhcli.kinematics.values import numbers
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -24,19 +27,17 @@ class PoseRows:
 
     Attributes:
         robot: The robot.
-        frames: Reference and frame of each pose in a row.
+        views: Each pose in a row: which frame, seen from where; and a point followed instead of its origin.
         parameters: Values of all lengths and constant angles that have one.
-        forms: The ways in which each pose is said, names of `forms.FORMS`.
+        forms: The ways in which each pose is said, names of `placement.FORMS`.
         every: Whether they are all the frames on a way, were it only one.
-        point: A point of each frame that is followed instead of its origin [m].
     """
 
     robot: Robot
-    frames: tuple[tuple[str, str], ...]
+    views: tuple[View, ...]
     parameters: Mapping[str, Value]
     forms: tuple[str, ...] = ("matrix",)
     every: bool = False
-    point: tuple[float, float, float] | None = None
 
     def __post_init__(self) -> None:
         """Refuse what cannot be computed for any row, before there are any.
@@ -45,7 +46,7 @@ class PoseRows:
             RobotError: The robot has no joint, or a length has no value.
             UnknownNameError: There is no such form.
         """
-        check_forms(self.forms)
+        list(check_forms(self.forms))
         if not self.robot.variables:
             raise RobotError(f"{self.robot.name} has no joint, so all its poses are one", "leave --in out")
         self.poses(np.empty((0, len(self.robot.variables))))
@@ -56,16 +57,18 @@ class PoseRows:
         Args:
             q: Joint values, shape (N, n); radians and metres.
         """
-        poses = np.empty((len(q), len(self.frames), 4, 4))
-        for k, (start, end) in enumerate(self.frames):
-            forward_batch(self.robot, q, start=start, end=end, parameters=self.parameters, out=poses[:, k])
-        if self.point is not None:
-            poses[..., :3, 3] += poses[..., :3, :3] @ np.array(self.point)
+        poses = np.empty((len(q), len(self.views), 4, 4))
+        for k, view in enumerate(self.views):
+            out = poses[:, k]
+            forward_batch(self.robot, q, start=view.reference, end=view.frame, parameters=self.parameters, out=out)
+            if view.coordinates != ORIGIN:
+                floats = Floats(numbers(self.parameters))
+                out[:, :3, 3] += out[:, :3, :3] @ np.array([floats.value(length) for length in view.coordinates])
         return poses
 
     def said(self, poses: NDArray[np.float64]) -> NDArray[np.float64]:
         """The numbers of each row, shape (N, width): frame by frame, form by form."""
-        pieces = [FORMS[form](poses[:, k]) for k in range(len(self.frames)) for form in self.forms]
+        pieces = [_said(poses[:, k], form) for k in range(len(self.views)) for form in self.forms]
         return pieces[0] if len(pieces) == 1 else np.concatenate(pieces, axis=1)
 
     def locked(self, poses: NDArray[np.float64]) -> int:
@@ -75,25 +78,11 @@ class PoseRows:
         return int(locked(poses.reshape(-1, 4, 4)).reshape(len(poses), -1).any(axis=1).sum())
 
 
-def frames_wanted(
-    robot: Robot, start: str | None, end: str | None, *, inverse: bool = False, every: bool = False
-) -> tuple[tuple[str, str], ...]:
-    """Reference and frame of each pose that is asked for.
-
-    Args:
-        robot: The robot.
-        start: The frame it is seen from; the first numbered one by default.
-        end: The frame described; the last numbered one by default.
-        inverse: Whether the two change places.
-        every: Whether every frame between them is asked for too.
-
-    Raises:
-        UnknownNameError: The robot has no such frame.
-    """
-    reference, last = ends(robot, start, end)
-    if inverse:
-        reference, last = last, reference
-    return tuple((reference, frame) for frame in ((every and path(robot, reference, last)) or (last,)))
+def _said(poses: NDArray[np.float64], form: str) -> NDArray[np.float64]:
+    """Poses, shape (N, 4, 4), as rows of the numbers of one form; the last row of a matrix is always 0 0 0 1."""
+    if form == "matrix":
+        return poses[:, :3, :].reshape(len(poses), 12)
+    return poses[:, :3, 3] if form == "position" else table(ORIENTATIONS[form], poses)
 
 
 def is_real(poses: NDArray[np.float64]) -> NDArray[np.bool_]:

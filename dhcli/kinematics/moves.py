@@ -7,10 +7,11 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from dhcli.errors import Place
+from dhcli.geometry.motion import inverse as undone
 from dhcli.notation.angle import Angle
 from dhcli.notation.factors import AXES, Axis, Factor, parse_factors
 from dhcli.notation.scope import OPEN, Scope
-from dhcli.notation.tree import ZERO, Expr, Number, add, multiply, negate
+from dhcli.notation.tree import ZERO, Expr, Number, negate
 from dhcli.notation.walk import substitute, symbols
 
 
@@ -85,10 +86,8 @@ def inverse_of(move: Move) -> Move:
         case Trans(x, y, z):
             return Trans(negate(x), negate(y), negate(z))
         case Fixed(rows):
-            columns = [[row[i] for row in rows] for i in range(3)]
-            offset = [row[3] for row in rows]
-            back = [negate(add(*(multiply(c, p) for c, p in zip(column, offset, strict=True)))) for column in columns]
-            return Fixed(tuple((c[0], c[1], c[2], p) for c, p in zip(columns, back, strict=True)))
+            back = ([ZERO + entry for entry in row] for row in undone(rows))
+            return Fixed(tuple((a, b, c, p) for a, b, c, p in back))
 
 
 def inverse(chain: Chain) -> Chain:

@@ -2,19 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, cast
 
 from dhcli.errors import RobotError, UnknownNameError, did_you_mean
-from dhcli.kinematics.orientation import (
-    AxisAngle,
-    Quaternion,
-    RollPitchYaw,
-    axis_angle,
-    quaternion,
-    roll_pitch_yaw,
-)
+from dhcli.geometry.euler import RollPitchYaw
+from dhcli.geometry.rotations import AxisAngle, Quaternion
 from dhcli.kinematics.pose import Pose
 from dhcli.notation.tree import Expr
 
@@ -41,16 +35,14 @@ class Matrix:
     rows: tuple[tuple[float, ...], ...] | tuple[tuple[Expr, ...], ...]
 
 
-Placement: TypeAlias = Matrix | Position | RollPitchYaw | AxisAngle | Quaternion
+Orientation: TypeAlias = RollPitchYaw[Any] | AxisAngle[Any] | Quaternion[Any]
+Placement: TypeAlias = Matrix | Position | RollPitchYaw[float] | AxisAngle[float] | Quaternion[float]
 
-FORMS: dict[str, Callable[[Any], Placement]] = {
-    "rpy": roll_pitch_yaw,
-    "axis-angle": axis_angle,
-    "quaternion": quaternion,
-    "position": lambda pose: Position(pose.position),
-    "matrix": lambda pose: Matrix(pose.rows),
-}
-"""The ways to say where a frame is, by the names a user gives them."""
+ORIENTATIONS: dict[str, type[Orientation]] = {"rpy": RollPitchYaw, "axis-angle": AxisAngle, "quaternion": Quaternion}
+"""The ways to say an orientation without a matrix, by the names a user gives them."""
+
+FORMS = (*ORIENTATIONS, "position", "matrix")
+"""All ways to say where a frame is."""
 
 
 def placements(pose: Pose[float] | Pose[Expr], forms: Iterable[str]) -> dict[str, Placement]:
@@ -65,16 +57,34 @@ def placements(pose: Pose[float] | Pose[Expr], forms: Iterable[str]) -> dict[str
         RobotError: An orientation in symbols is wanted.
     """
     said: dict[str, Placement] = {}
-    for form in forms:
-        if form not in FORMS:
-            hint = did_you_mean(form, FORMS)
-            raise UnknownNameError(f"there is no way to say a pose as {form}", hint or "known: " + ", ".join(FORMS))
+    for form in check_forms(forms):
         if pose.is_symbolic and form not in ("position", "matrix"):
             raise RobotError(
                 f"{form} needs numbers, and this pose is symbolic", "give every value, or --as position,matrix"
             )
-        said[form] = FORMS[form](pose)
+        said[form] = _placement(pose, form)
     return said
+
+
+def check_forms(forms: Iterable[str]) -> Iterator[str]:
+    """Forms, once it is sure of each that there is one.
+
+    Raises:
+        UnknownNameError: There is no such form.
+    """
+    for form in forms:
+        if form not in FORMS:
+            hint = did_you_mean(form, FORMS)
+            raise UnknownNameError(f"there is no way to say a pose as {form}", hint or "known: " + ", ".join(FORMS))
+        yield form
+
+
+def _placement(pose: Pose[float] | Pose[Expr], form: str) -> Placement:
+    if form == "matrix":
+        return Matrix(pose.rows)
+    if form == "position":
+        return Position(pose.position)
+    return ORIENTATIONS[form].of(cast("Pose[float]", pose).rotation)
 
 
 def locked_warnings(said: Mapping[str, Placement]) -> tuple[str, ...]:

@@ -7,9 +7,10 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
-from dhcli.algebra.arithmetic import plus, times
+from dhcli.algebra.arithmetic import plus
 from dhcli.algebra.floats import Floats
 from dhcli.errors import NotationError, RobotError
+from dhcli.geometry.motion import dot, inverse, product
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_length
 from dhcli.notation.scope import OPEN
@@ -23,7 +24,9 @@ if TYPE_CHECKING:
     import sympy
     from numpy.typing import DTypeLike, NDArray
 
-    from dhcli.kinematics.orientation import AxisAngle, Quaternion, RollPitchYaw
+    from dhcli.geometry.euler import RollPitchYaw
+    from dhcli.geometry.motion import Motion
+    from dhcli.geometry.rotations import AxisAngle, Quaternion
 
 N = TypeVar("N")
 
@@ -86,7 +89,7 @@ class Pose(Generic[N]):
         return np.array(self.in_numbers().rows, dtype=np.float64)
 
     @property
-    def rpy(self) -> RollPitchYaw:
+    def rpy(self) -> RollPitchYaw[float]:
         """Roll, pitch and yaw [rad]: `R = Rz(yaw) Ry(pitch) Rx(roll)`, pitch in [-π/2, π/2].
 
         At pitch ±π/2 only one of roll and yaw can be told: roll is then 0, and `locked` says so.
@@ -94,23 +97,23 @@ class Pose(Generic[N]):
         Raises:
             RobotError: An entry holds a symbol; so for the other two.
         """
-        from dhcli.kinematics.orientation import roll_pitch_yaw
+        from dhcli.geometry.euler import RollPitchYaw
 
-        return roll_pitch_yaw(self.in_numbers())
+        return RollPitchYaw.of(self.in_numbers().rotation)
 
     @property
-    def quaternion(self) -> Quaternion:
+    def quaternion(self) -> Quaternion[float]:
         """The unit quaternion w, x, y, z with w >= 0."""
-        from dhcli.kinematics.orientation import quaternion
+        from dhcli.geometry.rotations import Quaternion
 
-        return quaternion(self.in_numbers())
+        return Quaternion.of(self.in_numbers().rotation)
 
     @property
-    def axis_angle(self) -> AxisAngle:
+    def axis_angle(self) -> AxisAngle[float]:
         """One rotation about one unit axis, by an angle in [0, π] [rad]; the axis of no rotation is z."""
-        from dhcli.kinematics.orientation import axis_angle
+        from dhcli.geometry.rotations import AxisAngle
 
-        return axis_angle(self.in_numbers())
+        return AxisAngle.of(self.in_numbers().rotation)
 
     def in_numbers(self) -> Pose[float]:
         """This pose in floats: itself, or what its expressions come to where none holds a symbol.
@@ -168,15 +171,13 @@ class Pose(Generic[N]):
                 kinds = ("numbers", "symbols") if other.is_symbolic else ("symbols", "numbers")
                 message = f"{self.name} is in {kinds[0]}, {other.name} in {kinds[1]}"
                 raise RobotError(message, "take both from forward, or both from symbolic")
-            columns = list(zip(*other.rows, strict=True))
-            rows = tuple(tuple(_dot(row, column) for column in columns) for row in self.rows)
-            return Pose(rows, self.reference, other.frame, "", self.joints)
+            return self._with(product(self.rows, other.rows), self.reference, other.frame)
         if getattr(other, "ndim", 1) != 1:
             return self._of_points(other)  # type: ignore[arg-type]
         if len(other) != 3:  # noqa: PLR2004
             raise RobotError(f"a point has three coordinates, not {len(other)}")
-        point = coordinates(other) if self.is_symbolic else _in_floats(other)
-        return tuple(_dot(row, (*point, 1)) for row in self.rows[:3])
+        point: Sequence[N] = coordinates(other) if self.is_symbolic else _in_floats(other)  # type: ignore[assignment]
+        return tuple(plus(dot(row, point), row[3]) for row in self.rows[:3])  # type: ignore[misc]  # no integers in a pose
 
     def _of_points(self, points: NDArray[Any]) -> NDArray[np.float64]:
         """Where points are, shape (N, 3) [m], given in the frame described, shape (N, 3)."""
@@ -189,10 +190,13 @@ class Pose(Generic[N]):
 
     def inverse(self) -> Pose[N]:
         """The reference seen from the frame described."""
-        columns = [[row[k] for row in self.rows[:3]] for k in range(3)]
+        return self._with(inverse(self.rows), self.frame, self.reference)
+
+    def _with(self, motion: Motion[N], reference: str, frame: str) -> Pose[N]:
+        """A pose with other rows between other frames."""
         zero = self.rows[3][0]
-        back = tuple((*column, zero - _dot(column, self.position)) for column in columns)  # type: ignore[operator]
-        return Pose((*back, self.rows[3]), self.frame, self.reference, "", self.joints)
+        rows = [[plus(zero, entry) for entry in row] for row in motion]
+        return Pose((*map(tuple, rows), self.rows[3]), reference, frame, "", self.joints)  # type: ignore[arg-type]
 
     def to_sympy(self) -> sympy.Matrix:
         """The entries as a sympy matrix, shape (4, 4).
@@ -271,14 +275,6 @@ def rounded(value: float, digits: int = DIGITS) -> str:
     if "." in text:
         text = text.rstrip("0").rstrip(".")
     return "0" if text in ("-0", "") else text
-
-
-def _dot(row: Sequence[N | int], column: Sequence[N | int]) -> N:
-    """A sum of products; the row is of a matrix, so that the result is a number of its arithmetic."""
-    total: N | int = times(row[0], column[0])
-    for a, b in zip(row[1:], column[1:], strict=True):
-        total = plus(total, times(a, b))
-    return total  # type: ignore[return-value]
 
 
 def _in_floats(point: Iterable[Any]) -> list[float]:

@@ -7,13 +7,13 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Literal, TypeAlias, cast
 
 from dhcli.errors import RobotError, UnknownNameError
+from dhcli.geometry.words import in_words
 from dhcli.kinematics.forward import factors, in_numbers, put_in, spelled, textbook_form
-from dhcli.kinematics.frames import between, ends, path
+from dhcli.kinematics.frames import Point, View, between, path
 from dhcli.kinematics.moves import Chain, Trans, inverse
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.robot import Link, Robot
 from dhcli.kinematics.values import Values, require, warnings
-from dhcli.kinematics.words import in_words
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
 
@@ -22,7 +22,6 @@ if TYPE_CHECKING:  # what only some questions need is imported when they are ask
     from dhcli.notation.let import Definition
 
 AnyPose: TypeAlias = Pose[float] | Pose[Expr]
-Point: TypeAlias = tuple[Expr, Expr, Expr]
 Listing: TypeAlias = Literal["frames", "links", "factors"]
 
 
@@ -31,24 +30,18 @@ class Question:
     """What is asked of a robot.
 
     Attributes:
-        start: The frame it is seen from; the first numbered one by default.
-        end: The frame described; the last numbered one by default.
-        inverse: Whether the two frames change places.
+        view: Which frame, seen from where; and a point of it, if that is asked for.
         symbolic: Whether names without a value stay symbols.
         listing: Poses to list: every frame, every link's own matrix, or the elementary matrices of links.
         link: The one link whose factors are asked for; all between the frames by default.
-        point: A point of the frame described, to be seen from the other [m].
         forms: Other ways to say the pose, names of `placement.FORMS`.
         let: Whether long or repeated brackets of the pose get names.
     """
 
-    start: str | None = None
-    end: str | None = None
-    inverse: bool = False
+    view: View
     symbolic: bool = False
     listing: Listing | None = None
     link: str | None = None
-    point: Point | None = None
     forms: tuple[str, ...] = ()
     let: bool = False
 
@@ -111,15 +104,12 @@ def answer(robot: Robot, values: Values, question: Question) -> ForwardKinematic
         RobotError: A value is missing, or beyond what a float can hold.
         UnknownNameError: The robot has no such frame or link.
     """
-    start, end = ends(robot, question.start, question.end)
-    links = _links(robot, start, end, question.link)
+    view = question.view
+    links = _links(robot, view, question.link)
     if question.listing == "factors" and question.link is not None:
-        start, end = str(links[0].number - 1), str(links[0].number)
-    if question.inverse:
-        start, end = end, start
-    chain = between(robot, start, end)
+        view = replace(view, start=str(links[0].number - 1), end=str(links[0].number))
     fold_chain = _Folding(robot, values, question.symbolic)
-    pose = fold_chain(chain, start, end)
+    pose = fold_chain(view.chain(robot), view.reference, view.frame)
     said, locked = _said(pose, question.forms) if question.forms else ({}, ())
     definitions, pose = _with_names(pose) if question.let else ((), pose)
     return ForwardKinematics(
@@ -127,22 +117,20 @@ def answer(robot: Robot, values: Values, question: Question) -> ForwardKinematic
         values,
         question,
         pose,
-        poses=tuple(_listed(fold_chain, question, links, start, end)),
-        point=None if question.point is None else _seen(fold_chain, chain, question.point, start, end),
+        poses=tuple(_listed(fold_chain, question, links, view)),
+        point=None if view.point is None else _seen(fold_chain, view, view.point),
         placements=said,
         definitions=definitions,
-        words=() if question.symbolic else in_words(cast("Pose[float]", pose)),
+        words=() if question.symbolic else in_words(cast("Pose[float]", pose).rotation),
         warnings=(*warnings(robot, values), *locked),
     )
 
 
-@dataclass(frozen=True, slots=True)
 class _Folding:
     """How chains become poses in one question: over floats, or over terms."""
 
-    robot: Robot
-    values: Values
-    symbolic: bool
+    def __init__(self, robot: Robot, values: Values, symbolic: bool) -> None:  # noqa: FBT001
+        self.robot, self.values, self.symbolic = robot, values, symbolic
 
     def __call__(self, chain: Chain, start: str, end: str, title: str = "") -> AnyPose:
         if self.symbolic:
@@ -189,28 +177,26 @@ def _with_names(pose: AnyPose) -> tuple[tuple[Definition, ...], AnyPose]:
     return definitions, replace(cast("Pose[Expr]", pose), rows=rows)
 
 
-def _links(robot: Robot, start: str, end: str, only: str | None) -> tuple[Link, ...]:
+def _links(robot: Robot, view: View, only: str | None) -> tuple[Link, ...]:
     """The links between two frames, or the one that is asked for."""
     numbered = {str(link.number): link for link in robot.links}
     if only is not None:
         if only not in numbered:
             raise UnknownNameError(f"{robot.name} has no link {only}", f"links: {', '.join(numbered)}")
         return (numbered[only],)
-    first, last = sorted((robot.frames.index(start), robot.frames.index(end)))
+    first, last = sorted((robot.frames.index(view.start), robot.frames.index(view.end)))
     return tuple(numbered[name] for name in robot.frames[first + 1 : last + 1] if name in numbered)
 
 
-def _listed(
-    fold_chain: _Folding, question: Question, links: tuple[Link, ...], start: str, end: str
-) -> Iterator[AnyPose]:
+def _listed(fold_chain: _Folding, question: Question, links: tuple[Link, ...], view: View) -> Iterator[AnyPose]:
     robot = fold_chain.robot
     if question.listing == "frames":
-        for name in path(robot, start, end):
-            yield fold_chain(between(robot, start, name), start, name)
+        for name in path(robot, view.reference, view.frame):
+            yield fold_chain(between(robot, view.reference, name), view.reference, name)
     for link in links if question.listing == "links" else ():
         before, own = str(link.number - 1), str(link.number)
-        moves, title = (inverse(link.moves), f"A_{own}^-1") if question.inverse else (link.moves, f"A_{own}")
-        if question.inverse:
+        moves, title = (inverse(link.moves), f"A_{own}^-1") if view.inverse else (link.moves, f"A_{own}")
+        if view.inverse:
             before, own = own, before
         yield fold_chain(moves, before, own, title)
     for link in links if question.listing == "factors" else ():
@@ -222,10 +208,10 @@ def _listed(
             yield fold_chain((move,), str(link.number - 1), str(link.number), title)
 
 
-def _seen(fold_chain: _Folding, chain: Chain, point: Point, start: str, end: str) -> SeenPoint:
-    """A point as the last translation of the chain, so that its brackets nest as in a textbook."""
+def _seen(fold_chain: _Folding, view: View, point: Point) -> SeenPoint:
+    """A point of the frame described, seen from the other."""
     free = frozenset().union(*map(symbols, point)) - fold_chain.values.keys()
     if not fold_chain.symbolic and (unknown := sorted(free - fold_chain.robot.angles - {*fold_chain.robot.variables})):
         raise RobotError(f"{', '.join(unknown)} of the point has no value", "write numbers, or ask with --symbolic")
-    pose = fold_chain((*chain, Trans(*point)), start, end)
-    return SeenPoint(point, pose.position, end, start)
+    pose = fold_chain((*view.chain(fold_chain.robot), Trans(*point)), view.reference, view.frame)
+    return SeenPoint(point, pose.position, view.frame, view.reference)

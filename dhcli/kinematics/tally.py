@@ -7,13 +7,14 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from dhcli.errors import plural
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import SLACK
 
 if TYPE_CHECKING:
-    import numpy as np
     from numpy.typing import NDArray
 
 
@@ -44,7 +45,7 @@ class Tally:
         """
         self.rows += len(q)
         self._locked += locked
-        outside = q[:, 0] != q[:, 0]  # nowhere
+        outside = np.zeros(len(q), dtype=np.bool_)
         for k, joint in enumerate(self._robot.joints):
             if joint.name in self._limits:
                 low, high = self._limits[joint.name]
@@ -52,7 +53,7 @@ class Tally:
                 self._outside[joint.name] += int(beyond.sum())
                 outside |= beyond
             if in_radians[k] and joint.kind == "revolute":
-                self._turning[joint.name] += int((abs(q[:, k]) > math.tau).sum())
+                self._turning[joint.name] += int((np.abs(q[:, k]) > math.tau).sum())
         self._any_outside += int(outside.sum())
 
     def warnings(self) -> Iterator[str]:

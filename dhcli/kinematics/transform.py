@@ -7,14 +7,15 @@ from dataclasses import dataclass, field, replace
 from typing import Literal, TypeAlias, cast
 
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean
+from dhcli.geometry.orthonormal import not_a_rotation
+from dhcli.geometry.words import in_words
 from dhcli.kinematics.forward import put_in, spelled
+from dhcli.kinematics.frames import Point
 from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans, angle_names, expressions, from_factor, names
 from dhcli.kinematics.placement import Placement, locked_warnings, placements
 from dhcli.kinematics.pose import Pose
-from dhcli.kinematics.question import AnyPose, Point, SeenPoint, folded
-from dhcli.kinematics.rigid import not_a_rotation
+from dhcli.kinematics.question import AnyPose, SeenPoint, folded
 from dhcli.kinematics.robot import Value
-from dhcli.kinematics.words import in_words
 from dhcli.notation.factors import Factor, parse_factors
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
@@ -31,7 +32,7 @@ Order: TypeAlias = Literal["current", "fixed"]
 
 
 @dataclass(frozen=True, slots=True)
-class Step:
+class Stage:
     """One move of a product.
 
     Attributes:
@@ -57,7 +58,7 @@ class Transform:
         warnings: What a person should know all the same.
     """
 
-    steps: tuple[Step, ...]
+    steps: tuple[Stage, ...]
     order: Order
     points: tuple[SeenPoint, ...] = ()
     vectors: tuple[SeenPoint, ...] = ()
@@ -115,7 +116,7 @@ def read_product(text: str, place: Place) -> Product:
         move = from_factor(factor)
         if isinstance(move, Fixed):
             where = _place_in(text, factor.start, place)
-            if fault := not_a_rotation(move):
+            if fault := not_a_rotation(move.rows):
                 hint = "its first three columns must be perpendicular unit vectors, right-handed"
                 raise NotationError(Problem(f"this matrix is no pose: {fault}", where, hint))
         moves.append(move)
@@ -180,7 +181,7 @@ def compose(product: Product, values: Mapping[str, Value], wanted: Wanted) -> Tr
     exact = wanted.symbolic or bool(names((*moves, *points, *vectors)))
     so_far = [moves[: i + 1] if wanted.order == "current" else moves[i::-1] for i in range(len(moves))]
     steps = tuple(
-        Step(text, folded(chain, "0", str(i), symbolic=exact))
+        Stage(text, folded(chain, "0", str(i), symbolic=exact))
         for i, (text, chain) in enumerate(zip(product.texts, so_far, strict=True), 1)
     )
     chain = so_far[-1]
@@ -197,7 +198,7 @@ def compose(product: Product, values: Mapping[str, Value], wanted: Wanted) -> Tr
         points=tuple(seen(point, end, chain) for point, end in zip(wanted.points, points, strict=True)),
         vectors=tuple(seen(vector, end, turning) for vector, end in zip(wanted.vectors, vectors, strict=True)),
         placements=said,
-        words=() if exact else in_words(cast("Pose[float]", steps[-1].pose)),
+        words=() if exact else in_words(cast("Pose[float]", steps[-1].pose).rotation),
         warnings=locked_warnings(said),
     )
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import Problem, RobotError, did_you_mean
+from dhcli.kinematics.description import Description, Link, Value
 from dhcli.kinematics.moves import Chain, Fixed, Trans, angle_names, expressions, names
 from dhcli.notation.angle import Angle
 from dhcli.notation.names import canonical
@@ -16,9 +16,6 @@ from dhcli.notation.quantity import UNITS, is_affine
 from dhcli.notation.scope import trig_name
 from dhcli.notation.tree import Expr, Number, Trig
 from dhcli.notation.walk import symbols, walk
-
-if TYPE_CHECKING:
-    from dhcli.kinematics.robot import Link, Robot, Value
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +51,7 @@ class InvalidRobotError(RobotError):
         )
 
 
-def check(robot: Robot) -> None:
+def check(robot: Description) -> None:
     """Raise if anything is wrong with a robot.
 
     Raises:
@@ -65,7 +62,7 @@ def check(robot: Robot) -> None:
         raise InvalidRobotError(robot.name, found)
 
 
-def _names(robot: Robot) -> Iterator[Finding]:
+def _names(robot: Description) -> Iterator[Finding]:
     seen: dict[str, str] = {}
     for section, listed in (("variables", robot.variables), ("parameters", tuple(robot.parameters))):
         for index, name in enumerate(listed):
@@ -77,14 +74,14 @@ def _names(robot: Robot) -> Iterator[Finding]:
             seen.setdefault(canonical(name), name)
 
 
-def _shorthand(robot: Robot) -> Iterator[Finding]:
+def _shorthand(robot: Description) -> Iterator[Finding]:
     for name in robot.parameters:
         others = [trig_name(reading) for reading in robot.scope.readings(name) if isinstance(reading, Trig)]
         if others:
             yield Finding(("parameters", name), f"{name} is short for {others[0]} here", "choose another name")
 
 
-def _links(robot: Robot) -> Iterator[Finding]:
+def _links(robot: Description) -> Iterator[Finding]:
     users: dict[str, int] = {}
     declared = {*robot.variables, *robot.parameters}
     for index, link in enumerate(robot.links):
@@ -129,7 +126,7 @@ def _inside_angle(expr: Expr, name: str) -> bool:
     return any(type(node) is Trig and name in node.angle.names for node in walk(expr))
 
 
-def _frames(robot: Robot) -> Iterator[Finding]:
+def _frames(robot: Description) -> Iterator[Finding]:
     for part, chain in (("base", robot.base), ("tool", robot.tool)):
         for name in sorted(names(chain)):
             if name in robot.variables:
@@ -142,9 +139,9 @@ def _frames(robot: Robot) -> Iterator[Finding]:
 def _matrices(chain: Chain, where: tuple[str | int, ...]) -> Iterator[Finding]:
     for move in chain:
         if isinstance(move, Fixed):
-            from dhcli.kinematics.rigid import not_a_rotation  # most robots have no literal matrix
+            from dhcli.geometry.orthonormal import not_a_rotation  # most robots have no literal matrix
 
-            fault = not_a_rotation(move)
+            fault = not_a_rotation(move.rows)
             if fault:
                 yield Finding(where, fault, "its first three columns must be perpendicular unit vectors, right-handed")
         if isinstance(move, Trans | Fixed):
@@ -155,13 +152,13 @@ def _matrices(chain: Chain, where: tuple[str | int, ...]) -> Iterator[Finding]:
                         yield Finding(where, f"{expr} is not a real number")
 
 
-def _kinds(robot: Robot) -> dict[str, str]:
+def _kinds(robot: Description) -> dict[str, str]:
     """What each joint does; not of one that moves two links, which is told and may be neither."""
     movers = [name for link in robot.links for name in names(link.moves) & set(robot.variables)]
     return {joint.name: joint.kind for joint in robot.joints if movers.count(joint.name) == 1}
 
 
-def _limits(robot: Robot) -> Iterator[Finding]:
+def _limits(robot: Description) -> Iterator[Finding]:
     kinds = _kinds(robot)
     for name, (low, high) in robot.limits.items():
         where = ("limits", name)
@@ -173,7 +170,7 @@ def _limits(robot: Robot) -> Iterator[Finding]:
             yield Finding(where, "the lower limit is not below the upper one", "write [lowest, highest]")
 
 
-def _poses(robot: Robot) -> Iterator[Finding]:
+def _poses(robot: Description) -> Iterator[Finding]:
     kinds = _kinds(robot)
     for pose, values in robot.poses.items():
         if len(values) != len(robot.variables):

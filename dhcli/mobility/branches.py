@@ -12,12 +12,20 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from dhcli.geometry.rank import orthonormal, spaces
+from dhcli.geometry.twists import Array
 from dhcli.mobility.landing import FARTHEST, ROUNDING, close
 from dhcli.mobility.model import Model
 from dhcli.mobility.motion import residual
-from dhcli.mobility.rank import orthonormal, spaces
-from dhcli.mobility.screws import Array
-from dhcli.mobility.second_order import CLEAR, quadratic_forms, size_of_curvature
+from dhcli.mobility.second_order import (
+    CLEAR,
+    DRAWN,
+    DRAWN_NEGATIVE,
+    MOST_FORMS,
+    possible,
+    quadratic_forms,
+    size_of_curvature,
+)
 
 LANDED = 1e-5
 """Relative tolerance of ranks at a landing, which a double root gives to half the digits only; what vanished in the
@@ -73,22 +81,38 @@ def branch_at(model: Model, q: Array, frozen: Array, equations: int, tolerance: 
         return Branch(None, exact=False, motions=motions, twists=twists)
     if rank.rank == equations + len(frozen) and not tolerance:
         return Branch(k, exact=True, motions=motions, twists=twists)
+    motions, most = _tangents(model, motions, stresses, twists, tolerance)
     near = _Near(model, q, frozen, motions, max(ROUNDING, tolerance, 30 * float(np.abs(gap).max(initial=0.0))))
-    bent = not tolerance and _bends(model, motions, stresses, twists)
-    for count in range(k - bent, 0, -1):
-        for small in SMALL if not tolerance else (ROUNDED,):
-            rows = near.meets(count, small)
-            if rows is not None:
-                tangents = motions if count == k else near.tangents(rows, small)
-                blur = LANDED if count == k else BLUNT
-                return Branch(count, exact=False, motions=tangents, twists=twists, blur=blur)
-    return Branch(None, exact=False, motions=motions, twists=twists)
+    smalls = SMALL if not tolerance else (ROUNDED,)
+    met = near.meets(most, smalls)
+    low, high = (most, most) if met else (0, most)
+    while high - low > 1:
+        middle = (low + high) // 2
+        if (now := near.meets(middle, smalls)) is not None:
+            low, met = middle, now
+        else:
+            high = middle
+    if met is None:
+        return Branch(None, exact=False, motions=motions, twists=twists)
+    if low == motions.shape[1]:
+        return Branch(low, exact=False, motions=motions, twists=twists)
+    return Branch(low, exact=False, motions=near.tangents(*met), twists=twists, blur=BLUNT)
 
 
-def _bends(model: Model, motions: Array, stresses: Array, twists: Array) -> bool:
-    """Whether some instantaneous motion at a landing is stopped in second order, so that it is no tangent."""
+def _tangents(model: Model, motions: Array, stresses: Array, twists: Array, tolerance: float) -> tuple[Array, int]:
+    """The motions at a landing that the second order test leaves, and how many freedoms they can have at the most.
+
+    On a smooth branch the forms vanish for every two tangents; so if they do not, one freedom less is left.
+    """
+    if motions.shape[1] > MOST_FORMS:
+        return motions, motions.shape[1]
     forms = quadratic_forms(model, motions, stresses, twists)
-    return float(np.abs(forms).max(initial=0.0)) > max(FLAT * size_of_curvature(model, motions, twists), CLEAR)
+    flat = max(FLAT * size_of_curvature(model, motions, twists), CLEAR, DRAWN * tolerance)
+    left = possible(forms, flat, max(flat * 1e-3, DRAWN_NEGATIVE * tolerance))
+    if not left.shape[1]:
+        left = np.eye(motions.shape[1])  # nothing is left though the place was reached by moving: not to be trusted
+    bent = float(np.abs(left.T @ forms @ left).max(initial=0.0)) > flat
+    return motions @ left, left.shape[1] - bent
 
 
 @dataclass(frozen=True)
@@ -109,14 +133,15 @@ class _Near:
     motions: Array
     closed: float
 
-    def meets(self, count: int, small: float) -> Array | None:
-        """The rows of so many random conditions `rows (q - landing) = small` that can be met near by, or None."""
+    def meets(self, count: int, smalls: tuple[float, ...]) -> tuple[Array, float] | None:
+        """So many random conditions, `rows (q - landing) = values`, that are met near by, with their size; or None."""
         draw = np.random.default_rng(count)
-        for _ in range(2):
-            rows = np.linalg.qr(draw.normal(size=(self.motions.shape[1], count)))[0].T @ self.motions.T
-            values = draw.normal(size=count)
-            if self._moved(rows, small * values / np.linalg.norm(values)) is not None:
-                return np.asarray(rows)
+        for small in smalls if count else ():
+            for _ in range(2):
+                rows = np.linalg.qr(draw.normal(size=(self.motions.shape[1], count)))[0].T @ self.motions.T
+                values = draw.normal(size=count)
+                if self._moved(rows, small * values / np.linalg.norm(values)) is not None:
+                    return rows, small
         return None
 
     def tangents(self, rows: Array, small: float) -> Array:

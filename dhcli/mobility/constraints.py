@@ -12,9 +12,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from dhcli.geometry.rank import TIGHT, Rank, rank_of
+from dhcli.geometry.twists import Array, hats
 from dhcli.mobility.model import Model
-from dhcli.mobility.rank import TIGHT, Rank, rank_of
-from dhcli.mobility.screws import Array, hats
 
 
 @dataclass(frozen=True, slots=True)

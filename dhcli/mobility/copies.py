@@ -7,8 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from dhcli.geometry.twists import Array
 from dhcli.mobility.linkage import Joint, Linkage, Vector
-from dhcli.mobility.screws import Array
 
 POINTS = ("point", "other")
 DIRECTIONS = ("axis", "axis2", "slide")

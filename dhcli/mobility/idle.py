@@ -14,10 +14,10 @@ from itertools import combinations, islice
 
 import numpy as np
 
+from dhcli.geometry.rank import TIGHT, rank_of, spaces
+from dhcli.geometry.twists import Array
 from dhcli.mobility.loops import closure
 from dhcli.mobility.model import Model, Step
-from dhcli.mobility.rank import TIGHT, rank_of, spaces
-from dhcli.mobility.screws import Array
 
 MOST_PAIRS = 4000
 """Pairs of joints that are looked at; long chains of identical parts have many."""

@@ -16,10 +16,10 @@ from itertools import pairwise
 
 import numpy as np
 
+from dhcli.geometry.rank import spaces
+from dhcli.geometry.twists import Array
 from dhcli.mobility.model import Model
 from dhcli.mobility.motion import residual
-from dhcli.mobility.rank import spaces
-from dhcli.mobility.screws import Array
 
 AMPLITUDES = (0.3, 0.1, 0.03)
 FAR = (0.9, 1.8)
@@ -172,12 +172,13 @@ class Path:
         return math.log(outer / max(inner, FINISHED)) / math.log(far / near)
 
 
-def attempt(path: Path, tolerance: float) -> Trial:
+def attempt(path: Path, tolerance: float, least: float = SHAKY) -> Trial:
     """Impose amplitudes along one direction.
 
     Args:
         path: The direction.
         tolerance: Gap that rounded input may leave; 0 for exact input.
+        least: Power of A that a gap must grow with at least to speak against a motion.
     """
     # a rounded drawing cannot tell A² from its own errors where A is small
     amplitudes = AMPLITUDES if not tolerance else AMPLITUDES[:2]
@@ -186,23 +187,25 @@ def attempt(path: Path, tolerance: float) -> Trial:
     reached = error < max(CLOSED, tolerance) and float(np.linalg.norm(q)) < FARTHEST * AMPLITUDES[1]
     if not tolerance and reached and errors[0] > ROUNDING:
         order = path.grows(AMPLITUDES[1], AMPLITUDES[0])
-        if order is not None and order > SHAKY:
+        if order is not None and order > least:
             return Trial(moves=False, order=order)
-    return _judged(errors, amplitudes, max(CLOSED, tolerance), q if reached else None)
+    return _judged(errors, amplitudes, max(CLOSED, tolerance), q if reached else None, least)
 
 
-def _judged(errors: list[float], amplitudes: tuple[float, ...], closed: float, landing: Array | None) -> Trial:
+def _judged(
+    errors: list[float], amplitudes: tuple[float, ...], closed: float, landing: Array | None, least: float
+) -> Trial:
     """Closing, growing like a power, or neither."""
     order = None
     if min(errors[:2]) > CLOSED:
         order = math.log(errors[0] / errors[1]) / math.log(amplitudes[0] / amplitudes[1])
-    if order is not None and errors[0] > closed and errors[1] < closed and order > SHAKY:
+    if order is not None and errors[0] > closed and errors[1] < closed and order > least:
         return Trial(moves=False, order=order)  # rounded input hides the gap at the smaller amplitude only
     if landing is not None and errors[-1] < closed:
         return Trial(moves=True, order=order, q=landing)
     if order is not None and errors[0] > closed and errors[1] > closed:
         expected = errors[1] * (amplitudes[-1] / amplitudes[1]) ** order
         same = len(errors) < 3 or errors[2] < closed or 0.1 < errors[2] / expected < 10  # noqa: PLR2004  rounded input has two amplitudes
-        if order > SHAKY and same:
+        if order > least and same:
             return Trial(moves=False, order=order)
     return Trial(moves=None)

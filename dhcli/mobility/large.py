@@ -14,12 +14,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from dhcli.errors import Problem
+from dhcli.geometry.rank import TIGHT, Rank, rank_of
+from dhcli.geometry.twists import Array
 from dhcli.mobility.constraints import Rows, constraints
 from dhcli.mobility.loops import closure, lambdas
 from dhcli.mobility.model import Model
 from dhcli.mobility.pairs import LinkageError
-from dhcli.mobility.rank import TIGHT, Rank, rank_of
-from dhcli.mobility.screws import Array
 from dhcli.mobility.truth import Truth, certain
 
 WIDEST = 1200

@@ -10,10 +10,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from dhcli.mobility import screws
+from dhcli.geometry.rank import TIGHT, orthonormal
+from dhcli.geometry.twists import Array, brackets
 from dhcli.mobility.model import Model
-from dhcli.mobility.rank import TIGHT, orthonormal
-from dhcli.mobility.screws import Array
 
 MOST_LINKS = 150
 """With more links the loops of the spanning tree are taken as they are."""
@@ -23,7 +22,7 @@ def closure(twists: Array, tolerance: float = TIGHT) -> int:
     """The dimension of the Lie closure of some twists, shape (k, 6)."""
     span = orthonormal(twists.T, tolerance).T
     while 0 < len(span) < 6:  # noqa: PLR2004  a closed space has 1, 2, 3, 4 or 6 dimensions
-        pairs = screws.brackets(span[:, None, :], span[None, :, :]).reshape(-1, 6)
+        pairs = brackets(span[:, None, :], span[None, :, :]).reshape(-1, 6)
         wider = orthonormal(np.concatenate([span, pairs]).T, tolerance).T
         if len(wider) == len(span):
             break

@@ -13,10 +13,10 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from dhcli.geometry.twists import Array
 from dhcli.mobility.linkage import Joint, Linkage
 from dhcli.mobility.motions import motions_of
 from dhcli.mobility.pairs import LinkageError
-from dhcli.mobility.screws import Array
 
 Signs: TypeAlias = NDArray[np.int8]
 

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from dhcli.mobility import screws
+from dhcli.geometry import twists
+from dhcli.geometry.twists import Array
 from dhcli.mobility.model import Model, Step
-from dhcli.mobility.screws import Array
 
 
 def residual(model: Model, q: Array) -> tuple[Array, Array]:
@@ -23,13 +23,13 @@ def residual(model: Model, q: Array) -> tuple[Array, Array]:
     Returns:
         The gaps of loops and ties, shape (rows,), and the twists of the motions, shape (m, 6).
     """
-    moves = screws.displacements(model.twists, q)
+    moves = twists.displacements(model.twists, q)
     poses = np.empty((len(model.linkage.links), 4, 4))
     poses[0] = np.eye(4)
     before = np.empty_like(moves)
     for step, backwards in model.tree:
         if backwards:
-            poses[step.tail] = poses[step.head] @ screws.inverse(_product(moves, step))
+            poses[step.tail] = poses[step.head] @ twists.inverse(_product(moves, step))
         else:
             poses[step.head] = poses[step.tail] @ _product(moves, step)
     for step in model.steps:
@@ -39,8 +39,8 @@ def residual(model: Model, q: Array) -> tuple[Array, Array]:
             pose = pose @ moves[k]
     gaps = np.empty((len(model.chords), 6))
     for row, chord in enumerate(model.chords):
-        gaps[row] = screws.deviation(poses[chord.tail] @ _product(moves, chord) @ screws.inverse(poses[chord.head]))
-    return np.concatenate([(gaps @ model.basis.T).ravel(), model.ties @ q]), screws.carried(before, model.twists)
+        gaps[row] = twists.deviation(poses[chord.tail] @ _product(moves, chord) @ twists.inverse(poses[chord.head]))
+    return np.concatenate([(gaps @ model.basis.T).ravel(), model.ties @ q]), twists.carried(before, model.twists)
 
 
 def _product(moves: Array, step: Step) -> Array:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from dhcli.mobility import screws
+from dhcli.geometry import twists
+from dhcli.geometry.twists import Array
 from dhcli.mobility.linkage import Joint, Vector
-from dhcli.mobility.screws import Array
 
 NORMAL: Vector = (0.0, 0.0, 1.0)
 """The normal of the plane of a planar linkage."""
@@ -25,20 +25,20 @@ def motions_of(joint: Joint, centre: Array, scale: float, *, planar: bool) -> li
     at, far = _scaled(joint.point, centre, scale), _scaled(joint.other, centre, scale)
     match joint.pair.letter:
         case "R":
-            return [screws.about(at, axis)]
+            return [twists.about(at, axis)]
         case "P":
-            return [screws.along(axis)]
+            return [twists.along(axis)]
         case "H":
-            return [screws.about(at, axis, (joint.pitch or 0.0) / (2 * np.pi * scale))]
+            return [twists.about(at, axis, (joint.pitch or 0.0) / (2 * np.pi * scale))]
         case "C":
-            return [screws.about(at, axis), screws.along(axis)]
+            return [twists.about(at, axis), twists.along(axis)]
         case "U":
-            return [screws.about(at, axis), screws.about(at, _unit(joint.axis2 or NORMAL))]
+            return [twists.about(at, axis), twists.about(at, _unit(joint.axis2 or NORMAL))]
         case "S":
-            return [screws.about(at, direction) for direction in np.eye(3)]
+            return [twists.about(at, direction) for direction in np.eye(3)]
         case "E":
             across = _across(axis)
-            return [screws.along(across), screws.along(np.cross(axis, across)), screws.about(np.zeros(3), axis)]
+            return [twists.along(across), twists.along(np.cross(axis, across)), twists.about(np.zeros(3), axis)]
     if joint.pair.name in ("cam", "bar", "rolling"):
         return _kept_apart(at, far, axis, planar=planar)
     return _sliding(joint, at, axis)
@@ -47,14 +47,14 @@ def motions_of(joint: Joint, centre: Array, scale: float, *, planar: bool) -> li
 def _sliding(joint: Joint, at: Array, axis: Array) -> list[Array]:
     """A pin in a slot, a ball in a tube, a cylinder on a plane: the second link slides along the first, and turns."""
     if joint.pair.name == "slot":
-        return [screws.along(_unit(joint.slide or NORMAL)), screws.about(at, axis)]
+        return [twists.along(_unit(joint.slide or NORMAL)), twists.about(at, axis)]
     if joint.pair.name == "ball-in-tube":
-        return [screws.along(axis), *(screws.about(at, direction) for direction in np.eye(3))]
+        return [twists.along(axis), *(twists.about(at, direction) for direction in np.eye(3))]
     if joint.pair.name == "line-contact":
         line = np.array(joint.axis2 or NORMAL)
         line = _unit(line - (line @ axis) * axis)
         # plane on plane, then the turn of the cylinder about its own axis
-        return [screws.along(line), screws.along(np.cross(axis, line)), screws.about(at, axis), screws.about(at, line)]
+        return [twists.along(line), twists.along(np.cross(axis, line)), twists.about(at, axis), twists.about(at, line)]
     return []
 
 
@@ -65,11 +65,11 @@ def _kept_apart(at: Array, far: Array, axis: Array, *, planar: bool) -> list[Arr
     the motion up to second order.
     """
     if planar:
-        return [screws.about(at, axis), screws.about(far, axis)]
+        return [twists.about(at, axis), twists.about(far, axis)]
     line = _unit(far - at) if float(np.linalg.norm(far - at)) > 0 else np.array(NORMAL)
     across = _across(line)
-    ball = [screws.about(at, direction) for direction in np.eye(3)]
-    return [*ball, screws.about(far, across), screws.about(far, np.cross(line, across))]
+    ball = [twists.about(at, direction) for direction in np.eye(3)]
+    return [*ball, twists.about(far, across), twists.about(far, np.cross(line, across))]
 
 
 def _scaled(point: Vector | None, centre: Array, scale: float) -> Array:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from dhcli.geometry.rank import spaces
+from dhcli.geometry.twists import Array
 from dhcli.mobility.landing import AMPLITUDES, CLOSED, close
 from dhcli.mobility.model import Model
 from dhcli.mobility.motion import residual
-from dhcli.mobility.rank import spaces
-from dhcli.mobility.screws import Array
 
 LOOSE = 1e-6
 """Relative tolerance of an output link's motion."""
@@ -16,7 +16,7 @@ LOOSE = 1e-6
 LANDED = 1e-5
 """The same a little away from the given position, which is reached with a small error."""
 
-DRAWN = 10.0
+DRAWN = 4.0
 """Errors of a rounded drawing, as multiples of its tolerance, that a motion may have."""
 
 MOST_DRAWN = 0.3
@@ -57,7 +57,8 @@ def motion_nearby(model: Model, motions: Array, tolerance: float) -> str:
     if found is None:
         return here
     _, there, _ = spaces(model.jacobian(found), max(LANDED, tolerance))
-    return max(here, motion_type(model, there, found, blur=LANDED, tolerance=tolerance), key=freedoms_of)
+    # of two with as many freedoms the one near by counts: here a link may translate for an instant only
+    return max(motion_type(model, there, found, blur=LANDED, tolerance=tolerance), here, key=freedoms_of)
 
 
 def twists_nearby(model: Model, motions: Array, tolerance: float) -> Array | None:

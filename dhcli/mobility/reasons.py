@@ -11,12 +11,12 @@ from itertools import pairwise
 
 import numpy as np
 
+from dhcli.geometry.rank import TIGHT, Rank, rank_of, spaces
 from dhcli.mobility.copies import disturbed, generic, twisted
 from dhcli.mobility.linkage import Linkage
 from dhcli.mobility.loops import shortest_lambdas
 from dhcli.mobility.model import Model, model_of
 from dhcli.mobility.pairs import LinkageError
-from dhcli.mobility.rank import TIGHT, Rank, rank_of, spaces
 from dhcli.mobility.truth import Truth
 
 DISTURBANCE = 0.02
@@ -43,6 +43,9 @@ def reasons(linkage: Linkage, truth: Truth, formula: int, tolerance: float) -> t
     if len(truth.branches) > 1:
         sizes = " and ".join(map(str, truth.branches))
         found.append(f"Motions of different kinds meet in this position, with {sizes} freedoms.")
+    elif len(truth.kinds) > 1:
+        kinds = " on one, ".join(truth.kinds)
+        found.append(f"Motions of different kinds meet in this position: the output has {kinds} on another.")
     return tuple(found)
 
 

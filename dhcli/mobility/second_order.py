@@ -10,20 +10,30 @@ from __future__ import annotations
 
 import numpy as np
 
-from dhcli.mobility import screws
+from dhcli.geometry.twists import Array, brackets
 from dhcli.mobility.model import Model
-from dhcli.mobility.screws import Array
 
 ROUNDS = 400
-ROUNDING = 1e-10
-"""An eigenvalue above minus this is not negative."""
+ROUNDING = 1e-9
+"""An eigenvalue above minus this is not negative in exact geometry."""
 
-STEPS = 20
-FINE = 1e-13
-"""A form with a value below this vanishes."""
+DRAWN, DRAWN_NEGATIVE = 10.0, 2.0
+"""Entries of forms in a rounded drawing that count as zero, and negative eigenvalues that do, in tolerances."""
+
+MOST_FORMS = 200
+"""With more motions the forms are not looked at: their number of entries grows like the square."""
+
+MOST_LOOKED_AT = 60
+"""Forms that are looked at one by one."""
+
+STEPS = 40
+FINE = 1e-14
+"""A form with a value below this vanishes: half the digits of the direction, where the zero is a double one."""
+
+NEAR = 1e-8
 
 MOST_DIRECTIONS = 4
-MOST_PIECES = 20_000
+MOST_PIECES = 4_000
 FINEST = 1e-4
 """Pieces of a cube's face below this are near a common zero."""
 
@@ -43,9 +53,11 @@ def quadratic_forms(model: Model, motions: Array, stresses: Array, twists: Array
     size = len(model.basis)
     found = np.zeros((stresses.shape[1], motions.shape[1], motions.shape[1]))
     for row in range(len(model.chords)):
-        curvature = _curvature(model, row, motions, twists) @ model.basis.T
-        found += np.einsum("abi,ic->cab", curvature, stresses[row * size : (row + 1) * size])
-    return found
+        order, pairs = _pairs(model, row, twists)
+        weights = (model.basis.T @ stresses[row * size : (row + 1) * size]).T
+        mixed = np.tensordot(weights, pairs, (1, 2))
+        found += motions[order].T @ mixed @ motions[order]
+    return np.asarray(found + found.transpose(0, 2, 1)) / 2
 
 
 def proves_rigid(forms: Array) -> bool:
@@ -71,69 +83,75 @@ def proves_rigid(forms: Array) -> bool:
     return False
 
 
-def possible(forms: Array) -> Array:
+def possible(forms: Array, least: float = CLEAR, negative: float = ROUNDING) -> Array:
     """Directions in which the forms may vanish, as orthonormal columns (k, r); the rest is stopped in second order.
 
     Where a combination of forms is at least nowhere negative, it vanishes on a subspace only. Each form by itself and
     the combination with the largest trace are looked at, again and again on what is left.
+
+    Args:
+        forms: Shape (c, k, k).
+        least: Entries below this are zero as far as the forms are known.
+        negative: An eigenvalue above minus this is not negative.
     """
     basis = np.eye(forms.shape[1])
-    size = float(np.abs(forms).max(initial=0.0))
-    while size > CLEAR and basis.shape[1]:
-        here = basis.T @ (forms / size) @ basis
+    while basis.shape[1]:
+        here = basis.T @ forms @ basis
         mixed = np.einsum("c,cab->ab", np.trace(here, axis1=1, axis2=2), here)
-        for form in (*here, mixed):
+        for form in (*here[:MOST_LOOKED_AT], mixed / max(float(np.abs(here).max(initial=0.0)), least)):
             values, vectors = np.linalg.eigh(form)
-            values, vectors = (values, vectors) if values[-1] > CLEAR else (-values[::-1], vectors[:, ::-1])
-            if values[0] > -ROUNDING and values[-1] > CLEAR:
-                basis = basis @ vectors[:, values < CLEAR]
+            values, vectors = (values, vectors) if values[-1] > -values[0] else (-values[::-1], vectors[:, ::-1])
+            if values[0] > -negative and values[-1] > least:
+                basis = basis @ vectors[:, values <= least]
                 break
         else:
             break
     return basis
 
 
-def common_zero(forms: Array, start: Array) -> Array:
-    """A direction near a given one in which all forms vanish, shape (k,); the given one if none is found.
+def common_zero(forms: Array, start: Array) -> Array | None:
+    """A direction near a given one in which all forms vanish, shape (k,); None if none is found.
 
     Where branches meet, each leaves along such a direction, and those who start elsewhere may all end on one branch.
     """
-    found = start
+    found, best, least = start, start, np.inf
     for _ in range(STEPS):
         products = forms @ found
         values = products @ found
-        if float(np.abs(values).max(initial=0.0)) < FINE:
-            return found
+        size = float(np.abs(values).max(initial=0.0))
+        if size < least:
+            best, least = found, size
+        if size < FINE:
+            break
         step = np.linalg.lstsq(np.concatenate([2 * products, found[None, :]]), np.append(-values, 0.0), rcond=None)[0]
         found = (found + step) / np.linalg.norm(found + step)
-    return start
+    return best if least < NEAR else None
 
 
-def vanish_nowhere(forms: Array) -> bool:
-    """Whether the forms vanish together for no direction at all, so that no motion begins, shape (c, k, k) for small k.
+def cover(forms: Array) -> Array:
+    """Directions near which alone all forms can vanish together, shape (n, k); none where they vanish nowhere.
 
-    More than a definite combination can show: x² - y² and 2xy have none, and no common zero. The directions are the
-    faces of a cube, halved again and again until the forms' values in the middle of each piece exceed all by which
-    they can change within it.
+    So none means that no motion begins. That is more than a definite combination can show: x² - y² and 2xy have none,
+    and no common zero. The directions are the faces of a cube, halved again and again; a piece is left out when the
+    forms' values in its middle exceed all by which they can change within it.
     """
     k = forms.shape[1]
     size = float(np.abs(forms).max(initial=0.0))
-    if not 1 < k <= MOST_DIRECTIONS or size < CLEAR:
-        return False
+    centres = np.concatenate([np.insert(np.zeros((1, k - 1)), face, 1.0, axis=1) for face in range(k)])
+    if size < CLEAR or k > MOST_DIRECTIONS:
+        return centres
     scaled = forms / size
     largest = float(np.sqrt(np.sum(np.linalg.norm(scaled, 2, axis=(1, 2)) ** 2)))
-    centres = np.concatenate([np.insert(np.zeros((1, k - 1)), face, 1.0, axis=1) for face in range(k)])
     faces, half = np.arange(k, dtype=np.float64), 1.0
-    while len(centres):
-        if len(centres) > MOST_PIECES or half < FINEST:
-            return False
+    while len(centres) and len(centres) < MOST_PIECES and half > FINEST:
         products = np.einsum("cab,nb->nca", scaled, centres)
         values = np.linalg.norm(np.einsum("nca,na->nc", products, centres), axis=1)
         reach = half * np.sqrt(k - 1)
         change = 2 * reach * np.linalg.norm(products, axis=(1, 2)) + reach**2 * largest
-        open_ = values <= change + CLEAR
-        centres, faces, half = *_halved(centres[open_], faces[open_], half / 2), half / 2
-    return True
+        maybe = values <= change + CLEAR
+        half /= 2
+        centres, faces = _halved(centres[maybe], faces[maybe], half)
+    return np.asarray(centres / np.linalg.norm(centres, axis=1, keepdims=True))
 
 
 def _halved(centres: Array, faces: Array, half: float) -> tuple[Array, Array]:
@@ -148,21 +166,23 @@ def _halved(centres: Array, faces: Array, half: float) -> tuple[Array, Array]:
 
 def size_of_curvature(model: Model, motions: Array, twists: Array | None = None) -> float:
     """The largest second order part of any loop's gap, which tells what is small for a form."""
-    loops = range(len(model.chords))
-    return max((float(np.abs(_curvature(model, row, motions, twists)).max(initial=0.0)) for row in loops), default=0.0)
+    largest = 0.0
+    for row in range(len(model.chords)):
+        order, pairs = _pairs(model, row, twists)
+        gaps = motions[order].T @ np.moveaxis(pairs, 2, 0) @ motions[order]
+        largest = max(largest, float(np.abs(gaps).max(initial=0.0)))
+    return largest
 
 
-def _curvature(model: Model, row: int, motions: Array, twists: Array | None = None) -> Array:
-    """Second order part of a loop's gap, ½ Σ_{i<j} [ξ_i, ξ_j] q_i q_j in the order of the loop, shape (k, k, 6).
+def _pairs(model: Model, row: int, twists: Array | None) -> tuple[list[int], Array]:
+    """Second order part of a loop's gap, ½ Σ_{i<j} [ξ_i, ξ_j] q_i q_j in the order of the loop, shape (n, n, 6).
 
     Source: Baker-Campbell-Hausdorff, for a product of exponentials whose first order vanishes.
     """
     order, senses = loop_order(model, row)
-    seen = model.twists if twists is None else twists
-    moving = (senses[:, None] * seen[order])[:, None, :] * motions[order][:, :, None]
-    before = np.cumsum(moving, axis=0) - moving
-    found = screws.brackets(before[:, :, None, :], moving[:, None, :, :]).sum(axis=0) / 2
-    return np.asarray(found + found.transpose(1, 0, 2)) / 2
+    seen = senses[:, None] * (model.twists if twists is None else twists)[order]
+    found = brackets(seen[:, None, :], seen[None, :, :]) / 2
+    return order, np.asarray(np.triu(np.ones((len(order), len(order))), 1)[:, :, None] * found)
 
 
 def loop_order(model: Model, row: int) -> tuple[list[int], Array]:

@@ -6,25 +6,40 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 
+from dhcli.geometry.rank import TIGHT, Rank, orthonormal, spaces
+from dhcli.geometry.twists import Array
 from dhcli.mobility.branches import LANDED, branch_at
 from dhcli.mobility.idle import Idle, idle_freedoms, still_idle
-from dhcli.mobility.landing import Path, Trial, attempt
+from dhcli.mobility.landing import SHAKY, Path, Trial, attempt
 from dhcli.mobility.linkage import Linkage
 from dhcli.mobility.loops import lambdas
 from dhcli.mobility.model import Model, model_of
 from dhcli.mobility.outputs import motion_nearby, motion_type, twists_nearby
-from dhcli.mobility.rank import TIGHT, Rank, orthonormal, spaces
-from dhcli.mobility.screws import Array
-from dhcli.mobility.second_order import common_zero, possible, proves_rigid, quadratic_forms, vanish_nowhere
+from dhcli.mobility.second_order import (
+    CLEAR,
+    DRAWN,
+    DRAWN_NEGATIVE,
+    MOST_DIRECTIONS,
+    MOST_FORMS,
+    ROUNDING,
+    common_zero,
+    cover,
+    possible,
+    proves_rigid,
+    quadratic_forms,
+)
 from dhcli.mobility.verdicts import Landed, Setting, Verdict, decided
 
 DIRECTIONS = 4
-STARTS = 16
-"""Random directions from which those that go on in second order are looked for."""
+STARTS = 48
+"""Directions from which those that go on in second order are looked for."""
+
+ABOVE_SECOND = 2.5
+"""Along a direction that passes the second order test a gap grows like A³ at least; like A², no way was found."""
 
 ENOUGH = 2
 """Landings on which the full instantaneous mobility was found."""
@@ -59,6 +74,7 @@ class Truth:
         branches: Dimensions of the families of motion found, with idle freedoms.
         order: Power of the amplitude with which a shaky structure resists.
         motion: Type of the output link's motion.
+        kinds: Its types on the branches that meet here, where they have the same number of freedoms.
     """
 
     model: Model
@@ -72,7 +88,8 @@ class Truth:
     passing: tuple[Idle, ...] = ()
     branches: tuple[int, ...] = ()
     order: int | None = None
-    motion: str = field(default="")
+    motion: str = ""
+    kinds: tuple[str, ...] = ()
 
 
 def true_mobility(linkage: Linkage, tolerance: float = 0.0) -> Truth:
@@ -101,7 +118,8 @@ def true_mobility(linkage: Linkage, tolerance: float = 0.0) -> Truth:
     verdict = Verdict(instantaneous, certain(model, rank, equations, instantaneous))
     if verdict.certificate:
         there = twists_nearby(model, motions, tolerance) if len(idle) > len(lasting) else None
-        motion = motion_nearby(model, motions, tolerance)
+        # an open chain has no equations that rounding could hide
+        motion = motion_nearby(model, motions, tolerance if equations else 0.0)
         verdict = Verdict(instantaneous, verdict.certificate, motion, landings=() if there is None else (there,))
     elif instantaneous == len(idle):
         words = "exact: apart from the idle freedoms nothing can move, not even for an instant"
@@ -127,24 +145,30 @@ def true_mobility(linkage: Linkage, tolerance: float = 0.0) -> Truth:
         verdict.branches,
         verdict.order,
         verdict.motion,
+        verdict.kinds,
     )
 
 
 def _beyond_rank(model: Model, stresses: Array, frozen: Array, equations: int, tolerance: float) -> Verdict:
     """Where the rank alone says nothing: second order, then imposed amplitudes."""
     _, free, _ = spaces(np.concatenate([model.jacobian(), frozen]), max(TIGHT, tolerance))
-    forms = np.zeros((0, free.shape[1], free.shape[1]))
-    if not tolerance:
+    forms, flat = np.zeros((0, free.shape[1], free.shape[1])), max(CLEAR, DRAWN * tolerance)
+    if free.shape[1] <= MOST_FORMS:
         forms = quadratic_forms(model, free, stresses)
-        if proves_rigid(forms) or vanish_nowhere(forms):
-            words = "exact: the second order test: what can begin to move is stopped at once"
-            return Verdict(len(frozen), words, motion_type(model, frozen.T), order=2)
-        left = possible(forms)
+        left = possible(forms, flat, max(ROUNDING, DRAWN_NEGATIVE * tolerance))
         free, forms = free @ left, left.T @ forms @ left
+        if not free.shape[1] or (not tolerance and (proves_rigid(forms) or not len(cover(forms)))):
+            sure = "exact" if not tolerance else "numerical"
+            words = f"{sure}: the second order test: what can begin to move is stopped at once"
+            return Verdict(len(frozen), words, motion_type(model, frozen.T), order=2)
+    vanish = len(forms) > 0 and float(np.abs(forms).max()) <= max(CLEAR, DRAWN_NEGATIVE * tolerance)
+    if tolerance:
+        forms = forms[:0]  # where they vanish together is not to be seen in a drawing
     if model.motions > MOST_MOTIONS:
         return Verdict(None, f"undecided: more than {MOST_MOTIONS} motions, too many to try how far they go")
-    trials, branches = _try_out(model, _directions(free, forms), free.shape[1], frozen, equations, tolerance)
-    return decided(trials, branches, Setting(model, frozen, free.shape[1], tolerance))
+    directions, go_on = _directions(free, forms)
+    setting = Setting(model, frozen, free.shape[1], tolerance, ABOVE_SECOND if go_on or vanish else SHAKY)
+    return decided(*_try_out(setting, directions, equations), setting)
 
 
 def certain(model: Model, rank: Rank, equations: int, instantaneous: int) -> str:
@@ -158,32 +182,41 @@ def certain(model: Model, rank: Rank, equations: int, instantaneous: int) -> str
     return ""
 
 
-def _try_out(
-    model: Model, directions: list[Array], most: int, frozen: Array, equations: int, tolerance: float
-) -> tuple[list[Trial], list[Landed]]:
+def _try_out(setting: Setting, directions: list[Array], equations: int) -> tuple[list[Trial], list[Landed]]:
     """Impose amplitudes along some directions, and look at every landing."""
     trials: list[Trial] = []
     landed: list[Landed] = []
     for direction in directions:
-        path = Path(model, direction, frozen)
-        trial = attempt(path, tolerance)
+        path = Path(setting.model, direction, setting.frozen)
+        trial = attempt(path, setting.tolerance, setting.least)
         trials.append(trial)
         if trial.q is not None:
-            landed.append(Landed(path, branch_at(model, trial.q, frozen, equations, tolerance)))
-        if sum(one.branch.dimension == most for one in landed) >= ENOUGH:
+            branch = branch_at(setting.model, trial.q, setting.frozen, equations, setting.tolerance)
+            landed.append(Landed(path, branch))
+        if sum(one.branch.dimension == setting.most for one in landed) >= ENOUGH:
             break
     return trials, landed
 
 
-def _directions(free: Array, forms: Array) -> list[Array]:
-    """Unit vectors among the instantaneous motions that go on in second order, both ways along each."""
+def _directions(free: Array, forms: Array) -> tuple[list[Array], bool]:
+    """Unit vectors among the instantaneous motions, both ways along each; whether they pass the second order test."""
+    k = free.shape[1]
     draw = np.random.default_rng(7)
+    random = np.linalg.qr(draw.normal(size=(k, k)))[0] if k < DIRECTIONS else _units(draw.normal(size=(DIRECTIONS, k)))
+    if not forms.size or float(np.abs(forms).max()) < CLEAR:
+        return [sign * free @ way for way in random[: DIRECTIONS if k > 1 else 1] for sign in (1.0, -1.0)], bool(
+            len(forms)
+        )
+    starts = draw.permutation(cover(forms))[:STARTS] if k <= MOST_DIRECTIONS else _units(draw.normal(size=(STARTS, k)))
     found: list[Array] = []
-    for _ in range(STARTS if free.shape[1] > 1 else 1):
-        weights = draw.normal(size=free.shape[1])
-        direction = free @ common_zero(forms, np.asarray(weights / np.linalg.norm(weights)))
-        if not any(abs(float(direction @ other)) > SAME for other in found):
-            found += [direction, -direction]
-        if len(found) == 2 * DIRECTIONS:
+    for start in starts:
+        zero = common_zero(forms, start)
+        if zero is not None and not any(abs(float(zero @ other)) > SAME for other in found):
+            found.append(zero)
+        if len(found) == DIRECTIONS:
             break
-    return found
+    return [sign * free @ way for way in found or random for sign in (1.0, -1.0)], bool(found)
+
+
+def _units(rows: Array) -> Array:
+    return np.asarray(rows / np.linalg.norm(rows, axis=1, keepdims=True))

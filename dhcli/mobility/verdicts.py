@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from dhcli.geometry.twists import Array
 from dhcli.mobility.branches import Branch
-from dhcli.mobility.landing import SHAKY, Path, Trial
+from dhcli.mobility.landing import Path, Trial
 from dhcli.mobility.model import Model
 from dhcli.mobility.outputs import freedoms_of, motion_type
-from dhcli.mobility.screws import Array
 
 
 @dataclass(frozen=True)
@@ -25,6 +25,7 @@ class Verdict:
         branches: Dimensions of the families of motion found.
         order: Power of the amplitude with which a shaky structure resists.
         landings: World twists at the landings on the largest branches.
+        kinds: Types of the output link's motion on these.
     """
 
     mobility: int | None
@@ -34,6 +35,7 @@ class Verdict:
     branches: tuple[int, ...] = ()
     order: int | None = None
     landings: tuple[Array, ...] = ()
+    kinds: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -45,12 +47,14 @@ class Setting:
         frozen: Orthonormal rows of the idle freedoms that are held.
         most: The instantaneous mobility without them, less what the second order test stops.
         tolerance: Relative error of rounded input; 0 for exact input.
+        least: Power of A that a gap must grow with at least to speak against a motion.
     """
 
     model: Model
     frozen: Array
     most: int
     tolerance: float
+    least: float
 
 
 @dataclass(frozen=True)
@@ -77,12 +81,12 @@ def decided(trials: list[Trial], landed: list[Landed], setting: Setting) -> Verd
     orders = [trial.order for trial in trials if trial.order is not None and trial.moves is False]
     order = round(float(np.median(orders))) if orders else None
     seen = [trial.order for trial in trials if trial.moves]
-    if seen and all(power is not None and power > SHAKY for power in seen):
+    if seen and all(power is not None and power > setting.least for power in seen):
         words = "undecided: within this tolerance a shaky structure cannot be told from a motion"
         return Verdict(None, words, least=idle)
     if any(one.branch.dimension is not None for one in landed):
         return _moving(landed, order, setting)
-    if orders and len(orders) == len(trials):
+    if orders and len(orders) == len(trials) and min(orders) > setting.least:
         words = f"numerical: the loops cannot close; the gap grows like the amplitude to the power {order}"
         return Verdict(idle, words, motion_type(setting.model, setting.frozen.T), order=order)
     return Verdict(None, "undecided: the loops neither close nor leave a gap with a clear trend", least=idle)
@@ -94,19 +98,18 @@ def _moving(landed: list[Landed], order: int | None, setting: Setting) -> Verdic
     known = {size for size in sizes if size is not None}
     dimension, dimensions = max(known), tuple(sorted((size + idle for size in known), reverse=True))
     largest = [one for one, size in zip(landed, sizes, strict=True) if size == dimension]
-    best = max(largest, key=lambda one: freedoms_of(one.motion(setting)))
-    motion, found = best.motion(setting), dimension + idle
+    kinds = sorted({one.motion(setting) for one in largest}, key=lambda kind: (freedoms_of(kind), kind), reverse=True)
+    best, motion = next(one for one in largest if one.motion(setting) == kinds[0]), kinds[0]
+    found = dimension + idle
     if None in sizes and dimension < setting.most:
         words = "undecided: some motions were found whose number of freedoms stayed unclear"
         return Verdict(None, words, motion, found, dimensions)
     if best.branch.exact and dimension == setting.most:
         words = "exact: the loop equations are independent at a position that was reached"
     elif best.branch.exact or setting.tolerance or best.path.goes_on():
-        words = (
-            "numerical: the loops close to rounding at amplitudes 0.3, 0.1 and 0.03, and the rank stays the same there"
-        )
+        words = "numerical: the loops close to rounding at amplitudes 0.3, 0.1 and 0.03, and all round a place reached"
     else:
         words = "undecided: the loops seem to close, but leave a gap at larger amplitudes that grows by degrees"
         return Verdict(None, words, least=idle)
     landings = tuple(one.branch.twists for one in largest)
-    return Verdict(found, words, motion, branches=dimensions, order=order, landings=landings)
+    return Verdict(found, words, motion, branches=dimensions, order=order, landings=landings, kinds=tuple(kinds))

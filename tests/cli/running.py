@@ -9,11 +9,15 @@ import sys
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import cache
 from typing import Any, BinaryIO, TextIO, TypeAlias
 
 import pytest
 
+from dhcli.cli import app
 from dhcli.cli.main import main
+
+app.load = cache(app.load)  # typer takes long to make a command, and changes none that it has made
 
 STREAMS = ("stdin", "stdout", "stderr")
 

@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 
 from dhcli import forward, load_robot
-from dhcli.kinematics.orientation import quaternion, roll_pitch_yaw
 from tests.cli.running import Run
 
 POSIX = pytest.mark.skipif(os.name != "posix", reason="streams and signals as POSIX has them")
@@ -64,7 +63,7 @@ def test_several_forms_stand_side_by_side(dhcli: Run) -> None:
     done = dhcli(*words, stdin=GOOD)
     assert done.out.split("\n")[0] == "p_x,p_y,p_z,roll,pitch,yaw,q_w,q_x,q_y,q_z"
     pose = forward(load_robot("scara"), [0.3, 0.5, 0.1])
-    said, turn = roll_pitch_yaw(pose), quaternion(pose)
+    said, turn = pose.rpy, pose.quaternion
     expected = [*pose.position, said.roll, said.pitch, said.yaw, turn.w, turn.x, turn.y, turn.z]
     assert table(done.out)[0] == pytest.approx(expected, abs=1e-12)
     [first, _] = map(json.loads, dhcli(*words, "--format", "jsonl", stdin=GOOD).out.splitlines())

@@ -5,8 +5,8 @@ import pytest
 
 from dhcli import forward, load_robot
 from dhcli.errors import RobotError, UnknownNameError
-from dhcli.kinematics.many import PoseRows, frames_wanted, is_real
-from dhcli.kinematics.orientation import roll_pitch_yaw
+from dhcli.kinematics.frames import View
+from dhcli.kinematics.many import PoseRows, is_real
 from dhcli.kinematics.values import parameter_values
 
 SCARA = load_robot("scara")
@@ -27,13 +27,14 @@ def test_the_frames_are_those_of_fk(
     start: str | None, end: str | None, inverse: bool, every: bool, frames: list[tuple[str, str]]
 ) -> None:
     """Forwards, backwards, each on the way; a frame seen from itself is one as well."""
-    assert list(frames_wanted(SCARA, start, end, inverse=inverse, every=every)) == frames
+    view = View.of(SCARA, start, end, inverse=inverse)
+    assert [(each.reference, each.frame) for each in (view.on_the_way(SCARA) if every else (view,))] == frames
 
 
 def test_each_frame_has_its_poses_and_each_pose_its_forms() -> None:
     """Frame by frame, form by form."""
     frames = (("0", "1"), ("3", "base"))
-    wanted = PoseRows(SCARA, frames, LENGTHS, ("position", "matrix"))
+    wanted = PoseRows(SCARA, tuple(View(*pair) for pair in frames), LENGTHS, ("position", "matrix"))
     q = np.random.default_rng(4).uniform(-1, 1, (5, 3))
     poses = wanted.poses(q)
     said = wanted.said(poses)
@@ -47,20 +48,23 @@ def test_each_frame_has_its_poses_and_each_pose_its_forms() -> None:
 def test_a_row_counts_as_locked_once() -> None:
     """However many of its frames are, and only where roll and yaw are asked for."""
     wrist = load_robot("spherical-wrist")
-    frames = frames_wanted(wrist, None, None, every=True)
+    frames = View.of(wrist).on_the_way(wrist)
     lengths = parameter_values(wrist, {"d6": 0.1})
     q = np.array([[0, 0, 0], [0, np.pi / 2, 0], [0.3, 0.4, 0.5]])
     alone = PoseRows(wrist, frames[-1:], lengths, ("rpy",))
     assert alone.locked(alone.poses(q)) == 1
     every = PoseRows(wrist, frames, lengths, ("rpy", "position"))
-    poses = [[forward(wrist, list(row), start=a, end=b, parameters={"d6": 0.1}) for a, b in frames] for row in q]
-    assert every.locked(every.poses(q)) == sum(any(roll_pitch_yaw(pose).locked for pose in row) for row in poses)
+    poses = [
+        [forward(wrist, list(row), start=view.start, end=view.end, parameters={"d6": 0.1}) for view in frames]
+        for row in q
+    ]
+    assert every.locked(every.poses(q)) == sum(any(pose.rpy.locked for pose in row) for row in poses)
     assert PoseRows(wrist, frames, lengths, ("position",)).locked(every.poses(q)) == 0
 
 
 def test_rows_that_are_no_numbers_are_told_apart() -> None:
     """By any entry of any frame."""
-    wanted = PoseRows(SCARA, (("0", "1"), ("0", "3")), LENGTHS)
+    wanted = PoseRows(SCARA, (View("0", "1"), View("0", "3")), LENGTHS)
     poses = wanted.poses(np.array([[0.1, 0.2, 0.3], [0.1, np.nan, 0.3], [0.1, 0.2, np.inf]]))
     assert is_real(poses).tolist() == [True, False, False]
 
@@ -68,10 +72,10 @@ def test_rows_that_are_no_numbers_are_told_apart() -> None:
 def test_what_no_row_can_have_is_refused_before_there_is_one() -> None:
     """A form that is not known, a length without a value, a robot without a joint."""
     with pytest.raises(UnknownNameError, match="did you mean rpy"):
-        PoseRows(SCARA, (("0", "3"),), LENGTHS, ("rpyy",))
+        PoseRows(SCARA, (View("0", "3"),), LENGTHS, ("rpyy",))
     link = load_robot("dh-link")
     with pytest.raises(RobotError, match="a_i"):
-        PoseRows(link, frames_wanted(link, None, None), {})
+        PoseRows(link, (View.of(link),), {})
     blocks = load_robot("assembly-blocks")
     with pytest.raises(RobotError, match="no joint"):
-        PoseRows(blocks, frames_wanted(blocks, None, None), {})
+        PoseRows(blocks, (View.of(blocks),), {})

@@ -12,11 +12,11 @@ import pytest
 from dhcli import forward_batch, sweep
 from dhcli.errors import RobotError, UnknownNameError
 from dhcli.files.yaml.robots import load_robot
+from dhcli.geometry.orthonormal import not_a_rotation
 from dhcli.kinematics.conventions import Convention, Row, moves_of
 from dhcli.kinematics.forward import forward, symbolic
 from dhcli.kinematics.frames import between, ends, frame
 from dhcli.kinematics.moves import Fixed, inverse, read_chain
-from dhcli.kinematics.rigid import not_a_rotation
 from dhcli.kinematics.robot import Link, Robot
 from dhcli.kinematics.validity import InvalidRobotError
 from dhcli.notation.angle import Angle
@@ -212,7 +212,7 @@ def test_a_matrix_that_is_no_rotation_says_why(text: str, fault: str) -> None:
     """In words; three decimals are near enough, symbols must hold for all values."""
     (move,) = read_chain(text)
     assert isinstance(move, Fixed)
-    assert not_a_rotation(move) == fault
+    assert not_a_rotation(move.rows) == fault
 
 
 def test_the_lists_of_a_robot_cannot_be_changed() -> None:

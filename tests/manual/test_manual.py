@@ -105,7 +105,7 @@ def test_a_page_names_only_options_that_exist(path: Path) -> None:
         words = span.split()
         if words[0] == "dhcli" and len(words) > 1 and words[1] in known:
             assert set(_OPTION.findall(span)) <= known[words[1]], span
-        elif not re.match(r"(pip|python|bash|mkdocs|pytest|ruff|\.venv)", span):
+        elif not re.match(r"(pip|python|bash|mkdocs|pytest|ruff|\.venv|--hypothesis)", span):
             assert set(_OPTION.findall(span)) <= every, span
 
 

@@ -6,16 +6,17 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from dhcli.errors import DhcliError
 from dhcli.mobility.linkage import Joint, Linkage
 from dhcli.mobility.pairs import PLANAR, SPATIAL, pair_of
 from tests.mobility.building import joint, spatial
+from tests.nightly import examples
 
 KINDS = ("ball-in-tube", "line-contact")
-law = settings(max_examples=25, deadline=None, derandomize=True)
+law = examples(0.4)
 
 
 def test_they_have_four_freedoms_in_space_only() -> None:

@@ -286,3 +286,12 @@ def test_a_linkage_too_large_for_its_geometry_keeps_its_formula() -> None:
     found = analyse(read("space: planar\npoints: {A: [0, 0], B: [1, 0]}\njoints:\n" + "\n".join(lines) + "\n"))
     assert (found.gruebler, found.mobility, found.bounds) == (5997, None, None)
     assert "more than 5,000 links" in found.settles
+
+
+def test_more_names_than_a_person_writes_are_refused() -> None:
+    """Each is read with all before it in view; the other problems of the file are told too."""
+    names = "".join(f"  x{i}: {f'x{i - 1} + 1' if i else 1}\n" for i in range(1001))
+    assert problems(f"space: planar\nlet:\n{names}points: {{A: [x999, x]}}\njoints: [ground R a at A]\n") == [
+        "let: more than 1,000 names are not read",
+        "x is not a name that is known here",
+    ]

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from dhcli.geometry.rank import spaces
+from dhcli.geometry.twists import Array
 from dhcli.mobility import landing
 from dhcli.mobility.landing import close
 from dhcli.mobility.model import model_of
-from dhcli.mobility.rank import spaces
-from dhcli.mobility.screws import Array
 from dhcli.mobility.truth import true_mobility
 from tests.mobility.mechanisms import MECHANISMS, linkage
 from tests.nightly import cases_for_nights

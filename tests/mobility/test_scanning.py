@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from dhcli.errors import DhcliError
 from dhcli.mobility.pairs import LETTERS, WORDS, pair_of
 from dhcli.mobility.patterns import MOST_JOINTS, joint_counts, looks_like_pattern, read_pattern
 from dhcli.mobility.scanning import LONGEST
+from tests.nightly import examples
 
-law = settings(max_examples=150, deadline=None, derandomize=True)
+law = examples(2)
 
 
 def read(text: str) -> list[tuple[str, str]]:

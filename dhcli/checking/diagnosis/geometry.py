@@ -15,7 +15,8 @@ from dhcli.checking.diagnosis.typed import Typed
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.orientations import not_orthonormal
 from dhcli.checking.questions import MatrixQuestion, Span
-from dhcli.checking.tables.screws import UNITS, Rigid, Vector, dot, length, plus, scaled
+from dhcli.geometry.rigid import Rigid
+from dhcli.geometry.vectors import UNITS, Vector, dot, length, plus, scaled
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.frames import between, frame
 from dhcli.kinematics.moves import Chain

@@ -19,9 +19,9 @@ from dhcli.checking.tables.answer import ends_on_axis
 from dhcli.checking.tables.cells import given_values, own_values, settled
 from dhcli.checking.tables.motions import Values, may_be_same, same_robot
 from dhcli.checking.tables.reading import read_table
-from dhcli.checking.tables.screws import Arm
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import RobotError
+from dhcli.kinematics.axes import Arm
 from dhcli.kinematics.conventions import Convention, moves_of
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import Chain, names

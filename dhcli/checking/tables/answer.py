@@ -11,9 +11,9 @@ from dhcli.checking.tables.cells import given_values, in_other_unit, mark_cells,
 from dhcli.checking.tables.freedoms import Drawn, Slack, end_freedoms, frame_freedoms, joint_freedoms
 from dhcli.checking.tables.motions import Outcome, Values, same_motion, same_robot
 from dhcli.checking.tables.reading import TypedRow, misplaced, variable_of
-from dhcli.checking.tables.screws import Arm
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import CellMark, Verdict
+from dhcli.kinematics.axes import Arm
 from dhcli.kinematics.conventions import Convention, Row, moves_of
 from dhcli.kinematics.frames import between
 from dhcli.kinematics.robot import Robot

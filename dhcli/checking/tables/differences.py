@@ -12,9 +12,9 @@ from dataclasses import replace
 from dhcli.checking.tables.answer import TableAnswer
 from dhcli.checking.tables.motions import Outcome
 from dhcli.checking.tables.reading import variable_of
-from dhcli.checking.tables.same_robot import Miss
-from dhcli.checking.tables.screws import cross, length
+from dhcli.geometry.vectors import cross, length
 from dhcli.kinematics.conventions import Convention
+from dhcli.kinematics.same_robot import Miss
 from dhcli.notation.tree import negate
 from dhcli.notation.walk import symbols
 

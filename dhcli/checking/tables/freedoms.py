@@ -7,11 +7,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from dhcli.algebra.floats import Floats
-from dhcli.checking.tables.same_robot import Match
-from dhcli.checking.tables.screws import Point, Rigid
+from dhcli.geometry.rigid import Rigid
+from dhcli.kinematics.axes import Point
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import Chain, names
+from dhcli.kinematics.same_robot import Match
 
 DEGREE = math.pi / 180
 

@@ -13,11 +13,11 @@ from dhcli.checking.tables.differences import end_rows, first_difference
 from dhcli.checking.tables.freedoms import end_freedoms
 from dhcli.checking.tables.motions import Outcome, oddity
 from dhcli.checking.tables.reading import read_table
-from dhcli.checking.tables.same_robot import Match
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
 from dhcli.errors import Place, RobotError
 from dhcli.kinematics.conventions import NAMES, Convention
+from dhcli.kinematics.same_robot import Match
 from dhcli.notation.tree import ZERO
 
 OTHERS = {Convention.STANDARD: Convention.MODIFIED, Convention.MODIFIED: Convention.STANDARD}

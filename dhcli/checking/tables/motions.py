@@ -11,15 +11,15 @@ from dhcli.algebra.arithmetic import CannotHoldError
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.residues import Residues
 from dhcli.checking.symbolic import has_decimals
-from dhcli.checking.tables.fits import Limits
-from dhcli.checking.tables.same_robot import MOST_LEAVES, Match, Miss, Registration, error_of, identity
-from dhcli.checking.tables.screws import Arm, Point
 from dhcli.checking.tolerance import CLOSE_FACTOR, SLACK, Tolerance
 from dhcli.checking.verdicts import Verdict
+from dhcli.kinematics.axes import Arm, Point
+from dhcli.kinematics.fits import Limits
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.forward import put_in
 from dhcli.kinematics.moves import Chain, Fixed, Rot, expressions, names
 from dhcli.kinematics.robot import Value
+from dhcli.kinematics.same_robot import MOST_LEAVES, Match, Miss, Registration, error_of, identity
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Number, Sum

@@ -92,6 +92,7 @@ def sweep(
     from dhcli.cli.shell.given import open_scope, point_of, values_of
     from dhcli.errors import Place
     from dhcli.files.yaml.robots import load_robot
+    from dhcli.kinematics.frames import View
     from dhcli.kinematics.sweep.plan import plan
     from dhcli.kinematics.sweep.ranges import read_over
     from dhcli.kinematics.sweep.target import target_of
@@ -102,7 +103,7 @@ def sweep(
     arm = load_robot(robot)
     values = values_of(arm, q, pose, set_ or [], degrees=deg, symbolic=False)
     seen = None if point is None else point_of(point, "--point", open_scope(arm))
-    target = target_of(arm, from_, to, values, seen)
+    target = target_of(arm, View.of(arm, from_, to, point=seen), values)
     overs = [read_over(arm, text, bare="deg" if deg else "rad", place=Place("--over")) for text in over or []]
     grid = plan(target, overs, values, Place("--over") if overs else None)
 

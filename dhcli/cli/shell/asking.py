@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from dhcli.cli.shell.given import forms_of, open_scope, point_of
 from dhcli.errors import DhcliError
+from dhcli.kinematics.frames import View
 from dhcli.kinematics.question import Listing, Question
 from dhcli.kinematics.robot import Robot
 
@@ -27,7 +28,7 @@ def ask(
     """The question that the options ask.
 
     Raises:
-        DhcliError: Two options contradict each other, or the point cannot be read.
+        DhcliError: Two options contradict each other, the point cannot be read, or the robot has no such frame.
     """
     wanted = {
         "--frames": frames,
@@ -46,14 +47,12 @@ def ask(
             "--factors and --inverse do not go together", "the factors of a link have an order of their own"
         )
     listing: Listing | None = "frames" if frames else "links" if links else "factors" if factors is not None else None
+    seen = None if point is None else point_of(point, "--point", open_scope(robot))
     return Question(
-        start,
-        end,
-        inverse,
+        View.of(robot, start, end, inverse=inverse, point=seen),
         symbolic,
         listing,
         None if factors in (None, "all") else factors,
-        None if point is None else point_of(point, "--point", open_scope(robot)),
         forms_of(forms or ()),
         let,
     )
@@ -63,7 +62,7 @@ def kind_of(question: Question) -> str:
     """The kind of result that a question has, which decides the formats."""
     if question.listing:
         return "poses"
-    if question.point is not None:
+    if question.view.point is not None:
         return "point"
     if question.let:
         return "let"

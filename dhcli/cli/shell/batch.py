@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from dhcli.cli.shell.console import say
@@ -13,11 +13,12 @@ from dhcli.cli.shell.rows import RowDelivery
 from dhcli.errors import DhcliError, FileError, Place, Problem, plural
 from dhcli.files.reading import source_of
 from dhcli.files.rows.blocks import MOST, Block
-from dhcli.files.rows.columns import Asked
-from dhcli.files.rows.reading import Rows, rows_of
+from dhcli.files.rows.columns import JointTable
+from dhcli.files.rows.formats import Rows, joint_rows
 from dhcli.files.rows.source import open_source
 from dhcli.files.yaml.robots import load_robot
-from dhcli.kinematics.many import PoseRows, frames_wanted, is_real, numbered
+from dhcli.kinematics.frames import View
+from dhcli.kinematics.many import PoseRows, is_real, numbered
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.sweep.target import target_of
 from dhcli.kinematics.tally import Tally
@@ -78,16 +79,16 @@ def rows_wanted(
     if point is not None and (forms or every):
         raise DhcliError(f"--point and {'--as' if forms else '--frames'} ask for different things", "use one of them")
     arm = load_robot(robot)
-    frames = frames_wanted(arm, start, end, inverse=inverse, every=every)
+    view = View.of(arm, start, end, inverse=inverse)
     lengths = parameter_values(arm, settings_of(settings), Place("--set", text=" ".join(settings)))
     if point is None:
-        return PoseRows(arm, frames, lengths, forms_of(forms) or ("matrix",), every)
-    target = target_of(arm, None, None, lengths, point_of(point, "--point", open_scope(arm)))
-    x, y, z = target.coordinates
-    return PoseRows(arm, frames, lengths, ("position",), point=(x, y, z))
+        views = view.on_the_way(arm) if every else (view,)
+        return PoseRows(arm, views, lengths, forms_of(forms) or ("matrix",), every)
+    target = target_of(arm, replace(view, point=point_of(point, "--point", open_scope(arm))), lengths)
+    return PoseRows(arm, (target.view,), lengths, ("position",))
 
 
-def asked_of_rows(robot: Robot, q: str | None, *, degrees: bool, ignores: bool) -> Asked:
+def asked_of_rows(robot: Robot, q: str | None, *, degrees: bool, ignores: bool) -> JointTable:
     """What the columns of a file are read for; a joint that `--q` gives has none.
 
     Raises:
@@ -101,11 +102,11 @@ def asked_of_rows(robot: Robot, q: str | None, *, degrees: bool, ignores: bool) 
     held = {name: in_floats(value) for name, value in joint_values(robot, q, bare=bare, place=place).items()}
     if held and len(held) == len(robot.variables):
         raise DhcliError("--q gives all joints", "leave --in out, or a joint to the file")
-    return Asked(robot, degrees, held, ignores)
+    return JointTable(robot, degrees, held, ignores)
 
 
 def fk_rows(
-    wanted: PoseRows, asked: Asked, path: str, delivery: RowDelivery, *, skip_bad: bool, index: bool = False
+    wanted: PoseRows, asked: JointTable, path: str, delivery: RowDelivery, *, skip_bad: bool, index: bool = False
 ) -> None:
     """Compute a pose for each row of a file, and hand the poses over as they come.
 
@@ -120,13 +121,13 @@ def fk_rows(
     Raises:
         FileError: The file is no table for this robot, a row is bad, or the result cannot be written.
     """
-    layout = pose_layout(wanted.forms, wanted.frames if wanted.every else (), index=index)
+    layout = pose_layout(wanted.forms, wanted.views if wanted.every else (), index=index)
     # With the last row of each matrix.
     whole = delivery.chosen() == "npy" and wanted.forms == ("matrix",) and not index
     tally, bad = Tally(wanted.robot), BadRows(path, skip=skip_bad)
     to_file = delivery.output is not None or not sys.stdout.isatty()
     with open_source(path) as source:
-        rows = rows_of(source, asked)
+        rows = joint_rows(source, asked)
         with delivery.open(layout) as sink, row_progress(sys.stderr, wanted=to_file) as tell:
             for block in rows.blocks():
                 bad.take(block.bad, block.bad_rows)

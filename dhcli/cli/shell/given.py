@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean, plural
-from dhcli.kinematics.question import Point
+from dhcli.kinematics.frames import Point
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import given_parameters, joint_values, parameter_values
 from dhcli.notation.names import canonical

@@ -22,7 +22,7 @@ _RADIANS = ("rad", "radian", "radians")
 
 
 @dataclass(frozen=True, slots=True)
-class Columns:
+class JointColumns:
     """How a table holds the joint values of a robot.
 
     Attributes:
@@ -60,7 +60,7 @@ class Columns:
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class JointTable:
     """What a table is read for.
 
     Attributes:
@@ -80,13 +80,13 @@ class Asked:
         """The joints that want a column."""
         return tuple(joint for joint in self.robot.joints if joint.name not in self.held)
 
-    def in_joint_order(self, width: int | None = None) -> Columns:
+    def in_joint_order(self, width: int | None = None) -> JointColumns:
         """The columns of a table without a header: the joints in their order, and then what else there is."""
         factors = {joint.name: _factor(joint, "", degrees=self.degrees) for joint in self.open}
         found = {joint.name: k for k, joint in enumerate(self.open)}
         return self._columns(found, factors, len(found) if width is None else width)
 
-    def columns(self, heads: Sequence[str], places: Iterable[Place], whole: Place) -> Columns:
+    def columns(self, heads: Sequence[str], places: Iterable[Place], whole: Place) -> JointColumns:
         """The columns of a table with a header.
 
         Args:
@@ -143,9 +143,11 @@ class Asked:
             except RobotError:
                 raise RobotError(replace(each, hint=_aside(each.hint)) for each in error.problems) from None
 
-    def _columns(self, found: Mapping[str, int], factors: Mapping[str, tuple[float, float]], width: int) -> Columns:
+    def _columns(
+        self, found: Mapping[str, int], factors: Mapping[str, tuple[float, float]], width: int
+    ) -> JointColumns:
         names = self.robot.variables
-        return Columns(
+        return JointColumns(
             tuple(found.get(name) for name in names),
             tuple(factors.get(name, (1.0, 1.0)) for name in names),
             width,

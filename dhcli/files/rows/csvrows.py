@@ -13,7 +13,7 @@ import numpy as np
 from dhcli.errors import FileError, Place, Problem, plural
 from dhcli.files.rows.blocks import Block, Sieve, cell_problem
 from dhcli.files.rows.cells import PLAIN, CellError, is_number, read_cell
-from dhcli.files.rows.columns import Asked, Columns
+from dhcli.files.rows.columns import JointColumns, JointTable
 from dhcli.files.rows.source import Source, text_blocks
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ class CsvRows:
     or tabs a comma in a number is a decimal one.
     """
 
-    def __init__(self, source: Source, asked: Asked) -> None:
+    def __init__(self, source: Source, asked: JointTable) -> None:
         """Read the joint values of a robot."""
         self._source = source
         self._asked = asked
@@ -50,7 +50,7 @@ class CsvRows:
         Raises:
             FileError: The header is not that of a table for this robot, or the source cannot be read.
         """
-        columns: Columns | None = None
+        columns: JointColumns | None = None
         for first, text in text_blocks(self._source):
             line, body = first, text
             while columns is None and body:
@@ -68,7 +68,7 @@ class CsvRows:
             names = ",".join(joint.name for joint in self._asked.open)
             raise FileError(Problem("is empty", Place(self._source.name), f"wanted: a header, {names}, and rows"))
 
-    def _columns(self, head: str, line: int) -> tuple[Columns | None, bool]:
+    def _columns(self, head: str, line: int) -> tuple[JointColumns | None, bool]:
         """What the first line says of the columns, nothing if it is a comment; and whether it is a header."""
         declared = self._separator
         # Commas last: between semicolons or tabs they are decimal ones.
@@ -90,7 +90,7 @@ class CsvRows:
         places = [Place(self._source.name, line, column, head) for column, _ in cells]
         return self._asked.columns(heads, places, self.place_of(line)), True
 
-    def _block(self, first: int, text: str, columns: Columns) -> Block:
+    def _block(self, first: int, text: str, columns: JointColumns) -> Block:
         count = text.count("\n")
         table = self._at_once(text, count, columns.width)
         if table is not None:
@@ -111,7 +111,7 @@ class CsvRows:
             return None
         return table if table.shape == (count, width) and np.isfinite(table).all() else None
 
-    def _line_by_line(self, first: int, text: str, columns: Columns) -> Block:
+    def _line_by_line(self, first: int, text: str, columns: JointColumns) -> Block:
         """The same with an eye on every cell."""
         sieve, width = Sieve(), columns.width
         names = {k: name for k, name in zip(columns.order, self._asked.robot.variables, strict=True) if k is not None}

@@ -14,7 +14,7 @@ import numpy as np
 from dhcli.errors import FileError, Place, Problem, plural
 from dhcli.files.rows.blocks import Block, Sieve, cell_problem
 from dhcli.files.rows.cells import NUMBER, CellError, shown
-from dhcli.files.rows.columns import Asked, Columns
+from dhcli.files.rows.columns import JointColumns, JointTable
 from dhcli.files.rows.source import Source, text_blocks
 
 _ONE_A_LINE = "JSON Lines has a row in each line: {\"theta1\": 0.1, ...} or [0.1, ...]; jq -c '.[]' makes it of a list"
@@ -27,12 +27,12 @@ _MOST_HEADERS = 100
 class JsonRows:
     """Reads the rows of a JSON Lines file; lists have the joints in their order, objects by name."""
 
-    def __init__(self, source: Source, asked: Asked) -> None:
+    def __init__(self, source: Source, asked: JointTable) -> None:
         """Read the joint values of a robot."""
         self._source = source
         self._asked = asked
         self._in_order = asked.in_joint_order()
-        self._known: dict[tuple[str, ...], Columns] = {}
+        self._known: dict[tuple[str, ...], JointColumns] = {}
 
     def place_of(self, row: int) -> Place:
         """Where a row stands."""
@@ -103,7 +103,7 @@ class JsonRows:
             in_radians = tuple(map(max, in_radians, columns.in_radians))
         return Block(sieve.table(len(in_radians)), sieve.rows, in_radians, tuple(sieve.bad), sieve.bad_rows)
 
-    def _row(self, line: str, place: Place) -> tuple[Columns, list[float]]:
+    def _row(self, line: str, place: Place) -> tuple[JointColumns, list[float]]:
         """The numbers of a row, in the order in which they stand.
 
         Raises:
@@ -135,7 +135,7 @@ class JsonRows:
             raise FileError(problems)
         return columns, numbers
 
-    def _columns(self, names: tuple[str, ...], place: Place) -> Columns:
+    def _columns(self, names: tuple[str, ...], place: Place) -> JointColumns:
         """The columns that an object's names make; most files have the same in every row."""
         if names not in self._known:
             if len(self._known) >= _MOST_HEADERS:

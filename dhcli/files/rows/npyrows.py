@@ -12,7 +12,7 @@ import numpy as np
 from dhcli.errors import FileError, Place, Problem
 from dhcli.files.rows.blocks import MOST, Block, cell_problem
 from dhcli.files.rows.cells import CellError
-from dhcli.files.rows.columns import Asked
+from dhcli.files.rows.columns import JointTable
 from dhcli.files.rows.source import PIECE, Source
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ _SAVE = "np.save('q.npy', np.ascontiguousarray(Q, dtype=float))"
 class NpyRows:
     """Reads the rows of an array, shape (N, n), joints in their order; what follows them is nobody's joint."""
 
-    def __init__(self, source: Source, asked: Asked) -> None:
+    def __init__(self, source: Source, asked: JointTable) -> None:
         """Read the joint values of a robot."""
         self._source = source
         self._asked = asked

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from itertools import islice
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import NotationError, did_you_mean
@@ -16,6 +17,9 @@ from dhcli.notation.quantity import ANGLE_UNITS, DimensionError, to_angle, to_le
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr, Unit
 from dhcli.notation.walk import symbols, walk
+
+MOST_NAMES = 1_000
+"""Names under `let:`; each is read with all before it in view."""
 
 _AXES: dict[str, Vector] = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 _FROM_TO = re.compile(r"\s*(\S+)\s+to\s+(\S+)\s*")
@@ -36,9 +40,14 @@ class Coordinates:
         self.problems = problems
         self.values: dict[str, Angle | float] = {}
         self.dimensions = 2 if planar else 3
-        for name in let.entries:
+        self._scope: Scope | None = None
+        for name in islice(let.entries, MOST_NAMES):
             if (scalar := let.scalar(name)) is not None:
                 self.values[name] = self.value(scalar, name)
+                self._scope = None
+        if len(let.entries) > MOST_NAMES:
+            surplus = let.place_of(next(islice(let.entries, MOST_NAMES, None)))
+            problems.add(surplus, f"let: more than {MOST_NAMES:,} names are not read", "is it the right file?")
         self.points: dict[str, Vector] = {}
         for name, (_, node) in points.entries.items():
             self.points[name] = self._coordinates(node, name)
@@ -46,8 +55,11 @@ class Coordinates:
     @property
     def scope(self) -> Scope:
         """The names known so far."""
-        angles = tuple(name for name, value in self.values.items() if isinstance(value, Angle))
-        return Scope(angles=angles, lengths=tuple(name for name in self.values if name not in angles))
+        if self._scope is None:
+            angles = [name for name, value in self.values.items() if isinstance(value, Angle)]
+            lengths = [name for name, value in self.values.items() if not isinstance(value, Angle)]
+            self._scope = Scope(angles=tuple(angles), lengths=tuple(lengths))
+        return self._scope
 
     def value(self, scalar: PlacedScalar, key: str) -> Angle | float:
         """An angle, exact if it can be, or a length in metres."""

@@ -1,4 +1,4 @@
-"""The values that an exercise may draw from: `20°..70° step 5°`, or a list of them."""
+"""The values that an exercise may draw from: `20°..70° step 5°`, `20°..70° n 11`, or a list of them."""
 
 from __future__ import annotations
 
@@ -7,10 +7,11 @@ from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 
 from dhcli.checking.variants import Range
-from dhcli.errors import NotationError, did_you_mean
+from dhcli.errors import NotationError, RobotError, did_you_mean
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedNode, PlacedScalar, PlacedSequence
 from dhcli.files.yaml.typed import NOTHING, read_value
+from dhcli.kinematics.ranges import read_count, split_range, spread, steps_between, times, total
 from dhcli.kinematics.robot import Value
 from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
@@ -19,7 +20,6 @@ from dhcli.notation.tree import Constant, Number, Unit
 from dhcli.notation.walk import walk
 
 MOST_VALUES = 10_000
-_RANGE = re.compile(r"\s*(?P<low>.+?)\s*\.\.\s*(?P<high>.+?)\s+step\s+(?P<step>.+?)\s*")
 _PLAIN = re.compile(r"[-+]?[0-9]{1,12}(?:\.[0-9]{0,12})?")
 _BARE = re.compile(
     rf"\s*(?P<low>{_PLAIN.pattern})\s*\.\.\s*(?P<high>{_PLAIN.pattern})(?:\s+step\s+(?P<step>{_PLAIN.pattern}))?\s*"
@@ -68,13 +68,16 @@ def read_range(problems: Problems, node: PlacedNode, key: str, *, is_angle: bool
     scalar = problems.scalar(node, key)
     if scalar is None:
         return None
-    match = _RANGE.fullmatch(scalar.text)
-    if match is None:
+    written = split_range(scalar.text)
+    low, high, more = written.low, written.high, written.more
+    if high is None or more is None or not (low.text and high.text and more.text):
         example = "20°..70° step 5°" if is_angle else "100 mm..200 mm step 10 mm"
         problems.add(scalar.place, f"{key}: '{scalar.text}' is no range", f"write {example}, or a list of values")
         return None
+    stepped = written.word == "step"
     pieces = [
-        PlacedScalar(match[name], scalar.place_of(match.start(name)), scalar.quoted) for name in ("low", "high", "step")
+        PlacedScalar(piece.text, scalar.place_of(piece.start), scalar.quoted)
+        for piece in ((low, high, more) if stepped else (low, high))
     ]
     values = [read_value(problems, piece, key, is_angle=is_angle) for piece in pieces]
     if None in values:
@@ -86,7 +89,11 @@ def read_range(problems: Problems, node: PlacedNode, key: str, *, is_angle: bool
         listed = ", ".join(sorted(unit or "no unit" for unit in units))
         problems.add(scalar.place, f"{key}: the range mixes units: {listed}", "write all three in one unit")
         return None
-    return _of_steps(problems, scalar, key, pieces, [value for value in values if value is not None])
+    known = [value for value in values if value is not None]
+    if stepped:
+        return _of_steps(problems, scalar, key, pieces, known)
+    counted = PlacedScalar(more.text, scalar.place_of(more.start))
+    return _of_count(problems, scalar, key, counted, known)
 
 
 def is_bare(text: str) -> bool:
@@ -114,24 +121,44 @@ def _of_steps(
     problems: Problems, scalar: PlacedScalar, key: str, pieces: list[PlacedScalar], values: list[Value]
 ) -> Range | None:
     """The values from the first to the last, both included."""
-    low, high, step = map(_amount, values)
+    first, last, step = values
     low_text, high_text, step_text = (piece.text for piece in pieces)
-    if low > high:
+    if _amount(first) > _amount(last):
         problems.add(pieces[0].place, f"{key}: {low_text} is above {high_text}", f"write {high_text}..{low_text}")
         return None
-    if step <= 0:
+    if _amount(step) <= 0:
         problems.add(pieces[2].place, f"{key}: the step is {step_text}", "a step leads upwards: step 5°")
         return None
-    count, rest = divmod(high - low, step)
-    if rest:
-        below, above = (value_text(_after(values[0], values[2], count + more)) for more in (0, 1))
+    steps = steps_between(first, last, step)
+    count = int(steps)
+    if count != steps:
+        below, above = (value_text(total(first, times(step, count + more))) for more in (0, 1))
         message = f"{key}: steps of {step_text} from {low_text} do not meet {high_text}"
         problems.add(pieces[2].place, message, f"end at {below} or at {above}")
         return None
-    if count >= MOST_VALUES:
-        problems.add(pieces[2].place, f"{key}: these are {count + 1:,} values", f"{MOST_VALUES:,} are enough")
+    return _spread(problems, scalar, key, pieces[2], (first, last, count + 1))
+
+
+def _of_count(
+    problems: Problems, scalar: PlacedScalar, key: str, counted: PlacedScalar, values: list[Value]
+) -> Range | None:
+    """So many values from the first to the last, both included."""
+    try:
+        count = read_count(counted.text, counted.place, f"[{scalar.text.partition('..')[0].strip()}]")
+    except RobotError as error:
+        for problem in error.problems:
+            problems.add(counted.place, f"{key}: {problem.message}", problem.hint)
         return None
-    return Range(scalar.text, tuple(_after(values[0], values[2], k) for k in range(count + 1)))
+    return _spread(problems, scalar, key, counted, (values[0], values[1], count))
+
+
+def _spread(
+    problems: Problems, scalar: PlacedScalar, key: str, last: PlacedScalar, values: tuple[Value, Value, int]
+) -> Range | None:
+    if values[2] > MOST_VALUES:
+        problems.add(last.place, f"{key}: these are {values[2]:,} values", f"{MOST_VALUES:,} are enough")
+        return None
+    return Range(scalar.text, spread(*values))
 
 
 def _of_list(problems: Problems, node: PlacedSequence, key: str, *, is_angle: bool) -> Range | None:
@@ -154,14 +181,6 @@ def _amount(value: Value) -> Fraction:
     if isinstance(value, Angle):
         return value.degrees + value.radians
     return value.value if isinstance(value, Number) else Fraction(0)
-
-
-def _after(low: Value, step: Value, count: int) -> Value:
-    """The value so many steps up."""
-    if isinstance(low, Angle) and isinstance(step, Angle):
-        return low + step * count
-    amount = _amount(low) + count * _amount(step)
-    return Number(amount, next((places for places in range(10) if (amount * 10**places).denominator == 1), None))
 
 
 def _units(piece: PlacedScalar) -> Iterator[str]:

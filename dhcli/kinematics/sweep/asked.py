@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, TypeAlias
 
 from dhcli.errors import Place, RobotError
+from dhcli.kinematics.frames import View
 from dhcli.kinematics.pose import coordinates
 from dhcli.kinematics.robot import Robot, Value, check_robot
 from dhcli.kinematics.sweep.plan import plan
@@ -65,8 +66,7 @@ def sweep(  # noqa: PLR0913  as many as a sweep has sides; all but the first thr
     if len(place) != 3:  # noqa: PLR2004
         raise RobotError(f"a point has three coordinates, not {len(place)}")
     x, y, z = place
-    first, last = (None if frame is None else str(frame) for frame in (start, end))
-    target = target_of(robot, first, last, values, (x, y, z))
+    target = target_of(robot, View.of(robot, start, end, point=(x, y, z)), values)
     texts = [over] if isinstance(over, str) else over
     if isinstance(texts, Mapping):
         texts = [f"{name}={text}" for name, text in texts.items()]

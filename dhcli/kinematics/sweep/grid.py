@@ -6,10 +6,10 @@ import math
 from dataclasses import dataclass
 from fractions import Fraction
 
+from dhcli.kinematics.ranges import difference, metres, times, total
 from dhcli.kinematics.robot import Value
 from dhcli.kinematics.validity import in_floats
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import Number, number
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,30 +85,6 @@ class Grid:
             index, k = divmod(index, axis.count)
             found[axis.name] = axis.at(k)
         return {axis.name: found[axis.name] for axis in self.axes}
-
-
-def difference(first: Value, last: Value) -> Value:
-    """How far it is from one constant value to another of the same kind."""
-    if isinstance(first, Angle) and isinstance(last, Angle):
-        return last - first
-    return number(metres(last) - metres(first))
-
-
-def total(first: Value, second: Value) -> Value:
-    """The sum of two constant values of the same kind."""
-    if isinstance(first, Angle) and isinstance(second, Angle):
-        return first + second
-    return number(metres(first) + metres(second))
-
-
-def times(value: Value, factor: Fraction | int) -> Value:
-    """A multiple of a constant value."""
-    return value * factor if isinstance(value, Angle) else number(metres(value) * factor)
-
-
-def metres(length: Value) -> Fraction:
-    """A constant length [m]; exact where it is a fraction."""
-    return length.value if isinstance(length, Number) else Fraction(in_floats(length))
 
 
 def _line(first: Fraction, last: Fraction, count: int) -> list[float]:

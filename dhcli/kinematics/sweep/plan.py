@@ -45,7 +45,7 @@ def plan(target: Target, overs: Sequence[Over] = (), held: Values | None = None,
     if not robot.variables:
         raise RobotError(f"{robot.name} has no joint, so there is nothing to sweep")
     if not overs and not movers:
-        message = f"no joint moves this point of frame {target.end}, seen from frame {target.start}"
+        message = f"no joint moves this point of frame {target.view.end}, seen from frame {target.view.start}"
         raise RobotError(message, f"frames: {', '.join(robot.frames)}")
     if not overs:
         overs = [Over(name) for name in robot.variables if name in movers and name not in held]

@@ -4,21 +4,20 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Literal
 
 from dhcli.errors import NotationError, Place, Problem, RobotError
+from dhcli.kinematics.ranges import Piece, difference, read_count, split_range, steps_between, times, total, units_in
 from dhcli.kinematics.robot import Robot, Value
-from dhcli.kinematics.sweep.grid import difference, metres, times, total
 from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import joint_called, read_value
 from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
-from dhcli.notation.quantity import UNITS, Bare
+from dhcli.notation.quantity import Bare
 from dhcli.notation.scope import Scope
-from dhcli.notation.tokens import Source, tokenize
 from dhcli.notation.tree import Constant, Number
 from dhcli.notation.walk import walk
 
@@ -28,15 +27,8 @@ MOST_VALUES = 1_000_000
 HAIR = Fraction(1, 1_000_000)
 """Part of a step by which the last one may miss the end of a range, and still be meant to meet it."""
 
-_RANGE = re.compile(
-    r"(?P<name>[^=]*)(?:=(?P<low>.*?)(?:\.\.(?P<high>.*?)(?:\s(?P<word>step|n)(?P<more>(?:\s.*)?))?)?)?", re.DOTALL
-)
-"""Matches any text, in one go: nothing in it is tried twice."""
-
 _OF_LIMITS = re.compile(r"(?P<name>\S+)\s+n\s+(?P<count>\S+)")
 """A joint over its own limits in so many values."""
-
-_LONGEST_COUNT = 40
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,24 +70,26 @@ def read_over(robot: Robot, text: str, *, bare: Literal["rad", "deg"] = "rad", p
         NotationError: A value that cannot be read, with its column.
     """
     whole = Place(place.source if place else "range", text=text)
-    name, low, high, word, more = _pieces(text, whole)
-    if name is None or not name.text:
+    head, equals, _ = text.partition("=")
+    name = _placed(Piece(head.strip(), len(head) - len(head.lstrip())), whole)
+    if not name.text:
         raise NotationError(Problem("a joint is missing here", whole, "write theta1=-90°..90° step 5°"))
-    if low is None and ".." in name.text:
+    if not equals and ".." in name.text:
         raise NotationError(Problem("there is no = in this range", whole, "write theta1=-90°..90° step 5°"))
-    if low is None and (of_limits := _OF_LIMITS.fullmatch(name.text)):
-        count = _Piece(
-            of_limits["count"], Place(name.place.source, None, _column(name, of_limits.start("count")), text)
-        )
+    if not equals and (of_limits := _OF_LIMITS.fullmatch(name.text)):
+        at = (name.place.column or 1) - 1 + of_limits.start("count")
         joint = joint_called(robot, of_limits["name"], name.place)
-        return Over(joint, count=_count(joint, count))
+        return Over(joint, count=_count(joint, _placed(Piece(of_limits["count"], at), whole)))
     joint = joint_called(robot, name.text, name.place)
-    if low is None:
+    if not equals:
         return Over(joint)
-    if high is None:
+    written = split_range(text, len(head) + 1)
+    low = _placed(written.low, whole)
+    if written.high is None:
         value = _value(robot, joint, low, bare)
         return Over(joint, value, value, 1)
-    pieces = [low, high, more] if more is not None and word is not None and word.text == "step" else [low, high]
+    high, more = _placed(written.high, whole), None if written.more is None else _placed(written.more, whole)
+    pieces = [low, high, more] if more is not None and written.word == "step" else [low, high]
     values = [_value(robot, joint, piece, bare) for piece in pieces]
     _check_units(pieces)
     if difference(values[0], values[1]) in (Angle(), Number(Fraction(0))):
@@ -114,22 +108,8 @@ def counted(count: int) -> str:
     return f"{count:,}" if digits <= 18 else f"about 10^{digits - 1}"  # noqa: PLR2004  a quintillion is read
 
 
-def _pieces(text: str, whole: Place) -> Iterator[_Piece | None]:
-    """The pieces of a range in the order of `_RANGE`, None for those that are not there."""
-    match = _RANGE.fullmatch(text)
-    assert match is not None, "the pattern matches any text"  # noqa: S101
-    for group in _RANGE.groupindex:
-        piece = match[group]
-        if piece is None:
-            yield None
-            continue
-        begin = match.start(group) + len(piece) - len(piece.lstrip())
-        yield _Piece(piece.strip(), Place(whole.source, None, begin + 1, text))
-
-
-def _column(piece: _Piece, offset: int) -> int:
-    """Column of a letter of a piece."""
-    return (piece.place.column or 1) + offset
+def _placed(piece: Piece, whole: Place) -> _Piece:
+    return _Piece(piece.text, Place(whole.source, None, piece.start + 1, whole.text))
 
 
 def _value(robot: Robot, joint: str, piece: _Piece, bare: Bare) -> Value:
@@ -153,13 +133,7 @@ def _value(robot: Robot, joint: str, piece: _Piece, bare: Bare) -> Value:
 
 
 def _count(joint: str, piece: _Piece) -> int:
-    text = piece.text
-    if not (text.isdecimal() and text.isascii() and len(text) <= _LONGEST_COUNT):
-        raise RobotError(Problem(f"'{text}' is not a number of values", piece.place, "write n 11"))
-    count = int(text)
-    if count < 2:  # noqa: PLR2004  both ends
-        what = "no value" if count == 0 else "one value, and a range has two ends"
-        raise RobotError(Problem(f"n {count} is {what}", piece.place, f"write n 2 or more; or one value, {joint}=..."))
+    count = read_count(piece.text, piece.place, f"{joint}=...")
     return _checked(joint, count, piece.place)
 
 
@@ -170,7 +144,7 @@ def _in_steps(joint: str, pieces: Sequence[_Piece], values: Sequence[Value]) -> 
     where = pieces[2].place
     if not in_floats(step):
         raise RobotError(Problem(f"the step of {joint} is {by}", where, "a step leads from one value to the next"))
-    steps = _ratio(difference(first, last), step)
+    steps = steps_between(first, last, step)
     if steps < 0:
         hint = f"write step {by.removeprefix('-') if by.startswith('-') else f'-{by}'}"
         raise RobotError(Problem(f"a step of {by} leads from {low} away from {high}", where, hint))
@@ -184,17 +158,6 @@ def _in_steps(joint: str, pieces: Sequence[_Piece], values: Sequence[Value]) -> 
     return Over(joint, first, total(first, times(step, whole)), _checked(joint, whole + 1, where))
 
 
-def _ratio(way: Value, step: Value) -> Fraction:
-    """How many steps a way is; exact unless one is in degrees and the other in radians."""
-    if isinstance(way, Angle) and isinstance(step, Angle):
-        if not way.radians and not step.radians:
-            return way.degrees / step.degrees
-        if not way.degrees and not step.degrees:
-            return way.radians / step.radians
-        return Fraction(way.constant()) / Fraction(step.constant())
-    return metres(way) / metres(step)
-
-
 def _checked(joint: str, count: int, where: Place) -> int:
     if count > MOST_VALUES:
         message = f"{joint} takes {counted(count)} values, more than the {MOST_VALUES:,} that one joint may take"
@@ -204,7 +167,7 @@ def _checked(joint: str, count: int, where: Place) -> int:
 
 def _check_units(pieces: Sequence[_Piece]) -> None:
     """Refuse `-90..90°` and `0°..90`: nobody knows what the bare number was meant in. 0 is 0, and π is radians."""
-    with_unit = {piece for piece in pieces if _has_unit(piece.text)}
+    with_unit = {piece for piece in pieces if units_in(piece.text)}
     if not with_unit:
         return
     for piece in pieces:
@@ -213,9 +176,3 @@ def _check_units(pieces: Sequence[_Piece]) -> None:
         if piece not in with_unit and not is_clear:
             message = f"{piece.text} has no unit, and others in this range have"
             raise RobotError(Problem(message, piece.place, "write the unit at every value of the range"))
-
-
-def _has_unit(text: str) -> bool:
-    """Whether a unit is written; in the tree 0° is 0."""
-    tokens = tokenize(Source(text, Place("")))
-    return any(token.text in UNITS for token in tokens if token.kind in ("word", "sign"))

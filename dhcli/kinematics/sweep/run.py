@@ -9,17 +9,20 @@ import numpy as np
 
 from dhcli.errors import RobotError
 from dhcli.kinematics.batch import forward_batch
-from dhcli.kinematics.sweep.extremes import Highest
+from dhcli.kinematics.frames import ORIGIN
 from dhcli.kinematics.sweep.grid import Grid
 from dhcli.kinematics.sweep.plan import remarks
 from dhcli.kinematics.sweep.result import SIDES, Extreme, Sweep
-from dhcli.kinematics.sweep.target import ORIGIN, Target
+from dhcli.kinematics.sweep.target import Target
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 BLOCK = 65_536
 """Poses at a time."""
+
+SLACK = 1e-9
+"""Part of a value, and at least of a metre, within which two are one: rounding differs from machine to machine."""
 
 
 def sweep(target: Target, grid: Grid, each: Callable[[NDArray[np.float64]], None] | None = None) -> Sweep:
@@ -71,10 +74,11 @@ def positions(target: Target, grid: Grid) -> Iterator[NDArray[np.float64]]:
         Rows, shape (N, n + 3): radians and metres.
     """
     poses = np.empty((min(BLOCK, grid.count), 4, 4))
-    point = None if target.point == ORIGIN else np.array(target.coordinates)
+    view = target.view
+    point = None if view.coordinates == ORIGIN else np.array(target.coordinates)
     for q in joint_rows(grid):
         seen = forward_batch(
-            target.robot, q, start=target.start, end=target.end, parameters=target.lengths, out=poses[: len(q)]
+            target.robot, q, start=view.reference, end=view.frame, parameters=target.lengths, out=poses[: len(q)]
         )
         places = seen[:, :3, 3]
         if point is not None:
@@ -99,3 +103,43 @@ def joint_rows(grid: Grid) -> Iterator[NDArray[np.float64]]:
 def _extreme(target: Target, grid: Grid, index: int) -> Extreme:
     q = grid.at(index)
     return Extreme(index, q, target.at(q))
+
+
+class Highest:
+    """The highest of the numbers seen so far, and where the first stands that is as high but for rounding.
+
+    Only a number above all before it can be that first one, whatever comes later. So it is enough to keep, of these
+    records, those within rounding of the last: when a higher one comes, the first still near it is the answer.
+    """
+
+    def __init__(self) -> None:
+        """Nothing seen yet."""
+        self._records: list[tuple[float, int]] = []
+
+    @property
+    def index(self) -> int:
+        """Where it stands.
+
+        Raises:
+            IndexError: Nothing was seen.
+        """
+        return self._records[0][1]
+
+    def take(self, values: NDArray[np.float64], first: int) -> None:
+        """See more numbers.
+
+        Args:
+            values: The numbers, shape (N,), all finite.
+            first: Where the first of them stands.
+        """
+        best = self._records[-1][0] if self._records else -np.inf
+        top = float(values.max(initial=-np.inf))
+        if top <= best:
+            return
+        level = top - SLACK * max(1.0, abs(top))
+        near = np.flatnonzero(values >= level)
+        heights = values[near]
+        before = np.maximum.accumulate(np.concatenate(([best], heights[:-1])))
+        is_record = heights > before
+        self._records = [record for record in self._records if record[0] >= level]
+        self._records += zip(heights[is_record].tolist(), (first + near[is_record]).tolist(), strict=True)

@@ -8,16 +8,12 @@ from dataclasses import dataclass
 from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
 from dhcli.kinematics.forward import in_numbers, put_in, textbook_form
-from dhcli.kinematics.frames import between, ends
-from dhcli.kinematics.moves import Chain, Trans
-from dhcli.kinematics.question import Point
+from dhcli.kinematics.frames import View
+from dhcli.kinematics.moves import Chain
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import Values, numbers, parameter_values, require
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import ZERO
 from dhcli.notation.walk import symbols
-
-ORIGIN: Point = (ZERO, ZERO, ZERO)
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,29 +22,24 @@ class Target:
 
     Attributes:
         robot: The robot.
-        start: The frame it is seen from.
-        end: The frame it is fixed in.
+        view: The frame it is fixed in, the frame it is seen from, and the point.
         lengths: Values of the robot's lengths and constant angles.
-        point: Its coordinates in the frame `end` [m].
     """
 
     robot: Robot
-    start: str
-    end: str
+    view: View
     lengths: Mapping[str, Value]
-    point: Point = ORIGIN
 
     @property
     def chain(self) -> Chain:
         """The moves that lead to it."""
-        way = between(self.robot, self.start, self.end)
-        return way if self.point == ORIGIN else (*way, Trans(*self.point))
+        return self.view.chain_to_point(self.robot)
 
     @property
     def coordinates(self) -> tuple[float, ...]:
         """The point in numbers [m]."""
         floats = Floats(numbers(self.lengths))
-        return tuple(float(floats.length(coordinate)) for coordinate in self.point)
+        return tuple(float(floats.length(coordinate)) for coordinate in self.view.coordinates)
 
     def at(self, q: Values) -> tuple[float, float, float]:
         """Where it is [m] for joint values, by the fold of a single pose: exact angles have exact cosines."""
@@ -66,31 +57,23 @@ class Target:
         return joints & frozenset().union(*(symbols(row[3]) for row in rows[:3]))
 
 
-def target_of(
-    robot: Robot,
-    start: str | None = None,
-    end: str | None = None,
-    values: Values | None = None,
-    point: Point | None = None,
-) -> Target:
+def target_of(robot: Robot, view: View | None = None, values: Values | None = None) -> Target:
     """The point that is asked about.
 
     Args:
         robot: The robot.
-        start: The frame it is seen from; the first numbered one by default.
-        end: The frame it is fixed in; the last numbered one by default.
+        view: The frame it is fixed in, the frame it is seen from, and the point; by default the origin of the last
+            numbered frame, seen from the first.
         values: Values of the robot's lengths and constant angles, its own by default; those of joints are left to the
             grid.
-        point: Its coordinates in the frame `end` [m]; the origin by default.
 
     Raises:
-        UnknownNameError: The robot has no such frame.
         RobotError: A length has no value, or the point holds a name without one.
     """
     known = parameter_values(robot, {}) if values is None else values
     lengths = {name: value for name, value in known.items() if name not in robot.variables}
-    target = Target(robot, *ends(robot, start, end), lengths, point or ORIGIN)
-    if free := sorted(frozenset().union(*map(symbols, target.point)) - lengths.keys()):
+    target = Target(robot, view or View.of(robot), lengths)
+    if free := sorted(frozenset().union(*map(symbols, target.view.coordinates)) - lengths.keys()):
         raise RobotError(f"{', '.join(free)} of the point has no value", "write numbers: --point 0,0,0.1")
     require(robot, target.chain, {**lengths, **dict.fromkeys(robot.variables, Angle())})
     return target

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
+from dhcli.kinematics.frames import View
 from dhcli.kinematics.pose import Pose
 from dhcli.render.code.matrices import variable
 from dhcli.render.code.rows import Group, Layout
@@ -27,16 +28,16 @@ INDEX = Group("row", ("row",), "%d", "%d")
 """Where the joint values stand in their file."""
 
 
-def pose_layout(forms: Sequence[str], frames: Iterable[tuple[str, str]] = (), *, index: bool = False) -> Layout:
+def pose_layout(forms: Sequence[str], views: Iterable[View] = (), *, index: bool = False) -> Layout:
     """The columns for poses.
 
     Args:
         forms: The ways in which each pose is said.
-        frames: Reference and frame of each pose in a row, if there is more than one pose in it.
+        views: Each pose in a row, if there is more than one in it.
         index: Whether the first column says where the joint values stand.
     """
     said = tuple(_unlike(GROUPS[form], forms) for form in forms)
-    keys = [variable(Pose((), reference, frame).name) for reference, frame in frames]
+    keys = [variable(Pose((), view.reference, view.frame).name) for view in views]
     groups = tuple(Group.within(key, said) for key in keys) or said
     if index:
         return Layout((INDEX, *groups))

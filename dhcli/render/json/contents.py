@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from dhcli.kinematics.orientation import AxisAngle, Quaternion, RollPitchYaw
+from dhcli.geometry.euler import RollPitchYaw
+from dhcli.geometry.rotations import AxisAngle, Quaternion
 from dhcli.kinematics.placement import Matrix, Placement, Position
 from dhcli.kinematics.question import AnyPose, ForwardKinematics
 from dhcli.notation.styles import Joints

@@ -69,8 +69,8 @@ def sweep_content(result: Sweep, _look: Look) -> dict[str, Any]:
         "robot": target.robot.name,
         "convention": target.robot.convention.value,
         "values": {name: in_units(value) for name, value in target.lengths.items()},
-        "reference": target.start,
-        "frame": target.end,
+        "reference": target.view.start,
+        "frame": target.view.end,
         "point": list(target.coordinates),
         "poses": result.grid.count,
         "joints": [
@@ -105,13 +105,13 @@ def _named(result: Sweep) -> Iterator[tuple[str, Extreme]]:
 def _heading(result: Sweep, look: Look) -> str:
     target = result.target
     what = "origin" if not any(target.coordinates) else f"({', '.join(map(look.number, target.coordinates))})"
-    of, seen_from = frame_words(target.end), frame_words(target.start)
+    of, seen_from = frame_words(target.view.end), frame_words(target.view.start)
     return f"sweep of {target.robot.name}: {what} of {of}, seen from {seen_from}"
 
 
 def _reach(result: Sweep, look: Look) -> str:
     least, most = look.numbers(extreme.distance for extreme in (result.nearest, result.farthest))
-    return f"reach {least} to {most} m from the origin of {frame_words(result.target.start)}"
+    return f"reach {least} to {most} m from the origin of {frame_words(result.target.view.start)}"
 
 
 def _side(result: Sweep, k: int, look: Look) -> str:

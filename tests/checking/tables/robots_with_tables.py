@@ -13,10 +13,11 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from dhcli import load_robot
-from dhcli.checking.tables.same_robot import Match
-from dhcli.checking.tables.screws import Arm, Rigid
+from dhcli.geometry.rigid import Rigid
+from dhcli.kinematics.axes import Arm
 from dhcli.kinematics.conventions import Convention, Row, moves_of
 from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.same_robot import Match
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO, Expr, Symbol, add, negate, number
 from dhcli.notation.walk import symbols

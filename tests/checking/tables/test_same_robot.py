@@ -9,15 +9,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from dhcli.checking.tables.fits import Limits
 from dhcli.checking.tables.motions import Values, same_motion, same_robot
-from dhcli.checking.tables.same_robot import Registration
-from dhcli.checking.tables.screws import Arm, Rigid
 from dhcli.checking.tolerance import DEFAULT
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import RobotError
+from dhcli.geometry.rigid import Rigid
+from dhcli.kinematics.axes import Arm
 from dhcli.kinematics.conventions import Convention, Row
+from dhcli.kinematics.fits import Limits
 from dhcli.kinematics.moves import Chain, Rot, Trans, read_chain, substituted
+from dhcli.kinematics.same_robot import Registration
 from dhcli.notation.angle import Angle
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import ZERO, Symbol, add, multiply, number

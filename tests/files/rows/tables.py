@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from dhcli import load_robot
-from dhcli.files.rows.columns import Asked
-from dhcli.files.rows.reading import Rows, rows_of
+from dhcli.files.rows.columns import JointTable
+from dhcli.files.rows.formats import Rows, joint_rows
 from dhcli.files.rows.source import Source
 
 
@@ -35,7 +35,7 @@ def rows(
     """The reader of some content."""
     content = content.encode() if isinstance(content, str) else content
     stream = (Drops if drops else io.BytesIO)(content)
-    return rows_of(Source(path, stream), Asked(load_robot(robot), degrees, held or {}, ignores))
+    return joint_rows(Source(path, stream), JointTable(load_robot(robot), degrees, held or {}, ignores))
 
 
 def read(

@@ -12,14 +12,14 @@ from dhcli.kinematics.sweep.plan import LARGEST, MODEST, plan, remarks
 from dhcli.kinematics.sweep.ranges import read_over
 from dhcli.kinematics.sweep.target import target_of
 from dhcli.kinematics.validity import in_floats
-from dhcli.kinematics.values import joint_values, parameter_values
+from dhcli.kinematics.values import joint_values
 
 PI = 3.141592653589793
 
 
 def _planned(name: str, *overs: str, q: str | None = None) -> tuple[Grid, list[str]]:
     robot = load_robot(name)
-    target = target_of(robot, None, None, parameter_values(robot, {}))
+    target = target_of(robot)
     held: dict[str, Value] = joint_values(robot, q)
     grid = plan(target, [read_over(robot, text) for text in overs], held)
     return grid, list(remarks(target, grid))

@@ -13,15 +13,15 @@ from hypothesis import strategies as st
 from dhcli import forward, load_robot
 from dhcli import sweep as ask
 from dhcli.errors import RobotError
+from dhcli.kinematics.frames import View
 from dhcli.kinematics.sweep import run
-from dhcli.kinematics.sweep.extremes import SLACK, Highest
 from dhcli.kinematics.sweep.grid import Axis, Grid
 from dhcli.kinematics.sweep.plan import plan
 from dhcli.kinematics.sweep.ranges import read_over
-from dhcli.kinematics.sweep.run import positions, sweep
+from dhcli.kinematics.sweep.run import SLACK, Highest, positions, sweep
 from dhcli.kinematics.sweep.target import Target, target_of
 from dhcli.kinematics.validity import in_floats
-from dhcli.kinematics.values import joint_values, parameter_values
+from dhcli.kinematics.values import joint_values
 from dhcli.notation.tree import ZERO, number
 
 CASES = {
@@ -36,12 +36,12 @@ CASES = {
 def _asked(name: str, point: str = "", start: str | None = None, end: str | None = None) -> tuple[Target, Grid]:
     robot = load_robot(name)
     coordinates = tuple(number(part) for part in map(int, point.split(","))) if point else None
-    target = target_of(robot, start, end, parameter_values(robot, {}), coordinates)  # type: ignore[arg-type]
+    target = target_of(robot, View.of(robot, start, end, point=coordinates))  # type: ignore[arg-type]
     return target, plan(target, [read_over(robot, text) for text in CASES[name]], {})
 
 
 def _seen(target: Target, q: tuple[float, ...]) -> tuple[float, ...]:
-    pose = forward(target.robot, q, start=target.start, end=target.end)
+    pose = forward(target.robot, q, start=target.view.start, end=target.view.end)
     return tuple(float(value) for value in pose @ target.coordinates)
 
 
@@ -102,7 +102,7 @@ def test_exact_angles_give_exact_positions() -> None:
 def test_a_position_beyond_all_floats_is_refused() -> None:
     """Not handed on as infinity."""
     robot = load_robot("cartesian")
-    target = target_of(robot, None, None, parameter_values(robot, {}))
+    target = target_of(robot)
     axes = tuple(Axis(name, ZERO, number(10**300), 3) for name in robot.variables)
     with pytest.raises(RobotError, match="too large"):
         sweep(target, Grid(axes))
@@ -141,7 +141,7 @@ def test_the_joints_that_move_a_point_are_known(
     """From the formula of its position; a wrist does not move its own centre."""
     robot = load_robot(name)
     x, y, z = map(number, point)
-    target = target_of(robot, None, end, parameter_values(robot, {}), (x, y, z))
+    target = target_of(robot, View.of(robot, None, end, point=(x, y, z)))
     assert target.movers() == set(expected.split())
     q = joint_values(robot, [0.3] * len(robot.variables))
     for name_ in robot.variables:  # moving an idle joint changes nothing, moving another does

@@ -1,4 +1,4 @@
-"""Twists of rigid bodies: their displacements, brackets and changes of frame, many at a time.
+"""Twists of rigid bodies in numpy: their displacements, brackets and changes of frame, many at a time.
 
 A twist is (ω, v): angular velocity, then the velocity of the point at the origin. Source: Lynch and Park, chapter 3.
 """

@@ -6,11 +6,9 @@ import numpy as np
 import pytest
 
 from dhcli.errors import RobotError
-from dhcli.kinematics.forms import FORMS, axis_angles, locked, quaternions
-from dhcli.kinematics.forms import roll_pitch_yaw as rows_of_rpy
-from dhcli.kinematics.orientation import axis_angle, quaternion, roll_pitch_yaw
-from dhcli.kinematics.placement import FORMS as SINGLE
-from dhcli.kinematics.pose import Pose
+from dhcli.geometry.euler import ORDERS, Order, RollPitchYaw
+from dhcli.geometry.many import axis_angles, locked, quaternions, roll_pitch_yaw, rotations, table
+from dhcli.geometry.rotations import AxisAngle, Quaternion, RotationVector
 
 
 def _rotation(axis: int, angle: float) -> np.ndarray:
@@ -38,46 +36,36 @@ def _poses() -> np.ndarray:
 POSES = _poses()
 
 
-def _alone(pose: np.ndarray, form: str) -> list[float]:
-    """What `fk` says of one pose."""
-    single = Pose(tuple(map(tuple, pose.tolist())))
-    match form:
-        case "matrix":
-            return [entry for row in single.rows[:3] for entry in row]
-        case "position":
-            return list(single.position)
-        case "rpy":
-            said = roll_pitch_yaw(single)
-            return [said.roll, said.pitch, said.yaw]
-        case "quaternion":
-            turn = quaternion(single)
-            return [turn.w, turn.x, turn.y, turn.z]
-        case _:
-            turned = axis_angle(single)
-            return [*turned.axis, turned.angle]
+FORMS = [RollPitchYaw, Quaternion, AxisAngle, RotationVector]
 
 
 @pytest.mark.parametrize("form", FORMS)
-def test_every_row_is_what_one_pose_would_say(form: str) -> None:
+def test_every_row_is_what_one_pose_would_say(form: type[RollPitchYaw[float]]) -> None:
     """Half turns and pitch at ±90° included."""
-    expected = np.array([_alone(pose, form) for pose in POSES])
-    assert np.allclose(FORMS[form](POSES), expected, rtol=0, atol=1e-12)
+    expected = np.array([form.of(pose[:3, :3].tolist()).numbers for pose in POSES])
+    assert np.allclose(table(form, POSES), expected, rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize("order", ORDERS, ids=str)
+def test_every_order_says_of_many_what_it_says_of_one(order: Order) -> None:
+    """Its angles, the other triple, where they are locked, and the matrices back."""
+    many = order.of(rotations(POSES))
+    alone = [order.of(pose[:3, :3].tolist()) for pose in POSES]
+    assert np.allclose(many.angles, np.transpose([one.angles for one in alone]), rtol=0, atol=1e-12)
+    assert np.allclose(many.other.angles, np.transpose([one.other.angles for one in alone]), rtol=0, atol=1e-12)
+    assert np.asarray(many.locked).tolist() == [one.locked for one in alone]
+    assert np.allclose(np.array(many.rotation()), np.moveaxis(POSES[:, :3, :3], 0, -1), rtol=0, atol=1e-12)
 
 
 @pytest.mark.parametrize("form", FORMS)
-def test_no_pose_is_no_row(form: str) -> None:
+def test_no_pose_is_no_row(form: type[RollPitchYaw[float]]) -> None:
     """With as many columns as ever."""
-    assert FORMS[form](np.empty((0, 4, 4))).shape == (0, FORMS[form](POSES).shape[1])
-
-
-def test_a_batch_knows_every_form_that_one_pose_knows() -> None:
-    """By the same names."""
-    assert set(FORMS) == set(SINGLE)
+    assert table(form, np.empty((0, 4, 4))).shape == (0, table(form, POSES).shape[1])
 
 
 def test_the_poles_of_pitch_are_found() -> None:
     """As many as one by one."""
-    alone = [roll_pitch_yaw(Pose(tuple(map(tuple, pose.tolist())))).locked for pose in POSES]
+    alone = [RollPitchYaw.of(pose[:3, :3].tolist()).locked for pose in POSES]
     assert locked(POSES).tolist() == alone
     assert sum(alone) == 32
 
@@ -85,6 +73,6 @@ def test_the_poles_of_pitch_are_found() -> None:
 def test_poses_of_another_shape_are_refused() -> None:
     """One pose has properties of its own; poses in a list are many."""
     assert quaternions([np.eye(4), np.eye(4)]).tolist() == [[1, 0, 0, 0]] * 2  # type: ignore[arg-type]
-    for say in (quaternions, axis_angles, rows_of_rpy):
+    for say in (quaternions, axis_angles, roll_pitch_yaw):
         with pytest.raises(RobotError, match=r"poses have the shape \(N, 4, 4\), not \(4, 4\)"):
             say(np.eye(4))

@@ -16,8 +16,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from enum import Enum
 
-from dhcli.checking.tables.fits import Fit, Limits, held_by, released, slid, within
-from dhcli.checking.tables.screws import Arm, Point, Rigid, length, plus, scaled
+from dhcli.geometry.rigid import Rigid
+from dhcli.geometry.vectors import length, plus, scaled, within
+from dhcli.kinematics.axes import Arm, Point
+from dhcli.kinematics.fits import Fit, Limits, held_by, released, slid
 
 POSES = 4
 MOST_LEAVES = 64

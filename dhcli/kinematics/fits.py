@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field, replace
 
-from dhcli.checking.tables.screws import (
+from dhcli.geometry.rigid import Rigid
+from dhcli.geometry.vectors import (
     ORIGIN,
     UNITS,
-    Rigid,
-    Screw,
     Vector,
     across,
     angle_about,
@@ -18,7 +17,9 @@ from dhcli.checking.tables.screws import (
     length,
     plus,
     scaled,
+    within,
 )
+from dhcli.kinematics.axes import Screw
 
 ALONG = 1e-3
 """What is left of a unit vector that counts as lying in a span."""
@@ -129,14 +130,6 @@ def slid(g: Rigid, held: Fit, screw: Screw) -> float:
     through = ORIGIN if held.line is None else held.line[1]
     way = plus((g @ held.g.inverse()).moved(through), through, -1)
     return dot(way, new) / dot(new, new)
-
-
-def within(vector: Vector, spread: tuple[Vector, ...]) -> Vector:
-    """The part of a vector in the span of perpendicular unit vectors."""
-    total = ORIGIN
-    for unit in spread:
-        total = plus(total, unit, dot(vector, unit))
-    return total
 
 
 def _solved(gap: Vector, spread: tuple[Vector, ...], along: Vector) -> tuple[Vector, Vector]:

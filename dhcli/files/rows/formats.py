@@ -7,7 +7,7 @@ from typing import Protocol
 
 from dhcli.errors import FileError, Place, Problem
 from dhcli.files.rows.blocks import Block
-from dhcli.files.rows.columns import Asked
+from dhcli.files.rows.columns import JointTable
 from dhcli.files.rows.csvrows import CsvRows
 from dhcli.files.rows.jsonrows import JsonRows
 from dhcli.files.rows.npyrows import MAGIC, NpyRows
@@ -24,7 +24,7 @@ class Rows(Protocol):
         """Where a row stands."""
 
 
-def rows_of(source: Source, asked: Asked) -> Rows:
+def joint_rows(source: Source, asked: JointTable) -> Rows:
     """The joint values of a robot in CSV, JSON Lines or .npy.
 
     Args:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from dhcli.mobility.screws import Array
+from dhcli.geometry.twists import Array
 
 TIGHT = 1e-9
 """Relative to the largest, below this a singular value counts as zero in exact geometry."""

@@ -1,0 +1,86 @@
+"""Rigid motions in floats, without numpy: where a few are compared, this is faster and costs no import."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from dhcli.geometry.motion import inverse, product
+from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, cross, dot, plus, scaled
+
+
+@dataclass(frozen=True, slots=True)
+class Rigid:
+    """A rigid motion: rows of its rotation, and its translation [m]."""
+
+    rows: tuple[Vector, Vector, Vector] = UNITS
+    offset: Vector = ORIGIN
+
+    @classmethod
+    def of(cls, matrix: Sequence[Sequence[float]]) -> Rigid:
+        """A homogeneous matrix, shape (3, 4) or (4, 4), as a rigid motion."""
+        (a, b, c, x), (d, e, f, y), (g, h, i, z) = matrix[:3]
+        return cls(((a, b, c), (d, e, f), (g, h, i)), (x, y, z))
+
+    @classmethod
+    def shift(cls, offset: Vector) -> Rigid:
+        """A translation."""
+        return cls(UNITS, offset)
+
+    @classmethod
+    def turn(cls, axis: Vector, angle: float, through: Vector = ORIGIN) -> Rigid:
+        """The rotation about a line.
+
+        Source: Rodrigues' formula.
+        """
+        cos, sin = math.cos(angle), math.sin(angle)
+        columns = [
+            plus(plus(scaled(unit, cos), cross(axis, unit), sin), axis, dot(axis, unit) * (1 - cos)) for unit in UNITS
+        ]
+        (a, d, g), (b, e, h), (c, f, i) = columns
+        rotation = cls(((a, b, c), (d, e, f), (g, h, i)))
+        return cls(rotation.rows, plus(through, rotation.turned(through), -1))
+
+    @property
+    def motion(self) -> tuple[tuple[float, float, float, float], ...]:
+        """The upper three rows of its homogeneous matrix."""
+        (a, b, c), (d, e, f), (g, h, i) = self.rows
+        x, y, z = self.offset
+        return (a, b, c, x), (d, e, f, y), (g, h, i, z)
+
+    def turned(self, vector: Vector) -> Vector:
+        """A direction after the motion."""
+        return dot(self.rows[0], vector), dot(self.rows[1], vector), dot(self.rows[2], vector)
+
+    def moved(self, point: Vector) -> Vector:
+        """A point after the motion."""
+        return plus(self.turned(point), self.offset)
+
+    def column(self, index: int) -> Vector:
+        """Where an axis of the reference points after the motion."""
+        return self.rows[0][index], self.rows[1][index], self.rows[2][index]
+
+    def __matmul__(self, other: Rigid) -> Rigid:
+        return Rigid.of(product(self.motion, other.motion, _dot))
+
+    def inverse(self) -> Rigid:
+        """The motion that undoes this one."""
+        return Rigid.of(inverse(self.motion, _dot))
+
+    def angle_about(self, axis: Vector) -> float:
+        """Angle of the rotation about a unit axis that comes nearest."""
+        (_, b, c), (d, _, f), (g, h, _) = self.rows
+        trace = self.rows[0][0] + self.rows[1][1] + self.rows[2][2]
+        return math.atan2(dot(axis, (h - f, c - g, d - b)), trace - dot(axis, self.turned(axis)))
+
+    def tilt(self) -> float:
+        """How far the rotation is from none: the largest difference of a direction cosine."""
+        return max(
+            abs(x - y) for row, unit in zip(self.rows, UNITS, strict=True) for x, y in zip(row, unit, strict=True)
+        )
+
+
+def _dot(row: Sequence[float], column: Sequence[float]) -> float:
+    """As `motion.dot`, for numbers of which none is structural."""
+    return row[0] * column[0] + row[1] * column[1] + row[2] * column[2]

@@ -1,0 +1,55 @@
+"""Vectors of three floats, without numpy: where there are a few of them, this is faster and costs no import."""
+
+from __future__ import annotations
+
+import math
+from typing import TypeAlias
+
+Vector: TypeAlias = tuple[float, float, float]
+
+ORIGIN: Vector = (0.0, 0.0, 0.0)
+UNITS: tuple[Vector, Vector, Vector] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+
+
+def dot(a: Vector, b: Vector) -> float:
+    """Scalar product."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def cross(a: Vector, b: Vector) -> Vector:
+    """Vector product."""
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+def plus(a: Vector, b: Vector, times: float = 1.0) -> Vector:
+    """A vector and a multiple of another."""
+    return a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]
+
+
+def scaled(a: Vector, factor: float) -> Vector:
+    """A multiple of a vector."""
+    return a[0] * factor, a[1] * factor, a[2] * factor
+
+
+def length(a: Vector) -> float:
+    """Euclidean length."""
+    return math.sqrt(dot(a, a))
+
+
+def across(a: Vector, unit: Vector) -> Vector:
+    """The part of a vector that is perpendicular to a unit vector."""
+    return plus(a, unit, -dot(a, unit))
+
+
+def within(vector: Vector, spread: tuple[Vector, ...]) -> Vector:
+    """The part of a vector in the span of perpendicular unit vectors."""
+    total = ORIGIN
+    for unit in spread:
+        total = plus(total, unit, dot(vector, unit))
+    return total
+
+
+def angle_about(axis: Vector, start: Vector, end: Vector) -> float:
+    """Angle about a unit axis that turns one vector into the half-plane of another; 0 where that says nothing."""
+    start, end = across(start, axis), across(end, axis)
+    return math.atan2(dot(axis, cross(start, end)), dot(start, end))

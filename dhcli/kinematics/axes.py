@@ -1,0 +1,131 @@
+"""Joint axes in space: what is left of a chain when its table is forgotten, and how they move its end."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from dhcli.algebra.floats import Floats
+from dhcli.errors import RobotError
+from dhcli.geometry.rigid import Rigid
+from dhcli.geometry.vectors import UNITS, Vector, cross, length, plus, scaled
+from dhcli.kinematics.fold import fold
+from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, expressions, names
+from dhcli.notation.angle import Angle
+from dhcli.notation.factors import AXES
+from dhcli.notation.tree import Expr
+
+Point: TypeAlias = Mapping[str, Angle | float]
+"""A value for each name that is not a joint variable."""
+
+
+@dataclass(frozen=True, slots=True)
+class Screw:
+    """A joint axis in the zero pose.
+
+    Attributes:
+        name: The joint variable.
+        turns: Whether the joint turns; else it slides and only the direction matters.
+        point: A point of the axis.
+        direction: Unit vector, in the sense in which the variable counts.
+        rate: Motion per unit of the variable, positive.
+    """
+
+    name: str
+    turns: bool
+    point: Vector
+    direction: Vector
+    rate: float
+
+    def moved(self, by: float) -> Rigid:
+        """What the joint does when its variable grows by so much: the exponential of its twist."""
+        if self.turns:
+            return Rigid.turn(self.direction, self.rate * by, self.point)
+        return Rigid.shift(scaled(self.direction, self.rate * by))
+
+
+@dataclass(frozen=True, slots=True)
+class Arm:
+    """A chain and the joints it meets on its way.
+
+    Attributes:
+        chain: The moves.
+        movers: Index of each move that a joint makes, and the variable of the joint, in order.
+    """
+
+    chain: Chain
+    movers: tuple[tuple[int, str], ...]
+
+    @classmethod
+    def of(cls, chain: Chain, variables: tuple[str, ...]) -> Arm:
+        """Find the joints.
+
+        Raises:
+            RobotError: A variable stands in two moves, or a move has two variables.
+        """
+        movers: list[tuple[int, str]] = []
+        for index, move in enumerate(chain):
+            inside = names((move,)).intersection(variables)
+            if len(inside) > 1 or not inside.isdisjoint(name for _, name in movers):
+                raise RobotError(f"{min(inside)} does not move one joint about or along one axis")
+            movers += [(index, name) for name in inside]
+        return cls(chain, tuple(movers))
+
+    @property
+    def variables(self) -> tuple[str, ...]:
+        """The joint variables in the order in which the chain meets them."""
+        return tuple(name for _, name in self.movers)
+
+    def pose(self, point: Point, q: Mapping[str, float] | None = None) -> Rigid:
+        """The end frame at a point; variables without a value are zero."""
+        return Rigid.of(fold(self.chain, Floats({**point, **dict.fromkeys(self.variables, 0.0), **(q or {})})))
+
+    def screws(self, point: Point) -> tuple[tuple[Screw, ...], Rigid]:
+        """The joint axes at a point, and the end frame, all in the zero pose and seen from the first frame."""
+        over = Floats({**point, **dict.fromkeys(self.variables, 0.0)})
+        found: list[Screw] = []
+        here, start = Rigid(), 0
+        for index, name in self.movers:
+            here @= Rigid.of(fold(self.chain[start:index], over))
+            start = index
+            found.append(self._screw(name, self.chain[index], here, point))
+        return tuple(found), here @ Rigid.of(fold(self.chain[start:], over))
+
+    def columns(self, point: Point, q: Mapping[str, float], size: float) -> list[list[float]]:
+        """Columns of the geometric Jacobian, without numpy.
+
+        Args:
+            point: Values of all other names.
+            q: Value of each joint variable.
+            size: The length that counts as 1 [m].
+
+        Returns:
+            Six numbers for each joint: the velocity of the end, in the given length, and the turning rate.
+        """
+        screws, end = self.screws(point)
+        here, axes = Rigid(), []
+        for screw in screws:
+            axes.append((screw, here.turned(screw.direction), here.moved(screw.point)))
+            here @= screw.moved(q[screw.name])
+        tip = (here @ end).offset
+        return [
+            [*scaled(cross(axis, plus(tip, at, -1)), 1 / size), *axis] if screw.turns else [*axis, 0.0, 0.0, 0.0]
+            for screw, axis, at in axes
+        ]
+
+    def _screw(self, name: str, move: Move, here: Rigid, point: Point) -> Screw:
+        if isinstance(move, Rot):
+            rate = float(dict(move.angle.terms)[name])
+            axis = scaled(here.column(AXES.index(move.axis)), math.copysign(1, rate))
+            return Screw(name, turns=True, point=here.offset, direction=axis, rate=abs(rate))
+        lengths = [row[3] for row in move.rows] if isinstance(move, Fixed) else list(expressions((move,)))
+        x, y, z = (self._slope(expr, name, point) for expr in lengths)
+        rate = length((x, y, z))
+        direction = scaled(here.turned((x, y, z)), 1 / rate) if rate else UNITS[2]
+        return Screw(name, turns=False, point=here.offset, direction=direction, rate=rate)
+
+    def _slope(self, expr: Expr, name: str, point: Point) -> float:
+        at = [Floats({**point, **dict.fromkeys(self.variables, 0.0), name: q}).value(expr) for q in (0.0, 1.0)]
+        return at[1] - at[0]
