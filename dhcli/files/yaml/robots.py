@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from dhcli.errors import FileError, NotationError, Place, Problem, did_you_mean
-from dhcli.files.library.lookup import Kind, find
+from dhcli.files.library.lookup import Kind, check_typed, find
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, read_yaml
@@ -14,7 +14,7 @@ from dhcli.files.yaml.typed import has_unit_of_angle, read_value, read_whole
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
 from dhcli.kinematics.moves import Chain, angle_names, expressions, names, read_chain
 from dhcli.kinematics.robot import Link, Robot, Value
-from dhcli.kinematics.validity import Finding, InvalidRobotError
+from dhcli.kinematics.validity import Finding, InvalidRobotError, fault_of_name
 from dhcli.notation.angle import Angle
 from dhcli.notation.names import canonical
 from dhcli.notation.scope import Scope
@@ -48,6 +48,7 @@ def load_robot(name: str | Path) -> Robot:
         UnknownNameError: No robot has this name; the nearest are listed.
         FileError: The file is no robot; every problem, each with file, line and column.
     """
+    check_typed(Kind.ROBOTS, name)
     path = name if isinstance(name, Path) else find(Kind.ROBOTS, name)
     text = read_text("-" if str(path) == "-" else path)
     return read_robot(text, source_of(path), "stdin" if str(path) == "-" else path.stem)
@@ -157,6 +158,8 @@ class _Loader:
             self.places[section, i] = node.place
             scalar = self.problems.scalar(node, section)
             if scalar is not None:
+                if fault := fault_of_name(scalar.text):
+                    self.problems.add(scalar.place, f"{section}: {fault[0]}", fault[1])
                 yield scalar.text
 
     def link(self, node: PlacedNode, index: int, number: int) -> Link:
