@@ -17,7 +17,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from dhcli.checking.marking import check as check
+    from dhcli.checking.judge import check as check
     from dhcli.errors import DhcliError as DhcliError
     from dhcli.files.yaml.exercises import load_exercise as load_exercise
     from dhcli.files.yaml.robots import load_robot as load_robot
@@ -38,7 +38,7 @@ _HOMES = {
     "Pose": "dhcli.kinematics.pose",
     "Robot": "dhcli.kinematics.robot",
     "axis_angles": "dhcli.geometry.many",
-    "check": "dhcli.checking.marking",
+    "check": "dhcli.checking.judge",
     "forward": "dhcli.kinematics.forward",
     "forward_batch": "dhcli.kinematics.batch",
     "load_exercise": "dhcli.files.yaml.exercises",

@@ -5,21 +5,18 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from fractions import Fraction
 from itertools import combinations
-from typing import TYPE_CHECKING
 
+from dhcli.checking.exercise import Exercise
 from dhcli.errors import RobotError
 from dhcli.geometry.pivots import pivots
 from dhcli.kinematics.axes import Arm
 from dhcli.kinematics.moves import names
+from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Number
 
-if TYPE_CHECKING:
-    from dhcli.checking.exercise import Exercise
-    from dhcli.kinematics.robot import Robot, Value
-
-RIGHT_ANGLE = Fraction(90)
+RIGHT_ANGLE = 90
 NEAR = 0.1
 """A pose is near a singularity if the weakest motion of its end is below this share of what it is elsewhere."""
 
@@ -27,41 +24,45 @@ GENERIC = (0.73, 1.91, 2.57)
 """Joint angles [rad], and displacements as shares of the size, from which poses to compare with are made."""
 
 
-def flaw(exercise: Exercise) -> str:
-    """Why the varied numbers of an exercise hide mistakes, in words; empty if they do not.
+def flaw(exercise: Exercise, drawn: Mapping[str, Value] | None = None) -> str:
+    """Why values drawn for the varied numbers of an exercise hide mistakes, in words; empty if they do not.
 
     Only what varies is looked at: what the author fixed is the author's choice. The geometry is computed without
     numpy, for a sheet is started far more often than this is thought about.
     """
-    varied = exercise.variants.keys()
-    found = _of_angles(exercise, varied) or _of_lengths(exercise, varied)
-    if not found and exercise.robot is not None and _is_near_singular(exercise.robot, exercise.values):
+    values, varied = {**exercise.values, **(drawn or {})}, exercise.variants.keys()
+    found = _of_angles(values, varied) or _of_lengths(values, varied)
+    if not found and exercise.robot is not None and _is_near_singular(exercise.robot, values):
         return "the arm is near a singularity"
     return found
 
 
-def _of_angles(exercise: Exercise, varied: Collection[str]) -> str:
+def _of_angles(values: Mapping[str, Value], varied: Collection[str]) -> str:
     """An angle at a right angle or half of one, or two that differ by a multiple of a right angle or add up to it."""
-    angles = {name: value for name, value in exercise.values.items() if isinstance(value, Angle)}
+    angles = {name: value for name, value in values.items() if isinstance(value, Angle)}
     for name in varied:
-        if name in angles and _is_right(angles[name] * 2):  # at 45° sine and cosine are the same
+        if name in angles and _is_right(
+            2 * angles[name].degrees, angles[name].radians
+        ):  # at 45° sine and cosine are the same
             return f"{name} is a multiple of 45°"
     for one, other in combinations(angles, 2):
         if one in varied or other in varied:
-            if _is_right(angles[one] - angles[other]):
+            a, b = angles[one], angles[other]
+            if _is_right(a.degrees - b.degrees, a.radians - b.radians):
                 return f"{one} and {other} differ by a multiple of 90°"
-            if _is_right(angles[one] + angles[other]):
+            if _is_right(a.degrees + b.degrees, a.radians + b.radians):
                 return f"{one} and {other} add up to a multiple of 90°"
     return ""
 
 
-def _is_right(angle: Angle) -> bool:
-    return not angle.radians and not angle.degrees % RIGHT_ANGLE
+def _is_right(degrees: Fraction, radians: Fraction) -> bool:
+    """Whether an angle is a multiple of a right one."""
+    return not radians and degrees.denominator == 1 and not degrees.numerator % RIGHT_ANGLE
 
 
-def _of_lengths(exercise: Exercise, varied: Collection[str]) -> str:
+def _of_lengths(values: Mapping[str, Value], varied: Collection[str]) -> str:
     """A length that is 0, or two that are equal."""
-    lengths = {name: value.value for name, value in exercise.values.items() if isinstance(value, Number)}
+    lengths = {name: value.value for name, value in values.items() if isinstance(value, Number)}
     for name in varied:
         if name not in lengths:
             continue

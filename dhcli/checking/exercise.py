@@ -1,52 +1,307 @@
-"""An exercise: a robot, questions, and what the document prints. The answers are computed, never typed in."""
+"""An exercise, its parts, and what every kind of question can do; a kind is one class in `kinds`.
+
+An exercise is data. What is worked out for it is kept in a `Memo`, which a `Judge` owns, and handed to a question as a
+`Case`: the exercise, the part and the memo.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import cached_property
+from typing import Any, ClassVar, Generic, Protocol, Self, TypeAlias, TypeVar, cast
 
-from dhcli.checking.questions import MatrixQuestion, Question, Span, TableQuestion
+from dhcli.algebra.floats import Floats
+from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.tolerance import DEFAULT, Tolerance
-from dhcli.checking.variants import Range
-from dhcli.errors import DhcliError, UnknownNameError, did_you_mean
-from dhcli.kinematics.conventions import Convention
+from dhcli.checking.verdicts import Mark
+from dhcli.checking.written import Printed, Range, Trial, answer_scope
+from dhcli.errors import DhcliError, Place, UnknownNameError, did_you_mean
+from dhcli.kinematics.conventions import Row
 from dhcli.kinematics.robot import Robot, Value
-from dhcli.notation.names import GREEK_NAMES, parts
-from dhcli.notation.quantity import LENGTH_UNITS
+from dhcli.kinematics.validity import Finding
+from dhcli.notation.operators import OPENING
+from dhcli.notation.quantity import LENGTH_UNITS, value_text
 from dhcli.notation.scope import Scope
 from dhcli.notation.styles import THETAS, Joints
+from dhcli.notation.tree import Expr
+
+T = TypeVar("T")
+R = TypeVar("R")
+
+Causes: TypeAlias = tuple[tuple[Slip, ...], ...]
+"""Slips that give just an answer, one or two together; each cause is enough by itself."""
+
+Rows: TypeAlias = tuple[tuple[Expr | float, ...], ...]
+Matrices: TypeAlias = tuple[tuple[tuple[float, ...], ...], ...]
+"""A homogeneous matrix at each of some points."""
+
+MISPRINTED = "this is what the document prints; it is a misprint"
+
+_GOES_ON = ("+", "-", "*", "/", "^", "=", ",", ";", "·", "...")
+"""What the line of an unfinished answer ends in."""
+
+
+class Memo:
+    """What was worked out for an exercise and need not be again.
+
+    Attributes:
+        exercise: The exercise.
+        like: The memo of the same exercise with the joints at other values, whose searches save work.
+        lasting: What does not depend on the numbers; the same exercise with other numbers shares it.
+    """
+
+    def __init__(
+        self, exercise: Exercise, like: Memo | None = None, lasting: dict[object, object] | None = None
+    ) -> None:
+        """Begin with nothing but what others share."""
+        self.exercise = exercise
+        self.like = like
+        self.lasting: dict[object, object] = {} if lasting is None else lasting
+        self._known: dict[object, object] = {}
+
+    def of(self, key: object, make: Callable[[], R]) -> R:
+        """What is kept under a key, made when it is first asked for."""
+        if key not in self._known:
+            self._known[key] = make()
+        return cast("R", self._known[key])
 
 
 @dataclass(frozen=True, slots=True)
-class Printed:
-    """What a document prints where it answers a part.
+class Reading(Generic[T]):
+    """An answer that has been read: the text, and what its kind of question reads in it."""
+
+    text: str
+    value: T
+
+
+@dataclass(frozen=True, slots=True)
+class Judged(Generic[T]):
+    """A mark, with the answer as it was read; None where it cannot be, or is blank."""
+
+    mark: Mark
+    reading: Reading[T] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Shown:
+    """One step of a solution.
 
     Attributes:
-        text: The answer as printed.
-        note: What is known about it, such as the row that was lost.
+        text: What is done, in words; each line on its own.
+        rows: The matrix it gives, if it gives one; lengths of numbers in the unit of the sheet.
     """
 
     text: str
-    note: str = ""
+    rows: Rows = ()
+
+
+class Besides(Protocol):
+    """What an exercise file says of a part besides `ask:`, for the kinds that need more."""
+
+    def texts(self, key: str) -> tuple[str, ...]:
+        """A list of texts."""
+        ...
+
+    def whole(self, key: str) -> int | None:
+        """A whole number."""
+        ...
+
+    def linkage(self, name: str) -> Any:  # noqa: ANN401  a linkage or its counts, of a room that few exercises need
+        """The linkage of a name or a pattern; None if there is none, which is told."""
+        ...
+
+    def refuse(self, message: str, hint: str = "") -> None:
+        """Note what is wrong with the part."""
+        ...
+
+
+class Question(ABC, Generic[T]):
+    """A kind of question: how it is asked, what is right, and how an answer is read, judged and explained.
+
+    Attributes:
+        words: First words of `ask:` that mean this kind.
+        examples: How it is asked, for messages and for people who write exercises.
+        keys: Keys of a part that only this kind reads.
+        is_explained: Whether a slip is looked for behind a wrong answer.
+        is_in_table: Whether the robot's table would give the answer away.
+        is_plain: Whether an answer is neither a formula nor a measure, so that a sheet need not say how to write them.
+    """
+
+    __slots__ = ()
+
+    words: ClassVar[tuple[str, ...]] = ()
+    examples: ClassVar[tuple[str, ...]] = ()
+    keys: ClassVar[tuple[str, ...]] = ()
+    is_explained: ClassVar[bool] = True
+    is_in_table: ClassVar[bool] = False
+    is_plain: ClassVar[bool] = False
+
+    @classmethod
+    @abstractmethod
+    def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
+        """Read the text that asks it, its first word with it.
+
+        Raises:
+            NotationError: It cannot be read.
+        """
+
+    def completed(self, _besides: Besides) -> Self:
+        """The question with what a file says of it besides `ask:`."""
+        return self
+
+    def check(self, _robot: Robot | None) -> None:
+        """Make sure that a robot has what is asked about.
+
+        Raises:
+            DhcliError: There is no robot, or it has no such link, frame or table.
+        """
+
+    @property
+    def needs_table(self) -> bool:
+        """Whether a student looks at the robot's table for it."""
+        return False
+
+    # --- What it says to people ----------------------------------------------------------------------------------
+
+    @abstractmethod
+    def describe(self, exercise: Exercise) -> str:
+        """What is asked for, in a few words."""
+
+    @property
+    def statements(self) -> tuple[str, ...]:
+        """The statements to choose from."""
+        return ()
+
+    def blank(self, _exercise: Exercise) -> tuple[int, int]:
+        """Rows and columns of blanks on a sheet."""
+        return 1, 1
+
+    def notes(self, _exercise: Exercise) -> Iterable[str]:
+        """What a sheet says above the blanks."""
+        return ()
+
+    @property
+    def in_rows(self) -> bool:
+        """Whether an answer has rows of several entries, between which a blank may stand."""
+        return False
+
+    @property
+    def has_cosines(self) -> bool:
+        """Whether an answer in symbols may have cosines and sines in it."""
+        return False
+
+    def is_whole(self, text: str) -> bool:
+        """Whether what was typed so far is plainly complete: its brackets close, and no operand is still to come."""
+        depth = sum((letter in OPENING) - (letter in OPENING.values()) for letter in text)
+        return depth <= 0 and not text.strip().endswith(_GOES_ON)
+
+    # --- What is right -------------------------------------------------------------------------------------------
+
+    @property
+    def names(self) -> frozenset[str]:
+        """Names that it brings along, besides those of the robot."""
+        return frozenset()
+
+    def unvalued(self, _exercise: Exercise) -> tuple[str, ...]:
+        """Names without which an answer in numbers cannot be computed, and that have no value."""
+        return ()
+
+    @abstractmethod
+    def expected(self, case: Case, style: str = "short") -> str:
+        """The right answer as a person would type it.
+
+        Raises:
+            DhcliError: There is none, such as a table of another convention.
+        """
+
+    def shortest(self, case: Case) -> str:
+        """The right answer as a solution shows it, to be copied."""
+        return self.expected(case)
+
+    def steps(self, _case: Case) -> Iterable[Shown]:
+        """What leads to the right answer."""
+        return ()
+
+    def findings(self, _case: Case, _where: tuple[str | int, ...]) -> Iterable[Finding]:
+        """What an author should mend, besides what holds for every kind."""
+        return ()
+
+    # --- How an answer is judged ---------------------------------------------------------------------------------
+
+    @abstractmethod
+    def read(self, case: Case, text: str, place: Place | None = None) -> T:
+        """Read an answer.
+
+        Raises:
+            UnreadableError: It has another form.
+            NotationError: It cannot be read.
+        """
+
+    @abstractmethod
+    def mark(self, case: Case, reading: Reading[T]) -> Mark:
+        """Judge an answer that has been read.
+
+        Raises:
+            UnreadableError: It cannot be judged; only its unit is wrong, for one.
+        """
+
+    def misprinted(self, _case: Case, judged: Judged[T], printed: Judged[T]) -> tuple[str, ...]:
+        """Remarks for an answer, or parts of it, that is not right and just what the document prints."""
+        return (MISPRINTED,) if judged.mark.reading == printed.mark.reading else ()
+
+    # --- How a wrong answer is explained -------------------------------------------------------------------------
+
+    def slips(self, _case: Case) -> Iterable[Slip]:
+        """Every single mistake that changes the right answer."""
+        return ()
+
+    def answer_with(self, _case: Case, _name: str) -> str | None:
+        """The answer of a student with one mistake, by its name, such as `alpha-sign 2`; None if it cannot be made."""
+        return None
+
+    def hidden(self, _case: Case) -> Iterable[Slip]:
+        """Mistakes whose answer is right at the values given although it is wrong at others."""
+        return ()
+
+    def unclear(self, _case: Case) -> Iterable[str]:
+        """Names of mistakes whose answer at the values given is right, or so near that it is hardly wrong."""
+        return ()
+
+    def causes(self, _case: Case, _reading: Reading[T]) -> Causes:
+        """Every cause that gives just this answer, the plainest kind; none where none is known."""
+        return ()
+
+    def told(self, _case: Case, mark: Mark, _reading: Reading[T]) -> Mark:
+        """The mark of an answer without a known cause, with what can be said all the same."""
+        return mark
+
+    def follows(self, _case: Case, _reading: Reading[T], _earlier: Mapping[str, Reading[Any]]) -> tuple[str, ...]:
+        """The earlier parts, by name, from whose own answers a wrong answer is right."""
+        return ()
+
+    def differs(self, _mark: Mark) -> bool:
+        """Whether later parts may follow from a right answer otherwise than from the solution."""
+        return False
+
+    def rows(self, _case: Case, _reading: Reading[T]) -> tuple[Row, ...]:
+        """The DH rows that an answer draws, one for each link of the robot; none where it draws none."""
+        return ()
+
+    def leads(
+        self, _case: Case, _reading: Reading[T], _span: tuple[int, int], _points: Points
+    ) -> tuple[int, int, Matrices] | None:
+        """From which frame to which an answer leads within a span of frames, and the matrices at some points."""
+        return None
 
 
 @dataclass(frozen=True, slots=True)
-class Trial:
-    """A submission that an exercise tests itself with.
+class Points:
+    """Values of some names, one set for each point at which something is evaluated."""
 
-    Attributes:
-        part: The part it answers.
-        answer: The answer; empty if a mistake makes it.
-        mistake: The mistake that makes the answer.
-        verdict: What it must be judged.
-    """
-
-    part: str
-    answer: str
-    verdict: str
-    mistake: str = ""
+    names: frozenset[str]
+    at: tuple[Floats, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +321,7 @@ class Part:
     """
 
     id: str
-    question: Question
+    question: Question[Any]
     prompt: str = ""
     credit: float = 1.0
     depends: tuple[str, ...] = ()
@@ -76,7 +331,7 @@ class Part:
     printed: Printed | None = None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Exercise:
     """A task with its parts.
 
@@ -97,8 +352,8 @@ class Exercise:
         shows_expected: Whether feedback may show the right entry.
         variants: What may be drawn by a seed, by name.
         variant: The seed that `given` was drawn by; empty for the numbers of the file.
-        truths: What was worked out so far and need not be again: right answers, searches for mistakes, draws.
-        forms: Answers in symbols computed so far, by question; copies with other values share them.
+        scope: The names that answers may use: the robot's, those given, and those the exercise adds.
+        values: Values that may stand for their names: those given and, in numbers, the robot's own.
     """
 
     id: str
@@ -117,8 +372,15 @@ class Exercise:
     shows_expected: bool = False
     variants: Mapping[str, Range] = field(default_factory=dict)
     variant: str = ""
-    truths: dict[object, object] = field(default_factory=dict, init=False, repr=False, compare=False)
-    forms: dict[object, object] = field(default_factory=dict, repr=False, compare=False)
+    scope: Scope = field(init=False, repr=False, compare=False)
+    values: Mapping[str, Value] = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        """Work out what follows from the rest."""
+        own = self.robot.parameters if self.robot and self.numeric else {}
+        values = {**{name: value for name, value in own.items() if value is not None}, **self.given}
+        object.__setattr__(self, "scope", answer_scope(self.robot, (*self.given, *self.names)))
+        object.__setattr__(self, "values", values)
 
     def part(self, name: str) -> Part:
         """A part by its name.
@@ -132,6 +394,16 @@ class Exercise:
         known = [part.id for part in self.parts]
         raise UnknownNameError(f"{self.id} has no part {name}", did_you_mean(name, known) or ", ".join(known))
 
+    def before(self, part: Part) -> Iterator[Part]:
+        """The parts that a part builds on, directly or through others, each once."""
+        wanted, found = list(part.depends), set[str]()
+        while wanted:
+            one = self.part(wanted.pop())
+            if one.id not in found:
+                found.add(one.id)
+                wanted += one.depends
+                yield one
+
     def accepts(self, written: str, sheet: str) -> None:
         """Make sure that a sheet was written for this exercise; one that does not say is taken.
 
@@ -144,10 +416,11 @@ class Exercise:
         if written and same != self.id:
             raise DhcliError(f"{sheet} is a sheet of {written}, not of {self.id}", f"dhcli check {written} {sheet}")
 
-    @cached_property
-    def scope(self) -> Scope:
-        """The names that answers may use: the robot's, those given, and those the exercise adds."""
-        return answer_scope(self.robot, (*self.given, *self.names))
+    @property
+    def given_text(self) -> str:
+        """The values that it gives, lengths in the unit of its sheet: `theta1 = 30°, d3 = 0.12 m`."""
+        unit = "" if self.unit == "none" else self.unit
+        return ", ".join(f"{name} = {value_text(value, unit)}" for name, value in self.given.items())
 
     @property
     def metres(self) -> Fraction:
@@ -159,39 +432,20 @@ class Exercise:
         """How joint angles are written."""
         return self.robot.writing if self.robot else THETAS
 
-    @cached_property
-    def values(self) -> Mapping[str, Value]:
-        """Values that may stand for their names: those given and, in numbers, the robot's own."""
-        own = self.robot.parameters if self.robot and self.numeric else {}
-        return {**{name: value for name, value in own.items() if value is not None}, **self.given}
 
+@dataclass(frozen=True, slots=True)
+class Case:
+    """A part of an exercise, with what was worked out for the exercise so far."""
 
-def answer_scope(robot: Robot | None, extra: tuple[str, ...]) -> Scope:
-    """The scope of a robot with further names, whose Greek ones are angles; open where there is neither."""
-    if robot is None:
-        angles = tuple(name for name in extra if _is_greek(name))
-        return Scope(angles=angles, lengths=tuple(n for n in extra if n not in angles), is_open=not extra)
-    own = robot.scope
-    more = [name for name in extra if name not in own.names]
-    return Scope(
-        joints=own.joints,
-        angles=(*own.angles, *(name for name in more if _is_greek(name))),
-        lengths=(*own.lengths, *(name for name in more if not _is_greek(name))),
-        aliases=own.aliases,
-    )
+    part: Part
+    memo: Memo
 
+    @property
+    def exercise(self) -> Exercise:
+        """The exercise."""
+        return self.memo.exercise
 
-def question_about(robot: Robot, start: str, end: str, *, numeric: bool, given: Mapping[str, Value]) -> Exercise:
-    """An exercise of one part made on the spot: the pose of a frame of a robot."""
-    part = Part("pose", MatrixQuestion(Span(start, end)))
-    return Exercise(robot.name, robot.title, robot.source, "", (part,), robot, given, numeric=numeric)
-
-
-def question_about_table(robot: Robot, convention: Convention) -> Exercise:
-    """An exercise of one part made on the spot: the DH table of a robot in one of the conventions."""
-    part = Part("table", TableQuestion(convention))
-    return Exercise(robot.name, robot.title, robot.source, "", (part,), robot)
-
-
-def _is_greek(name: str) -> bool:
-    return parts(name)[0] in GREEK_NAMES
+    @property
+    def tolerance(self) -> Tolerance:
+        """How near is near enough."""
+        return self.part.tolerance or self.exercise.tolerance

@@ -6,6 +6,7 @@ import math
 from dataclasses import replace
 
 from dhcli.algebra.floats import Floats
+from dhcli.checking.entries import Entries, Entry
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.orientations import (
     LEAST_SLACK,
@@ -18,8 +19,6 @@ from dhcli.checking.orientations import (
     turned,
 )
 from dhcli.checking.pasted import UnreadableError
-from dhcli.checking.questions import MatrixQuestion
-from dhcli.checking.reading import Entry
 from dhcli.checking.symbolic import has_decimals, same
 from dhcli.checking.tolerance import (
     LEAST_DECIMALS,
@@ -31,21 +30,12 @@ from dhcli.checking.tolerance import (
     without_unit,
 )
 from dhcli.checking.truth import Truth, is_length
-from dhcli.checking.verdicts import CellMark, Mark, Verdict
+from dhcli.checking.verdicts import INVERSE, TOO_FEW, TRANSPOSED, CellMark, Mark, Verdict, worst
+from dhcli.checking.wanted import Wanted
 from dhcli.kinematics.pose import rounded
 from dhcli.kinematics.values import numbers
 from dhcli.notation.quantity import LENGTH_UNITS
 from dhcli.notation.walk import symbols
-
-ORDER = (Verdict.WRONG, Verdict.CLOSE, Verdict.ROUNDED, Verdict.EQUIVALENT, Verdict.RIGHT)
-"""From worst to best; an answer is as good as its worst entry."""
-
-TOO_FEW = "right as far as it was typed, which is too little to judge: three decimals will do"
-"""What is said of 0.4 for 0.449."""
-
-INVERSE = "this is the inverse: it shows the reference from the frame"
-TRANSPOSED = "the rotation is transposed: its columns, not its rows, are the axes of the frame described"
-"""What is seen without a search; where the slip is found it has its name there."""
 
 LEAST_TURN = 0.1
 """Turn below which entries that are wrong have too few digits and no wrong direction [deg]."""
@@ -55,9 +45,9 @@ RELATIVE = 1e-3
 
 
 def mark_numbers(
-    question: MatrixQuestion,
+    question: Wanted,
     truth: Truth,
-    entries: tuple[tuple[Entry, ...], ...],
+    entries: Entries,
     exercise: Exercise,
     tolerance: Tolerance,
 ) -> Mark:
@@ -81,7 +71,7 @@ def mark_numbers(
         for r in range(len(typed))
         for c in range(len(typed[r]))
     )
-    verdict = min((cell.verdict for cell in cells), key=ORDER.index)
+    verdict = worst(cell.verdict for cell in cells)
     if verdict in (Verdict.WRONG, Verdict.CLOSE):
         _check_units(question, truth, typed, limits, exercise)
         if _is_rounded(question, truth, entries, typed, limits, float(exercise.metres)):
@@ -100,7 +90,7 @@ def mark_numbers(
     return Mark(verdict, cells=cells, remarks=remarks, earned=_earned(question, cells, typed, verdict))
 
 
-def _values(entries: tuple[tuple[Entry, ...], ...], exercise: Exercise) -> list[list[float]]:
+def _values(entries: Entries, exercise: Exercise) -> list[list[float]]:
     over = Floats(numbers(exercise.values))
     typed: list[list[float]] = []
     for r, row in enumerate(entries):
@@ -116,7 +106,7 @@ def _values(entries: tuple[tuple[Entry, ...], ...], exercise: Exercise) -> list[
     return typed
 
 
-def _limits(question: MatrixQuestion, truth: Truth, tolerance: Tolerance) -> list[list[float]]:
+def _limits(question: Wanted, truth: Truth, tolerance: Tolerance) -> list[list[float]]:
     position = tolerance.position if tolerance.position is not None else max(RELATIVE * truth.size, ZERO)
     return [
         [position if is_length(question, r, c) else tolerance.rotation for c in range(len(row))]
@@ -125,7 +115,7 @@ def _limits(question: MatrixQuestion, truth: Truth, tolerance: Tolerance) -> lis
 
 
 def _cell(  # noqa: PLR0913, PLR0917  everything an entry is judged by
-    question: MatrixQuestion,
+    question: Wanted,
     truth: Truth,
     entry: Entry,
     typed: float,
@@ -149,7 +139,7 @@ def _cell(  # noqa: PLR0913, PLR0917  everything an entry is judged by
 
 
 def _check_units(
-    question: MatrixQuestion, truth: Truth, typed: list[list[float]], limits: list[list[float]], exercise: Exercise
+    question: Wanted, truth: Truth, typed: list[list[float]], limits: list[list[float]], exercise: Exercise
 ) -> None:
     """Refuse an answer whose lengths would all be right in another unit, and whose rest is right."""
     assert truth.numbers is not None  # noqa: S101
@@ -171,9 +161,9 @@ def _check_units(
 
 
 def _is_rounded(  # noqa: PLR0913, PLR0917  everything that digits are judged by
-    question: MatrixQuestion,
+    question: Wanted,
     truth: Truth,
-    entries: tuple[tuple[Entry, ...], ...],
+    entries: Entries,
     typed: list[list[float]],
     limits: list[list[float]],
     unit: float,
@@ -192,7 +182,7 @@ def _is_rounded(  # noqa: PLR0913, PLR0917  everything that digits are judged by
     return True
 
 
-def _is_exact(truth: Truth, entries: tuple[tuple[Entry, ...], ...], exercise: Exercise) -> bool:
+def _is_exact(truth: Truth, entries: Entries, exercise: Exercise) -> bool:
     """Whether every entry with a decimal is the truth itself, as 0.5 is for cos 60° and 0.8660 for cos 30° is not."""
     return all(
         not has_decimals(entry.expr) or same(entry.expr, right, exercise.values)
@@ -206,7 +196,7 @@ def _matters(cell: CellMark) -> bool:
     return cell.counted or cell.verdict is not Verdict.RIGHT
 
 
-def _earned(question: MatrixQuestion, cells: tuple[CellMark, ...], typed: Matrix, verdict: Verdict) -> float:
+def _earned(question: Wanted, cells: tuple[CellMark, ...], typed: Matrix, verdict: Verdict) -> float:
     """Share of the credit: the rotation is one item, each length is one; the identity earns nothing."""
     if verdict in (Verdict.RIGHT, Verdict.ROUNDED):
         return 1.0
@@ -223,14 +213,14 @@ def _earned(question: MatrixQuestion, cells: tuple[CellMark, ...], typed: Matrix
     return sum(items) / len(items) if items else 0.0
 
 
-def _slack(entries: tuple[tuple[Entry, ...], ...]) -> float:
+def _slack(entries: Entries) -> float:
     """What the digits typed allow a length or a dot product to be off: four half units of the commonest digits."""
     places = [p for row in entries[:3] for entry in row[:3] if (p := typed_decimals(entry.typed)) is not None]
     return max(2 * 10.0 ** -max(places, key=places.count), LEAST_SLACK) if places else LEAST_SLACK
 
 
 def _remarks(
-    question: MatrixQuestion, right: Matrix, typed: Matrix, cells: tuple[CellMark, ...], slack: float, unit: str
+    question: Wanted, right: Matrix, typed: Matrix, cells: tuple[CellMark, ...], slack: float, unit: str
 ) -> tuple[str, ...]:
     """What geometry says: not a rotation, transposed, inverse, or by which angle the orientation is off."""
     wrong = [cell for cell in cells if cell.verdict is not Verdict.RIGHT]

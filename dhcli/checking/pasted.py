@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import re
 
-from dhcli.notation.pasted import EntriesError, without_label
-from dhcli.notation.pasted import rows_of as matrix_of
+from dhcli.notation.pasted import EntriesError, rows_of, without_label
 
-__all__ = ["UnreadableError", "refuse_blanks", "rows_of", "without_label"]
+__all__ = ["UnreadableError", "as_matrix", "refuse_blanks", "without_label"]
 
 _UNFILLED = re.compile(r"(?<![\w}])_(?![\w{])")
 
@@ -35,13 +34,13 @@ def refuse_blanks(text: str) -> None:
         raise UnreadableError("some entries are still blank: fill in every _")
 
 
-def rows_of(text: str, shape: tuple[int, int]) -> str:
+def as_matrix(text: str, shape: tuple[int, int]) -> str:
     """A matrix in brackets, where an answer is dhcli's JSON or a list of entries such as `r11 = c1`, `px = a1*c1`.
 
     Raises:
         UnreadableError: Entries are missing in the list, or stand in it twice.
     """
     try:
-        return matrix_of(text, shape)
+        return rows_of(text, shape)
     except EntriesError as error:
         raise UnreadableError(str(error)) from None

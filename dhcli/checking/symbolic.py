@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-import random
 from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
+from itertools import islice
 
 from dhcli.algebra.equality import equal
 from dhcli.algebra.floats import Floats
+from dhcli.algebra.points import general
+from dhcli.checking.entries import Entries, Entry
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.questions import MatrixQuestion
-from dhcli.checking.reading import Entry
 from dhcli.checking.truth import Truth
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
+from dhcli.checking.wanted import Wanted
 from dhcli.kinematics.robot import Value
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr, Number
@@ -24,9 +25,7 @@ POINTS = 6
 SEED = 7
 
 
-def mark_symbols(
-    question: MatrixQuestion, truth: Truth, entries: tuple[tuple[Entry, ...], ...], exercise: Exercise
-) -> Mark:
+def mark_symbols(question: Wanted, truth: Truth, entries: Entries, exercise: Exercise) -> Mark:
     """Judge an answer in expressions, entry by entry.
 
     Args:
@@ -87,11 +86,12 @@ def has_decimals(expr: Expr) -> bool:
     return any(isinstance(n, Number) and n.places is not None and n.value.denominator != 1 for n in walk(expr))
 
 
-def _about_equal(typed: Expr, right: Expr, values: Mapping[str, Value]) -> bool:
+def _about_equal(typed: Expr, right: Expr, given: Mapping[str, Value]) -> bool:
     """Whether an answer agrees at several points when each decimal may be off by half a unit of its last digit."""
-    typed, right = put(typed, values), put(right, values)
+    typed, right = put(typed, given), put(right, given)
     shifted = [_shifted(typed, index) for index in range(sum(_is_decimal(node) for node in walk(typed)))]
-    for point in points(symbols(typed) | symbols(right)):
+    for values in islice(general(symbols(typed) | symbols(right), SEED), POINTS):
+        point = Floats(values)
         value, slack = point.value(typed), 1e-12
         slack += sum(abs(point.value(other) - value) for other in shifted)
         if not abs(value - point.value(right)) <= slack:
@@ -119,20 +119,11 @@ def _shifted(expr: Expr, index: int) -> Expr:
     return rebuild(expr, leaf)
 
 
-def points(names: frozenset[str]) -> list[Floats]:
-    """Seeded points with values between 0.2 and 1.3, the same for everybody."""
-    draw = random.Random(SEED)  # noqa: S311  the same points every time
-    ordered = sorted(names)
-    return [Floats({name: draw.uniform(0.2, 1.3) for name in ordered}) for _ in range(POINTS)]
-
-
 def counterexample(typed: Expr, right: Expr, exercise: Exercise) -> str:
     """A point where the answer differs from the truth, with both numbers."""
     typed, right = put(typed, exercise.values), put(right, exercise.values)
-    names = sorted(symbols(typed) | symbols(right))
-    draw = random.Random(SEED)  # noqa: S311
-    for _ in range(POINTS):
-        values = {name: round(draw.uniform(0.2, 1.3), 1) for name in names}
+    for drawn in islice(general(symbols(typed) | symbols(right), SEED), POINTS):
+        values = {name: round(value, 1) for name, value in drawn.items()}
         over = Floats(values)
         one, other = over.value(typed), over.value(right)
         if abs(one - other) > 1e-6:  # noqa: PLR2004
@@ -151,7 +142,7 @@ def _half_right(cells: tuple[CellMark, ...]) -> tuple[str, ...]:
     return () if in_position else ("the position is right; the rotation is not",)
 
 
-def _is_identity(entries: tuple[tuple[Entry, ...], ...]) -> bool:
+def _is_identity(entries: Entries) -> bool:
     return all(
         isinstance(entry.expr, Number) and entry.expr.value == (r == c)
         for r, row in enumerate(entries)

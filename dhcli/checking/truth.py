@@ -9,8 +9,8 @@ from typing import TypeVar
 from dhcli.algebra.arithmetic import Arithmetic, plus, settled, times
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.terms import TERMS
-from dhcli.checking.exercise import Exercise
-from dhcli.checking.questions import Composed, MatrixQuestion, ScalarQuestion, Span
+from dhcli.checking.exercise import Case, Exercise
+from dhcli.checking.wanted import Composed, Span, Wanted
 from dhcli.errors import RobotError
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.forward import put_in, textbook_form
@@ -48,51 +48,54 @@ class Truth:
         return self.structural[row][column]
 
 
-def truth_of(question: MatrixQuestion, exercise: Exercise) -> Truth:
-    """The right answer to a question about a matrix, computed once for each exercise.
+def truth_of(question: Wanted, case: Case) -> Truth:
+    """The right answer to a question about a matrix, computed once.
 
     Args:
         question: The question.
-        exercise: The exercise it belongs to, for its robot and the values given.
+        case: Where it is asked, for the robot and the values given.
 
     Raises:
         RobotError: The question needs a robot and the exercise has none.
     """
-    known = exercise.truths.get(question)
-    if not isinstance(known, Truth):
-        known = exercise.truths[question] = _compute(question, exercise)
-    return known
+    return case.memo.of(("truth", question), lambda: _compute(question, case))
 
 
-def unvalued(question: MatrixQuestion, exercise: Exercise) -> tuple[str, ...]:
+def unvalued(question: Wanted, exercise: Exercise) -> tuple[str, ...]:
     """Names without which an answer in numbers cannot be computed, and that have no value."""
     named = names(chain_of(question, exercise.robot)) | _point_names(question)
     return tuple(sorted(named - exercise.values.keys(), key=natural_key))
 
 
-def _compute(question: MatrixQuestion, exercise: Exercise) -> Truth:
+def _compute(question: Wanted, case: Case) -> Truth:
+    exercise = case.exercise
     chain = chain_of(question, exercise.robot)
     values = dict(exercise.values)
-    rows = _in_symbols(chain, question, exercise)
+    rows = _in_symbols(chain, question, case)
     named = names(chain) | _point_names(question)
     structural = _structural(question, rows, is_constant=not named)
     if named - values.keys():
         return Truth(rows, None, 0.0, structural)
     over = Floats(numbers(values))
-    matrix = fold(merge(put_in(chain, values)), over)  # merged, so that angles which add up to 60° give exactly 1/2
+
+    def multiplied() -> tuple[tuple[float, ...], ...]:
+        return fold(merge(put_in(chain, values)), over)  # merged, so that angles which add up to 60° give exactly 1/2
+
+    matrix = case.memo.of(("product", question.source, question.inverse), multiplied)
     return Truth(rows, piece_of(matrix, question, over), _size(chain, question, exercise, values), structural)
 
 
-def _in_symbols(chain: Chain, question: MatrixQuestion, exercise: Exercise) -> tuple[tuple[Expr, ...], ...]:
+def _in_symbols(chain: Chain, question: Wanted, case: Case) -> tuple[tuple[Expr, ...], ...]:
     """The answer in textbook form, for which the values given do not matter; variants of an exercise share it."""
-    known = exercise.forms.get(question)
+    lasting = case.memo.lasting
+    known = lasting.get(question)
     if not isinstance(known, tuple) or known[0] != chain:
-        known = exercise.forms[question] = chain, piece_of(textbook_form(chain), question, TERMS)
+        known = lasting[question] = chain, piece_of(textbook_form(chain), question, TERMS)
     rows: tuple[tuple[Expr, ...], ...] = known[1]
     return rows
 
 
-def chain_of(question: MatrixQuestion, robot: Robot | None) -> Chain:
+def chain_of(question: Wanted, robot: Robot | None) -> Chain:
     """The moves whose product is asked about.
 
     Raises:
@@ -108,9 +111,7 @@ def chain_of(question: MatrixQuestion, robot: Robot | None) -> Chain:
     return inverse(chain) if question.inverse else chain
 
 
-def piece_of(
-    rows: tuple[tuple[N, ...], ...], question: MatrixQuestion, over: Arithmetic[N]
-) -> tuple[tuple[N, ...], ...]:
+def piece_of(rows: tuple[tuple[N, ...], ...], question: Wanted, over: Arithmetic[N]) -> tuple[tuple[N, ...], ...]:
     """What a question asks of a matrix, in the arithmetic of its entries."""
     row, column = question.index
     if question.piece == "pose":
@@ -134,7 +135,7 @@ def _dot(line: tuple[N, ...], coordinates: tuple[N | int, ...], over: Arithmetic
     return settled(total, over)
 
 
-def is_length(question: MatrixQuestion, row: int, column: int) -> bool:
+def is_length(question: Wanted, row: int, column: int) -> bool:
     """Whether an entry of the answer is a length; the others are direction cosines or fixed."""
     if question.piece in ("position", "point", "vector"):
         return True
@@ -144,7 +145,7 @@ def is_length(question: MatrixQuestion, row: int, column: int) -> bool:
 
 
 def _structural(
-    question: MatrixQuestion, rows: tuple[tuple[Expr, ...], ...], *, is_constant: bool
+    question: Wanted, rows: tuple[tuple[Expr, ...], ...], *, is_constant: bool
 ) -> tuple[tuple[bool, ...], ...]:
     def fixed(row: int, column: int) -> bool:
         if question.piece == "pose" and row == 3:  # noqa: PLR2004  the bottom row
@@ -160,21 +161,20 @@ def _structural(
 def names_of(exercise: Exercise) -> frozenset[str]:
     """Every name that the questions of an exercise and what it gives are about."""
     found = frozenset((*exercise.given, *exercise.names, *exercise.scope.names))
-    for part in exercise.parts:
-        question = part.question
-        if isinstance(question, MatrixQuestion):
-            found |= _point_names(question)
-            found |= names(question.source.chain) if isinstance(question.source, Composed) else frozenset()
-        elif isinstance(question, ScalarQuestion):
-            found |= symbols(question.expr)
-    return found
+    return found.union(*(part.question.names for part in exercise.parts))
 
 
-def _point_names(question: MatrixQuestion) -> frozenset[str]:
+def names_in(question: Wanted) -> frozenset[str]:
+    """Names that a question brings along, besides those of the robot."""
+    moves = names(question.source.chain) if isinstance(question.source, Composed) else frozenset[str]()
+    return moves | _point_names(question)
+
+
+def _point_names(question: Wanted) -> frozenset[str]:
     return frozenset().union(*(symbols(expr) for expr in question.point))
 
 
-def _size(chain: Chain, question: MatrixQuestion, exercise: Exercise, values: Mapping[str, Value]) -> float:
+def _size(chain: Chain, question: Wanted, exercise: Exercise, values: Mapping[str, Value]) -> float:
     over = Floats(numbers(values))
     lengths = [abs(over.value(expr)) for move in chain for expr in expressions((move,)) if _is_offset(move, expr)]
     lengths += [abs(over.value(expr)) for expr in question.point]

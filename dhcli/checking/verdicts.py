@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import Enum
 
@@ -35,6 +36,33 @@ class Verdict(Enum):
         if self in (Verdict.RIGHT, Verdict.EQUIVALENT):
             return True
         return False if self in (Verdict.CLOSE, Verdict.WRONG) else None
+
+
+WORST_FIRST = (
+    Verdict.CANNOT_READ,
+    Verdict.WRONG,
+    Verdict.CLOSE,
+    Verdict.ROUNDED,
+    Verdict.SKIPPED,
+    Verdict.EQUIVALENT,
+    Verdict.RIGHT,
+)
+COUNTED = " comes out when "
+"""What a remark says between a number and the slip that gives it."""
+
+TOO_FEW = "right as far as it was typed, which is too little to judge: three decimals will do"
+"""What is said of 0.4 for 0.449."""
+
+INVERSE = "this is the inverse: it shows the reference from the frame"
+TRANSPOSED = "the rotation is transposed: its columns, not its rows, are the axes of the frame described"
+"""What is seen without a search; where the slip is found it has its name there."""
+
+UNSOLVED = (Verdict.WRONG, Verdict.CLOSE)
+
+
+def worst(verdicts: Iterable[Verdict]) -> Verdict:
+    """An answer is as good as its worst entry, a sheet as its worst part; nothing at all is skipped."""
+    return min(verdicts, key=WORST_FIRST.index, default=Verdict.SKIPPED)
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,37 +1,127 @@
-"""What a lecturer writes beside the matrices of a solution: a product coordinate by coordinate, a table row by row."""
+"""How a matrix is worked out and written: its factors, their products, a coordinate term by term, the answer."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from typing import TypeAlias
+from collections.abc import Callable, Iterator, Sequence
 
 from dhcli.algebra.floats import Floats
-from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.expected import expected
-from dhcli.checking.marking import mark
-from dhcli.checking.questions import MatrixQuestion
-from dhcli.checking.truth import is_length, truth_of
-from dhcli.checking.verdicts import Verdict
-from dhcli.kinematics.conventions import Row
+from dhcli.algebra.terms import TERMS
+from dhcli.checking.entries import entries_text
+from dhcli.checking.exercise import Case, Exercise, Rows, Shown
+from dhcli.checking.tolerance import ZERO as NOTHING
+from dhcli.checking.truth import chain_of, is_length, truth_of
+from dhcli.checking.wanted import Composed, Span, Wanted
+from dhcli.kinematics.conventions import ORDER
+from dhcli.kinematics.fold import fold
+from dhcli.kinematics.forward import in_numbers, put_in, spelled, textbook_form
+from dhcli.kinematics.frames import between, frame
+from dhcli.kinematics.moves import Chain, names
 from dhcli.kinematics.pose import DIGITS, rounded
+from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import numbers
-from dhcli.notation.angle import Angle
 from dhcli.notation.matrix import bracketed
-from dhcli.notation.tree import Expr, Sum
-from dhcli.notation.writer import write, write_angle
-
-Rows: TypeAlias = tuple[tuple[Expr | float, ...], ...]
+from dhcli.notation.names import natural_key
+from dhcli.notation.quantity import value_text
+from dhcli.notation.tree import ONE, Expr, Number, Sum, multiply, number
+from dhcli.notation.writer import write
 
 MOST_DECIMALS = 6
 """Decimals of an answer that is shown to be copied, if it is right with them."""
 
 
-def answer_text(exercise: Exercise, part: Part) -> str:
+def matrix_steps(case: Case, question: Wanted) -> Iterator[Shown]:
+    """The matrices and their product, then the piece of it that is asked for."""
+    exercise = case.exercise
+    if isinstance(question.source, Span) and exercise.robot is not None:
+        yield from _links(exercise, exercise.robot, question.source)
+    elif isinstance(question.source, Composed):
+        yield from _moves(exercise, question.source.chain)
+    if question.inverse:
+        back = "The inverse: the moves undone in the opposite order, R transposed and -R^T p"
+        yield Shown(back, _product(exercise, chain_of(question, exercise.robot)))
+    row, column = question.index
+    point = coordinates(question, exercise)
+    pieces = {
+        "rotation": "The rotation is its upper left 3x3",
+        "position": "The position is its last column, without the 1",
+        "entry": f"Entry ({row + 1},{column + 1}) is in row {row + 1}, column {column + 1}",
+        "axis": f"The {'xyz'[row]} axis is column {row + 1}, without the 0",
+        "point": f"A point is multiplied with a 1 below it: ({point}, 1)",
+        "vector": f"A vector is only turned, so it is multiplied with a 0 below it: ({point}, 0)",
+    }
+    if question.piece in pieces:
+        yield Shown(pieces[question.piece])
+    if question.piece in ("point", "vector"):
+        rows = _product(exercise, chain_of(question, exercise.robot))
+        yield Shown("\n".join(("The matrix times this column:", *product_lines(case, question, rows))))
+
+
+def _links(exercise: Exercise, robot: Robot, span: Span) -> Iterator[Shown]:
+    """Each link matrix, then the products from right to left, which keep the brackets small."""
+    first, last = (robot.frames.index(frame(robot, name)) for name in (span.start, span.end))
+    low, high = min(first, last), max(first, last)
+    yield Shown(ORDER[robot.convention] + _in_unit(exercise))
+    for i in range(low, high):
+        before, after = robot.frames[i], robot.frames[i + 1]
+        chain = between(robot, before, after)
+        yield Shown(f"From frame {before} to frame {after}{_values(exercise, chain)}", _product(exercise, chain))
+    for i in range(high - 2, low - 1, -1):
+        start, middle, end = robot.frames[i], robot.frames[i + 1], robot.frames[high]
+        chain = between(robot, start, end)
+        yield Shown(f"T_{start}{end} = T_{start}{middle} T_{middle}{end}", _product(exercise, chain))
+    if first > last:
+        start, end = robot.frames[high], robot.frames[low]
+        yield Shown(f"T_{start}{end} is its inverse", _product(exercise, between(robot, start, end)))
+
+
+def _moves(exercise: Exercise, chain: Chain) -> Iterator[Shown]:
+    """The frame after each move, from left to right."""
+    for count, move in enumerate(chain, 1):
+        reached = chain[:count]
+        rows = _product(exercise, reached) if exercise.numeric else fold(reached, TERMS)
+        yield Shown(f"Move {count}: {spelled(move)}", rows)
+
+
+def _product(exercise: Exercise, chain: Chain) -> Rows:
+    """The product of a chain with what the task gives: in textbook form, or in numbers in the unit of the sheet."""
+    if not exercise.numeric:
+        return textbook_form(put_in(chain, exercise.given))
+    unit = float(exercise.metres)
+    *upper, bottom = in_numbers(chain, exercise.values)
+    return (*((*row[:3], row[3] / unit) for row in upper), bottom)
+
+
+def _values(exercise: Exercise, chain: Chain) -> str:
+    """The values that go into a matrix of numbers."""
+    if not exercise.numeric:
+        return ""
+    unit = "" if exercise.unit == "none" else exercise.unit
+    wanted = sorted(names(chain) & exercise.values.keys(), key=natural_key)
+    listed = ", ".join(f"{name} = {value_text(exercise.values[name], unit)}" for name in wanted)
+    return f", with {listed}" if listed else ""
+
+
+def _in_unit(exercise: Exercise) -> str:
+    return f", lengths in {exercise.unit}" if exercise.numeric and exercise.unit != "none" else ""
+
+
+def as_text(case: Case, question: Wanted, style: str = "short") -> str:
+    """The right answer as text; numbers in the unit of the sheet."""
+    exercise, truth = case.exercise, truth_of(question, case)
+    if exercise.numeric and truth.numbers is not None:
+        unit = float(exercise.metres)
+        return entries_text(
+            tuple(
+                tuple(_decimal(value / unit if is_length(question, r, c) else value) for c, value in enumerate(row))
+                for r, row in enumerate(truth.numbers)
+            )
+        )
+    return entries_text(tuple(tuple(write(entry, style, exercise.writing) for entry in row) for row in truth.rows))
+
+
+def shortest(case: Case, question: Wanted, is_right: Callable[[str], bool]) -> str:
     """The right answer as it may be typed: a column in one pair of brackets, numbers with as few digits as will do."""
-    question = part.question
-    if not isinstance(question, MatrixQuestion):
-        return expected(exercise, part)
-    truth = truth_of(question, exercise)
+    exercise, truth = case.exercise, truth_of(question, case)
     if not exercise.numeric or truth.numbers is None:
         return _matrix([[write(entry, "short", exercise.writing) for entry in row] for row in truth.rows])
     for digits in (MOST_DECIMALS, 2 * MOST_DECIMALS):
@@ -39,20 +129,20 @@ def answer_text(exercise: Exercise, part: Part) -> str:
             [rounded(value / _unit(question, exercise, r, c), digits) for c, value in enumerate(row)]
             for r, row in enumerate(truth.numbers)
         ]
-        if mark(exercise, part, _matrix(cells)).verdict is Verdict.RIGHT:
+        if is_right(_matrix(cells)):
             return _matrix(cells)
-    return expected(exercise, part)
+    return as_text(case, question)
 
 
-def product_lines(question: MatrixQuestion, rows: Rows, exercise: Exercise) -> Iterator[str]:
+def product_lines(case: Case, question: Wanted, rows: Rows) -> Iterator[str]:
     """A matrix times the column of a point or a vector, a line for each coordinate; what is zero is left out.
 
     Args:
+        case: Where it is asked, for its unit and how it writes angles.
         question: Asks for a point or a vector.
         rows: The matrix, shape (4, 4); lengths of numbers in the unit of the sheet.
-        exercise: The exercise, for its unit and how it writes angles.
     """
-    truth = truth_of(question, exercise)
+    exercise, truth = case.exercise, truth_of(question, case)
     scale = float(exercise.metres) if exercise.numeric else 1.0
     over = Floats(numbers(exercise.values))
     column: list[Expr | float] = [over.value(v) / scale if exercise.numeric else v for v in question.point]
@@ -71,20 +161,11 @@ def product_lines(question: MatrixQuestion, rows: Rows, exercise: Exercise) -> I
         yield f"{name} = {left}" if left == result else f"{name} = {left} = {result}"
 
 
-def table_lines(rows: Sequence[Row], columns: Sequence[str], first: int, exercise: Exercise) -> Iterator[str]:
-    """A DH table, a line for each row with its values by name, below each other.
-
-    Args:
-        rows: The rows.
-        columns: The columns in the robot's order.
-        first: Number of the first row.
-        exercise: The exercise, for how it writes angles.
-    """
-    cells = [[f"{column} = {_value(getattr(row, column), exercise)}" for column in columns] for row in rows]
-    widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
-    for number, row in enumerate(cells, first):
-        texts = (text.ljust(width) for text, width in zip(row, widths, strict=True))
-        yield f"row {number}:  {'   '.join(texts)}".rstrip()
+def coordinates(question: Wanted, exercise: Exercise) -> str:
+    """The point or the vector of a question, in the unit of the sheet: `20, -30, 50`."""
+    scale = number(1 / exercise.metres) if exercise.numeric else ONE
+    shown = [multiply(scale, value) if isinstance(value, Number) else value for value in question.point]
+    return ", ".join(write(value, "short", exercise.writing) for value in shown)
 
 
 def _matrix(cells: Sequence[Sequence[str]]) -> str:
@@ -93,7 +174,7 @@ def _matrix(cells: Sequence[Sequence[str]]) -> str:
     return bracketed(cells)
 
 
-def _unit(question: MatrixQuestion, exercise: Exercise, row: int, column: int) -> float:
+def _unit(question: Wanted, exercise: Exercise, row: int, column: int) -> float:
     return float(exercise.metres) if is_length(question, row, column) else 1.0
 
 
@@ -116,7 +197,6 @@ def _text(value: Expr | float, exercise: Exercise) -> str:
     return f"({text})" if isinstance(value, Sum) else text
 
 
-def _value(value: Expr | Angle, exercise: Exercise) -> str:
-    if isinstance(value, Angle):
-        return write_angle(value, "short", exercise.writing)
-    return write(value, "short", exercise.writing)
+def _decimal(value: float) -> str:
+    """A number in digits that can be typed; what is nothing but rounding of floats is 0."""
+    return "0" if abs(value) < NOTHING else f"{value:.10g}"

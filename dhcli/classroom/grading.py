@@ -8,16 +8,14 @@ from contextlib import closing
 from dataclasses import dataclass, replace
 from functools import lru_cache, partial
 
-from dhcli.checking.exercise import Exercise
-from dhcli.checking.sheetmark import PartMark, mark_sheet
-from dhcli.checking.variants import vary
+from dhcli.checking.judge import Judge, PartMark
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.classroom.folder import Submission
 from dhcli.classroom.pool import Lost, spread
 from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean
 from dhcli.files.library.lookup import Kind, entries
 from dhcli.files.yaml.exercises import full_id, load_exercise
-from dhcli.files.yaml.sheets import Sheet, check_numbers, read_sheet
+from dhcli.files.yaml.sheets import Sheet, judged_sheet, read_sheet
 
 TIMEOUT = 10.0
 """Seconds that one sheet may take; an honest one takes a hundredth of one."""
@@ -104,10 +102,9 @@ def grade(submission: Submission, only: str | None = None) -> Graded:
             exercise=_short(sheet.exercise),
             variant=_short(sheet.variant),
         )
-        exercise = _exercise_of(sheet, only, submission.sheet)
-        check_numbers(sheet, exercise, "this sheet")
-        marked = mark_sheet(exercise, {part: answer.text for part, answer in sheet.answers.items()})
-        return replace(row, exercise=exercise.id, parts=tuple(map(_part_grade, marked.parts)))
+        judge = _judge_of(sheet, only, submission.sheet)
+        marked = judged_sheet(judge, sheet, "this sheet")
+        return replace(row, exercise=marked.exercise.id, parts=tuple(map(_part_grade, marked.parts)))
     except DhcliError as error:
         return _failed(row, *error.problems)
     except Exception as error:  # noqa: BLE001  a bug that one sheet brings to light must not cost the others their grade
@@ -161,21 +158,21 @@ def _failed(row: Graded, *problems: Problem) -> Graded:
     return replace(row, problems=tuple(placed))
 
 
-def _exercise_of(sheet: Sheet, only: str | None, written: str) -> Exercise:
-    """The exercise that a sheet is of, in its variant."""
+def _judge_of(sheet: Sheet, only: str | None, written: str) -> Judge:
+    """The judge of the exercise that a sheet is of."""
     if only is not None:
-        exercise = _loaded(only)
+        judge = _loaded(only)
+        exercise = judge.exercise
         named = sheet.exercise if sheet.exercise == exercise.id else full_id(sheet.exercise)
         exercise.accepts(_short(named), written)
-    elif sheet.exercise:
-        exercise = _of_library(sheet.exercise)
-    else:
-        raise DhcliError("exercise: is missing", "--exercise says which one it is")
-    return vary(exercise, sheet.variant) if sheet.variant else exercise  # by other numbers a right sheet is wrong
+        return judge
+    if sheet.exercise:
+        return _of_library(sheet.exercise)
+    raise DhcliError("exercise: is missing", "--exercise says which one it is")
 
 
 @lru_cache(maxsize=64)
-def _of_library(name: str) -> Exercise:
+def _of_library(name: str) -> Judge:
     """The exercise of a name that a student wrote: never a path, or students could choose what they are asked."""
     known = {entry.name: entry.path for entry in entries(Kind.EXERCISES) if not entry.shadowed}
     path = known.get(full_id(name))
@@ -184,13 +181,13 @@ def _of_library(name: str) -> Exercise:
         hint = "exercises are looked for in ./exercises and in the folders of DHCLI_PATH, then among the built-in ones"
         similar = did_you_mean(name, known)
         raise UnknownNameError(f"exercise: there is no exercise '{name}'", f"{similar} {hint}".strip())
-    return load_exercise(path)
+    return Judge(load_exercise(path))
 
 
 @lru_cache(maxsize=1)
-def _loaded(name: str) -> Exercise:
+def _loaded(name: str) -> Judge:
     """The exercise of a name that the lecturer wrote."""
-    return load_exercise(name)
+    return Judge(load_exercise(name))
 
 
 def _part_grade(one: PartMark) -> PartGrade:

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 
-from dhcli.checking.verdicts import Verdict
+from dhcli.checking.verdicts import WORST_FIRST, Verdict
 from dhcli.errors import FileError
 from dhcli.files.atomic import write_whole
 from dhcli.files.holding import held
@@ -21,8 +21,8 @@ from dhcli.files.home import user_folder
 from dhcli.files.reading import read_text
 
 FORMAT = 1
-ORDER = ("SKIPPED", "CAN'T READ", "WRONG", "CLOSE", "ROUNDED", "EQUIVALENT", "RIGHT")
-"""Verdicts from worst to best."""
+ORDER = (Verdict.SKIPPED.word, *(verdict.word for verdict in WORST_FIRST if verdict is not Verdict.SKIPPED))
+"""Verdicts from worst to best; what was never tried is worst."""
 
 
 @dataclass(frozen=True, slots=True)

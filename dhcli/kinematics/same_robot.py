@@ -11,17 +11,19 @@ senses σ are searched; everything else is solved in closed form, and the result
 from __future__ import annotations
 
 import math
-import random
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from enum import Enum
+from itertools import islice
 
+from dhcli.algebra.points import draws
 from dhcli.geometry.rigid import Rigid
 from dhcli.geometry.vectors import length, plus, scaled, within
 from dhcli.kinematics.axes import Arm, Point
 from dhcli.kinematics.fits import Fit, Limits, held_by, released, slid
 
 POSES = 4
+SEED = 11
 MOST_LEAVES = 64
 RATE = 1e-9
 
@@ -141,11 +143,9 @@ class Registration:
 
 def error_of(match: Match, truth: Arm, other: Arm, point: Point, size: float) -> tuple[float, float]:
     """Largest difference between `T'(q)` and `B T(σq + q0) E` at seeded poses: of a direction cosine, and [m]."""
-    draw = random.Random(11)  # noqa: S311  the same poses every time
     turn = shift = 0.0
-    kinds = {screw.name: screw.turns for screw in truth.screws(point)[0]}
-    for _ in range(POSES):
-        q = {name: draw.uniform(-math.pi, math.pi) if kinds[name] else draw.uniform(-size, size) for name in kinds}
+    reach = {screw.name: math.pi if screw.turns else size for screw in truth.screws(point)[0]}
+    for q in islice(draws({name: (-far, far) for name, far in reach.items()}, SEED), POSES):
         there = {
             name: sense * q[name] + zero
             for name, sense, zero in zip(truth.variables, match.senses, match.zeros, strict=True)

@@ -5,14 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from dhcli.algebra.floats import Floats
-from dhcli.checking.exercise import Exercise, Part, Trial
-from dhcli.checking.expected import expected
-from dhcli.checking.marking import mark
-from dhcli.checking.questions import MatrixQuestion, TableQuestion
-from dhcli.checking.sheetmark import mark_sheet
+from dhcli.checking.exercise import Exercise, Part
+from dhcli.checking.judge import Judge
 from dhcli.checking.tolerance import Tolerance
-from dhcli.checking.truth import unvalued
 from dhcli.checking.verdicts import Mark, Verdict
+from dhcli.checking.written import Trial
 from dhcli.errors import DhcliError
 from dhcli.kinematics.validity import Finding, in_floats
 from dhcli.kinematics.values import is_within_limits, symbols_of
@@ -21,9 +18,6 @@ from dhcli.lint.wording import unfinished
 from dhcli.notation.quantity import value_text
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
-
-STATED = ("base frame", "end frame", "joint zero", "positive sense")
-"""What a task says where only one table can be right."""
 
 LARGEST_ROTATION = 0.1
 """A direction cosine that may be off by more says nothing: 6° and more."""
@@ -36,24 +30,25 @@ LARGEST_ANGLE = 5.0
 PASSED = (Verdict.RIGHT.word, Verdict.EQUIVALENT.word)
 
 
-def findings(exercise: Exercise) -> Iterator[Finding]:
+def findings(judge: Judge) -> Iterator[Finding]:
     """Every broken rule of an exercise, apart from those about its variants and the mistakes that its pose hides."""
+    exercise = judge.exercise
     yield from _texts(exercise)
-    yield from _blank_sheet(exercise)
+    yield from _blank_sheet(judge)
     yield from _within_limits(exercise)
     for index, part in enumerate(exercise.parts):
         yield from _help(part, ("parts", index))
-        yield from _stated(exercise, part, ("parts", index))
+        yield from judge.findings(part, ("parts", index))
     tolerances = tuple(_tolerances(exercise))
     yield from tolerances
     if missing := _missing(exercise):
         yield missing  # nothing can be judged without it
         return
     for index, part in enumerate(exercise.parts):
-        yield from _solution(exercise, part, ("parts", index))
-        yield from _printed(exercise, part)
+        yield from _solution(judge, part, ("parts", index))
+        yield from _printed(judge, part)
     if not tolerances:  # else tests fail that are right
-        yield from _trials(exercise)
+        yield from _trials(judge)
 
 
 def _texts(exercise: Exercise) -> Iterator[Finding]:
@@ -83,11 +78,7 @@ def _missing(exercise: Exercise) -> Finding | None:
     """Names without a value, where numbers are asked for."""
     if not exercise.numeric:
         return None
-    questions = [part.question for part in exercise.parts]
-    lacking = [
-        name for question in questions if isinstance(question, MatrixQuestion) for name in unvalued(question, exercise)
-    ]
-    names = list(dict.fromkeys(lacking))
+    names = list(dict.fromkeys(name for part in exercise.parts for name in part.question.unvalued(exercise)))
     if not names:
         return None
     angles = exercise.robot.angles if exercise.robot else frozenset()
@@ -96,9 +87,9 @@ def _missing(exercise: Exercise) -> Finding | None:
     return Finding(("given",), message, f"given: {{{wanted}}}")
 
 
-def _blank_sheet(exercise: Exercise) -> Iterator[Finding]:
+def _blank_sheet(judge: Judge) -> Iterator[Finding]:
     """Whoever hands in nothing has solved nothing."""
-    for index, one in enumerate(mark_sheet(exercise, {part.id: "_" for part in exercise.parts}).parts):
+    for index, one in enumerate(judge.sheet({part.id: "_" for part in judge.exercise.parts}).parts):
         if one.mark.verdict is not Verdict.SKIPPED or one.mark.earned:
             yield Finding(("parts", index), f"{one.part.id}: a blank answer is judged {one.mark.verdict.word}")
 
@@ -116,13 +107,13 @@ def _help(part: Part, where: tuple[str | int, ...]) -> Iterator[Finding]:
             yield Finding((*where, "depends", k), f"{part.id}: depends on {name} twice", "delete one")
 
 
-def _solution(exercise: Exercise, part: Part, where: tuple[str | int, ...]) -> Iterator[Finding]:
+def _solution(judge: Judge, part: Part, where: tuple[str | int, ...]) -> Iterator[Finding]:
     """What dhcli shows as the right answer must be judged so, when somebody types it in."""
     try:
-        answer = expected(exercise, part)
-        judged = mark(exercise, part, answer)
+        answer = judge.expected(part)
+        judged = judge.mark(part, answer)
     except DhcliError as error:
-        if not any(trial.part == part.id and trial.verdict == Verdict.RIGHT.word for trial in exercise.trials):
+        if not any(trial.part == part.id and trial.verdict == Verdict.RIGHT.word for trial in judge.exercise.trials):
             hint = error.problems[0].hint or "or show the right answer in a test"
             yield Finding((*where, "ask"), f"{part.id}: has no solution: {error.problems[0].message}", hint)
         return
@@ -130,11 +121,11 @@ def _solution(exercise: Exercise, part: Part, where: tuple[str | int, ...]) -> I
         yield Finding((*where, "ask"), f"{part.id}: its own solution {answer} is judged {_told(judged)}")
 
 
-def _printed(exercise: Exercise, part: Part) -> Iterator[Finding]:
+def _printed(judge: Judge, part: Part) -> Iterator[Finding]:
     """What a document prints is right, or is known to be a misprint; an author's own slip is neither."""
     if part.printed is None:
         return
-    judged = _judged(exercise, part, part.printed.text)
+    judged = _judged(judge, part, part.printed.text)
     where = ("printed", part.id)
     is_misprint = any("misprint" in remark for remark in judged.remarks)
     if judged.verdict in (Verdict.CANNOT_READ, Verdict.SKIPPED) and not is_misprint:
@@ -157,27 +148,18 @@ def _wrong(judged: Mark) -> str:
     return f"{where}is {first.typed}, right is {first.expected}{more}"
 
 
-def _stated(exercise: Exercise, part: Part, where: tuple[str | int, ...]) -> Iterator[Finding]:
-    """A table that must give one motion needs a task that leaves nothing open."""
-    if not isinstance(part.question, TableQuestion) or part.compare != "same-motion":
-        return
-    task = " ".join(exercise.task.lower().split())
-    if missing := [words for words in STATED if words not in task]:
-        message = f"{part.id}: same-motion wants one table, and the task does not state: {', '.join(missing)}"
-        yield Finding((*where, "compare"), message, "state it, or compare: same-robot")
-
-
-def _trials(exercise: Exercise) -> Iterator[Finding]:
+def _trials(judge: Judge) -> Iterator[Finding]:
+    exercise = judge.exercise
     for index, trial in enumerate(exercise.trials):
         try:
-            answer = typed(exercise, trial)
+            answer = typed(judge, trial)
         except DhcliError as error:
             yield Finding(("tests", index, "mistake"), error.problems[0].message, error.problems[0].hint)
             continue
-        judged = _judged(exercise, exercise.part(trial.part), answer)
+        judged = _judged(judge, exercise.part(trial.part), answer)
         if judged.verdict.word != trial.verdict:
             message = f"{trial.part}: is judged {_told(judged)}; the test says {trial.verdict}"
-            yield Finding(("tests", index, "mistake" if trial.mistake else "answer"), message, _right(exercise, trial))
+            yield Finding(("tests", index, "mistake" if trial.mistake else "answer"), message, _right(judge, trial))
     verdicts = {trial.verdict for trial in exercise.trials}
     for verdict in (Verdict.RIGHT, Verdict.WRONG):
         if verdict.word not in verdicts:
@@ -185,10 +167,10 @@ def _trials(exercise: Exercise) -> Iterator[Finding]:
             yield Finding(("tests",), f"tests: none is {verdict.word}", hint)
 
 
-def _right(exercise: Exercise, trial: Trial) -> str:
+def _right(judge: Judge, trial: Trial) -> str:
     """The right answer, where a test holds another one for right."""
     try:
-        answer = expected(exercise, exercise.part(trial.part)) if trial.verdict in PASSED else ""
+        answer = judge.expected(judge.exercise.part(trial.part)) if trial.verdict in PASSED else ""
     except DhcliError:
         return ""
     return f"right is {answer}" if answer else ""
@@ -225,10 +207,10 @@ def _smallest_length(exercise: Exercise) -> tuple[str, float] | None:
     return min(((name, value) for name, value in lengths.items() if value), key=lambda pair: pair[1], default=None)
 
 
-def _judged(exercise: Exercise, part: Part, answer: str) -> Mark:
+def _judged(judge: Judge, part: Part, answer: str) -> Mark:
     """A judgement; what cannot be judged at all cannot be read either."""
     try:
-        return mark(exercise, part, answer)
+        return judge.mark(part, answer)
     except DhcliError as error:
         return Mark(Verdict.CANNOT_READ, answer, remarks=(error.problems[0].message,))
 

@@ -165,6 +165,7 @@ def _rules(path: str) -> Iterator[Finding]:
     Raises:
         DhcliError: It does not load.
     """
+    from dhcli.checking.judge import Judge
     from dhcli.files.yaml.exercises import load_exercise
     from dhcli.files.yaml.linkages import load_linkage
     from dhcli.files.yaml.robots import load_robot
@@ -176,12 +177,12 @@ def _rules(path: str) -> Iterator[Finding]:
     elif kind is Kind.LINKAGES:
         yield from linkages.findings(load_linkage(Path(path)))
     else:
-        exercise = load_exercise(Path(path))
-        told = tuple(exercises.findings(exercise))
+        judge = Judge(load_exercise(Path(path)))
+        told = tuple(exercises.findings(judge))
         yield from told
         if not any(one.where[:1] == ("tolerance",) for one in told):  # else the pose is not what hides mistakes
-            yield from mistakes.findings(exercise)
-            yield from variants.findings(exercise)
+            yield from mistakes.findings(judge)
+            yield from variants.findings(judge)
 
 
 def _placed(problem: Problem, path: str) -> Problem:

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
-from dhcli.checking.diagnosis.slips import answer_with, hidden, slips
-from dhcli.checking.exercise import Exercise, Part, Trial
-from dhcli.checking.questions import MatrixQuestion
+from dhcli.checking.exercise import Part
+from dhcli.checking.judge import Judge
+from dhcli.checking.written import Trial
 from dhcli.errors import DhcliError
 from dhcli.kinematics.validity import Finding
 from dhcli.kinematics.values import numbers
@@ -21,35 +20,34 @@ MOST_NAMED = 3
 """Mistakes that a finding names; of more, it tells how many."""
 
 
-def typed(exercise: Exercise, trial: Trial) -> str:
+def typed(judge: Judge, trial: Trial) -> str:
     """The answer of a test: as typed, or as its mistake leads to.
 
     Raises:
         UnknownNameError: There is no such mistake here.
     """
-    part = exercise.part(trial.part)
-    return answer_with(exercise, part, trial.mistake) if trial.mistake else trial.answer
+    part = judge.exercise.part(trial.part)
+    return judge.answer_with(part, trial.mistake) if trial.mistake else trial.answer
 
 
-def findings(exercise: Exercise) -> Iterator[Finding]:
+def findings(judge: Judge) -> Iterator[Finding]:
     """What the pose of an exercise in numbers hides, with a pose that shows it; an error where it is half of all."""
-    for index, part in enumerate(exercise.parts):
-        if not exercise.numeric or not isinstance(part.question, MatrixQuestion):
-            continue
-        unseen = hidden(exercise, part)
+    for index, part in enumerate(judge.exercise.parts if judge.exercise.numeric else ()):
+        unseen = judge.hidden(part)
         if not unseen:
             continue
         names = ", ".join(slip.name for slip in unseen[:MOST_NAMED]) + (", ..." if len(unseen) > MOST_NAMED else "")
-        blind = len(unseen) > len(slips(exercise, part))
+        blind = len(unseen) > len(judge.slips(part))
         what = "a mistake" if len(unseen) == 1 else f"{len(unseen)} mistakes"
         message = f"{part.id}: this pose does not show {what}: {names}"
-        hint = _better(exercise, part) or ("" if blind else "nothing to do if it is meant so")
+        hint = _better(judge, part) or ("" if blind else "nothing to do if it is meant so")
         yield Finding(("parts", index), message, hint, is_warning=not blind)
 
 
-def _better(exercise: Exercise, part: Part) -> str:
+def _better(judge: Judge, part: Part) -> str:
     """A pose that hides fewer, as it would be given; nothing where none is found."""
-    now = len(hidden(exercise, part))
+    exercise = judge.exercise
+    now = len(judge.hidden(part))
     best: tuple[int, str] = (now, "")
     for degrees in POSES:
         given = dict(exercise.given)
@@ -59,7 +57,7 @@ def _better(exercise: Exercise, part: Part) -> str:
         if numbers(given) == numbers(exercise.given):
             continue
         try:
-            left = len(hidden(replace(exercise, given=given), part))
+            left = len(judge.with_given(given).hidden(part))
         except DhcliError:
             continue
         if left < best[0]:

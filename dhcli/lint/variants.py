@@ -5,9 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 
-from dhcli.checking.exercise import Exercise
-from dhcli.checking.expected import expected
-from dhcli.checking.marking import mark
+from dhcli.checking.exercise import Exercise, Part
+from dhcli.checking.judge import Judge
 from dhcli.checking.variants import hidden_by_numbers, vary
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import DhcliError
@@ -23,13 +22,14 @@ SEEDS = tuple(str(number) for number in range(1, 201))
 _ASSIGNED = re.compile(r"(?<!\w)(\\?[^\W\d_]+_?\{?\d*\}?)\s*=\s*[-−]?\d")  # noqa: RUF001  the sign of a document
 
 
-def findings(exercise: Exercise) -> Iterator[Finding]:
+def findings(judge: Judge) -> Iterator[Finding]:
     """Every broken rule about the variants of an exercise; nothing if it has none."""
+    exercise = judge.exercise
     if not exercise.variants:
         return
     yield from _within_limits(exercise)
     yield from _texts(exercise)
-    yield from _seeds(exercise)
+    yield from _seeds(judge)
 
 
 def _within_limits(exercise: Exercise) -> Iterator[Finding]:
@@ -62,7 +62,7 @@ def _texts(exercise: Exercise) -> Iterator[Finding]:
                 yield Finding(where, message, f"write {name}", is_warning=True)
 
 
-def _seeds(exercise: Exercise) -> Iterator[Finding]:
+def _seeds(judge: Judge) -> Iterator[Finding]:
     """The first seed that draws nothing, whose pose hides a mistake, or whose solution is not right.
 
     The same numbers are tried once.
@@ -71,30 +71,31 @@ def _seeds(exercise: Exercise) -> Iterator[Finding]:
     blind = False
     for seed in SEEDS:
         try:
-            drawn = vary(exercise, seed)
+            drawn = vary(judge, seed)
         except DhcliError as error:
             yield Finding(("variants",), error.problems[0].message, error.problems[0].hint)
             return
-        if drawn.given in tried:
+        if drawn.exercise.given in tried:
             continue
-        tried.append(drawn.given)
-        if not blind and (hidden := hidden_by_numbers(drawn, exercise)):
+        tried.append(drawn.exercise.given)
+        if not blind and (hidden := hidden_by_numbers(drawn, judge)):
             blind = True
             where, name = min(hidden)
             message = f"variant {seed}: no pose was found that shows every mistake; at this one {where} hides {name}"
             yield Finding(("variants",), message, "widen the ranges, or narrow the tolerance", is_warning=True)
-        for part in drawn.parts:
-            verdict = _own_verdict(drawn, part.id)
+        for part in drawn.exercise.parts:
+            verdict = _own_verdict(drawn, part)
             if verdict is not Verdict.RIGHT and verdict is not None:
                 message = f"variant {seed}: the solution of {part.id} is judged {verdict.word}"
-                yield Finding(("variants",), message, f"dhcli solution {exercise.id} --variant {seed} --part {part.id}")
+                yield Finding(
+                    ("variants",), message, f"dhcli solution {judge.exercise.id} --variant {seed} --part {part.id}"
+                )
                 return
 
 
-def _own_verdict(exercise: Exercise, name: str) -> Verdict | None:
+def _own_verdict(judge: Judge, part: Part) -> Verdict | None:
     """How its own solution is judged; None where it has none, which is told for the exercise itself."""
-    part = exercise.part(name)
     try:
-        return mark(exercise, part, expected(exercise, part)).verdict
+        return judge.mark(part, judge.expected(part)).verdict
     except DhcliError:
         return None

@@ -20,13 +20,15 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
 from dhcli import load_exercise, load_robot
-from dhcli.checking.diagnosis.diagnosis import diagnose
+from dhcli.checking.diagnosis.matrix_causes import typed_text
+from dhcli.checking.diagnosis.result import Diagnosis
 from dhcli.checking.diagnosis.search import matches, same, search_of
-from dhcli.checking.diagnosis.slips import answer_with, slips, typed_text
 from dhcli.checking.diagnosis.typed import typed_answer
-from dhcli.checking.exercise import Exercise, Part, question_about
-from dhcli.checking.marking import mark
-from dhcli.checking.questions import MatrixQuestion, TableQuestion
+from dhcli.checking.exercise import Case, Exercise, Part
+from dhcli.checking.judge import Judge
+from dhcli.checking.kinds.made import question_about
+from dhcli.checking.kinds.matrix import MatrixQuestion
+from dhcli.checking.kinds.table import TableQuestion
 from dhcli.checking.verdicts import Verdict
 from dhcli.files.library.lookup import Kind, entries
 from dhcli.kinematics.robot import Robot
@@ -67,19 +69,20 @@ class Tally:
         return f"{title:34}{self.made:7} {shares} {self.wrong:6} {median:9.1f} {longest:7.0f}"
 
 
-def parts() -> Iterator[tuple[str, Exercise, Part]]:
+def parts() -> Iterator[tuple[str, Judge, Part]]:
     """Every part of the library, and the pose of every robot in symbols and, with values, in numbers."""
     for entry in entries(Kind.EXERCISES):
         exercise = load_exercise(entry.path)
+        judge = Judge(exercise)
         for part in exercise.parts:
-            yield ("exercises, numbers" if exercise.numeric else "exercises, symbols"), exercise, part
+            yield ("exercises, numbers" if exercise.numeric else "exercises, symbols"), judge, part
     for entry in entries(Kind.ROBOTS):
         robot = load_robot(entry.path)
         for numeric in (False, True):
             if numeric and (not robot.variables or any(value is None for value in robot.parameters.values())):
                 continue
             exercise = about(robot, numeric=numeric)
-            yield ("robots, numbers" if numeric else "robots, symbols"), exercise, exercise.parts[0]
+            yield ("robots, numbers" if numeric else "robots, symbols"), Judge(exercise), exercise.parts[0]
 
 
 def about(robot: Robot, *, numeric: bool) -> Exercise:
@@ -89,17 +92,17 @@ def about(robot: Robot, *, numeric: bool) -> Exercise:
     return question_about(robot, robot.frames[1], robot.frames[-2], numeric=numeric, given=given)
 
 
-def singles(exercise: Exercise, part: Part, tally: Tally) -> None:
+def singles(judge: Judge, part: Part, tally: Tally) -> None:
     """Every single mistake of a part."""
     answers: dict[str, set[str]] = {}
-    for slip in slips(exercise, part):
-        answers.setdefault(answer_with(exercise, part, slip.name), set()).add(slip.name)
+    for slip in judge.slips(part):
+        answers.setdefault(judge.answer_with(part, slip.name), set()).add(slip.name)
     for answer, makers in answers.items():
-        judged = mark(exercise, part, answer)
-        if judged.verdict not in UNSOLVED:
+        judged = judge.judged(part, answer)
+        if judged.mark.verdict not in UNSOLVED:
             continue
         start = time.perf_counter()
-        found = diagnose(exercise, part, answer, judged)
+        found = judge.explained(part, judged).diagnosis or Diagnosis()
         tally.seconds.append(time.perf_counter() - start)
         tally.made += 1
         hit = any(name in makers for name in found.ids)
@@ -107,40 +110,42 @@ def singles(exercise: Exercise, part: Part, tally: Tally) -> None:
         unique = hit and len(found.ids) == 1
         tally.unique += unique
         tally.alike += (
-            not unique and bool(found.causes) and any(alike(exercise, part, (maker, *found.ids)) for maker in makers)
+            not unique and bool(found.causes) and any(alike(judge, part, (maker, *found.ids)) for maker in makers)
         )
         tally.few += hit and len(found.ids) <= 3
         for name in found.ids:
             if name != "misprint" and " + " not in name and name not in makers:
-                other = answer_with(exercise, part, name)
-                is_right = mark(exercise, part, other).verdict.passed is True
-                tally.wrong += is_right or not agree(exercise, part, answer, other)
+                other = judge.answer_with(part, name)
+                is_right = judge.mark(part, other).verdict.passed is True
+                tally.wrong += is_right or not agree(judge, part, answer, other)
 
 
-def agree(exercise: Exercise, part: Part, answer: str, other: str) -> bool:
+def agree(judge: Judge, part: Part, answer: str, other: str) -> bool:
     """Whether two answers say the same: to the digits typed, or as expressions."""
     if answer == other or not isinstance(part.question, MatrixQuestion):
-        return answer == other or mark(exercise, part, answer).reading == mark(exercise, part, other).reading
-    first, second = (typed_answer(exercise, part, part.question, text) for text in (answer, other))
+        return answer == other or judge.mark(part, answer).reading == judge.mark(part, other).reading
+    case = Case(part, judge.memo)
+    first, second = (typed_answer(case, part.question, part.question.read(case, text)) for text in (answer, other))
     if first is None or second is None:
         return False
     slack = tuple(tuple(2 * limit for limit in row) for row in first.slacks[0])  # both have been rounded
     return all(matches(a, b, slack) for a, b in zip(first.values, second.values, strict=True))
 
 
-def pairs(exercise: Exercise, part: Part, tally: Tally, count: int, draw: random.Random) -> None:
+def pairs(judge: Judge, part: Part, tally: Tally, count: int, draw: random.Random) -> None:
     """Some of the pairs of mistakes of a part."""
     if not isinstance(part.question, MatrixQuestion):
         return
-    every = search_of(exercise, part.question).pairs
+    case = Case(part, judge.memo)
+    every = search_of(part.question, judge.memo).pairs
     works = {" + ".join(slip.name for slip in one.slips): one.work for one in every}
     for pair in draw.sample(every, min(count, len(every))):
-        answer = typed_text(exercise, pair.work)
-        judged = mark(exercise, part, answer)
-        if judged.verdict not in UNSOLVED:
+        answer = typed_text(case, pair.work)
+        judged = judge.judged(part, answer)
+        if judged.mark.verdict not in UNSOLVED:
             continue
         start = time.perf_counter()
-        found = diagnose(exercise, part, answer, judged)
+        found = judge.explained(part, judged).diagnosis or Diagnosis()
         tally.seconds.append(time.perf_counter() - start)
         wanted = " + ".join(slip.name for slip in pair.slips)
         tally.made += 1
@@ -149,18 +154,18 @@ def pairs(exercise: Exercise, part: Part, tally: Tally, count: int, draw: random
         hit = wanted in found.ids or simpler  # one slip that gives the same answer is the better explanation
         unique = hit and len(found.ids) == 1
         tally.unique += unique
-        tally.alike += not unique and bool(found.causes) and alike(exercise, part, (wanted, *found.ids))
+        tally.alike += not unique and bool(found.causes) and alike(judge, part, (wanted, *found.ids))
         tally.wrong += sum(
-            not agree(exercise, part, answer, typed_text(exercise, works[name])) for name in found.ids if name in works
+            not agree(judge, part, answer, typed_text(case, works[name])) for name in found.ids if name in works
         )
         tally.few += hit and len(found.ids) <= 3
 
 
-def alike(exercise: Exercise, part: Part, names: Iterable[str]) -> bool:
+def alike(judge: Judge, part: Part, names: Iterable[str]) -> bool:
     """Whether mistakes, or pairs of them, give one and the same answer at all values; a misprint copied does too."""
     if not isinstance(part.question, MatrixQuestion):
         return not isinstance(part.question, TableQuestion)  # the same number or name, which is all there is
-    search = search_of(exercise, part.question)
+    search = search_of(part.question, judge.memo)
     wanted = set(names) - {"misprint"}
     every = (*search.singles, *search.pairs) if any(" + " in name for name in wanted) else search.singles
     works = [one.work for one in every if " + ".join(slip.name for slip in one.slips) in wanted]
@@ -180,15 +185,15 @@ def main() -> None:
     draw = random.Random(1)  # noqa: S311
     single: dict[str, Tally] = {}
     double: dict[str, Tally] = {}
-    for group, exercise, part in islice(parts(), 0, None, every):
-        singles(exercise, part, single.setdefault(group, Tally()))
-        pairs(exercise, part, double.setdefault(group, Tally()), count, draw)
+    for group, judge, part in islice(parts(), 0, None, every):
+        singles(judge, part, single.setdefault(group, Tally()))
+        pairs(judge, part, double.setdefault(group, Tally()), count, draw)
     puma = {"PUMA 560, symbols": False, "PUMA 560, numbers": True}
     of_puma = {title: (Tally(), Tally()) for title in puma}
     for title, numeric in puma.items():
-        exercise = about(load_robot("puma560"), numeric=numeric)
-        singles(exercise, exercise.parts[0], of_puma[title][0])
-        pairs(exercise, exercise.parts[0], of_puma[title][1], MANY, draw)
+        judge = Judge(about(load_robot("puma560"), numeric=numeric))
+        singles(judge, judge.exercise.parts[0], of_puma[title][0])
+        pairs(judge, judge.exercise.parts[0], of_puma[title][1], MANY, draw)
     heads = ("made", 7), ("unique", 8), ("alike", 8), ("of rest", 8), ("of <= 3", 8), ("named", 8), ("wrong", 6)
     print(" " * 34 + " ".join(f"{head:>{width}}" for head, width in (*heads, ("median ms", 9), ("most ms", 7))))
     for title, tallies in (("one slip", single), ("two slips", double)):

@@ -13,9 +13,9 @@ from sympy.parsing.sympy_parser import parse_expr
 
 from dhcli import load_robot
 from dhcli.algebra.symbolic import to_sympy
-from dhcli.checking.exercise import Exercise, question_about
-from dhcli.checking.expected import expected
-from dhcli.checking.marking import mark
+from dhcli.checking.exercise import Exercise
+from dhcli.checking.judge import Judge
+from dhcli.checking.kinds.made import question_about
 from dhcli.checking.verdicts import Verdict
 from dhcli.notation.matrix import Cell, parse_matrix
 
@@ -25,7 +25,7 @@ SYMPY = [sys.executable, "-c", "import sympy"]
 def question() -> tuple[Exercise, str]:
     """The pose of PUMA 560 as an exercise, and the right answer in full spelling, which sympy reads, too."""
     exercise = question_about(load_robot("puma560"), "0", "6", numeric=False, given={})
-    return exercise, expected(exercise, exercise.parts[0], "full")
+    return exercise, Judge(exercise).expected(exercise.parts[0], "full")
 
 
 def parsing(rounds: int) -> Iterator[Row]:
@@ -42,12 +42,12 @@ def parsing(rounds: int) -> Iterator[Row]:
 def rows(rounds: int) -> Iterator[Row]:
     """The pose marked in the process, and by a whole `dhcli check`."""
     exercise, answer = question()
-    part = exercise.parts[0]
+    part, judge = exercise.parts[0], Judge(exercise)
     command = [sys.executable, "-m", "dhcli", "check", "puma560", "--symbolic", "--answer", answer]
     peer = Task("python -c 'import sympy'", lambda: run(SYMPY))
     yield side_by_side(
         "marking a 4x4 of PUMA 560",
-        Task("mark", lambda: mark(exercise, part, answer)),
+        Task("mark", lambda: judge.mark(part, answer)),
         peer,
         lambda ours, theirs: ours.verdict is Verdict.RIGHT and theirs.returncode == 0,
         rounds=rounds,

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from dhcli.checking.describe import describe
-from dhcli.checking.marking import mark
 from dhcli.checking.verdicts import Verdict
 from dhcli.files.yaml.exercises import read_exercise
+from tests.judging import mark
 
 
 @pytest.mark.parametrize(("unit", "shown"), [("mm", "(200, 0, 0)"), ("m", "(0.2, 0, 0)"), ("none", "(0.2, 0, 0)")])
@@ -32,5 +31,5 @@ def test_points_and_vectors_are_shown_in_the_unit_in_which_the_answer_is_judged(
         "x",
     )
     [part] = exercise.parts
-    assert f"the {piece} {shown}" in describe(part.question, exercise)
+    assert f"the {piece} {shown}" in part.question.describe(exercise)
     assert mark(exercise, part, f"-{shown[1:-1]}").verdict is Verdict.RIGHT

@@ -9,11 +9,9 @@ from pathlib import Path
 import pytest
 
 from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.expected import expected
-from dhcli.checking.marking import mark
-from dhcli.checking.questions import ChoiceQuestion, MatrixQuestion, TableQuestion
-from dhcli.checking.sheetmark import mark_sheet
-from dhcli.checking.solution import solution
+from dhcli.checking.kinds.choice import ChoiceQuestion
+from dhcli.checking.kinds.matrix import MatrixQuestion
+from dhcli.checking.kinds.table import TableQuestion
 from dhcli.checking.truth import is_length, truth_of
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import RobotError
@@ -25,6 +23,7 @@ from dhcli.notation.writer import write
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
 from dhcli.render.text.matrix import matrix_lines
+from tests.judging import case_of, expected, mark, mark_sheet, solution
 from tests.nightly import some
 
 ROOT = Path(__file__).parents[2]
@@ -45,7 +44,7 @@ def loaded(name: str) -> Exercise:
 
 def rows_of(exercise: Exercise, question: MatrixQuestion) -> Iterator[tuple[str, Rows]]:
     """The entries of the right answer in every style that the writer knows, numbers in the sheet's unit."""
-    truth = truth_of(question, exercise)
+    truth = truth_of(question, case_of(exercise, exercise.parts[0]))
     if not exercise.numeric:
         for style in STYLES:
             yield style, [[write(entry, style, exercise.writing) for entry in row] for row in truth.rows]
@@ -88,7 +87,7 @@ def spellings(exercise: Exercise, question: MatrixQuestion) -> Iterator[tuple[st
 
 def screen(exercise: Exercise, question: MatrixQuestion) -> str:
     """The right answer as dhcli draws it, a heading above it."""
-    rows = truth_of(question, exercise).rows
+    rows = truth_of(question, case_of(exercise, exercise.parts[0])).rows
     return "\n".join(["T of somebody", *matrix_lines(rows, exercise.writing, Look(paper=Paper(width=1000)))])
 
 

@@ -12,16 +12,13 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from dhcli.checking.describe import describe
-from dhcli.checking.exercise import Exercise, Part, question_about
-from dhcli.checking.expected import expected
-from dhcli.checking.marking import check, mark
-from dhcli.checking.numeric import TOO_FEW
+from dhcli.checking.exercise import Exercise, Part
+from dhcli.checking.judge import SheetMark, check
+from dhcli.checking.kinds.made import question_about
+from dhcli.checking.kinds.table import TableQuestion
 from dhcli.checking.orientations import angle_between, not_orthonormal
-from dhcli.checking.questions import TableQuestion
-from dhcli.checking.sheetmark import SheetMark, mark_sheet
 from dhcli.checking.tolerance import is_rounding_of, judge, typed_decimals
-from dhcli.checking.verdicts import Mark, Verdict
+from dhcli.checking.verdicts import TOO_FEW, Mark, Verdict
 from dhcli.errors import DhcliError, UnknownNameError
 from dhcli.files.library.lookup import Kind, entries
 from dhcli.files.yaml.exercises import load_exercise, read_exercise
@@ -32,6 +29,7 @@ from dhcli.notation.tree import Number, number
 from dhcli.notation.writer import write
 from dhcli.render.look import Look, render
 from dhcli.render.paper import Paper
+from tests.judging import expected, mark, mark_sheet
 from tests.nightly import examples, some
 from tests.strategies import polynomials
 
@@ -437,10 +435,10 @@ def sane(judged: Mark) -> None:
 
 def shown(exercise: Exercise, part: Part, judged: Mark) -> str:
     """The judgement as a terminal shows it."""
-    from dhcli.checking.sheetmark import PartMark
+    from dhcli.checking.judge import PartMark
 
     text = render("marks", SheetMark(exercise, (PartMark(part, judged),)), Look(paper=Paper()))
-    assert describe(part.question, exercise).split("\n")[0][:10] in text
+    assert part.question.describe(exercise).split("\n")[0][:10] in text
     return text
 
 

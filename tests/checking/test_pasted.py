@@ -7,14 +7,17 @@ from dataclasses import replace
 import pytest
 
 from dhcli import load_robot
-from dhcli.checking.exercise import Exercise, Part, question_about
-from dhcli.checking.marking import check, mark
-from dhcli.checking.questions import MatrixQuestion, Span
-from dhcli.checking.reading import LARGEST
+from dhcli.checking.entries import LARGEST
+from dhcli.checking.exercise import Exercise, Part
+from dhcli.checking.judge import check
+from dhcli.checking.kinds.made import question_about
+from dhcli.checking.kinds.matrix import MatrixQuestion
 from dhcli.checking.verdicts import Verdict
+from dhcli.checking.wanted import Span
 from dhcli.cli.main import main
 from dhcli.files.yaml.exercises import load_exercise
 from dhcli.notation.angle import Angle
+from tests.judging import mark
 
 NAMED = """r11 = c12
 r12 = -s12

@@ -11,9 +11,9 @@ from typing import Any
 import pytest
 
 from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.marking import mark
 from dhcli.checking.verdicts import Verdict
 from dhcli.files.yaml.exercises import load_exercise, read_exercise
+from tests.judging import mark
 
 TABLE: dict[str, Any] = json.loads((Path(__file__).parents[1] / "data" / "submissions.json").read_text("utf-8"))
 SUBMISSIONS: list[dict[str, Any]] = TABLE["submissions"]

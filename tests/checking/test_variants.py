@@ -13,21 +13,18 @@ from hypothesis import strategies as st
 from dhcli.checking import variants as drawing
 from dhcli.checking.degenerate import flaw
 from dhcli.checking.diagnosis import work
-from dhcli.checking.diagnosis.draws import draws_of
 from dhcli.checking.diagnosis.search import Search, search_of
-from dhcli.checking.diagnosis.slips import hidden
-from dhcli.checking.exercise import Exercise
-from dhcli.checking.expected import expected
-from dhcli.checking.marking import mark
-from dhcli.checking.questions import MatrixQuestion
-from dhcli.checking.variants import Range, vary
+from dhcli.checking.exercise import Exercise, Memo
+from dhcli.checking.kinds.matrix import MatrixQuestion
 from dhcli.checking.verdicts import Verdict
+from dhcli.checking.written import Range
 from dhcli.errors import DhcliError
 from dhcli.files.library.lookup import Kind, entries
 from dhcli.files.yaml.exercises import load_exercise as load_anew
 from dhcli.files.yaml.exercises import read_exercise
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Number
+from tests.judging import expected, hidden, judge_of, mark, vary
 from tests.nightly import NIGHT, examples
 
 VARIED = ("yim/planar-in-numbers", "yim/scara-in-numbers", "yim/stanford-in-numbers", "zhou/three-r-arm-tip-in-numbers")
@@ -181,7 +178,7 @@ def test_no_mistake_hides_behind_a_draw(name: str) -> None:
 def test_the_rules_alone_would_let_mistakes_hide() -> None:
     """So that the draws are looked at one by one: variant 9 of the SCARA is not the first that breaks no rule."""
     scara = load_exercise("yim/scara-in-numbers")
-    first = [next(drawing._fair(scara, seed)) for seed in FIFTY]
+    first = [next(drawing._fair(judge_of(scara), seed)).exercise for seed in FIFTY]
     hiding = [drawn for drawn in first if hides(drawn)]
     assert 0 < len(hiding) < len(first) / 4
     for drawn in hiding:
@@ -197,7 +194,7 @@ def test_what_the_question_itself_hides_stops_no_draw() -> None:
     found = [hides(vary(exercise, seed)) for seed in FIFTY]
     assert found[0]
     assert set(found) == {frozenset.intersection(*found)}
-    assert vary(exercise, "alice").given == next(drawing._fair(exercise, "alice")).given
+    assert vary(exercise, "alice").given == next(drawing._fair(judge_of(exercise), "alice")).exercise.given
 
 
 def test_where_every_draw_hides_something_the_one_that_hides_least_is_taken() -> None:
@@ -206,7 +203,7 @@ def test_where_every_draw_hides_something_the_one_that_hides_least_is_taken() ->
     coarse = replace(planar, tolerance=replace(planar.tolerance, position=0.02))
     exercise = replace(coarse, variants={"theta1": angles(30), "theta2": angles(20, 55)})
     poses = [replace(exercise, given={"theta1": Angle.in_degrees(30), "theta2": Angle.in_degrees(q)}) for q in (20, 55)]
-    worse, better = (draws_of(exercise).unclear(pose) for pose in poses)
+    worse, better = (judge_of(pose).unclear() for pose in poses)
     assert (len(worse), len(better), len(worse & better)) == (2, 1, 0)
     assert {given_of(vary(exercise, seed))["theta2"] for seed in FIFTY} == {"55"}
 
@@ -216,10 +213,14 @@ def test_a_counted_number_of_draws_is_looked_at(monkeypatch: pytest.MonkeyPatch)
     planar = load_exercise("yim/planar-in-numbers")
     looked: list[dict[str, str]] = []
     monkeypatch.setattr(
-        drawing, "hidden_by_numbers", lambda drawn, _: looked.append(given_of(drawn)) or {("tip", "transposed")}
+        drawing,
+        "hidden_by_numbers",
+        lambda drawn, _: looked.append(given_of(drawn.exercise)) or {("tip", "transposed")},
     )
     taken = vary(planar, "alice")
-    fair = [given_of(drawn) for drawn in islice(drawing._fair(planar, "alice"), drawing.MOST_LOOKED_AT)]
+    fair = [
+        given_of(drawn.exercise) for drawn in islice(drawing._fair(judge_of(planar), "alice"), drawing.MOST_LOOKED_AT)
+    ]
     assert looked == [one for k, one in enumerate(fair) if one not in fair[:k]]
     assert given_of(taken) == fair[0]
 
@@ -231,7 +232,10 @@ def test_a_search_that_is_moved_to_a_draw_is_that_of_the_draw(name: str) -> None
     for seed in SEEDS[:5]:
         drawn = variant(name, seed)
         for question in {part.question for part in drawn.parts if isinstance(part.question, MatrixQuestion)}:
-            afresh, moved = Search(drawn, question), Search(drawn, question, search_of(exercise, question))
+            afresh, moved = (
+                Search(Memo(drawn), question),
+                Search(Memo(drawn), question, search_of(question, judge_of(exercise).memo)),
+            )
             assert [one.slips for one in moved.singles] == [one.slips for one in afresh.singles]
             assert [moved.entries(one.work) for one in moved.singles] == [
                 afresh.entries(one.work) for one in afresh.singles
@@ -243,10 +247,10 @@ def test_what_draws_share_stays_in_its_bounds(monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setattr(work, "MOST_KNOWN", 7)
     exercise = load_anew("yim/planar-in-numbers")
     question = next(part.question for part in exercise.parts if isinstance(part.question, MatrixQuestion))
-    shared = search_of(exercise, question)
+    shared = search_of(question, judge_of(exercise).memo)
     for seed in SEEDS[:5]:
         drawn = vary(exercise, seed)
-        afresh, moved = Search(drawn, question), Search(drawn, question, shared)
+        afresh, moved = Search(Memo(drawn), question), Search(Memo(drawn), question, shared)
         assert len(shared.folds._known) <= 7
         assert [moved.entries(one.work) for one in moved.singles] == [
             afresh.entries(one.work) for one in afresh.singles

@@ -8,16 +8,16 @@ import pytest
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.marking import mark
-from dhcli.checking.questions import MatrixQuestion, TableQuestion
-from dhcli.checking.solution import solution
+from dhcli.checking.kinds.matrix import MatrixQuestion
+from dhcli.checking.kinds.table import TableQuestion
 from dhcli.checking.symbolic import same
 from dhcli.checking.verdicts import Verdict
-from dhcli.checking.workings import MOST_DECIMALS, answer_text
+from dhcli.checking.workings import MOST_DECIMALS
 from dhcli.files.library.lookup import Kind, entries
 from dhcli.files.yaml.exercises import load_exercise, read_exercise
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import to_length
+from tests.judging import mark, shortest, solution
 
 EXERCISES = [entry.name for entry in entries(Kind.EXERCISES)]
 
@@ -41,7 +41,7 @@ def lines_after(exercise: Exercise, part: Part, head: str) -> list[str]:
 def test_the_answer_that_a_solution_shows_is_right_when_it_is_copied(name: str) -> None:
     """In few decimals, a column in one pair of brackets."""
     for exercise, part in parts(name):
-        shown = answer_text(exercise, part)
+        shown = shortest(exercise, part)
         assert mark(exercise, part, shown).verdict is Verdict.RIGHT, part.id
         assert all(len(digits) <= MOST_DECIMALS for digits in re.findall(r"\.(\d+)", shown)), part.id
         assert isinstance(part.question, MatrixQuestion)
@@ -53,7 +53,7 @@ def test_a_small_value_keeps_the_digits_that_it_needs() -> None:
     """Six decimals of a millionth would be wrong."""
     text = "format: 1\ntitle: x\nsource: x\ntask: x\nnumeric: true\ntolerance: {position: 1e-9}\nparts:\n"
     exercise = read_exercise(text + "  - {id: a, ask: 'position of product \"Trans(0.0000012345, 2, 0)\"'}\n", "x", "x")
-    assert answer_text(exercise, exercise.parts[0]) == "[0.0000012345, 2, 0]"
+    assert shortest(exercise, exercise.parts[0]) == "[0.0000012345, 2, 0]"
 
 
 @pytest.mark.parametrize("name", EXERCISES)

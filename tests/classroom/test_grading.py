@@ -8,8 +8,6 @@ from pathlib import Path
 
 import pytest
 
-from dhcli.checking.expected import expected
-from dhcli.checking.variants import vary
 from dhcli.checking.verdicts import Verdict
 from dhcli.classroom.folder import Submission, find_sheets
 from dhcli.classroom.grading import Graded, grade, grade_all
@@ -18,6 +16,7 @@ from dhcli.files.yaml.exercises import load_exercise
 from dhcli.files.yaml.sheets import write_sheet
 from tests.classroom.sheets import EXERCISE, RIGHT, WRONG, hand_in, sheet
 from tests.classroom.workers import trouble
+from tests.judging import expected, vary
 
 MINE = "format: 1\ntitle: Mine\nsource: mine\ntask: One plus one.\nparts:\n  - {id: sum, ask: scalar 2}\n"
 
@@ -103,7 +102,7 @@ def test_a_bug_is_a_row(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None
     def broken(*_: object) -> None:
         raise RecursionError("too deep")
 
-    monkeypatch.setattr("dhcli.classroom.grading.mark_sheet", broken)
+    monkeypatch.setattr("dhcli.classroom.grading.judged_sheet", broken)
     row = graded(tmp_path, sheet({"d02": RIGHT}))
     assert [problem.message for problem in row.problems] == ["this is a bug in dhcli: RecursionError: too deep"]
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from dhcli.checking.judge import Judge
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.files.yaml.exercises import read_exercise
 from dhcli.lint import exercises
@@ -265,11 +266,11 @@ def test_a_part_whose_solution_nobody_knows_is_told(tmp_path: Path) -> None:
 
 def test_a_blank_sheet_that_earns_something_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     """No file does that today; the rule holds the door shut."""
-    exercise = read_exercise(CLEAN, "own.yaml", "own")
-    sheet = exercises.mark_sheet(exercise, {})
+    judge = Judge(read_exercise(CLEAN, "own.yaml", "own"))
+    sheet = judge.sheet({})
     free = [replace(one, mark=Mark(Verdict.RIGHT, "")) if one.part.id == "tip" else one for one in sheet.parts]
-    monkeypatch.setattr(exercises, "mark_sheet", lambda *_: replace(sheet, parts=tuple(free)))
-    (found,) = exercises.findings(exercise)
+    monkeypatch.setattr(judge, "sheet", lambda *_: replace(sheet, parts=tuple(free)))
+    (found,) = exercises.findings(judge)
     assert (found.where, found.message) == (("parts", 1), "tip: a blank answer is judged RIGHT")
 
 

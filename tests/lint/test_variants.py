@@ -8,9 +8,11 @@ from pathlib import Path
 
 import pytest
 
-from dhcli.checking.exercise import Exercise
-from dhcli.checking.variants import Range, vary
+from dhcli.checking.exercise import Part
+from dhcli.checking.judge import Judge
+from dhcli.checking.variants import vary
 from dhcli.checking.verdicts import Verdict
+from dhcli.checking.written import Range
 from dhcli.files.yaml.exercises import load_exercise, read_exercise
 from dhcli.lint import variants
 from dhcli.notation.angle import Angle
@@ -90,7 +92,7 @@ def test_ranges_in_which_every_pose_hides_something_are_told() -> None:
     angles = {"theta1": (30,), "theta2": (20, 55)}
     ranges = {name: Range("", tuple(map(Angle.in_degrees, values))) for name, values in angles.items()}
     coarse = replace(planar.tolerance, position=0.02)
-    (found,) = variants.findings(replace(planar, variants=ranges, tolerance=coarse))
+    (found,) = variants.findings(Judge(replace(planar, variants=ranges, tolerance=coarse)))
     assert found.where == ("variants",)
     assert found.is_warning
     assert re.fullmatch(
@@ -118,18 +120,18 @@ def test_two_hundred_seeds_are_drawn_and_every_part_of_each_is_solved(monkeypatc
     """The last of them as well as the first; numbers that were solved already are not solved again."""
     monkeypatch.setattr(variants, "SEEDS", EVERY_SEED)
     exercise = load_exercise("yim/planar-in-numbers")
-    drawn: list[Exercise] = []
+    drawn: list[Judge] = []
     solved: list[tuple[str, str]] = []
 
-    def judge(one: Exercise, part: str) -> Verdict:
-        solved.append((one.variant, part))
+    def solve(one: Judge, part: Part) -> Verdict:
+        solved.append((one.exercise.variant, part.id))
         return Verdict.RIGHT
 
     monkeypatch.setattr(variants, "vary", lambda one, seed: drawn.append(vary(one, seed)) or drawn[-1])
-    monkeypatch.setattr(variants, "_own_verdict", judge)
-    assert list(variants.findings(exercise)) == []
-    assert [one.variant for one in drawn] == [str(number) for number in range(1, 201)]
-    different = {tuple(sorted((name, str(value)) for name, value in one.given.items())) for one in drawn}
+    monkeypatch.setattr(variants, "_own_verdict", solve)
+    assert list(variants.findings(Judge(exercise))) == []
+    assert [one.exercise.variant for one in drawn] == [str(number) for number in range(1, 201)]
+    different = {tuple(sorted((name, str(value)) for name, value in one.exercise.given.items())) for one in drawn}
     assert len(solved) == len(different) * len(exercise.parts)
     assert {part for _, part in solved} == {part.id for part in exercise.parts}
 
@@ -141,9 +143,9 @@ def test_a_fault_that_only_the_last_seed_has_is_found(monkeypatch: pytest.Monkey
     monkeypatch.setattr(
         variants,
         "_own_verdict",
-        lambda one, part: Verdict.WRONG if (one.variant, part) == ("200", last) else Verdict.RIGHT,
+        lambda one, part: Verdict.WRONG if (one.exercise.variant, part.id) == ("200", last) else Verdict.RIGHT,
     )
-    (found,) = variants.findings(exercise)
+    (found,) = variants.findings(Judge(exercise))
     assert found.message == f"variant 200: the solution of {last} is judged WRONG"
 
 
@@ -151,4 +153,4 @@ def test_an_exercise_without_variants_breaks_none_of_these_rules() -> None:
     """Its numbers may well stand in its text."""
     text = CLEAN.replace("variants:\n  theta1: 20°..70° step 5°\n  theta2: 20°..70° step 5°\n", "")
     text = text.replace("Find the end.", "At theta1 = 35°.")
-    assert list(variants.findings(read_exercise(text, "own.yaml", "own"))) == []
+    assert list(variants.findings(Judge(read_exercise(text, "own.yaml", "own")))) == []

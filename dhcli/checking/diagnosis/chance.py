@@ -12,8 +12,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from dhcli.checking.diagnosis.work import Matrix
-from dhcli.checking.questions import MatrixQuestion
 from dhcli.checking.truth import is_length
+from dhcli.checking.wanted import Wanted
 
 MOST = {"singles": 0.05, "pairs": 0.01}
 """How many candidates may be met by chance. One slip is likely in itself; two at once have to show more."""
@@ -27,7 +27,7 @@ OUTER = 8
 
 
 @dataclass(frozen=True, slots=True)
-class Typed:
+class Evidence:
     """The entries of an answer at one point, in a row.
 
     Attributes:
@@ -53,7 +53,7 @@ class Typed:
         return tuple(k for k, (value, right, limit) in places if not abs(value - right) <= limit + EXACT)
 
 
-def is_chance(stage: str, given: Iterable[Sequence[float]], typed: Typed) -> bool:
+def is_chance(stage: str, given: Iterable[Sequence[float]], typed: Evidence) -> bool:
     """Whether an arbitrary answer with these digits would meet candidates too often.
 
     Args:
@@ -80,6 +80,6 @@ def _spread(values: list[float]) -> float:
     return values[-1 - cut] - values[cut]
 
 
-def lengths_of(question: MatrixQuestion, entries: Matrix[float]) -> tuple[bool, ...]:
+def lengths_of(question: Wanted, entries: Matrix[float]) -> tuple[bool, ...]:
     """Whether each entry is a length, row by row."""
     return tuple(is_length(question, r, c) for r, row in enumerate(entries) for c in range(len(row)))

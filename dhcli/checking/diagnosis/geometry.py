@@ -11,10 +11,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from dhcli.algebra.floats import Floats
-from dhcli.checking.diagnosis.typed import Typed
+from dhcli.checking.diagnosis.typed import TypedMatrix
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.orientations import not_orthonormal
-from dhcli.checking.questions import MatrixQuestion, Span
+from dhcli.checking.wanted import Span, Wanted
 from dhcli.geometry.rigid import Rigid
 from dhcli.geometry.vectors import UNITS, Vector, dot, length, plus, scaled
 from dhcli.kinematics.fold import fold
@@ -30,6 +30,9 @@ SAME = 1e-7
 MULTIPLES = (1, -1, 2, -2)
 DEGREE = math.pi / 180
 
+HALVES = ("the rotation is right;", "the position is right;")
+"""How remarks begin that are said more precisely here."""
+
 
 @dataclass(frozen=True, slots=True)
 class Frame:
@@ -43,7 +46,7 @@ class Frame:
         return f"{letter}{self.name}" if self.name.isdigit() else f"{letter} of {self.name}"
 
 
-def geometry(exercise: Exercise, question: MatrixQuestion, typed: Typed) -> str:
+def geometry(exercise: Exercise, question: Wanted, typed: TypedMatrix) -> str:
     """By what a wrong answer is off, in words; nothing where that is not one turn and one shift.
 
     Args:
@@ -82,7 +85,7 @@ def _not_rotation(values: Sequence[Sequence[Sequence[float]]]) -> str:
     return f"{fault} has not length 1" if size else fault
 
 
-def _turn(exercise: Exercise, question: MatrixQuestion, typed: Typed) -> str:
+def _turn(exercise: Exercise, question: Wanted, typed: TypedMatrix) -> str:
     """About which axis an orientation is off, and by what angle: in the reference first, then about its own axes."""
     reference, own = _ends(exercise, question)
     pairs = [(_rotation(v), _rotation(t)) for v, t in zip(typed.values, typed.search.truth, strict=True)]
@@ -115,7 +118,7 @@ def _common_axis(turns: Sequence[Rigid]) -> Vector | None:
     return found
 
 
-def _angle_text(exercise: Exercise, typed: Typed, angles: Sequence[float]) -> str:
+def _angle_text(exercise: Exercise, typed: TypedMatrix, angles: Sequence[float]) -> str:
     """An angle that is constant, or follows a joint; nothing if it does neither."""
     if all(_is_turn(angle - angles[0]) for angle in angles):
         return f"{round(angles[0] / DEGREE, 2) + 0:g}°"
@@ -130,7 +133,7 @@ def _angle_text(exercise: Exercise, typed: Typed, angles: Sequence[float]) -> st
     return ""
 
 
-def _shift(exercise: Exercise, question: MatrixQuestion, typed: Typed, gaps: Sequence[Vector], limit: float) -> str:
+def _shift(exercise: Exercise, question: Wanted, typed: TypedMatrix, gaps: Sequence[Vector], limit: float) -> str:
     """How far a position is off along the axes of a frame, in names; one axis alone is best."""
     reference, _ = _ends(exercise, question)
     tries: list[tuple[int, bool, bool, list[str]]] = []
@@ -147,7 +150,7 @@ def _shift(exercise: Exercise, question: MatrixQuestion, typed: Typed, gaps: Seq
     return "the position is off by " + ", ".join(best)
 
 
-def _length_text(exercise: Exercise, typed: Typed, shares: Sequence[float], limit: float) -> str:
+def _length_text(exercise: Exercise, typed: TypedMatrix, shares: Sequence[float], limit: float) -> str:
     """A length that is the value of a name, or of twice a name, or constant; nothing if it is none of these."""
     known = typed.search.names if typed.is_general else exercise.values.keys()
     names = sorted(name for name in known if not exercise.scope.is_angle(name))
@@ -188,7 +191,7 @@ def _axis_text(axis: Vector, place: str) -> str:
     return f"the axis ({', '.join(rounded(share, 2) for share in axis)}) of {name}"
 
 
-def _frames(exercise: Exercise, question: MatrixQuestion, typed: Typed) -> Iterator[Frame]:
+def _frames(exercise: Exercise, question: Wanted, typed: TypedMatrix) -> Iterator[Frame]:
     """The frames in which a shift is told: the reference, the frame described, and those between them."""
     reference, own = _ends(exercise, question)
     count = len(typed.search.points)
@@ -203,7 +206,7 @@ def _frames(exercise: Exercise, question: MatrixQuestion, typed: Typed) -> Itera
     yield Frame(own, tuple(_rotation(matrix) for matrix in matrices))
 
 
-def _ends(exercise: Exercise, question: MatrixQuestion) -> tuple[str, str]:
+def _ends(exercise: Exercise, question: Wanted) -> tuple[str, str]:
     """The names of the frame that is looked from, and of the one described."""
     if not isinstance(question.source, Span) or exercise.robot is None:
         return "the reference", "the frame itself"

@@ -12,11 +12,10 @@ from itertools import product
 
 from dhcli.checking.diagnosis.mistakes import BY_ID
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.diagnosis.search import Entries, matches
+from dhcli.checking.diagnosis.search import Numbers, matches
 from dhcli.checking.diagnosis.slips import Candidate
 from dhcli.checking.diagnosis.work import Bench, Work
-
-Causes = tuple[tuple[Slip, ...], ...]
+from dhcli.checking.exercise import Causes
 
 PAIR = 2
 
@@ -47,8 +46,8 @@ def slips_by_row(
     right: Work,
     every: Sequence[Candidate],
     benches: Sequence[Bench],
-    typed: Sequence[Sequence[Entries]],
-    slack: Entries,
+    typed: Sequence[Sequence[Numbers]],
+    slack: Numbers,
 ) -> tuple[tuple[Candidate, ...], ...]:
     """For each row that is not the right one the slips that give it, perhaps none.
 

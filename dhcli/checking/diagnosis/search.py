@@ -8,23 +8,23 @@ second; two expressions that agree at two general points to nine digits are the 
 from __future__ import annotations
 
 import math
-import random
 from array import array
 from collections.abc import Iterator, Sequence
 from functools import cached_property
+from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
-from dhcli.checking.diagnosis.chance import Typed, is_chance, lengths_of
+from dhcli.algebra.points import general
+from dhcli.checking.diagnosis.chance import Evidence, is_chance, lengths_of
 from dhcli.checking.diagnosis.mistakes import MISTAKES
 from dhcli.checking.diagnosis.slips import Candidate, candidates, setting_of
 from dhcli.checking.diagnosis.work import Bench, Folds, Matrix, Work, right_work
-from dhcli.checking.exercise import Exercise
-from dhcli.checking.questions import MatrixQuestion
+from dhcli.checking.exercise import Memo
 from dhcli.checking.truth import chain_of, is_length
+from dhcli.checking.wanted import Wanted
 from dhcli.kinematics.moves import names
 from dhcli.kinematics.robot import Value
 from dhcli.kinematics.values import numbers
-from dhcli.notation.angle import Angle
 from dhcli.notation.walk import symbols
 
 SEED = 11
@@ -38,23 +38,25 @@ one machine rounding up and the other down."""
 
 OF_VALUES = tuple(mistake for mistake in MISTAKES if mistake.of_values)
 
-Entries = Matrix[float]
+Numbers: TypeAlias = Matrix[float]
+"""The entries of an answer at one point."""
 
 
 class Search:
     """The mistakes in one question of an exercise, evaluated once for all answers to it."""
 
-    def __init__(self, exercise: Exercise, question: MatrixQuestion, like: Search | None = None) -> None:
+    def __init__(self, memo: Memo, question: Wanted, like: Search | None = None) -> None:
         """Evaluate the right work, and every one with a single mistake.
 
         Args:
-            exercise: The exercise.
+            memo: The exercise, and what its searches share.
             question: One of its questions.
             like: The search for the same question where only the joints stand at other values, if there is one: most
                 of its work need not be done again.
         """
-        self.setting = setting_of(exercise)
-        self.right: Work = like.right if like else right_work(question, exercise.robot)
+        exercise = memo.exercise
+        self.setting = memo.of("setting", lambda: setting_of(exercise))
+        self.right: Work = like.right if like else right_work(question, exercise.robot, self.setting)
         needed = names(chain_of(question, exercise.robot)).union(*(symbols(e) for e in question.point))
         known = dict(exercise.values)
         self.is_known = exercise.numeric and needed <= known.keys()
@@ -64,10 +66,12 @@ class Search:
         seeds = (0,) if self.is_known else (SEED + 1, SEED + 2)
         self.points = tuple(point(self.names, known, seed) for seed in seeds)
         folds = like.folds if like else None
-        self.benches = tuple(Bench(self.right, over, folds) for over in self.points)
+        matrices: dict[object, Numbers] | None = memo.of("matrices", dict) if self.is_known else None
+        self.benches = tuple(Bench(self.right, over, folds, matrices) for over in self.points)
         self.truth = tuple(bench.entries(self.right) for bench in self.benches)
         self.tolerance = (exercise.tolerance.rotation, exercise.tolerance.position or 1e-3 * self._size())
         self.of_values = {one.slips[0].name: one for one in candidates(self.right, self.setting, among=OF_VALUES)}
+        self._folded: dict[object, Numbers] = memo.of("folded", dict)
         self._given: dict[str, list[array[float]]] = {}
         self.singles: tuple[Candidate, ...]
         if like and like.of_values.keys() == self.of_values.keys():
@@ -79,7 +83,7 @@ class Search:
     def folds(self) -> Folds:
         """The factors of all single mistakes that are made the same way whatever the values are."""
         lasting = (one.work for one in self.singles if one.slips[0].name not in self.of_values)
-        return Folds(step for work in (self.right, *lasting) for step in work.steps)
+        return Folds((step for work in (self.right, *lasting) for step in work.steps), self._folded)
 
     @cached_property
     def visible(self) -> tuple[Candidate, ...]:
@@ -111,12 +115,12 @@ class Search:
                     found.append(two)
         return tuple(found)
 
-    def entries(self, work: Work) -> Entries:
+    def entries(self, work: Work) -> Numbers:
         """What a work leads to at the values of the task."""
         return self.benches[0].entries(work)
 
     def causes(
-        self, typed: Sequence[Entries], slack: Entries, near: Entries | None = None, stages: Sequence[str] = STAGES
+        self, typed: Sequence[Numbers], slack: Numbers, near: Numbers | None = None, stages: Sequence[str] = STAGES
     ) -> tuple[Candidate, ...]:
         """The single mistakes that give an answer; if there are none, the pairs that do; the plainest first.
 
@@ -141,11 +145,11 @@ class Search:
                 return tuple(self._different(plain))[:MOST_CAUSES]
         return ()
 
-    def _typed(self, typed: Entries, slack: Entries) -> Typed:
+    def _typed(self, typed: Numbers, slack: Numbers) -> Evidence:
         lengths = lengths_of(self.right.question, typed)
-        return Typed(_flat(typed), _flat(slack), _flat(self.truth[0]), lengths)
+        return Evidence(_flat(typed), _flat(slack), _flat(self.truth[0]), lengths)
 
-    def _likely(self, stage: str, typed: Entries, slack: Entries, near: Entries) -> Iterator[Candidate]:
+    def _likely(self, stage: str, typed: Numbers, slack: Numbers, near: Numbers) -> Iterator[Candidate]:
         """The candidates that give an answer at the first point; what each gives there is kept for the next answer."""
         every: tuple[Candidate, ...] = getattr(self, stage)
         if stage not in self._given:
@@ -161,17 +165,17 @@ class Search:
             else:
                 yield one
 
-    def _gives(self, one: Candidate, typed: Sequence[Entries], slack: Entries) -> bool:
+    def _gives(self, one: Candidate, typed: Sequence[Numbers], slack: Numbers) -> bool:
         """Whether a candidate gives an answer at every point, and not what is right too."""
         return all(
             matches(answer, bench.entries(one.work), slack) for answer, bench in zip(typed, self.benches, strict=True)
         ) and not all(matches(r, b.entries(one.work), slack) for r, b in zip(self.truth, self.benches, strict=True))
 
-    def _is_right(self, one: Candidate, within: Entries) -> bool:
+    def _is_right(self, one: Candidate, within: Numbers) -> bool:
         """Whether the answer of a candidate counts as right at every point, if entries may be off so much."""
         return all(matches(t, b.entries(one.work), within) for t, b in zip(self.truth, self.benches, strict=True))
 
-    def _limits(self, times: float = 1.0) -> Entries:
+    def _limits(self, times: float = 1.0) -> Numbers:
         """So many tolerances of each entry."""
         rotation, position = (times * limit for limit in (self.tolerance if self.is_known else (SAME, SAME)))
         return tuple(
@@ -197,7 +201,7 @@ class Search:
         return tuple(kept)
 
     def _different(self, found: Iterator[Candidate]) -> Iterator[Candidate]:
-        known: list[Entries] = []
+        known: list[Numbers] = []
         for one in found:
             whole = (*self.general.matrix(one.work), *self.general.entries(one.work))
             if not any(same(whole, other) for other in known):
@@ -209,28 +213,26 @@ class Search:
         return max(sum(lengths), 1e-9)
 
 
-def search_of(exercise: Exercise, question: MatrixQuestion) -> Search:
-    """The search for one question, kept with the exercise."""
-    key = ("search", question)
-    known = exercise.truths.get(key)
-    if not isinstance(known, Search):
-        known = exercise.truths[key] = Search(exercise, question)
-    return known
+def search_of(question: Wanted, memo: Memo) -> Search:
+    """The search for one question, made once; with the joints at other values it saves work of the first one."""
+
+    def made() -> Search:
+        return Search(memo, question, search_of(question, memo.like) if memo.like else None)
+
+    return memo.of(("search", question), made)
 
 
 def point(free: frozenset[str], known: dict[str, Value], seed: int) -> Floats:
     """Values for all names: those known, and for the others some between 0.2 and 1.3, the same for everybody."""
-    draw = random.Random(seed)  # noqa: S311
-    drawn: dict[str, Angle | float] = {name: draw.uniform(0.2, 1.3) for name in sorted(free)}
-    return Floats({**drawn, **numbers(known)})
+    return Floats({**next(general(free, seed)), **numbers(known)})
 
 
-def _flat(entries: Entries) -> array[float]:
+def _flat(entries: Numbers) -> array[float]:
     """All entries in a row, in little memory: there are thousands of pairs."""
     return array("d", (entry for row in entries for entry in row))
 
 
-def same(first: Entries, second: Entries) -> bool:
+def same(first: Numbers, second: Numbers) -> bool:
     """Whether two matrices are the same but for rounding."""
     for row, other in zip(first, second, strict=True):
         for a, b in zip(row, other, strict=True):
@@ -239,7 +241,7 @@ def same(first: Entries, second: Entries) -> bool:
     return True
 
 
-def matches(first: Entries, second: Entries, slack: Entries) -> bool:
+def matches(first: Numbers, second: Numbers, slack: Numbers) -> bool:
     """Whether two answers agree within what each entry may be off."""
     for row, other, near in zip(first, second, slack, strict=True):
         for a, b, limit in zip(row, other, near, strict=True):

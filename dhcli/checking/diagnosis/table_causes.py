@@ -9,20 +9,18 @@ from __future__ import annotations
 
 from functools import reduce
 
-from dhcli.checking.diagnosis.row_by_row import Causes, each_in_a_row, same_in_rows, slips_by_row
-from dhcli.checking.diagnosis.search import Entries, matches, point
+from dhcli.checking.diagnosis.row_by_row import each_in_a_row, same_in_rows, slips_by_row
+from dhcli.checking.diagnosis.search import Numbers, matches, point
 from dhcli.checking.diagnosis.slips import Candidate, table_candidates, table_work
 from dhcli.checking.diagnosis.work import Bench, product
-from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.questions import TableQuestion
+from dhcli.checking.exercise import Case, Causes, Exercise
 from dhcli.checking.tables.answer import ends_on_axis
-from dhcli.checking.tables.cells import given_values, own_values, settled
+from dhcli.checking.tables.cells import given_values, own_values
 from dhcli.checking.tables.motions import Values, may_be_same, same_robot
-from dhcli.checking.tables.reading import read_table
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import RobotError
 from dhcli.kinematics.axes import Arm
-from dhcli.kinematics.conventions import Convention, moves_of
+from dhcli.kinematics.conventions import Convention, Row, moves_of
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import Chain, names
 from dhcli.kinematics.robot import Robot
@@ -31,31 +29,29 @@ MOTION = 2e-3
 """What two tables of the same motion may differ by, at lengths and angles near 1."""
 
 
-def table_causes(exercise: Exercise, part: Part, question: TableQuestion, answer: str) -> Causes:
+def table_causes(case: Case, convention: Convention, rows: tuple[Row, ...]) -> Causes:
     """Mistakes in rows of the right table that give the table typed; none where the robot has no such table.
 
-    Raises:
-        UnreadableError: The table cannot be read.
+    Args:
+        case: The part that asks for a table.
+        convention: The convention that was asked for.
+        rows: The rows typed, their angles settled.
     """
-    robot = exercise.robot
-    if robot is None:
+    exercise, robot = case.exercise, case.exercise.robot
+    every = case.memo.of(("slips", convention), lambda: table_candidates(exercise, convention))
+    if robot is None or not every:
         return ()
-    tolerance = part.tolerance or exercise.tolerance
-    rows = [settled(r.row, tolerance) for r in read_table(answer, robot, exercise.scope, robot.columns, exercise.unit)]
-    moves = tuple(moves_of(row, question.convention) for row in rows)
+    moves = tuple(moves_of(row, convention) for row in rows)
     chain = tuple(move for row in moves for move in row)
-    every = table_candidates(exercise, question)
-    if not every:
-        return ()
     compared = _Compared(exercise, robot, moves)
     moving_so = compared.with_one_slip(every)
     if moving_so:
-        to_the_cell = [one for one in moving_so if [step.row for step in one.work.steps] == rows]
+        to_the_cell = [one for one in moving_so if [step.row for step in one.work.steps] == list(rows)]
         return tuple(one.slips for one in to_the_cell or moving_so)
     by_row = compared.by_row(every)
     found = same_in_rows(by_row)
-    if not found and part.compare == "same-robot":
-        found = _same_robot(exercise, part, robot, chain, every)
+    if not found and case.part.compare == "same-robot":
+        found = _same_robot(case, robot, chain, every)
     return found or each_in_a_row(by_row)
 
 
@@ -88,14 +84,14 @@ class _Compared:
         """The slips behind each wrong row."""
         return slips_by_row(self._right, every, self._benches, self._rows, self._slack)
 
-    def _agree(self, first: list[Entries], second: list[Entries]) -> bool:
+    def _agree(self, first: list[Numbers], second: list[Numbers]) -> bool:
         return all(matches(a, b, self._slack) for a, b in zip(first, second, strict=True))
 
 
-def _same_robot(exercise: Exercise, part: Part, robot: Robot, chain: Chain, every: tuple[Candidate, ...]) -> Causes:
+def _same_robot(case: Case, robot: Robot, chain: Chain, every: tuple[Candidate, ...]) -> Causes:
     """The slips with the robot typed; as that is a wrong one, none of them gives the right robot."""
-    values = Values(given_values(exercise), own_values(exercise))
-    tolerance = part.tolerance or exercise.tolerance
+    values = Values(given_values(case.exercise), own_values(case.exercise))
+    tolerance = case.tolerance
     end_free = robot.convention is Convention.MODIFIED and not ends_on_axis(robot)
     typed = Arm.of(chain, robot.variables)
     found = []

@@ -1,29 +1,12 @@
-"""Mistakes in copying or expanding a single entry: the sign of one term of its sum."""
+"""The terms of an expression, one by one: each with its sign turned round."""
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterator
-from dataclasses import replace
 
-from dhcli.checking.diagnosis.work import Setting, Work, terms
 from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Expr, Product, Sum, add, is_negative, multiply, negate
 from dhcli.notation.writer import write
-
-
-def term_sign(work: Work, setting: Setting) -> Iterator[tuple[str, Work]]:
-    """One term of a sum with the other sign, wherever the sum stands in an entry; a number shows no terms."""
-    if setting.numeric:
-        return
-    for r, row in enumerate(terms(work, {})):
-        for c, entry in enumerate(row):
-            seen: Counter[str] = Counter()
-            for term, changed in flipped(entry):
-                text = shown(term, setting.writing)
-                seen[text] += 1
-                again = f" no. {seen[text]}" if seen[text] > 1 else ""
-                yield f"{r + 1},{c + 1} {text}{again}", replace(work, entry=(r, c, changed))
 
 
 def flipped(expr: Expr) -> Iterator[tuple[Expr, Expr]]:

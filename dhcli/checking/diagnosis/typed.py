@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from dhcli.checking.diagnosis.search import SAME, Entries, Search, search_of
-from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.questions import MatrixQuestion
-from dhcli.checking.reading import Entry, read_entries
+from dhcli.checking.diagnosis.search import SAME, Numbers, Search, search_of
+from dhcli.checking.entries import Entries, Entry
+from dhcli.checking.exercise import Case
 from dhcli.checking.symbolic import has_decimals
 from dhcli.checking.tolerance import typed_decimals, without_unit
 from dhcli.checking.truth import is_length
+from dhcli.checking.wanted import Wanted
 from dhcli.notation.walk import symbols
 
 ROUGH = 1e-3
@@ -18,7 +18,7 @@ ROUGH = 1e-3
 
 
 @dataclass(frozen=True, slots=True)
-class Typed:
+class TypedMatrix:
     """An answer in numbers.
 
     Attributes:
@@ -28,21 +28,21 @@ class Typed:
     """
 
     search: Search
-    values: tuple[Entries, ...]
-    slacks: tuple[Entries, ...]
+    values: tuple[Numbers, ...]
+    slacks: tuple[Numbers, ...]
 
-    def scaled(self, factor: float) -> Typed:
+    def scaled(self, factor: float) -> TypedMatrix:
         """The answer with its lengths in another unit: the digits typed count as many times as much."""
         question = self.search.right.question
 
-        def grown(entries: Entries) -> Entries:
+        def grown(entries: Numbers) -> Numbers:
             return tuple(
                 tuple(factor * x if is_length(question, r, c) else x for c, x in enumerate(row))
                 for r, row in enumerate(entries)
             )
 
         near, *far = self.slacks
-        return Typed(self.search, tuple(map(grown, self.values)), (grown(near), *far))
+        return TypedMatrix(self.search, tuple(map(grown, self.values)), (grown(near), *far))
 
     @property
     def is_general(self) -> bool:
@@ -50,30 +50,25 @@ class Typed:
         return not self.search.is_known
 
 
-def typed_answer(exercise: Exercise, part: Part, question: MatrixQuestion, answer: str) -> Typed | None:
-    """An answer in numbers; None where it holds a name that has no value.
-
-    Raises:
-        UnreadableError: It cannot be read.
-    """
-    search = search_of(exercise, question)
-    entries = read_entries(question, exercise, answer)
+def typed_answer(case: Case, question: Wanted, entries: Entries) -> TypedMatrix | None:
+    """An answer in numbers; None where it holds a name that has no value."""
+    search = search_of(question, case.memo)
     if any(not symbols(entry.expr) <= search.names for row in entries for entry in row):
         return None
     values = tuple(tuple(tuple(over.value(e.expr) for e in row) for row in entries) for over in search.points)
     if not search.is_known:
         shares = [[ROUGH if has_decimals(entry.expr) else SAME for entry in row] for row in entries]
         pairs = (zip(r, v, strict=True) for r, v in zip(shares, values[0], strict=True))
-        return Typed(search, values, (tuple(tuple(share * (1 + abs(v)) for share, v in row) for row in pairs),))
-    rotation = (part.tolerance or exercise.tolerance).rotation
+        return TypedMatrix(search, values, (tuple(tuple(share * (1 + abs(v)) for share, v in row) for row in pairs),))
+    rotation = case.tolerance.rotation
     near, far = [], []
     for r, row in enumerate(entries):
         lengths = [is_length(question, r, c) for c in range(len(row))]
-        units = [float(exercise.metres) if length else 1.0 for length in lengths]
+        units = [float(case.exercise.metres) if length else 1.0 for length in lengths]
         near.append(tuple(_half_unit(entry, unit) for entry, unit in zip(row, units, strict=True)))
         limits = [search.tolerance[1] if length else rotation for length in lengths]
         far.append(tuple(max(a, b) for a, b in zip(near[-1], limits, strict=True)))
-    return Typed(search, values, (tuple(near), tuple(far)))
+    return TypedMatrix(search, values, (tuple(near), tuple(far)))
 
 
 def _half_unit(entry: Entry, unit: float) -> float:

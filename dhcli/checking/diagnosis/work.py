@@ -10,13 +10,14 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from fractions import Fraction
+from functools import partial
 from typing import TypeAlias, TypeVar
 
 from dhcli.algebra.arithmetic import plus, times
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.terms import TERMS
-from dhcli.checking.questions import MatrixQuestion, Span
 from dhcli.checking.truth import piece_of
+from dhcli.checking.wanted import Span, Wanted
 from dhcli.errors import RobotError
 from dhcli.kinematics.conventions import Convention, Row
 from dhcli.kinematics.fold import fold
@@ -46,7 +47,7 @@ class Multiplied(Enum):
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Step:
+class Factor:
     """One factor: a link, the base, the tool, or a single move. It equals itself only, so that it is a cheap key.
 
     Attributes:
@@ -73,14 +74,14 @@ class Work:
         entry: Row and column of an entry of the answer that is not what comes out, and what stands there.
     """
 
-    question: MatrixQuestion
-    steps: tuple[Step, ...]
+    question: Wanted
+    steps: tuple[Factor, ...]
     multiplied: Multiplied = Multiplied.IN_ORDER
     inverted: bool = False
     rewritten: tuple[Rewriting[float] | Rewriting[Expr], ...] = ()
     entry: tuple[int, int, Expr] | None = None
 
-    def with_step(self, index: int, step: Step) -> Work:
+    def with_step(self, index: int, step: Factor) -> Work:
         """The same work with another factor in one place."""
         return replace(self, steps=(*self.steps[:index], step, *self.steps[index + 1 :]))
 
@@ -96,6 +97,7 @@ class Setting:
         numeric: Whether the answer is in numbers.
         writing: How joint angles are written.
         unit: Metres in a bare length of the sheet; 0 where there is no unit.
+        factors: Factors made so far: one that several works hold is one object, and evaluated once.
     """
 
     convention: Convention = Convention.PRODUCT
@@ -104,26 +106,43 @@ class Setting:
     numeric: bool = False
     writing: Joints = THETAS
     unit: Fraction = Fraction(1)
+    factors: dict[object, Factor | None] = field(default_factory=dict, init=False, repr=False, compare=False)
+
+    def factor(self, key: object, make: Callable[[], Factor | None]) -> Factor | None:
+        """The factor of a key, made when it is first asked for; None where a mistake changes nothing."""
+        if key not in self.factors:
+            self.factors[key] = make()
+        return self.factors[key]
 
 
-def right_work(question: MatrixQuestion, robot: Robot | None) -> Work:
+def right_work(question: Wanted, robot: Robot | None, setting: Setting) -> Work:
     """The right way to an answer; the moves of a single link, or of a product, are factors of their own.
+
+    Args:
+        question: What is asked.
+        robot: The robot, if there is one.
+        setting: Keeps the links, which all works share.
 
     Raises:
         RobotError: The question needs a robot and there is none.
     """
     source = question.source
     if not isinstance(source, Span):
-        steps = tuple(Step(str(k), (move,)) for k, move in enumerate(source.chain, 1))
+        steps = tuple(Factor(str(k), (move,)) for k, move in enumerate(source.chain, 1))
         return Work(question, steps, inverted=question.inverse)
     if robot is None:
         raise RobotError("this question needs a robot", "name one under robot:")
     first, last = (robot.frames.index(frame(robot, name)) for name in (source.start, source.end))
-    links = tuple(Step(str(link.number), link.moves, link.row) for link in robot.links)
-    every = (Step("base", robot.base), *links, Step("tool", robot.tool))
-    steps = tuple(step for step in every[min(first, last) : max(first, last)] if step.chain)
+    ends = [("base", robot.base, None), ("tool", robot.tool, None)]
+    parts = [ends[0], *((str(link.number), link.moves, link.row) for link in robot.links), ends[1]]
+    wanted = parts[min(first, last) : max(first, last)]
+    every = (setting.factor(("link", part[0]), partial(Factor, *part)) for part in wanted)
+    steps = tuple(step for step in every if step is not None and step.chain)
     return Work(question, steps, inverted=question.inverse is not (first > last))
 
+
+MOST_SHARED = 2_000
+"""Products that are kept at a point: those with one mistake are looked at for every question, pairs are too many."""
 
 MOST_KNOWN = 10_000
 """Matrices of factors that are kept, some ten megabytes: where ranges are fine, hardly two of a class are alike."""
@@ -132,33 +151,48 @@ MOST_KNOWN = 10_000
 class Folds:
     """The matrices of some factors at points seen before; a factor depends on few names, so that many are alike."""
 
-    def __init__(self, steps: Iterable[Step]) -> None:
-        """Take the factors."""
+    def __init__(self, steps: Iterable[Factor], known: dict[object, Matrix[float]]) -> None:
+        """Take the factors, and where to keep what comes out; others may keep theirs there, too."""
         self._names = {step: tuple(sorted(names(step.chain))) for step in steps}
-        self._known: dict[tuple[Step, tuple[float, ...]], Matrix[float]] = {}
+        self._known = known
 
-    def at(self, over: Floats) -> dict[Step, Matrix[float]]:
-        """The matrix of each factor at a point."""
+    def put(self, found: dict[object, Matrix[float]], over: Floats) -> None:
+        """Put the matrix of each factor at a point to those that were found already."""
         values = {name: over.symbol(name) for held in self._names.values() for name in held}
-        found = {}
         for step, held in self._names.items():
+            if step in found:
+                continue
             key = step, tuple(values[name] for name in held)
             if key not in self._known:
                 if len(self._known) >= MOST_KNOWN:
                     self._known.clear()
                 self._known[key] = fold(step.chain, over)
             found[step] = self._known[key]
-        return found
 
 
 class Bench:
     """Evaluates works at one point, in floats; what they share with the right one is multiplied once."""
 
-    def __init__(self, right: Work, over: Floats, folds: Folds | None = None) -> None:
-        """Take the work that most others resemble, the values of the names, and factors that other points share."""
+    def __init__(
+        self,
+        right: Work,
+        over: Floats,
+        folds: Folds | None = None,
+        known: dict[object, Matrix[float]] | None = None,
+    ) -> None:
+        """Make ready for works at a point.
+
+        Args:
+            right: The work that most others resemble.
+            over: The values of the names.
+            folds: Factors that other points share.
+            known: Matrices of factors and of products at this point, which other benches share.
+        """
         self._over = over
         self._base = right.steps
-        self._known = folds.at(over) if folds else {}
+        self._known: dict[object, Matrix[float]] = {} if known is None else known
+        if folds:
+            folds.put(self._known, over)
         self._heads: list[Matrix[float]] = [_UNIT]
         self._tails: list[Matrix[float]] = [_UNIT]
         for step in self._base:
@@ -175,7 +209,7 @@ class Bench:
         """The finished matrix, shape (4, 4)."""
         return _finished(work, self._multiplied(work))
 
-    def matrix_of(self, step: Step) -> Matrix[float]:
+    def matrix_of(self, step: Factor) -> Matrix[float]:
         """The matrix of one factor."""
         if step not in self._known:
             self._known[step] = fold(step.chain, self._over)
@@ -184,17 +218,25 @@ class Bench:
     def _multiplied(self, work: Work) -> Matrix[float]:
         if work.multiplied is Multiplied.ELEMENTWISE:
             return _elementwise([self.matrix_of(step) for step in work.steps])
-        steps, base = work.steps, self._base
+        total = self._known.get(work.steps)
+        if total is None:
+            total = self._in_order(work.steps)
+            if len(self._known) < MOST_SHARED:
+                self._known[work.steps] = total
+        if work.multiplied is Multiplied.UNROTATED:
+            return _added(total, [self.matrix_of(step) for step in work.steps])
+        return total
+
+    def _in_order(self, steps: tuple[Factor, ...]) -> Matrix[float]:
+        """The product; what stands first and last in the right one, too, is multiplied already."""
+        base = self._base
         shared = min(len(steps), len(base))
         head = next((k for k in range(shared) if steps[k] is not base[k]), shared)
         tail = next((k for k in range(shared - head) if steps[-1 - k] is not base[-1 - k]), shared - head)
         total = self._heads[head]
         for step in steps[head : len(steps) - tail]:
             total = product(total, self.matrix_of(step))
-        total = product(total, self._tails[tail]) if tail else total
-        if work.multiplied is Multiplied.UNROTATED:
-            return _added(total, [self.matrix_of(step) for step in steps])
-        return total
+        return product(total, self._tails[tail]) if tail else total
 
 
 def terms(work: Work, values: Values) -> Matrix[Expr]:

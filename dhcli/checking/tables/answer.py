@@ -10,9 +10,9 @@ from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.tables.cells import given_values, in_other_unit, mark_cells, own_values, settled
 from dhcli.checking.tables.freedoms import Drawn, Slack, end_freedoms, frame_freedoms, joint_freedoms
 from dhcli.checking.tables.motions import Outcome, Values, same_motion, same_robot
-from dhcli.checking.tables.reading import TypedRow, misplaced, variable_of
+from dhcli.checking.tables.typed_rows import TypedRow, misplaced, variable_of
 from dhcli.checking.tolerance import Tolerance
-from dhcli.checking.verdicts import CellMark, Verdict
+from dhcli.checking.verdicts import CellMark, Verdict, worst
 from dhcli.kinematics.axes import Arm
 from dhcli.kinematics.conventions import Convention, Row, moves_of
 from dhcli.kinematics.frames import between
@@ -22,8 +22,6 @@ from dhcli.notation.tree import ZERO
 
 FULL_TURN = 7
 """Above this many radians a bare number was meant in degrees."""
-
-_ORDER = (Verdict.WRONG, Verdict.CLOSE, Verdict.RIGHT)
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +56,7 @@ class TableAnswer:
         """The robot's own table in this convention; nothing if it has none."""
         if self.robot.convention is not self.convention:
             return ()
-        return rows_of(self.robot)
+        return own_rows(self.robot)
 
     @property
     def truth(self) -> Arm:
@@ -105,7 +103,7 @@ class TableAnswer:
         if self.compare == "literal":
             typed = tuple(replace(old, row=row) for old, row in zip(self.rows, rows, strict=True))
             cells = replace(self, rows=typed).cells
-            return bool(cells) and worst(cells) is Verdict.RIGHT
+            return bool(cells) and worst(cell.verdict for cell in cells) is Verdict.RIGHT
         return self.judged(rows).verdict is Verdict.RIGHT
 
     def freedoms(self, outcome: Outcome) -> tuple[tuple[str, ...], tuple[str, ...]]:
@@ -152,20 +150,15 @@ class TableAnswer:
                 raise UnreadableError(f"right in {other}; this sheet is in {unit}")
 
 
-def rows_of(robot: Robot) -> tuple[Row, ...]:
+def own_rows(robot: Robot) -> tuple[Row, ...]:
     """The rows of a robot's table."""
     return tuple(link.row for link in robot.links if link.row is not None)
-
-
-def worst(cells: Iterable[CellMark]) -> Verdict:
-    """A table is as good as its worst cell."""
-    return min((cell.verdict for cell in cells), key=_ORDER.index)
 
 
 def ends_on_axis(robot: Robot) -> bool:
     """Whether behind the last joint there are only moves about and along its axis, as in a modified table."""
     if robot.convention is not Convention.STANDARD:
         return robot.convention is Convention.MODIFIED
-    rows = rows_of(robot)
+    rows = own_rows(robot)
     last = max((i for i, row in enumerate(rows) if variable_of(row, robot.variables)), default=0)
     return all(row.a == ZERO and row.alpha.is_zero for row in rows[last:])

@@ -9,8 +9,8 @@ from fractions import Fraction
 from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.symbolic import put, same
-from dhcli.checking.tables.reading import TypedRow
 from dhcli.checking.tables.spelling import ANGLES
+from dhcli.checking.tables.typed_rows import TypedRow
 from dhcli.checking.tolerance import Tolerance, judge
 from dhcli.checking.verdicts import CellMark, Verdict
 from dhcli.kinematics.conventions import Row

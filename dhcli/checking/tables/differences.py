@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from dhcli.checking.tables.answer import TableAnswer
 from dhcli.checking.tables.motions import Outcome
-from dhcli.checking.tables.reading import variable_of
+from dhcli.checking.tables.typed_rows import variable_of
 from dhcli.geometry.vectors import cross, length
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.same_robot import Miss

@@ -6,68 +6,74 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.questions import TableQuestion
-from dhcli.checking.tables.answer import TableAnswer, ends_on_axis, rows_of, worst
+from dhcli.checking.tables.answer import TableAnswer, ends_on_axis, own_rows
 from dhcli.checking.tables.cells import table_text
 from dhcli.checking.tables.differences import end_rows, first_difference
 from dhcli.checking.tables.freedoms import end_freedoms
 from dhcli.checking.tables.motions import Outcome, oddity
-from dhcli.checking.tables.reading import read_table
+from dhcli.checking.tables.typed_rows import TypedRow
 from dhcli.checking.tolerance import Tolerance
-from dhcli.checking.verdicts import CellMark, Mark, Verdict
-from dhcli.errors import Place, RobotError
+from dhcli.checking.verdicts import CellMark, Mark, Verdict, worst
+from dhcli.errors import RobotError
 from dhcli.kinematics.conventions import NAMES, Convention
+from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.same_robot import Match
 from dhcli.notation.tree import ZERO
 
 OTHERS = {Convention.STANDARD: Convention.MODIFIED, Convention.MODIFIED: Convention.STANDARD}
 
 
-def mark_table(  # noqa: PLR0913  what a task may say
-    question: TableQuestion,
+def mark_table(
     exercise: Exercise,
-    text: str,
+    convention: Convention,
+    rows: tuple[TypedRow, ...],
     compare: str = "same-robot",
     tolerance: Tolerance | None = None,
     *,
     end_free: bool | None = None,
-    place: Place | None = None,
 ) -> Mark:
     """Judge a DH table.
 
     Args:
-        question: Which convention was asked.
         exercise: The exercise, with its robot and what it gives.
-        text: What was typed.
+        convention: Which convention was asked.
+        rows: The rows as read.
         compare: `literal`, `same-motion` or `same-robot`.
         tolerance: How near numbers must be; the exercise's own by default.
         end_free: Whether the task leaves the end frame free; by default only where no table of this convention
             reaches the robot's own end frame.
-        place: Where the text stands, for errors.
 
     Returns:
         RIGHT for the robot's own cells, and for other frames of the same robot, which are named; EQUIVALENT for what
         is right in another way; CLOSE or WRONG with the first joint that differs.
 
     Raises:
-        UnreadableError: The table cannot be read, or only its unit is wrong.
+        UnreadableError: Only the unit of the table is wrong.
         RobotError: There is no robot, or nothing to compare the cells with.
     """
-    if exercise.robot is None:
-        raise RobotError(f"{exercise.id} asks for a table and names no robot")
-    robot = exercise.robot
-    rows = read_table(text, robot, exercise.scope, robot.columns, exercise.unit, place)
+    robot = robot_of(exercise)
     if end_free is None:
-        end_free = question.convention is Convention.MODIFIED and not ends_on_axis(robot)
+        end_free = convention is Convention.MODIFIED and not ends_on_axis(robot)
     tolerance = tolerance or exercise.tolerance
-    answer = TableAnswer(rows, exercise, robot, question.convention, tolerance, compare, end_free)
+    answer = TableAnswer(rows, exercise, robot, convention, tolerance, compare, end_free)
     cells = answer.cells
-    if cells and worst(cells) is Verdict.RIGHT:
+    if cells and worst(cell.verdict for cell in cells) is Verdict.RIGHT:
         mark = Mark(Verdict.RIGHT, cells=cells, earned=1.0)
     else:
         mark = _by_cells(answer, cells) if compare == "literal" else _by_motion(answer, cells)
     reading = table_text(answer.plain, robot.columns, exercise.writing)
-    return replace(mark, reading=reading, expected=_own_table(exercise, question.convention))
+    return replace(mark, reading=reading, expected=_own_table(exercise, convention))
+
+
+def robot_of(exercise: Exercise) -> Robot:
+    """The robot whose table is asked for.
+
+    Raises:
+        RobotError: There is none.
+    """
+    if exercise.robot is None:
+        raise RobotError(f"{exercise.id} asks for a table and names no robot")
+    return exercise.robot
 
 
 def write_table(exercise: Exercise, convention: Convention) -> str:
@@ -87,7 +93,7 @@ def _own_table(exercise: Exercise, convention: Convention) -> str:
     robots = [robot for robot in (exercise.robot, exercise.also and exercise.also[0]) if robot is not None]
     for robot in robots:
         if robot.convention is convention:
-            return table_text(rows_of(robot), robots[0].columns, exercise.writing)
+            return table_text(own_rows(robot), robots[0].columns, exercise.writing)
     return ""
 
 
@@ -104,7 +110,12 @@ def _by_cells(answer: TableAnswer, cells: tuple[CellMark, ...]) -> Mark:
         remarks = (f"your table has {len(answer.rows)} rows, the right one has {len(answer.table)}",)
     if not answer.misfit and replace(answer, compare="same-robot").judged().verdict is Verdict.RIGHT:
         remarks = ("a right table of the same robot, but this task asks for the one of the document", *remarks)
-    return Mark(worst(cells) if cells else Verdict.WRONG, cells=cells, remarks=remarks, earned=_earned(cells))
+    return Mark(
+        worst(cell.verdict for cell in cells) if cells else Verdict.WRONG,
+        cells=cells,
+        remarks=remarks,
+        earned=_earned(cells),
+    )
 
 
 def _by_motion(answer: TableAnswer, cells: tuple[CellMark, ...]) -> Mark:
@@ -140,7 +151,7 @@ def _second_truth(answer: TableAnswer) -> Mark | None:
     for robot, note in others:
         second = replace(answer, robot=robot, exercise=replace(answer.exercise, robot=robot, also=None))
         cells = second.cells
-        if cells and worst(cells) is Verdict.RIGHT:
+        if cells and worst(cell.verdict for cell in cells) is Verdict.RIGHT:
             return Mark(Verdict.EQUIVALENT, cells=cells, remarks=(note,), earned=1.0)
         if answer.compare == "literal" or second.misfit:
             continue

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import random
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import islice
 
 from dhcli.algebra.arithmetic import CannotHoldError
 from dhcli.algebra.floats import Floats
+from dhcli.algebra.points import general
 from dhcli.algebra.residues import Residues
 from dhcli.checking.symbolic import has_decimals
 from dhcli.checking.tolerance import CLOSE_FACTOR, SLACK, Tolerance
@@ -187,9 +187,8 @@ def _equal_chains(first: Chain, second: Chain, values: Values) -> bool:
             for a, b in zip(one, two, strict=True)
         )
     except (CannotHoldError, ZeroDivisionError):
-        draw = random.Random(23)  # noqa: S311
-        for _ in range(DRAWS):
-            floats = Floats({name: draw.uniform(0.2, 1.3) for name in sorted(names(both))})
+        for drawn in islice(general(names(both), 23), DRAWS):
+            floats = Floats(drawn)
             one_at, two_at = fold(first, floats), fold(second, floats)
             if not all(
                 abs(a - b) <= EXACT for r, s in zip(one_at, two_at, strict=True) for a, b in zip(r, s, strict=True)
@@ -200,10 +199,9 @@ def _equal_chains(first: Chain, second: Chain, values: Values) -> bool:
 
 def _points(truth: Arm, other: Arm, values: Values) -> Iterator[Point]:
     """Seeded values of all names but the variables; what is given stays as given."""
-    draw = random.Random(5)  # noqa: S311  the same for everybody
-    free = sorted((names(truth.chain) | names(other.chain)) - set(truth.variables) - set(other.variables))
-    while True:
-        yield {**{name: draw.uniform(0.2, 1.3) for name in free}, **numbers(values.given)}
+    free = (names(truth.chain) | names(other.chain)) - set(truth.variables) - set(other.variables)
+    given = numbers(values.given)
+    return ({**drawn, **given} for drawn in general(free, 5))
 
 
 def _rounded_point(truth: Arm, other: Arm, values: Values) -> Point:

@@ -13,8 +13,7 @@ from dhcli.errors import ExitStatus
 
 if TYPE_CHECKING:
     from dhcli.checking.exercise import Exercise
-    from dhcli.errors import Place
-    from dhcli.files.yaml.sheets import Sheet
+    from dhcli.checking.judge import Judge
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -72,62 +71,62 @@ def check(
     force: Force = False,
 ) -> ExitStatus:
     """Check an answer sheet, one answer, or a DH table."""
-    from dhcli.checking.sheetmark import mark_sheet
+    from dhcli.checking.judge import Judge
     from dhcli.checking.variants import variant_of
     from dhcli.cli.shell.delivery import Delivery
-    from dhcli.cli.shell.quiz import Asked, exercise_of, exit_code, remember, with_tolerance
+    from dhcli.cli.shell.quiz import RobotOptions, exercise_of, exit_code, remember, with_tolerance
     from dhcli.errors import DhcliError
-    from dhcli.files.yaml.sheets import Sheet, check_numbers, read_sheet
+    from dhcli.files.yaml.sheets import judged_sheet, read_sheet
 
     delivery = Delivery("check", format_, output=output, force=force)
     delivery.chosen("marks")
-    asked = Asked(q, pose, tuple(set_ or ()), deg, symbolic, from_, to, table)
+    asked = RobotOptions(q, pose, tuple(set_ or ()), deg, symbolic, from_, to, table)
     exercise, typed = exercise_of(name, asked)
     exercise = with_tolerance(exercise, tol_rotation, tol_position, decimals)
     if sum(source is not None for source in (sheet, answer, table)) > 1:
         raise DhcliError("a sheet, --answer and --table are three ways to give an answer", "use one of them")
     if sheet is None and answer is None and table is None:
-        return _walk(variant_of(exercise, variant), part)
-    read = read_sheet(sheet) if sheet is not None else Sheet(exercise.id, {})
-    exercise.accepts(read.exercise, sheet or "")
-    exercise = variant_of(exercise, variant, read.variant, sheet or "")
-    check_numbers(read, exercise, sheet or "")
-    answers, places, only = _answers(exercise, read if sheet else None, part, answer, typed if table else None)
-    marked = mark_sheet(exercise, answers, places, only)
+        return _walk(variant_of(Judge(exercise), variant), part)
+    if sheet is not None:
+        read = read_sheet(sheet)
+        exercise.accepts(read.exercise, sheet)
+        marked = judged_sheet(Judge(exercise), read, sheet, variant, part)
+    else:
+        judge = variant_of(Judge(exercise), variant)
+        only = _meant(exercise, part)
+        marked = judge.sheet({only: typed if answer is None else _text(answer)}, only=only)
     remember(marked)
     delivery.hand_over("marks", replace(marked, why=why))
     return exit_code(marked.verdict)
 
 
-def _walk(exercise: Exercise, part: str | None) -> ExitStatus:
+def _walk(judge: Judge, part: str | None) -> ExitStatus:
     """Ask part by part, on a terminal only: a script must never wait."""
     from dhcli.cli.shell.quiz import exit_code
     from dhcli.errors import DhcliError
 
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
-        hint = f"dhcli start {exercise.id} writes one; or give --part PART --answer TEXT"
-        if "/" not in exercise.id:
+        hint = f"dhcli start {judge.exercise.id} writes one; or give --part PART --answer TEXT"
+        if "/" not in judge.exercise.id:
             hint = "give it with --answer TEXT; - reads it from standard input"
         raise DhcliError("there is no answer to check: name a sheet", hint)
     from dhcli.cli.shell.walk import walk
 
-    return exit_code(walk(exercise, part).verdict)
+    return exit_code(walk(judge, part).verdict)
 
 
-def _answers(
-    exercise: Exercise, sheet: Sheet | None, part: str | None, answer: str | None, table: str | None
-) -> tuple[dict[str, str], dict[str, Place], str | None]:
-    """Answers by part, where they stand, and the one part meant."""
+def _meant(exercise: Exercise, part: str | None) -> str:
+    """The one part that an answer is to."""
     from dhcli.errors import DhcliError
-    from dhcli.files.reading import read_text
 
-    if sheet is not None:
-        answers = {name: given.text for name, given in sheet.answers.items()}
-        return answers, {name: given.place for name, given in sheet.answers.items()}, part
-    only = exercise.part(part).id if part else exercise.parts[0].id
     if part is None and len(exercise.parts) > 1:
         names = ", ".join(one.id for one in exercise.parts)
         raise DhcliError(f"{exercise.id} has {len(exercise.parts)} parts: say which one is answered", f"--part {names}")
-    if table is not None:
-        return {only: table}, {}, only
-    return {only: read_text("-") if answer == "-" else answer or ""}, {}, only
+    return exercise.part(part).id if part else exercise.parts[0].id
+
+
+def _text(answer: str) -> str:
+    """The answer that was typed, or stands on standard input."""
+    from dhcli.files.reading import read_text
+
+    return read_text("-") if answer == "-" else answer

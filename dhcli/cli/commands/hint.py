@@ -25,6 +25,7 @@ def hint(
     variant: Variant = None,
 ) -> None:
     """Show the next hint, for the first part that is not solved yet or the one named."""
+    from dhcli.checking.judge import Judge
     from dhcli.checking.variants import variant_of
     from dhcli.cli.shell.console import tell, write_out
     from dhcli.cli.shell.quiz import first_open
@@ -33,7 +34,7 @@ def hint(
     from dhcli.render.paper import Paper
     from dhcli.render.text.prose import prose_lines
 
-    exercise = variant_of(load_exercise(name), variant)
+    exercise = variant_of(Judge(load_exercise(name)), variant).exercise
     progress, message = read_progress()
     done = progress.get(exercise.id, {})
     meant = exercise.part(part) if part else first_open(exercise, {p: t.best for p, t in done.items()})

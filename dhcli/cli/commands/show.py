@@ -37,10 +37,11 @@ def show(
 
 def _load(kind: str, name: str, variant: str | None) -> object:
     if kind == "exercise":
+        from dhcli.checking.judge import Judge
         from dhcli.checking.variants import variant_of
         from dhcli.files.yaml.exercises import load_exercise
 
-        return variant_of(load_exercise(name), variant)
+        return variant_of(Judge(load_exercise(name)), variant).exercise
     if variant is not None:
         raise DhcliError(f"{name} is a {kind}: only exercises have variants", "leave --variant out")
     if kind == "linkage":

@@ -28,18 +28,20 @@ def solution(
     yes: Annotated[bool, typer.Option("--yes", help="Show parts that were never tried, too.")] = False,
 ) -> None:
     """Work an exercise out, step by step; asks once before it shows what was never tried."""
+    from dhcli.checking.judge import Judge
     from dhcli.checking.variants import variant_of
     from dhcli.cli.shell.console import write_out
     from dhcli.files.yaml.exercises import load_exercise
     from dhcli.render.paper import Paper
     from dhcli.render.text.marks import solution_text
 
-    exercise = variant_of(load_exercise(name), variant)
+    judge = variant_of(Judge(load_exercise(name)), variant)
+    exercise = judge.exercise
     parts = (exercise.part(part),) if part else exercise.parts
     if not yes:
         _ask_once(exercise, parts)
     paper = Paper.of(sys.stdout)
-    write_out("\n".join(solution_text(exercise, one, paper) for one in parts))
+    write_out("\n".join(solution_text(exercise, one, judge.solution(one), paper) for one in parts))
 
 
 def _ask_once(exercise: Exercise, parts: tuple[Part, ...]) -> None:

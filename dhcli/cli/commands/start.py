@@ -28,13 +28,14 @@ def start(
     force: Annotated[bool, typer.Option("--force", help="Overwrite the file.")] = False,
 ) -> None:
     """Write an answer sheet for an exercise."""
+    from dhcli.checking.judge import Judge
     from dhcli.checking.variants import variant_of
     from dhcli.cli.shell.console import tell, write_out
     from dhcli.cli.shell.delivery import write_file
     from dhcli.files.yaml.exercises import load_exercise
     from dhcli.files.yaml.sheets import write_sheet
 
-    exercise = variant_of(load_exercise(name), variant)
+    exercise = variant_of(Judge(load_exercise(name)), variant).exercise
     text = write_sheet(exercise)
     if output == "-":
         write_out(text)

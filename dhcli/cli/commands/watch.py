@@ -14,7 +14,7 @@ import typer
 from dhcli.cli.shell.options import ExerciseName, Variant
 
 if TYPE_CHECKING:
-    from dhcli.checking.exercise import Exercise
+    from dhcli.checking.judge import Judge
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -37,6 +37,7 @@ def watch(
     variant: Variant = None,
 ) -> None:
     """Check a sheet again whenever it is saved, until q or Ctrl-C."""
+    from dhcli.checking.judge import Judge
     from dhcli.errors import DhcliError
     from dhcli.files.yaml.exercises import load_exercise
 
@@ -47,10 +48,10 @@ def watch(
     if not sys.stdout.isatty():
         raise DhcliError("watch needs a terminal", f"dhcli check {exercise.id} {path} checks once")
     with _single_keys() as key:
-        _watch(exercise, path, variant, key)
+        _watch(Judge(exercise), path, variant, key)
 
 
-def _watch(exercise: Exercise, path: str, variant: str | None, key: Callable[[float], str]) -> None:
+def _watch(judge: Judge, path: str, variant: str | None, key: Callable[[float], str]) -> None:
     """Draw the screen at each save and at each key."""
     seen: tuple[int, int] | None = None
     hints = 0
@@ -63,7 +64,7 @@ def _watch(exercise: Exercise, path: str, variant: str | None, key: Callable[[fl
             continue
         hints = hints + 1 if pressed == "h" else 0 if now != seen else hints
         seen = now
-        _draw(exercise, path, variant, hints)
+        _draw(judge, path, variant, hints)
 
 
 def _stamp(path: str) -> tuple[int, int]:
@@ -75,13 +76,11 @@ def _stamp(path: str) -> tuple[int, int]:
     return found.st_mtime_ns, found.st_size
 
 
-def _draw(exercise: Exercise, path: str, variant: str | None, hints: int) -> None:
-    from dhcli.checking.sheetmark import mark_sheet
-    from dhcli.checking.variants import variant_of
+def _draw(judge: Judge, path: str, variant: str | None, hints: int) -> None:
     from dhcli.cli.shell.console import write_out
     from dhcli.cli.shell.quiz import first_open, remember
     from dhcli.errors import DhcliError
-    from dhcli.files.yaml.sheets import check_numbers, read_sheet
+    from dhcli.files.yaml.sheets import judged_sheet, read_sheet
     from dhcli.render.look import Look, render
     from dhcli.render.paper import Paper
     from dhcli.render.text.problems import problems_text
@@ -90,21 +89,15 @@ def _draw(exercise: Exercise, path: str, variant: str | None, hints: int) -> Non
     paper = Paper.of(sys.stdout)
     try:
         read = read_sheet(path)
-        exercise.accepts(read.exercise, path)
-        exercise = variant_of(exercise, variant, read.variant, path)
-        check_numbers(read, exercise, path)
-        marked = mark_sheet(
-            exercise,
-            {name: given.text for name, given in read.answers.items()},
-            {name: given.place for name, given in read.answers.items()},
-        )
+        judge.exercise.accepts(read.exercise, path)
+        marked = judged_sheet(judge, read, path, variant)
     except DhcliError as error:
         write_out(f"{CLEAR}{problems_text(error.problems, paper)}\n{paper.ink(KEYS, 'dim')}\n")
         return
     remember(marked)
     text = render("marks", marked, Look(paper=paper))
     if hints:
-        part = first_open(exercise, {p.part.id: p.mark.verdict.word for p in marked.parts})
+        part = first_open(marked.exercise, {p.part.id: p.mark.verdict.word for p in marked.parts})
         shown = part.hints[min(hints, len(part.hints)) - 1] if part.hints else "there is no hint for this part"
         text += "".join(f"\n{line}" for line in prose_lines(f"hint for {part.id}: {shown}", paper)) + "\n"
     at = time.strftime("%H:%M:%S")

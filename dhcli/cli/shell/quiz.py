@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from dhcli.checking.exercise import Exercise, Part, question_about
-from dhcli.checking.sheetmark import SheetMark
+from dhcli.checking.exercise import Exercise, Part
+from dhcli.checking.judge import SheetMark
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import DhcliError, ExitStatus, Place, Problem, UnknownNameError
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class RobotOptions:
     """The options of `fk` that turn a robot into a question.
 
     Attributes:
@@ -43,10 +43,10 @@ class Asked:
     @property
     def given(self) -> bool:
         """Whether any of them was typed."""
-        return self != Asked()
+        return self != RobotOptions()
 
 
-def exercise_of(name: str, asked: Asked) -> tuple[Exercise, str]:
+def exercise_of(name: str, asked: RobotOptions) -> tuple[Exercise, str]:
     """The exercise of a name, or a question about the robot of that name, and the text of the table to compare.
 
     Raises:
@@ -73,8 +73,8 @@ def exercise_of(name: str, asked: Asked) -> tuple[Exercise, str]:
     return _about(robot, asked)
 
 
-def _about(robot: Robot, asked: Asked) -> tuple[Exercise, str]:
-    from dhcli.checking.exercise import question_about_table
+def _about(robot: Robot, asked: RobotOptions) -> tuple[Exercise, str]:
+    from dhcli.checking.kinds.made import question_about, question_about_table
     from dhcli.cli.shell.given import values_of
     from dhcli.kinematics.frames import ends
 

@@ -4,14 +4,11 @@ from __future__ import annotations
 
 import sys
 
-from dhcli.checking.describe import given_text
-from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.questions import MatrixQuestion, Question, TableQuestion
-from dhcli.checking.sheetmark import PartMark, SheetMark, mark_sheet
+from dhcli.checking.exercise import Part
+from dhcli.checking.judge import Judge, PartMark, SheetMark
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.cli.shell.console import write_out
 from dhcli.cli.shell.quiz import remember
-from dhcli.notation.operators import OPENING
 from dhcli.render.look import Look, render
 from dhcli.render.paper import Paper
 from dhcli.render.text.marks import question_text, sum_line
@@ -20,27 +17,25 @@ from dhcli.render.text.prose import prose_lines
 HELP = "An empty line ends a matrix or a table; ? is a hint, an empty answer skips the part, Ctrl-D ends."
 AGAIN = "Try again, or go on with an empty line."
 _TRY_AGAIN = (Verdict.WRONG, Verdict.CLOSE, Verdict.CANNOT_READ)
-_GOES_ON = ("+", "-", "*", "/", "^", "=", ",", ";", "·", "...")
-"""What the line of an unfinished answer ends in."""
 
 
-def walk(exercise: Exercise, only: str | None = None) -> SheetMark:
+def walk(judge: Judge, only: str | None = None) -> SheetMark:
     """Ask each part, judge it, and go on; what was answered counts as progress.
 
     Args:
-        exercise: The exercise.
+        judge: The judge of the exercise.
         only: The one part to ask; all by default.
     """
-    paper = Paper.of(sys.stdout)
+    exercise, paper = judge.exercise, Paper.of(sys.stdout)
     _write(prose_lines(exercise.title, paper), paper, "bold")
     _write(prose_lines(exercise.task.strip(), paper), paper)
     if exercise.given:
-        _write(["", *prose_lines(f"given: {given_text(exercise)}", paper)], paper)
+        _write(["", *prose_lines(f"given: {exercise.given_text}", paper)], paper)
     _write(["", *prose_lines(HELP, paper)], paper, "dim")
     marks: list[PartMark] = []
     for part in [exercise.part(only)] if only else exercise.parts:
         write_out(f"\n{question_text(exercise, part, paper)}")
-        settled, has_ended = _settle(exercise, part, paper)
+        settled, has_ended = _settle(judge, part, paper)
         marks += settled
         if has_ended:
             break
@@ -52,14 +47,14 @@ def walk(exercise: Exercise, only: str | None = None) -> SheetMark:
     return marked
 
 
-def _settle(exercise: Exercise, part: Part, paper: Paper) -> tuple[tuple[PartMark, ...], bool]:
+def _settle(judge: Judge, part: Part, paper: Paper) -> tuple[tuple[PartMark, ...], bool]:
     """Ask a part until it is solved or left; its last judgement, and whether the input has ended."""
     settled: tuple[PartMark, ...] = ()
     while True:
         answer = _ask(part, paper)
         if answer is None or (settled and not answer.strip()):
             return settled, answer is None
-        marked = mark_sheet(exercise, {part.id: answer}, only=part.id)
+        marked = judge.sheet({part.id: answer}, only=part.id)
         remember(marked)
         settled = marked.parts
         write_out(render("marks", marked, Look(paper=paper)))
@@ -85,28 +80,10 @@ def _ask(part: Part, paper: Paper) -> str | None:
             _write(prose_lines(f"hint: {hint}", paper), paper)
         elif line.strip():
             lines.append(line.rstrip("\n"))
-            if _is_whole("\n".join(lines), part.question):
+            if part.question.is_whole("\n".join(lines)):
                 return "\n".join(lines)
         else:
             return "\n".join(lines)
-
-
-def _is_whole(text: str, question: Question) -> bool:
-    """Whether an answer is plainly complete: its brackets close, and no row or operand is still to come."""
-    text = text.strip()
-    depth, apart = 0, {",": 0, ";": 0}
-    for letter in text:
-        depth += (letter in OPENING) - (letter in OPENING.values())
-        if depth == 0 and letter in apart:
-            apart[letter] += 1
-    if depth > 0 or text.endswith(_GOES_ON):
-        return False
-    if isinstance(question, TableQuestion):
-        return text.startswith("[")
-    rows, columns = question.shape if isinstance(question, MatrixQuestion) else (1, 1)
-    if (rows, columns) == (1, 1) or text.startswith(("[", "array", "np.")):
-        return True
-    return rows - 1 == apart[";"] or (columns == 1 and rows - 1 in apart.values())
 
 
 def _write(lines: list[str], paper: Paper, *inks: str) -> None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from itertools import cycle
 
-from dhcli.checking.diagnosis.slips import slips
-from dhcli.checking.exercise import question_about
+from dhcli.checking.judge import Judge
+from dhcli.checking.kinds.made import question_about
 from dhcli.errors import DhcliError
 from dhcli.files.yaml.templates import check_name
 from dhcli.kinematics.robot import Robot
@@ -93,7 +93,7 @@ tests:
 def _mistake(robot: Robot, start: str, end: str) -> str:
     """A mistake that shows in the pose; in that of a SCARA, whose rotation is symmetric, the usual one does not."""
     exercise = question_about(robot, start, end, numeric=False, given={})
-    names = [slip.name for slip in slips(exercise, exercise.parts[0])]
+    names = [slip.name for slip in Judge(exercise).slips(exercise.parts[0])]
     return "transposed" if "transposed" in names else names[0]
 
 

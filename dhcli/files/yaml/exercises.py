@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from dhcli.checking.exercise import Exercise, Printed, Trial, answer_scope
-from dhcli.checking.variants import Range
+from dhcli.checking.exercise import Exercise
 from dhcli.checking.verdicts import Verdict
+from dhcli.checking.written import Printed, Range, Trial, answer_scope
 from dhcli.errors import DhcliError, FileError, Problem, did_you_mean
 from dhcli.files.library.lookup import Kind, check_typed, entries, find
 from dhcli.files.reading import read_text, source_of

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Any
 
-from dhcli.checking.exercise import Part, Printed
-from dhcli.checking.questions import ChoiceQuestion, CountQuestion, Question, check_question, read_question
+from dhcli.checking.exercise import Part, Question
+from dhcli.checking.kinds.registry import keys, read_question
 from dhcli.checking.tolerance import Tolerance
+from dhcli.checking.written import Printed
 from dhcli.errors import DhcliError, NotationError, Place, did_you_mean
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedNode, PlacedScalar
@@ -15,7 +17,7 @@ from dhcli.files.yaml.typed import read_flag, read_number, read_texts, read_whol
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.scope import Scope
 
-KEYS = ("id", "ask", "prompt", "credit", "depends", "hints", "compare", "options", "right", "exact", "decimals")
+KEYS = ("id", "ask", "prompt", "credit", "depends", "hints", *keys(), "exact", "decimals")
 OF_ALL = ("numeric", "unit", "tolerance", "given", "names", "printed", "feedback", "variants", "also", "tests")
 """Keys that stand at the top of a file and hold for all parts."""
 
@@ -82,43 +84,25 @@ class PartReader:
         if name:
             self.ids.append(name)
 
-    def question(self, fields: Fields, ask: PlacedScalar) -> Question | None:
+    def question(self, fields: Fields, ask: PlacedScalar) -> Question[Any] | None:
         """What is asked; None if it cannot be read."""
         try:
             question = read_question(ask.text, self.scope, ask.place_of(0))
         except NotationError as error:
             self.problems.take(error)
             return None
-        if isinstance(question, ChoiceQuestion):
-            options = read_texts(fields, "options")
-            right = read_whole(fields, "right") or 0
-            if not 1 <= right <= len(options):
-                self.problems.add(fields.place, "right: should be the number of an option, counted from 1")
-            question = ChoiceQuestion(options, right)
-        if isinstance(question, CountQuestion):
-            question = self.looked_up(question, ask)
+        question = question.completed(_Besides(self.problems, fields, ask.place))
         if self.robot is not None or not self.has_robot:  # that the robot was not found is told already
             self.check_exists(question, ask.place)
         return question
 
-    def check_exists(self, question: Question, place: Place) -> None:
+    def check_exists(self, question: Question[Any], place: Place) -> None:
         """Make sure that the robot has the frames, the link or the table that is asked about."""
         try:
-            check_question(question, self.robot)
+            question.check(self.robot)
         except DhcliError as error:
             for problem in error.problems:
                 self.problems.add(place, f"ask: {problem.message}", problem.hint)
-
-    def looked_up(self, question: CountQuestion, ask: PlacedScalar) -> CountQuestion:
-        """The question with the linkage that it counts."""
-        from dhcli.files.yaml.linkages import find_linkage  # few exercises count
-
-        try:
-            return replace(question, found=find_linkage(question.linkage))
-        except DhcliError as error:
-            for problem in error.problems:
-                self.problems.add(ask.place, f"ask: {problem.message}", problem.hint)
-            return question
 
     def own_tolerance(self, fields: Fields) -> Tolerance | None:
         """The tolerance of the part, if it differs from that of the exercise."""
@@ -136,3 +120,35 @@ class PartReader:
             hint = did_you_mean(text, COMPARED)
             self.problems.add(fields.place_of("compare"), f"compare: '{text}' is not known", hint)
         return text
+
+
+@dataclass(frozen=True, slots=True)
+class _Besides:
+    """What a part says besides `ask:`, for the kinds of questions that need more."""
+
+    problems: Problems
+    fields: Fields
+    ask: Place
+
+    def texts(self, key: str) -> tuple[str, ...]:
+        """A list of texts."""
+        return read_texts(self.fields, key)
+
+    def whole(self, key: str) -> int | None:
+        """A whole number."""
+        return read_whole(self.fields, key)
+
+    def linkage(self, name: str) -> object | None:
+        """The linkage of a name or a pattern; None if there is none, which is told."""
+        from dhcli.files.yaml.linkages import find_linkage  # few exercises count
+
+        try:
+            return find_linkage(name)
+        except DhcliError as error:
+            for problem in error.problems:
+                self.problems.add(self.ask, f"ask: {problem.message}", problem.hint)
+            return None
+
+    def refuse(self, message: str, hint: str = "") -> None:
+        """Note what is wrong with the part."""
+        self.problems.add(self.fields.place, message, hint)

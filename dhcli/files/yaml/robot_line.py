@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.questions import CellQuestion, FactorsQuestion, MatrixQuestion, Span, TableQuestion
 from dhcli.files.library.lookup import Kind, entries
 from dhcli.notation.quantity import value_text
 
@@ -32,9 +31,7 @@ def values_text(exercise: Exercise) -> Mapping[str, str]:
 def _needs_table(exercise: Exercise) -> bool:
     """Whether a pose of the robot is asked for, and nothing that its table would give away."""
     questions = [part.question for part in exercise.parts]
-    if any(isinstance(question, TableQuestion | CellQuestion | FactorsQuestion) for question in questions):
-        return False
-    return any(isinstance(question, MatrixQuestion) and isinstance(question.source, Span) for question in questions)
+    return any(question.needs_table for question in questions) and not any(one.is_in_table for one in questions)
 
 
 def _is_known(name: str) -> bool:

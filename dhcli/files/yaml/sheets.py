@@ -8,17 +8,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from dhcli.checking.describe import describe, given_text
 from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.questions import (
-    ChoiceQuestion,
-    CountQuestion,
-    FactorsQuestion,
-    MatrixQuestion,
-    Question,
-    ScalarQuestion,
-    TableQuestion,
-)
+from dhcli.checking.judge import Judge, SheetMark
+from dhcli.checking.variants import variant_of
 from dhcli.errors import DhcliError, FileError, Place, Problem
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.yaml.fields import Problems
@@ -29,8 +21,8 @@ from dhcli.files.yaml.robots import load_robot
 from dhcli.kinematics.conventions import COLUMNS, Convention
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import Expr, Trig
-from dhcli.notation.walk import substitute, walk
+from dhcli.notation.tree import Expr
+from dhcli.notation.walk import substitute
 from dhcli.notation.writer import write, write_angle
 from dhcli.safe import one_line, yaml_scalar
 
@@ -104,6 +96,27 @@ def check_numbers(sheet: Sheet, exercise: Exercise, written: str) -> None:
             raise DhcliError(message, f"judge it by the exercise as it was, or dhcli start {exercise.id}{option} again")
 
 
+def judged_sheet(
+    judge: Judge, sheet: Sheet, written: str, asked: str | None = None, only: str | None = None
+) -> SheetMark:
+    """Judge a sheet by the numbers that it was written with.
+
+    Args:
+        judge: The judge of the exercise that the sheet is of.
+        sheet: The sheet.
+        written: What to call the sheet.
+        asked: The seed of a variant that was asked for; the sheet's own by default.
+        only: The one part to look at; all by default.
+
+    Raises:
+        DhcliError: It is of another variant, or was written with other numbers, or answers no part of the exercise.
+    """
+    judge = variant_of(judge, asked, sheet.variant, written)
+    check_numbers(sheet, judge.exercise, written)
+    texts = {name: answer.text for name, answer in sheet.answers.items()}
+    return judge.sheet(texts, {name: answer.place for name, answer in sheet.answers.items()}, only)
+
+
 @dataclass(frozen=True, slots=True)
 class Table:
     """A DH table from a file: its convention, and its rows as the text of an answer."""
@@ -145,7 +158,7 @@ def read_table(path: Path | str, reference: Robot) -> Table:
 
 def write_sheet(exercise: Exercise) -> str:
     """A blank sheet, with comments that show how each kind of answer is written."""
-    given = f"Given: {given_text(exercise)}" if exercise.given else ""
+    given = f"Given: {exercise.given_text}" if exercise.given else ""
     known = [line for text in (given, robot_line(exercise)) if text for line in _comment(text)]
     fill = f"Fill in each {BLANK} and save; leave a part as it is to skip it. Then:"
     lines = [
@@ -189,24 +202,20 @@ def _comment(text: str, first: str = "# ", rest: str = "# ") -> list[str]:
 def _units(exercise: Exercise) -> Iterator[str]:
     """How numbers, or symbols, are written in the answers that this sheet asks for."""
     questions = [part.question for part in exercise.parts]
-    in_rows = any(isinstance(question, MatrixQuestion) and question.shape[1] > 1 for question in questions)
-    if all(isinstance(question, ChoiceQuestion | CountQuestion) for question in questions):
+    if all(question.is_plain for question in questions):
         return
     if exercise.numeric:
         has_unit = exercise.unit != "none"
         unit = f": lengths in {exercise.unit} unless a unit stands with them" if has_unit else " without a unit"
         yield f"Numbers{unit}; 0.7071 or sqrt(2)/2 are both fine."
-    elif any(map(_holds_cosines, questions)):
+    elif any(question.has_cosines for question in questions):
         yield "Symbols: c1 for cos(theta1), s23 for sin(theta2 + theta3), or written out."
-        rows = "; in a row of a matrix, where a blank begins the next cell, a1*c1 or a1c1" if in_rows else ""
+        rows = (
+            "; in a row of a matrix, where a blank begins the next cell, a1*c1 or a1c1"
+            if any(question.in_rows for question in questions)
+            else ""
+        )
         yield f"Products: a1*c1, a1c1 or a1 c1{rows}."
-
-
-def _holds_cosines(question: Question) -> bool:
-    """Whether an answer in symbols may have cosines and sines in it."""
-    if isinstance(question, ScalarQuestion):
-        return any(isinstance(node, Trig) for node in walk(question.expr))
-    return isinstance(question, MatrixQuestion | FactorsQuestion)
 
 
 def _part_lines(exercise: Exercise, part: Part) -> Iterator[str]:
@@ -214,26 +223,13 @@ def _part_lines(exercise: Exercise, part: Part) -> Iterator[str]:
     yield ""
     if part.prompt.strip():
         yield from _comment(part.prompt.strip(), "  # ", "  # ")
-    yield from _comment(describe(question, exercise), "  # ", "  # ")
-    if isinstance(question, TableQuestion) and exercise.robot is not None:
-        yield "  # columns: " + "  ".join(exercise.robot.columns) + "; angles in degrees"
-    if isinstance(question, ChoiceQuestion):
-        for number, option in enumerate(question.options, 1):
-            yield from _comment(option, f"  #   {number}: ", "  #      ")
+    yield from _comment(question.describe(exercise), "  # ", "  # ")
+    yield from (f"  # {note}" for note in question.notes(exercise))
+    for number, option in enumerate(question.statements, 1):
+        yield from _comment(option, f"  #   {number}: ", "  #      ")
     yield f"  {part.id}: |"
-    yield from (f"    {line}" for line in _blank(exercise, part))
-
-
-def _blank(exercise: Exercise, part: Part) -> Iterator[str]:
-    """Blank entries in the shape of the answer."""
-    question = part.question
-    rows, columns = question.shape if isinstance(question, MatrixQuestion) else (1, 1)
-    if isinstance(question, TableQuestion) and exercise.robot is not None:
-        rows, columns = len(exercise.robot.links), 4
-    if columns == 1:
-        rows, columns = 1, rows
-    for _ in range(rows):
-        yield "  ".join([BLANK] * columns)
+    rows, columns = question.blank(exercise)
+    yield from ["    " + "  ".join([BLANK] * columns)] * rows
 
 
 def _answer(node: PlacedNode) -> Answer:

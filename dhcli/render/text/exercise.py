@@ -5,7 +5,6 @@ from __future__ import annotations
 import shlex
 from typing import Any
 
-from dhcli.checking.describe import describe, given_text
 from dhcli.checking.exercise import Exercise
 from dhcli.files.yaml.robot_line import robot_line
 from dhcli.render.look import Look
@@ -26,7 +25,7 @@ def exercise_table(exercise: Exercise, look: Look) -> str:
         "",
         *prose_lines(exercise.task.strip(), paper),
     ]
-    given = [f"given: {given_text(exercise)}"] if exercise.given else []
+    given = [f"given: {exercise.given_text}"] if exercise.given else []
     if robot := robot_line(exercise):
         given.append(robot.replace("Robot", "robot", 1))
     if given:
@@ -51,7 +50,7 @@ def exercise_content(exercise: Exercise, _look: Look) -> dict[str, Any]:
         "parts": [
             {
                 "part": part.id,
-                "asks": describe(part.question, exercise),
+                "asks": part.question.describe(exercise),
                 "prompt": part.prompt,
                 "credit": part.credit,
                 "depends": list(part.depends),

@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
-from dhcli.checking.describe import describe
-from dhcli.checking.diagnosis.diagnosis import MISPRINT, is_diagnosed
 from dhcli.checking.diagnosis.result import Diagnosis
-from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.questions import ChoiceQuestion
-from dhcli.checking.sheetmark import PartMark, SheetMark
-from dhcli.checking.solution import solution
+from dhcli.checking.exercise import Exercise, Part, Shown
+from dhcli.checking.judge import MISPRINT, PartMark, SheetMark, is_explained
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
 from dhcli.render.code.matrices import csv_line
 from dhcli.render.look import Look
@@ -94,21 +90,20 @@ def marks_content(marked: SheetMark, _look: Look) -> dict[str, Any]:
 
 def question_text(exercise: Exercise, part: Part, paper: Paper) -> str:
     """What a part asks, for a person who is about to answer."""
-    asked = prose_lines(f"{part.id}: {describe(part.question, exercise)}", paper)
+    asked = prose_lines(f"{part.id}: {part.question.describe(exercise)}", paper)
     lines = [paper.ink(line, "bold") for line in asked]
     lines += prose_lines(part.prompt.strip(), paper)
-    if isinstance(part.question, ChoiceQuestion):
-        for n, option in enumerate(part.question.options, 1):
-            lines += prose_lines(option, paper, f"  {n}: ", "     ")
+    for n, option in enumerate(part.question.statements, 1):
+        lines += prose_lines(option, paper, f"  {n}: ", "     ")
     return "\n".join(lines) + "\n"
 
 
-def solution_text(exercise: Exercise, part: Part, paper: Paper) -> str:
+def solution_text(exercise: Exercise, part: Part, steps: Iterable[Shown], paper: Paper) -> str:
     """The steps of a solution, each matrix under what it is."""
     from dhcli.render.text.matrix import matrix_lines
 
     lines = [question_text(exercise, part, paper).rstrip("\n")]
-    for step in solution(exercise, part):
+    for step in steps:
         lines += ["", *(line for text in step.text.splitlines() for line in prose_lines(text, paper))]
         if step.rows:
             lines += matrix_lines(step.rows, exercise.writing, Look(paper=paper))
@@ -136,7 +131,7 @@ def _part_lines(marked: SheetMark, one: PartMark, look: Look) -> Iterator[str]:
     sign = verdict.sign if paper.unicode else _ASCII_SIGNS.get(verdict.sign, verdict.sign)
     word = paper.ink(f"{sign} {verdict.word:<10}", "bold", *_INKS[verdict])
     credit = _partial_credit(one) if len(marked.parts) > 1 else ""
-    asked = f"{one.part.id}: {describe(one.part.question, exercise)}{credit}"
+    asked = f"{one.part.id}: {one.part.question.describe(exercise)}{credit}"
     first, *rest = prose_lines(paper.spell(asked), paper, _UNDER_ASKED, _UNDER_ASKED)
     yield f"{word}  {first.removeprefix(_UNDER_ASKED)}"
     yield from rest
@@ -177,7 +172,7 @@ def _why(one: PartMark, *, named: bool) -> Iterator[str]:
     if found.causes == ((MISPRINT,),):  # a remark has told which entry
         return
     if not found.causes:
-        if named and is_diagnosed(one.part, one.mark) and not found.follows:
+        if named and is_explained(one.part, one.mark) and not found.follows:
             yield NO_SLIP
         return
     if not named:

@@ -1,7 +1,7 @@
 import pytest
 
 from dhcli import check, load_exercise
-from dhcli.checking.diagnosis.chance import Typed, is_chance
+from dhcli.checking.diagnosis.chance import Evidence, is_chance
 from dhcli.checking.verdicts import Verdict
 
 SHEET = load_exercise("puma560-at-work-in-mm")
@@ -58,7 +58,7 @@ def test_chance_counts_the_candidates_that_the_digits_leave_open() -> None:
     given = [(k / 50 - 1.01,) for k in range(100)]
 
     def met(slack: float, stage: str = "singles") -> bool:
-        return is_chance(stage, given, Typed((0.33,), (slack,), (5.0,), (True,)))
+        return is_chance(stage, given, Evidence((0.33,), (slack,), (5.0,), (True,)))
 
     assert met(0.1)
     assert met(0.001)

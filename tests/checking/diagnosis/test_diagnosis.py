@@ -4,16 +4,14 @@ from functools import cache
 import pytest
 
 from dhcli import check, load_exercise, load_robot
-from dhcli.checking.diagnosis.diagnosis import diagnosed
 from dhcli.checking.diagnosis.mistakes import BY_ID, MISTAKES
-from dhcli.checking.diagnosis.slips import answer_with, hidden, slip_of, slips
-from dhcli.checking.exercise import Exercise, Part, question_about
-from dhcli.checking.expected import expected
-from dhcli.checking.marking import mark
-from dhcli.checking.questions import read_question
-from dhcli.checking.sheetmark import mark_sheet
+from dhcli.checking.diagnosis.slips import slip_of
+from dhcli.checking.exercise import Exercise, Part
+from dhcli.checking.kinds.made import question_about
+from dhcli.checking.kinds.registry import read_question
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import UnknownNameError
+from tests.judging import answer_with, checked, expected, hidden, mark, mark_sheet, slips
 from tests.nightly import some
 
 ROBOTS = ("scara", "scara-yim", "stanford", "puma560", "zhou-3r")
@@ -49,7 +47,7 @@ def test_each_mistake_applied_to_the_truth_is_named(name: str, *, numeric: bool)
             assert "yours holds the position, which belongs in the last column" in judged.remarks[0]
             continue
         assert judged.verdict in (Verdict.WRONG, Verdict.CLOSE), slip.name
-        found = diagnosed(exercise, part, answer, judged).diagnosis
+        found = checked(exercise, part, answer).diagnosis
         assert found is not None, slip.name
         for cause in found.causes:
             assert len(cause) == 1
@@ -63,7 +61,7 @@ def test_the_right_answer_has_no_diagnosis(name: str) -> None:
     exercise = about(name)
     part = exercise.parts[0]
     answer = expected(exercise, part)
-    assert diagnosed(exercise, part, answer, mark(exercise, part, answer)).diagnosis is None
+    assert checked(exercise, part, answer).diagnosis is None
 
 
 def test_two_slips_at_once_are_named_together() -> None:

@@ -5,12 +5,10 @@ from __future__ import annotations
 import pytest
 
 from dhcli import load_exercise, load_robot
-from dhcli.checking.diagnosis.slips import answer_with
 from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.expected import expected
-from dhcli.checking.questions import read_question
-from dhcli.checking.sheetmark import mark_sheet
+from dhcli.checking.kinds.registry import read_question
 from dhcli.checking.verdicts import Mark, Verdict
+from tests.judging import answer_with, expected, mark_sheet
 
 ASKED = ("pose 0..6", "pose 3..5", "link 4", "position of pose 0..5", "point (1, 2, 3) of pose 0..6")
 

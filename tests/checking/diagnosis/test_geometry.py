@@ -8,11 +8,13 @@ from dataclasses import replace
 import pytest
 
 from dhcli import check, load_robot
-from dhcli.checking.exercise import Exercise, Part, question_about
-from dhcli.checking.expected import expected
-from dhcli.checking.questions import MatrixQuestion, Span
+from dhcli.checking.exercise import Exercise, Part
+from dhcli.checking.kinds.made import question_about
+from dhcli.checking.kinds.matrix import MatrixQuestion
 from dhcli.checking.verdicts import Verdict
+from dhcli.checking.wanted import Span
 from dhcli.kinematics.values import joint_values
+from tests.judging import expected
 
 
 def about(name: str, start: str, end: str, q: str = "") -> Exercise:

@@ -8,8 +8,8 @@ import pytest
 
 from dhcli import check, load_exercise
 from dhcli.checking.diagnosis.slips import table_candidates
-from dhcli.checking.exercise import question_about_table
-from dhcli.checking.questions import TableQuestion
+from dhcli.checking.kinds.made import question_about_table
+from dhcli.checking.kinds.table import TableQuestion
 from dhcli.checking.tables.cells import table_text
 from dhcli.checking.verdicts import Verdict
 from dhcli.kinematics.conventions import Row
@@ -44,7 +44,7 @@ def test_a_slip_is_named_whatever_frames_are_drawn(name: str, how: str) -> None:
     assert isinstance(question, TableQuestion)
     rows = {
         one.slips[0].name: tuple(step.row for step in one.work.steps if step.row is not None)
-        for one in table_candidates(exercise, question)
+        for one in table_candidates(exercise, question.convention)
     }
     for slip in SLIPS[name]:
         text = table_text(drawn_otherwise(rows[slip], name, how), robot(name).columns, robot(name).writing)
@@ -105,7 +105,7 @@ def test_of_slips_with_the_same_motion_the_one_in_the_cells_typed_is_named() -> 
     question = exercise.part("table").question
     assert isinstance(question, TableQuestion)
     assert exercise.robot is not None
-    for candidate in table_candidates(exercise, question):
+    for candidate in table_candidates(exercise, question.convention):
         rows = [step.row for step in candidate.work.steps if step.row is not None]
         judged = check(exercise, "table", table_text(rows, exercise.robot.columns, exercise.writing))
         if judged.verdict is Verdict.WRONG:

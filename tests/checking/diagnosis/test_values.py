@@ -7,16 +7,17 @@ from fractions import Fraction
 import pytest
 
 from dhcli import check, load_exercise
-from dhcli.checking.diagnosis.diagnosis import diagnosed
-from dhcli.checking.diagnosis.mistakes.of_values import IN_VALUES
-from dhcli.checking.diagnosis.slips import answer_with, slips
+from dhcli.checking.diagnosis.mistakes.values import IN_VALUES
 from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.marking import mark
-from dhcli.checking.questions import CellQuestion, FactorsQuestion, ScalarQuestion, read_question
+from dhcli.checking.kinds.cell import CellQuestion
+from dhcli.checking.kinds.factors import FactorsQuestion
+from dhcli.checking.kinds.registry import read_question
+from dhcli.checking.kinds.scalar import ScalarQuestion
 from dhcli.checking.verdicts import Verdict
 from dhcli.notation.angle import Angle
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Number
+from tests.judging import answer_with, checked, mark, slips
 from tests.nightly import some
 
 EXERCISES = (
@@ -47,7 +48,7 @@ def test_each_slip_in_a_value_a_cell_or_a_move_is_named(name: str) -> None:
             answer = answer_with(exercise, part, slip.name)
             judged = mark(exercise, part, answer)
             assert judged.verdict in (Verdict.WRONG, Verdict.CLOSE), slip.name
-            found = diagnosed(exercise, part, answer, judged).diagnosis
+            found = checked(exercise, part, answer).diagnosis
             assert found is not None
             assert slip.name in found.ids
 

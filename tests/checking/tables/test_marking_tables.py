@@ -12,13 +12,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from dhcli import check, load_exercise
-from dhcli.checking.diagnosis.slips import answer_with, slips
-from dhcli.checking.exercise import Exercise, question_about_table
+from dhcli.checking.exercise import Exercise
+from dhcli.checking.kinds.made import question_about_table
 from dhcli.checking.pasted import UnreadableError
-from dhcli.checking.questions import TableQuestion
 from dhcli.checking.tables.cells import table_text
 from dhcli.checking.tables.marking import mark_table, write_table
-from dhcli.checking.tables.reading import read_table
+from dhcli.checking.tables.typed_rows import read_table
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import RobotError
 from dhcli.kinematics.conventions import Convention, moves_of
@@ -26,6 +25,7 @@ from dhcli.kinematics.robot import Robot
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Symbol, number
 from tests.checking.tables.robots_with_tables import NAMES, Move, keeping, mutations, robot, rows_of
+from tests.judging import answer_with, slips
 from tests.nightly import NIGHT, some
 
 MODIFIED, STANDARD = Convention.MODIFIED, Convention.STANDARD
@@ -52,7 +52,16 @@ def marked(
     """The judgement of a table; options of the exercise and of the task."""
     flags = {key: more.pop(key) for key in ("end_free", "tolerance") if key in more}
     task = exercise(name, **more)
-    return mark_table(TableQuestion(convention or robot(name).convention), task, text, compare, **flags)
+    return judged(task, text, compare, convention, **flags)
+
+
+def judged(
+    task: Exercise, text: str, compare: str = "same-robot", convention: Convention | None = None, **flags: object
+) -> Mark:
+    """The judgement of a table, in the convention of the robot if no other one is asked for."""
+    arm = task.robot
+    rows = read_table(text, arm, task.scope, arm.columns, task.unit)
+    return mark_table(task, convention or arm.convention, rows, compare, **flags)
 
 
 def changed(text: str, old: str, new: str) -> str:
@@ -422,15 +431,14 @@ def test_a_robot_given_as_products_has_a_table_too() -> None:
     """The answer is compared with the chain, whatever it was written in."""
     right = "[l2 0 l1 θ1+90; l3 0 0 θ2; 0 0 -d3 -90]"
     task = Exercise("scara", "", "", "", (), robot("scara"))
-    question = TableQuestion(STANDARD)
-    assert mark_table(question, task, right).verdict is Verdict.RIGHT
-    assert mark_table(question, task, right, "same-motion").verdict is Verdict.RIGHT
-    forgotten = mark_table(question, task, changed(right, "-90", "0"))
+    assert judged(task, right, convention=STANDARD).verdict is Verdict.RIGHT
+    assert judged(task, right, "same-motion", STANDARD).verdict is Verdict.RIGHT
+    forgotten = judged(task, changed(right, "-90", "0"), convention=STANDARD)
     assert forgotten.remarks == ("all joints are right; your end frame is turned by +90° about z", "look at row 3")
     with pytest.raises(RobotError, match="has no table in standard DH"):
         write_table(task, STANDARD)
     with pytest.raises(RobotError, match="to compare cells with"):
-        mark_table(question, task, right, "literal")
+        judged(task, right, "literal", STANDARD)
 
 
 def test_of_two_ways_to_lie_right_the_plainer_is_told() -> None:

@@ -7,7 +7,9 @@ from pathlib import Path
 import pytest
 
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.questions import ChoiceQuestion, CountQuestion, MatrixQuestion
+from dhcli.checking.kinds.choice import ChoiceQuestion
+from dhcli.checking.kinds.count import CountQuestion
+from dhcli.checking.kinds.matrix import MatrixQuestion
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import FileError, UnknownNameError
 from dhcli.files.library.kinds import kind_of

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import pytest
 
-from dhcli.checking.expected import expected
 from dhcli.errors import DhcliError
 from dhcli.files.library.lookup import Kind, entries
 from dhcli.files.yaml.exercise_template import exercise_template
@@ -15,6 +14,7 @@ from dhcli.files.yaml.exercises import read_exercise
 from dhcli.files.yaml.robots import load_robot
 from dhcli.lint import variants
 from dhcli.lint.files import lint
+from tests.judging import expected
 from tests.nightly import some
 
 ROBOTS = [entry.name for entry in entries(Kind.ROBOTS) if load_robot(entry.name).variables]

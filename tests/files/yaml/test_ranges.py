@@ -5,7 +5,7 @@ from fractions import Fraction
 import pytest
 
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.variants import Range
+from dhcli.checking.written import Range
 from dhcli.errors import FileError
 from dhcli.files.yaml.exercises import read_exercise
 from dhcli.notation.angle import Angle

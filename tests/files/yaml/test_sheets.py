@@ -6,8 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from dhcli.checking.marking import mark
-from dhcli.checking.questions import CellQuestion, FactorsQuestion, TableQuestion
+from dhcli.checking.kinds.cell import CellQuestion
+from dhcli.checking.kinds.factors import FactorsQuestion
+from dhcli.checking.kinds.table import TableQuestion
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import FileError
 from dhcli.files.library.lookup import Kind, entries
@@ -16,6 +17,7 @@ from dhcli.files.yaml.robot_line import values_text
 from dhcli.files.yaml.robots import load_robot
 from dhcli.files.yaml.sheets import WIDEST, Sheet, check_numbers, read_sheet, read_table, write_sheet
 from dhcli.kinematics.conventions import Convention
+from tests.judging import mark
 
 ROOT = Path(__file__).parents[3]
 

@@ -1,17 +1,18 @@
 """The mistakes that dhcli knows, each a record: how it is made, what it is called, and where a student should look.
 
-To add one is to add a record to one of the tuples. In a pair the earlier level is made first. Of two mistakes that are
-the same wherever one looks, such as the transpose of a plain turn and the turn the other way, the earlier has the name.
-Those in a single value have records of their own, in `of_values`; those about counts stand beside what they count, in
-`mobility.slips`.
+To add one is to write the function that makes it, with its record as decorator. In a pair the earlier level is made
+first. Of two mistakes that are the same wherever one looks, such as the transpose of a plain turn and the turn the
+other way, the earlier has the name. Those in a single value are in `values`; those about counts stand beside what they
+count, in `mobility.slips`.
 """
 
 from __future__ import annotations
 
-from dhcli.checking.diagnosis.mistakes.of_matrices import IN_THE_WHOLE, IN_WRITING
-from dhcli.checking.diagnosis.mistakes.of_products import IN_PRODUCTS
-from dhcli.checking.diagnosis.mistakes.of_tables import IN_MOVES, IN_ROWS
+from dhcli.checking.diagnosis.mistakes.matrices import IN_THE_WHOLE, IN_WRITING
+from dhcli.checking.diagnosis.mistakes.moves import IN_MOVES
+from dhcli.checking.diagnosis.mistakes.products import IN_PRODUCTS
 from dhcli.checking.diagnosis.mistakes.record import Level, Mistake
+from dhcli.checking.diagnosis.mistakes.rows import IN_ROWS
 
 __all__ = ["BY_ID", "MISTAKES", "Level", "Mistake"]
 

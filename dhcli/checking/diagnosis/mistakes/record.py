@@ -14,6 +14,9 @@ Made: TypeAlias = Iterator[tuple[str, Work]]
 """Where a mistake is made, such as `2` or `2 1`, and the work that holds it."""
 
 
+Maker: TypeAlias = Callable[[Work, Setting], Made]
+
+
 class Level(IntEnum):
     """At what stage of the work a mistake is made."""
 
@@ -42,7 +45,37 @@ class Mistake:
     level: Level
     words: str
     hint: str
-    made: Callable[[Work, Setting], Made]
+    made: Maker
     rank: Rank = Rank.PLACE
     of_values: bool = False
     alone: bool = False
+
+
+class Catalogue:
+    """Mistakes of one level, in the order in which they are tried and named; each is put in beside what makes it."""
+
+    def __init__(self, level: Level) -> None:
+        """Begin without any."""
+        self._level = level
+        self._mistakes: list[Mistake] = []
+
+    def __call__(
+        self,
+        name: str,
+        words: str,
+        hint: str,
+        *,
+        rank: Rank = Rank.PLACE,
+        of_values: bool = False,
+        alone: bool = False,
+    ) -> Callable[[Maker], Maker]:
+        """Put in the mistake that a function makes."""
+
+        def taken(made: Maker) -> Maker:
+            self._mistakes.append(Mistake(name, self._level, words, hint, made, rank, of_values, alone))
+            return made
+
+        return taken
+
+    def __iter__(self) -> Iterator[Mistake]:
+        return iter(self._mistakes)

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.commas import comma_remark, with_points
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.pasted import UnreadableError, refuse_blanks, rows_of, without_label
-from dhcli.checking.questions import MatrixQuestion
+from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, without_label
 from dhcli.checking.truth import is_length, names_of
 from dhcli.checking.vectors import as_column
+from dhcli.checking.wanted import Wanted
 from dhcli.errors import NotationError, Place
-from dhcli.notation.matrix import Cell, parse_matrix
+from dhcli.notation.matrix import Cell, bracketed, parse_matrix
 from dhcli.notation.names import suggestion
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_length
@@ -33,9 +35,10 @@ class Entry:
     typed: Expr
 
 
-def read_entries(
-    question: MatrixQuestion, exercise: Exercise, text: str, place: Place | None = None
-) -> tuple[tuple[Entry, ...], ...]:
+Entries: TypeAlias = tuple[tuple[Entry, ...], ...]
+
+
+def read_entries(question: Wanted, exercise: Exercise, text: str, place: Place | None = None) -> Entries:
     """Read an answer to a question about a matrix, in the shape of the right one.
 
     Raises:
@@ -43,7 +46,7 @@ def read_entries(
     """
     if len(text) > LARGEST:
         raise UnreadableError(f"the answer has {len(text)} characters, more than the {LARGEST} that are read")
-    body = without_label(rows_of(text, question.shape))
+    body = without_label(as_matrix(text, question.shape))
     refuse_blanks(body)
     if question.shape == (3, 1):
         body = as_column(with_points(body), exercise.scope, is_axis=question.piece == "axis")
@@ -92,7 +95,7 @@ def _refuse_matrix(text: str, exercise: Exercise) -> None:
             raise UnreadableError(f"this is a matrix, {len(cells)}x{len(cells[0])}; one number was asked")
 
 
-def _shaped(question: MatrixQuestion, cells: tuple[tuple[Cell, ...], ...], text: str) -> tuple[tuple[Cell, ...], ...]:
+def _shaped(question: Wanted, cells: tuple[tuple[Cell, ...], ...], text: str) -> tuple[tuple[Cell, ...], ...]:
     """The cells in the shape of the answer; a column may be typed as a row, and a point with its final 1."""
     wanted = question.shape
     shape = (len(cells), len(cells[0]))
@@ -108,7 +111,7 @@ def _shaped(question: MatrixQuestion, cells: tuple[tuple[Cell, ...], ...], text:
     raise UnreadableError(*filter(None, (_shape_remark(question, shape), comma_remark(text))))
 
 
-def _shape_remark(question: MatrixQuestion, shape: tuple[int, int]) -> str:
+def _shape_remark(question: Wanted, shape: tuple[int, int]) -> str:
     rows, columns = question.shape
     if columns == 1 < rows and 1 in shape:
         count = max(shape)
@@ -129,7 +132,7 @@ def _shape_remark(question: MatrixQuestion, shape: tuple[int, int]) -> str:
     return f"the answer is {shape[0]}x{shape[1]}; {asked} was asked" if rows > 1 else f"{asked} was asked"
 
 
-def _entry(question: MatrixQuestion, exercise: Exercise, cell: Cell, row: int, column: int) -> Entry:
+def _entry(question: Wanted, exercise: Exercise, cell: Cell, row: int, column: int) -> Entry:
     where = f"entry ({row + 1},{column + 1})"
     try:
         expr = to_length(cell.expr)
@@ -144,7 +147,7 @@ def _entry(question: MatrixQuestion, exercise: Exercise, cell: Cell, row: int, c
     return Entry(expr, cell.text, cell.expr)
 
 
-def _check_bottom_row(entries: tuple[tuple[Entry, ...], ...]) -> None:
+def _check_bottom_row(entries: Entries) -> None:
     """Refuse a pose with another bottom row than 0 0 0 1; one that holds the position is a slip that has a name.
 
     Raises:
@@ -162,3 +165,10 @@ def _check_bottom_row(entries: tuple[tuple[Entry, ...], ...]) -> None:
 def _is_about(expr: Expr, wanted: Number) -> bool:
     """Whether an entry is a number but for what floating point leaves of it."""
     return expr == wanted or (not symbols(expr) and abs(Floats().value(expr) - float(wanted.value)) <= LEAST)
+
+
+def entries_text(rows: Sequence[Sequence[str]]) -> str:
+    """Entries as a matrix that can be read again; a single one by itself."""
+    if len(rows) == 1 and len(rows[0]) == 1:
+        return rows[0][0]
+    return bracketed(rows)

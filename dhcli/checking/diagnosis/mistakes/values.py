@@ -1,10 +1,12 @@
-"""How mistakes are made in a single value: each gives the expression that holds it."""
+"""Mistakes in a single value: an angle, a length or a number that is computed from an expression."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import TypeAlias
 
-from dhcli.checking.diagnosis.rows import OFFSETS, scale_of
+from dhcli.checking.diagnosis.mistakes.changes import OFFSETS, scale_of
 from dhcli.checking.diagnosis.terms import flipped, shown
 from dhcli.checking.diagnosis.work import Setting
 from dhcli.checking.exercise import Exercise
@@ -14,18 +16,54 @@ from dhcli.notation.tree import Expr, Sum, Trig, Unit, add, multiply, negate, nu
 from dhcli.notation.trig import cosine, sine
 from dhcli.notation.walk import rebuild, substitute, symbols, walk
 
+ValueMaker: TypeAlias = Callable[[Expr, Exercise], Iterator[tuple[str, Expr]]]
 
+
+@dataclass(frozen=True, slots=True)
+class ValueMistake:
+    """A kind of mistake in a value.
+
+    Attributes:
+        id: The name under which exercises ask for it.
+        words: What has happened, `{where}` for the place.
+        hint: Where to look, without the answer.
+        made: Every way to make it in an expression, each with its place.
+    """
+
+    id: str
+    words: str
+    hint: str
+    made: ValueMaker
+
+
+IN_VALUES: list[ValueMistake] = []
+"""In the order in which they are tried and named."""
+
+
+def _mistake(name: str, words: str, hint: str) -> Callable[[ValueMaker], ValueMaker]:
+    """The record of a mistake, beside what makes it."""
+
+    def taken(made: ValueMaker) -> ValueMaker:
+        IN_VALUES.append(ValueMistake(name, words, hint, made))
+        return made
+
+    return taken
+
+
+@_mistake("value-sign", "the sign of the whole value is turned round", "look at the sign")
 def sign(expr: Expr, _exercise: Exercise) -> Iterator[tuple[str, Expr]]:
     """The other sign."""
     yield "", negate(expr)
 
 
+@_mistake("term-sign", "the sign of {where} is turned round", "look at the signs of the terms")
 def term_sign(expr: Expr, exercise: Exercise) -> Iterator[tuple[str, Expr]]:
     """One term of a sum with the other sign."""
     for term, changed in flipped(expr):
         yield _shown(term, exercise), changed
 
 
+@_mistake("term-forgotten", "{where} is left out", "count the terms")
 def term_forgotten(expr: Expr, exercise: Exercise) -> Iterator[tuple[str, Expr]]:
     """One term of a sum left out."""
     if isinstance(expr, Sum):
@@ -33,6 +71,9 @@ def term_forgotten(expr: Expr, exercise: Exercise) -> Iterator[tuple[str, Expr]]
             yield _shown(term, exercise), add(*expr.terms[:k], *expr.terms[k + 1 :])
 
 
+@_mistake(
+    "sin-cos", "sine and cosine have changed places", "look at sine and cosine: from which axis is the angle measured?"
+)
 def sine_cosine(expr: Expr, exercise: Exercise) -> Iterator[tuple[str, Expr]]:
     """Sine for cosine; of an angle that was asked itself, the complement."""
     if any(isinstance(node, Trig) for node in walk(expr)):
@@ -41,13 +82,11 @@ def sine_cosine(expr: Expr, exercise: Exercise) -> Iterator[tuple[str, Expr]]:
         yield "", add(_degrees(90), negate(expr))
 
 
-def turned(expr: Expr, exercise: Exercise) -> Iterator[tuple[str, Expr]]:
-    """An angle measured from another axis."""
-    if _is_angle(expr, exercise):
-        for degrees in OFFSETS:
-            yield f"{degrees}°", add(expr, _degrees(degrees))
-
-
+@_mistake(
+    "angle-unit",
+    "an angle is taken in the wrong unit, degrees for radians or the other way round",
+    "is your calculator in degrees or in radians?",
+)
 def angle_unit(expr: Expr, exercise: Exercise) -> Iterator[tuple[str, Expr]]:
     """Every given angle with its number in the other unit, as on a calculator in the wrong mode."""
     if exercise.numeric and any(isinstance(node, Trig) for node in walk(expr)):
@@ -56,6 +95,7 @@ def angle_unit(expr: Expr, exercise: Exercise) -> Iterator[tuple[str, Expr]]:
         yield "", substitute(expr, {}, swapped)
 
 
+@_mistake("in-mm", "the unit is another, mm for m", "look at the unit of the sheet")
 def other_unit(expr: Expr, exercise: Exercise) -> Iterator[tuple[str, Expr]]:
     """Millimetres on a sheet in metres, or the other way round."""
     unit = exercise.metres if exercise.unit != "none" else exercise.metres * 0
@@ -64,6 +104,14 @@ def other_unit(expr: Expr, exercise: Exercise) -> Iterator[tuple[str, Expr]]:
     has_length = bool(lengths) or any(isinstance(node, Unit) for node in walk(expr))
     if factor is not None and has_length and not _is_angle(expr, exercise):
         yield "", multiply(factor, expr)
+
+
+@_mistake("turned", "the angle is off by {where}", "from which axis is the angle measured?")
+def turned(expr: Expr, exercise: Exercise) -> Iterator[tuple[str, Expr]]:
+    """An angle measured from another axis."""
+    if _is_angle(expr, exercise):
+        for degrees in OFFSETS:
+            yield f"{degrees}°", add(expr, _degrees(degrees))
 
 
 def _shown(term: Expr, exercise: Exercise) -> str:

@@ -2,27 +2,42 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 
-from dhcli.checking.diagnosis.work import Multiplied, Setting, Step, Work
+from dhcli.checking.diagnosis.mistakes.record import Catalogue, Level, Made
+from dhcli.checking.diagnosis.result import Rank
+from dhcli.checking.diagnosis.work import Factor, Multiplied, Setting, Work
 from dhcli.kinematics.conventions import Row
 from dhcli.notation.tree import ZERO
 
+IN_PRODUCTS = Catalogue(Level.PRODUCT)
 
-def reversed_order(work: Work, _setting: Setting) -> Iterator[tuple[str, Work]]:
+
+@IN_PRODUCTS(
+    "order-reversed",
+    "the factors are multiplied in the reverse order",
+    "in which order are the factors multiplied?",
+    rank=Rank.WHOLE,
+)
+def reversed_order(work: Work, _setting: Setting) -> Made:
     """All factors from right to left; in a single row that is the other convention's order."""
     if len(work.steps) > 1:
         yield "", replace(work, steps=work.steps[::-1])
 
 
-def last_first(work: Work, _setting: Setting) -> Iterator[tuple[str, Work]]:
+@IN_PRODUCTS(
+    "last-first",
+    "the last factor is multiplied from the left, as for a move about the fixed axes",
+    "from which side is each new factor multiplied?",
+)
+def last_first(work: Work, _setting: Setting) -> Made:
     """The newest factor on the left of all others; with two factors that is the reverse order."""
     if len(work.steps) > 2:  # noqa: PLR2004
         yield "", replace(work, steps=(work.steps[-1], *work.steps[:-1]))
 
 
-def missing(work: Work, _setting: Setting) -> Iterator[tuple[str, Work]]:
+@IN_PRODUCTS("factor-missing", "factor {where} is missing in the product", "count the factors of the product")
+def missing(work: Work, _setting: Setting) -> Made:
     """A factor left out: a link, the base, the tool; a row with a single cell has that cell forgotten."""
     if len(work.steps) > 1:
         for index, step in enumerate(work.steps):
@@ -30,19 +45,30 @@ def missing(work: Work, _setting: Setting) -> Iterator[tuple[str, Work]]:
                 yield step.name, replace(work, steps=(*work.steps[:index], *work.steps[index + 1 :]))
 
 
-def twice(work: Work, _setting: Setting) -> Iterator[tuple[str, Work]]:
+@IN_PRODUCTS("factor-twice", "factor {where} stands twice in the product", "count the factors of the product")
+def twice(work: Work, _setting: Setting) -> Made:
     """A factor multiplied in twice."""
     if len(work.steps) > 1:
         for index, step in enumerate(work.steps):
             yield step.name, replace(work, steps=(*work.steps[: index + 1], step, *work.steps[index + 1 :]))
 
 
-def unrotated(work: Work, _setting: Setting) -> Iterator[tuple[str, Work]]:
+@IN_PRODUCTS(
+    "translation-not-rotated",
+    "the positions are added without turning them into the reference frame",
+    "in which frame is each shift measured?",
+)
+def unrotated(work: Work, _setting: Setting) -> Made:
     """Positions added as they stand."""
     yield "", replace(_factored(work), multiplied=Multiplied.UNROTATED)
 
 
-def elementwise(work: Work, _setting: Setting) -> Iterator[tuple[str, Work]]:
+@IN_PRODUCTS(
+    "element-wise",
+    "the matrices are multiplied entry by entry, not rows by columns",
+    "how are two matrices multiplied?",
+)
+def elementwise(work: Work, _setting: Setting) -> Made:
     """Entries multiplied one by one."""
     yield "", replace(_factored(work), multiplied=Multiplied.ELEMENTWISE)
 
@@ -51,7 +77,7 @@ def _factored(work: Work) -> Work:
     """The work with the moves of a single link as its factors."""
     if len(work.steps) > 1:
         return work
-    moves = tuple(Step(f"{step.name}.{k}", (move,)) for step in work.steps for k, move in enumerate(step.chain, 1))
+    moves = tuple(Factor(f"{step.name}.{k}", (move,)) for step in work.steps for k, move in enumerate(step.chain, 1))
     return replace(work, steps=moves)
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from dhcli.checking.entries import LARGEST
 from dhcli.checking.pasted import UnreadableError, without_label
-from dhcli.checking.reading import LARGEST
 from dhcli.checking.tables.spelling import ANGLES, Heads, in_order, plain_text, without_heads, without_stars
 from dhcli.errors import NotationError, Place
 from dhcli.kinematics.conventions import COLUMNS, Row

@@ -1,0 +1,72 @@
+"""The slip behind a wrong matrix, and the matrix of somebody who has made one."""
+
+from __future__ import annotations
+
+from dhcli.checking.diagnosis.result import Slip
+from dhcli.checking.diagnosis.search import search_of
+from dhcli.checking.diagnosis.slips import candidates, setting_of
+from dhcli.checking.diagnosis.typed import TypedMatrix, typed_answer
+from dhcli.checking.diagnosis.work import Work, right_work, terms
+from dhcli.checking.entries import Entries, entries_text
+from dhcli.checking.exercise import Case, Causes, Exercise
+from dhcli.checking.truth import is_length
+from dhcli.checking.wanted import Wanted
+from dhcli.notation.quantity import LENGTH_UNITS
+from dhcli.notation.writer import write
+
+OTHER_UNIT = {"mm": "m", "m": "mm"}
+
+
+def matrix_causes(case: Case, question: Wanted, entries: Entries) -> Causes:
+    """The mistakes that give just a matrix, one or two; or one besides the unit of the lengths."""
+    typed = typed_answer(case, question, entries)
+    if typed is None:
+        return ()
+    for slack in typed.slacks:
+        causes = typed.search.causes(typed.values, slack, typed.slacks[0])
+        if causes:
+            return tuple(cause.slips for cause in causes)
+    return _in_other_unit(case.exercise, typed)
+
+
+def answer_with(case: Case, question: Wanted, name: str) -> str | None:
+    """What a student with a mistake types; None if it cannot be made."""
+    exercise = case.exercise
+    setting = case.memo.of("setting", lambda: setting_of(exercise))
+    for one in candidates(right_work(question, exercise.robot, setting), setting, name=name):
+        if one.slips[0].name == name:
+            return typed_text(case, one.work)
+    return None
+
+
+def typed_text(case: Case, work: Work) -> str:
+    """What a student types: expressions, or numbers in the unit of the sheet to six decimals."""
+    exercise, question = case.exercise, work.question
+    if not exercise.numeric:
+        rows = [[write(entry, "short", exercise.writing) for entry in row] for row in terms(work, {})]
+    else:
+        unit = float(exercise.metres)
+        entries = search_of(question, case.memo).entries(work)
+        rows = [
+            [_six_decimals(entry / unit if is_length(question, r, c) else entry) for c, entry in enumerate(row)]
+            for r, row in enumerate(entries)
+        ]
+    return entries_text(rows)
+
+
+def _in_other_unit(exercise: Exercise, typed: TypedMatrix) -> Causes:
+    """The one slip besides the unit of the lengths, metres for millimetres or the other way round."""
+    if typed.is_general or exercise.unit not in OTHER_UNIT:
+        return ()
+    unit = OTHER_UNIT[exercise.unit]
+    other = typed.scaled(float(LENGTH_UNITS[unit] / LENGTH_UNITS[exercise.unit]))
+    if other.values == typed.values:
+        return ()
+    causes = other.search.causes(other.values, other.slacks[0], stages=("singles",))
+    slip = Slip(f"in-{unit}", f"the lengths are in {unit}, not {exercise.unit}", "look at the unit of the sheet")
+    return ((*causes[0].slips, slip),) if len(causes) == 1 else ()
+
+
+def _six_decimals(value: float) -> str:
+    """A number as people type it, without the minus of a zero."""
+    return f"{round(value, 6) + 0:.6f}"

@@ -1,0 +1,273 @@
+"""The judge of an exercise: every answer is read once, marked, and explained where it is wrong."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from dhcli.checking.diagnosis.result import Diagnosis, Slip
+from dhcli.checking.exercise import MISPRINTED, Case, Causes, Exercise, Judged, Memo, Part, Reading, Shown
+from dhcli.checking.pasted import UnreadableError, refuse_blanks
+from dhcli.checking.verdicts import COUNTED, INVERSE, TOO_FEW, TRANSPOSED, UNSOLVED, Mark, Verdict, worst
+from dhcli.errors import DhcliError, NotationError, Place, UnknownNameError, did_you_mean
+from dhcli.kinematics.robot import Value
+from dhcli.kinematics.validity import Finding
+
+BLANK = re.compile(r"[\s\[\](){},;.…_?–-]*")  # noqa: RUF001
+MISPRINT = Slip("misprint", MISPRINTED, "the document may be wrong: work it out yourself")
+
+
+@dataclass(frozen=True, slots=True)
+class PartMark:
+    """The judgement of one part."""
+
+    part: Part
+    mark: Mark
+
+
+@dataclass(frozen=True, slots=True)
+class SheetMark:
+    """The judgement of a sheet.
+
+    Attributes:
+        exercise: The exercise.
+        parts: The parts that were looked at, in order.
+        why: Whether a person has asked for the names of slips; else there are only hints.
+    """
+
+    exercise: Exercise
+    parts: tuple[PartMark, ...]
+    why: bool = False
+
+    @property
+    def verdict(self) -> Verdict:
+        """The verdict of the worst part."""
+        return worst(part.mark.verdict for part in self.parts)
+
+    @property
+    def earned(self) -> float:
+        """Credit earned."""
+        return sum(part.mark.earned * part.part.credit for part in self.parts)
+
+    @property
+    def credit(self) -> float:
+        """Credit there was to earn."""
+        return sum(part.part.credit for part in self.parts)
+
+
+class Judge:
+    """Judges answers to the parts of an exercise, and keeps what is worked out for it.
+
+    Attributes:
+        exercise: The exercise.
+        memo: What was worked out so far.
+    """
+
+    def __init__(self, exercise: Exercise, like: Judge | None = None) -> None:
+        """Take an exercise.
+
+        Args:
+            exercise: The exercise.
+            like: The judge of the same exercise with other numbers, if there is one: most of its work is shared.
+        """
+        self.exercise = exercise
+        moved = like is not None and _only_moved(exercise, like.exercise)
+        self.memo: Memo = Memo(exercise, like.memo if like and moved else None, like.memo.lasting if like else None)
+
+    def with_given(self, given: Mapping[str, Value], **changes: Any) -> Judge:  # noqa: ANN401  fields of an exercise
+        """The judge of the same exercise with other values given."""
+        return Judge(replace(self.exercise, given=given, **changes), self)
+
+    def check(self, part: Part, answer: str, place: Place | None = None) -> Mark:
+        """Judge an answer to one part, and say why where it is wrong.
+
+        Args:
+            part: The part that is answered.
+            answer: What the student typed; blank is skipped.
+            place: Where it stands, for errors.
+        """
+        return self.explained(part, self.judged(part, answer, place))
+
+    def mark(self, part: Part, answer: str, place: Place | None = None) -> Mark:
+        """Judge an answer to one part, without looking for the slip behind a wrong one.
+
+        Returns:
+            The judgement. An answer that cannot be read gets one too: CAN'T READ, with what would be read.
+        """
+        return self.judged(part, answer, place).mark
+
+    def sheet(
+        self, answers: Mapping[str, str], places: Mapping[str, Place] | None = None, only: str | None = None
+    ) -> SheetMark:
+        """Judge the answers of a sheet; a part without an answer is skipped.
+
+        Args:
+            answers: Text by part.
+            places: Where each answer stands, for errors.
+            only: The one part to look at; all by default.
+
+        Raises:
+            UnknownNameError: An answer, or the part asked for, belongs to no part of the exercise.
+        """
+        for name in (*answers, *((only,) if only else ())):
+            self.exercise.part(name)
+        judged: dict[str, Judged[Any]] = {}
+        for part in self.exercise.parts:
+            one = self.judged(part, answers.get(part.id, ""), (places or {}).get(part.id))
+            one = replace(one, mark=self.explained(part, one))
+            judged[part.id] = replace(one, mark=self._followed(part, one, judged))
+        parts = (part for part in self.exercise.parts if only in (None, part.id))
+        return SheetMark(self.exercise, tuple(PartMark(part, judged[part.id].mark) for part in parts))
+
+    def expected(self, part: Part, style: str = "short") -> str:
+        """The right answer to a part as a person would type it."""
+        return part.question.expected(self._case(part), style)
+
+    def solution(self, part: Part) -> tuple[Shown, ...]:
+        """The steps that lead to the right answer; the last one holds it as it may be typed."""
+        case = self._case(part)
+        steps = tuple(part.question.steps(case))
+        if part.question.statements:
+            return steps
+        answer = part.question.shortest(case)
+        return (*steps, Shown(f"So the answer is {answer}" if steps else f"The answer is {answer}"))
+
+    def findings(self, part: Part, where: tuple[str | int, ...]) -> tuple[Finding, ...]:
+        """What an author should mend about a question of this kind."""
+        return tuple(part.question.findings(self._case(part), where))
+
+    def slips(self, part: Part) -> tuple[Slip, ...]:
+        """Every single mistake that changes the right answer to a part."""
+        return tuple(part.question.slips(self._case(part)))
+
+    def hidden(self, part: Part) -> tuple[Slip, ...]:
+        """Mistakes whose answer is right at the values given although it is wrong at others."""
+        return tuple(part.question.hidden(self._case(part)))
+
+    def unclear(self) -> frozenset[tuple[str, str]]:
+        """Mistakes that the values given do not show plainly, each as the name of a part and that of a slip."""
+        parts = self.exercise.parts
+        return frozenset((part.id, name) for part in parts for name in part.question.unclear(self._case(part)))
+
+    def answer_with(self, part: Part, name: str) -> str:
+        """The answer that a student with one mistake would type.
+
+        Args:
+            part: The part.
+            name: Name of a slip, such as `alpha-sign 2`.
+
+        Raises:
+            UnknownNameError: No such mistake can be made here; the hint names those that can.
+        """
+        answer = part.question.answer_with(self._case(part), name)
+        if answer is not None:
+            return answer
+        known = [slip.name for slip in self.slips(part)]
+        hint = did_you_mean(name, known) or f"mistakes here: {', '.join(known)}"
+        raise UnknownNameError(f"{part.id}: the mistake '{name}' cannot be made here", hint)
+
+    def _case(self, part: Part) -> Case:
+        return Case(part, self.memo)
+
+    def judged(self, part: Part, answer: str, place: Place | None = None) -> Judged[Any]:
+        """Read an answer and mark it, beside what the document prints if it does."""
+        if BLANK.fullmatch(answer):
+            return Judged(Mark(Verdict.SKIPPED))
+        one = self._read_and_marked(part, answer, place)
+        text = part.printed.text if part.printed else ""
+        if not text or one.mark.verdict.passed is True:
+            return one
+        printed = self.memo.of(("printed", part.id, text), lambda: self._read_and_marked(part, text, None))
+        remarks = part.question.misprinted(self._case(part), one, printed)
+        return replace(one, mark=replace(one.mark, remarks=(*remarks, *one.mark.remarks))) if remarks else one
+
+    def _read_and_marked(self, part: Part, answer: str, place: Place | None) -> Judged[Any]:
+        case, reading = self._case(part), None
+        try:
+            refuse_blanks(answer)
+            reading = Reading(answer, part.question.read(case, answer, place))
+            return Judged(part.question.mark(case, reading), reading)
+        except UnreadableError as error:
+            remarks = error.remarks
+        except NotationError as error:
+            remarks = tuple(str(problem) for problem in error.problems)
+        return Judged(Mark(Verdict.CANNOT_READ, answer.strip(), remarks=remarks), reading)
+
+    def explained(self, part: Part, judged: Judged[Any]) -> Mark:
+        """The mark with the slip behind a wrong answer, or with what can be said of one that has no name."""
+        mark, reading = judged.mark, judged.reading
+        if reading is None or not is_explained(part, mark):
+            return mark
+        case = self._case(part)
+        causes: Causes = ((MISPRINT,),)
+        if not _is_misprint(mark):
+            try:
+                causes = part.question.causes(case, reading)
+            except (UnreadableError, DhcliError):  # what cannot be read has been told already
+                causes = ()
+        if not causes:
+            return part.question.told(case, mark, reading)
+        remarks = tuple(remark for remark in mark.remarks if not _names_slip(remark))
+        return replace(mark, diagnosis=Diagnosis(causes), remarks=remarks)
+
+    def _followed(self, part: Part, judged: Judged[Any], earlier: Mapping[str, Judged[Any]]) -> Mark:
+        """A wrong answer that is right from earlier ones: its credit is earned, the slip is where it was made."""
+        mark = judged.mark
+        if mark.verdict not in UNSOLVED or judged.reading is None:
+            return mark
+        own = {
+            name: one.reading
+            for name, one in earlier.items()
+            if one.reading is not None
+            and (one.mark.verdict in UNSOLVED or self.exercise.part(name).question.differs(one.mark))
+        }
+        used = part.question.follows(self._case(part), judged.reading, own)
+        if not used:
+            return mark
+        whose = f"right from your {' and '.join(used)}"
+        is_right = all(earlier[name].mark.verdict not in UNSOLVED for name in used)
+        remark = f"{whose}, which has other frames" if is_right else f"{whose}: the slip is there"
+        return replace(
+            mark, earned=1.0, remarks=(f"{remark}; this part keeps its credit",), diagnosis=Diagnosis(follows=used)
+        )
+
+
+def check(exercise: Exercise, part: str, answer: str) -> Mark:
+    """Judge an answer to one part of an exercise, named by its id, and say why where it is wrong.
+
+    Args:
+        exercise: The exercise, from `load_exercise`.
+        part: Name of the part.
+        answer: What the student typed.
+
+    Raises:
+        UnknownNameError: There is no such part; the hint lists those there are.
+    """
+    return Judge(exercise).check(exercise.part(part), answer)
+
+
+def is_explained(part: Part, mark: Mark) -> bool:
+    """Whether a slip is looked for behind an answer: not behind a choice, nor behind what is only typed too short."""
+    return part.question.is_explained and TOO_FEW not in mark.remarks and mark.verdict in UNSOLVED
+
+
+def _only_moved(exercise: Exercise, other: Exercise) -> bool:
+    """Whether two exercises differ in the values of joints alone, among what matters for a search."""
+    variables = exercise.robot.variables if exercise.robot else ()
+    names = exercise.given.keys() | other.given.keys()
+    same = exercise.robot is other.robot and exercise.tolerance == other.tolerance and exercise.unit == other.unit
+    return same and all(name in variables or exercise.given.get(name) == other.given.get(name) for name in names)
+
+
+def _names_slip(remark: str) -> bool:
+    """Whether a remark says what the slip is, which the diagnosis does when it is asked."""
+    return remark in {INVERSE, TRANSPOSED} or COUNTED in remark
+
+
+def _is_misprint(mark: Mark) -> bool:
+    """Whether all that is wrong in an answer is copied from the document."""
+    copied = [remark for remark in mark.remarks if "it is a misprint" in remark]
+    wrong = sum(cell.verdict in UNSOLVED for cell in mark.cells)
+    return bool(copied) and (copied[0].startswith("this is") or len(copied) >= wrong)

@@ -1,0 +1,135 @@
+"""`cell`: one cell of the robot's DH table."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import TYPE_CHECKING, Any, ClassVar, Self
+
+from dhcli.checking.diagnosis.result import Slip
+from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
+from dhcli.checking.kinds.linked import found_link, link_of, place_of, read_number
+from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.values import TypedValue, mark_value, read_value, spelled_value
+from dhcli.checking.verdicts import Mark, Verdict
+from dhcli.errors import DhcliError, NotationError, Place, Problem, RobotError
+from dhcli.kinematics.conventions import COLUMNS, Row
+from dhcli.kinematics.robot import Robot, Value
+from dhcli.notation.scope import Scope
+
+if TYPE_CHECKING:
+    from dhcli.checking.diagnosis.alternatives import Alternative
+
+
+@dataclass(frozen=True, slots=True)
+class CellQuestion(Question[TypedValue]):
+    """One cell of the robot's DH table."""
+
+    column: str
+    link: str
+
+    words: ClassVar = ("cell",)
+    examples: ClassVar = ("cell alpha 2",)
+    is_in_table: ClassVar = True
+
+    @classmethod
+    def asked(cls, text: str, _scope: Scope, place: Place | None) -> Self:
+        """`cell alpha 2`."""
+        column, _, link = text.removeprefix("cell").strip().partition(" ")
+        if column not in COLUMNS:
+            hint = "columns: " + ", ".join(COLUMNS)
+            raise NotationError(Problem(f"a DH table has no column '{column}'", place, hint))
+        return cls(column, read_number(link, place))
+
+    def check(self, robot: Robot | None) -> None:
+        if found_link(robot, self.link).row is None and robot is not None:
+            raise RobotError(f"{robot.name} is given as products and has no table")
+
+    def describe(self, _exercise: Exercise) -> str:
+        return f"{self.column} of link {self.link}"
+
+    def expected(self, case: Case, _style: str = "short") -> str:
+        return spelled_value(getattr(link_of(case.exercise, self.link).row, self.column), case.exercise)
+
+    def steps(self, case: Case) -> Iterable[Shown]:
+        from dhcli.checking.tables.steps import MEANINGS
+
+        robot = case.exercise.robot
+        if robot is not None and robot.convention in MEANINGS:
+            yield Shown(f"What is measured is {MEANINGS[robot.convention][COLUMNS.index(self.column)]}")
+
+    def read(self, case: Case, text: str, place: Place | None = None) -> TypedValue:
+        return read_value(case.exercise, text.strip().removesuffix("*"), place)
+
+    def mark(self, case: Case, reading: Reading[TypedValue]) -> Mark:
+        row = link_of(case.exercise, self.link).row
+        if row is None:
+            raise RobotError(f"{case.exercise.id} asks for a cell, and its robot has no table")
+        return self._mark(case, getattr(row, self.column), reading.value)
+
+    def _mark(self, case: Case, right: Value, typed: TypedValue) -> Mark:
+        return mark_value(case.memo.of("of table", lambda: _of_table(case.exercise)), right, typed, case.tolerance)
+
+    def slips(self, case: Case) -> Iterable[Slip]:
+        from dhcli.checking.diagnosis.alternatives import changing
+
+        return (one.slip for one in changing(case, self._alternatives(case)))
+
+    def answer_with(self, case: Case, name: str) -> str | None:
+        from dhcli.checking.diagnosis.alternatives import answer_of, changing
+
+        return answer_of(changing(case, self._alternatives(case, name)), name)
+
+    def causes(self, case: Case, reading: Reading[TypedValue]) -> Causes:
+        from dhcli.checking.diagnosis.alternatives import changing
+
+        return tuple((one.slip,) for one in changing(case, self._alternatives(case), reading))
+
+    def _alternatives(self, case: Case, name: str = "") -> Iterator[Alternative[TypedValue]]:
+        """A slip in the row, or the same column of the row before or behind."""
+        from dhcli.checking.diagnosis.alternatives import Alternative
+        from dhcli.checking.diagnosis.slips import table_candidates
+
+        robot = case.exercise.robot
+        if robot is None:
+            return
+
+        def asked(slip: Slip, row: Row | None) -> Iterator[Alternative[TypedValue]]:
+            if row is not None:
+                value: Value = getattr(row, self.column)
+                yield Alternative(slip, spelled_value(value, case.exercise), partial(self._mark, case, value))
+
+        index = place_of(robot, self.link)
+        for one in table_candidates(case.exercise, robot.convention, name):
+            yield from asked(one.slips[0], one.work.steps[index].row)
+        for other in (index - 1, index + 1):
+            if 0 <= other < len(robot.links):
+                number = robot.links[other].number
+                words = f"this is {self.column} of row {number}"
+                hint = f"which row holds this {self.column} in this convention?"
+                yield from asked(Slip(f"neighbour {number}", words, hint), robot.links[other].row)
+
+    def follows(self, case: Case, reading: Reading[TypedValue], earlier: Mapping[str, Reading[Any]]) -> tuple[str, ...]:
+        robot = case.exercise.robot
+        for other in case.exercise.before(case.part):
+            if robot is None or other.id not in earlier:
+                continue
+            try:
+                rows = other.question.rows(Case(other, case.memo), earlier[other.id])
+                if not rows:
+                    continue
+                value = getattr(rows[place_of(robot, self.link)], self.column)
+                if self._mark(case, value, reading.value).verdict is Verdict.RIGHT:
+                    return (other.id,)
+            except (UnreadableError, DhcliError):
+                continue
+        return ()
+
+
+def _of_table(exercise: Exercise) -> Exercise:
+    """The exercise as a cell of a table is judged: the robot's lengths may be in numbers, its joints may not."""
+    from dhcli.checking.tables.cells import own_values
+
+    variables = exercise.robot.variables if exercise.robot else ()
+    return replace(exercise, given={name: v for name, v in own_values(exercise).items() if name not in variables})

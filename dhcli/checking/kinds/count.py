@@ -1,0 +1,124 @@
+"""`count`: a whole number of a linkage, and on a miss the slips that give exactly the number typed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, ClassVar, Self
+
+from dhcli.algebra.floats import Floats
+from dhcli.checking.diagnosis.result import Slip
+from dhcli.checking.exercise import Besides, Case, Causes, Exercise, Question, Reading, Shown
+from dhcli.checking.pasted import UnreadableError, without_label
+from dhcli.checking.verdicts import COUNTED, Mark, Verdict
+from dhcli.errors import DhcliError, NotationError, Place, Problem
+from dhcli.notation.parser import parse
+from dhcli.notation.scope import Scope
+from dhcli.notation.tree import Unit
+from dhcli.notation.walk import walk
+
+if TYPE_CHECKING:
+    from dhcli.mobility.counting import Counts
+    from dhcli.mobility.linkage import Linkage
+
+LARGEST = 10**6
+WHAT = ("mobility", "gruebler", "links", "joints", "constraints", "freedoms")
+
+
+@dataclass(frozen=True, slots=True)
+class CountQuestion(Question[int]):
+    """A count of a linkage: its mobility, links, joints or constraints.
+
+    Attributes:
+        what: What is counted.
+        linkage: A pattern such as `6R`, or the name of a linkage.
+        found: What that is; whoever loads the exercise has looked it up.
+    """
+
+    what: str
+    linkage: str
+    found: Linkage | Counts | None = None
+
+    words: ClassVar = ("count",)
+    examples: ClassVar = ("count mobility four-bar",)
+    is_plain: ClassVar = True
+
+    @classmethod
+    def asked(cls, text: str, _scope: Scope, place: Place | None) -> Self:
+        """`count mobility four-bar`."""
+        rest = text.removeprefix("count").strip()
+        what, _, linkage = rest.partition(" ")
+        if what not in WHAT or not linkage.strip():
+            raise NotationError(Problem(f"'count {rest}' is not understood", place, "write count mobility four-bar"))
+        return cls(what, linkage.strip())
+
+    def completed(self, besides: Besides) -> Self:
+        return replace(self, found=besides.linkage(self.linkage))
+
+    def describe(self, _exercise: Exercise) -> str:
+        return f"{self.what} of {self.linkage}, a whole number"
+
+    def expected(self, _case: Case, _style: str = "short") -> str:
+        return str(self._right())
+
+    def _right(self) -> int:
+        from dhcli.mobility.slips import count
+
+        if self.found is None:
+            raise DhcliError(f"the linkage {self.linkage} was not looked up", "load the exercise from its file")
+        return count(self.what, self.found)
+
+    def steps(self, _case: Case) -> Iterable[Shown]:
+        from dhcli.mobility.counting import Counts
+
+        if self.found is None:
+            return
+        is_linkage = not isinstance(self.found, Counts)
+        counts = self.found if isinstance(self.found, Counts) else Counts.of(self.found)
+        counted = f"n = {counts.n} links with the ground, j = {counts.j} joints"
+        yield Shown(f"{counted}, Σf = {counts.sum_f}, ΣC = {counts.sum_c}, λ = {counts.space.lambda_}")
+        if self.what in ("mobility", "gruebler"):
+            yield Shown(counts.formulas[0])
+        if self.what == "mobility" and is_linkage:
+            yield Shown(f"Whether that is the truth, and why: dhcli dof {self.linkage}")
+
+    def read(self, _case: Case, text: str, place: Place | None = None) -> int:
+        self._right()
+        expr = parse(without_label(text), Scope(), place or Place("answer"))
+        if any(isinstance(node, Unit) for node in walk(expr)):
+            raise UnreadableError("a count is a whole number and has no unit")
+        value = Floats().value(expr)
+        if not math.isfinite(value) or value != round(value) or abs(value) > LARGEST:
+            raise UnreadableError("a count is a whole number")
+        return int(value)
+
+    def mark(self, _case: Case, reading: Reading[int]) -> Mark:
+        right, typed = self._right(), reading.value
+        if typed == right:
+            return Mark(Verdict.RIGHT, str(typed), earned=1.0, expected=str(right))
+        names = [slip.words for slip, value in self._slips() if value == typed]
+        remarks = (f"{typed}{COUNTED}{' or when '.join(names)}",) if names else ()
+        return Mark(Verdict.WRONG, str(typed), remarks=remarks, expected=str(right))
+
+    def slips(self, _case: Case) -> Iterator[Slip]:
+        return (slip for slip, _ in self._slips())
+
+    def answer_with(self, _case: Case, name: str) -> str | None:
+        return next((str(value) for slip, value in self._slips() if slip.name == name), None)
+
+    def causes(self, _case: Case, reading: Reading[int]) -> Causes:
+        return tuple((slip,) for slip, value in self._slips() if value == reading.value)
+
+    def _slips(self) -> tuple[tuple[Slip, int], ...]:
+        """Slips in the count, each with the number it gives."""
+        from dhcli.mobility.slips import slips
+
+        if self.found is None:
+            return ()
+        try:
+            found = slips(self.what, self.found)
+        except DhcliError:
+            return ()
+        hint = "go through what was counted: links with the ground, joints, and the freedoms of each"
+        return tuple((Slip(words.replace(" ", "-"), words, hint), value) for words, value in found.items())

@@ -1,0 +1,238 @@
+"""`link`, `pose`, `product` and the pieces of them: a homogeneous matrix, or what is asked of one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar, Self
+
+from dhcli.checking.diagnosis.result import Slip
+from dhcli.checking.entries import Entries, entries_text, read_entries
+from dhcli.checking.exercise import Case, Causes, Exercise, Judged, Matrices, Points, Question, Reading, Shown
+from dhcli.checking.kinds.linked import needed
+from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.truth import names_in, truth_of, unvalued
+from dhcli.checking.verdicts import UNSOLVED, Mark, Verdict
+from dhcli.checking.wanted import Span, Wanted, read_wanted
+from dhcli.errors import DhcliError, Place, RobotError
+from dhcli.kinematics.frames import frame
+from dhcli.kinematics.robot import Robot
+from dhcli.notation.operators import OPENING
+from dhcli.notation.scope import Scope
+from dhcli.notation.writer import write
+
+
+@dataclass(frozen=True, slots=True)
+class MatrixQuestion(Wanted, Question[Entries]):
+    """A matrix, or a piece of one."""
+
+    words: ClassVar = ("link", "pose", "product", "inverse", "rotation", "position", "entry", "axis", "point", "vector")
+    examples: ClassVar = (
+        "link 1",
+        "pose 0..3",
+        'product "Rot(z, 90°)"',
+        "inverse of link 1",
+        "rotation of pose 0..3",
+        "position of pose 0..3",
+        "entry 1 4 of pose 0..3",
+        "axis x of pose 0..3",
+        "point (1, 2, 3) of pose 0..3",
+        "vector (1, 0, 0) of pose 0..3",
+    )
+
+    @classmethod
+    def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
+        """A link, a pose, a product, an inverse, or a piece of one."""
+        found = read_wanted(text, scope, place)
+        return cls(found.source, found.inverse, found.piece, found.index, found.point)
+
+    def check(self, robot: Robot | None) -> None:
+        if isinstance(self.source, Span):
+            for name in (self.source.start, self.source.end):
+                frame(needed(robot), name)
+
+    @property
+    def needs_table(self) -> bool:
+        return isinstance(self.source, Span)
+
+    def describe(self, exercise: Exercise) -> str:
+        from dhcli.checking.workings import coordinates
+
+        if isinstance(self.source, Span):
+            start, end = self.source.start, self.source.end
+            whole = f"A_{end}" if self.source.link else f"T_{start}{end}"
+            whole += f", frame {end} seen from frame {start}"
+        else:
+            whole = self.source.text
+        if self.inverse:
+            whole = f"the inverse of {whole}"
+        row, column = self.index
+        point = coordinates(self, exercise)
+        pieces = {
+            "pose": f"{whole}: a 4x4 matrix, row by row",
+            "rotation": f"the rotation of {whole}: a 3x3 matrix",
+            "position": f"the position of {whole}: three lengths",
+            "entry": f"entry ({row + 1},{column + 1}) of {whole}",
+            "axis": f"the {'xyz'[row]} axis of {whole}: three direction cosines",
+            "point": f"the point ({point}) through {whole}: three lengths",
+            "vector": f"the vector ({point}) turned by {whole}: three numbers",
+        }
+        return pieces[self.piece]
+
+    def blank(self, _exercise: Exercise) -> tuple[int, int]:
+        rows, columns = self.shape
+        return (1, rows) if columns == 1 else (rows, columns)
+
+    @property
+    def in_rows(self) -> bool:
+        return self.shape[1] > 1
+
+    @property
+    def has_cosines(self) -> bool:
+        return True
+
+    def is_whole(self, text: str) -> bool:
+        if not Question.is_whole(self, text):
+            return False
+        if self.shape == (1, 1) or text.strip().startswith(("[", "array", "np.")):
+            return True
+        rows, columns = self.shape
+        apart = outside_brackets(text)
+        return rows - 1 == apart[";"] or (columns == 1 and rows - 1 in apart.values())
+
+    @property
+    def names(self) -> frozenset[str]:
+        return names_in(self)
+
+    def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
+        return unvalued(self, exercise)
+
+    def expected(self, case: Case, style: str = "short") -> str:
+        from dhcli.checking.workings import as_text
+
+        return as_text(case, self, style)
+
+    def shortest(self, case: Case) -> str:
+        from dhcli.checking.workings import shortest
+
+        return shortest(case, self, lambda text: self._is_right(case, text))
+
+    def _is_right(self, case: Case, text: str) -> bool:
+        try:
+            return self.mark(case, Reading(text, self.read(case, text))).verdict is Verdict.RIGHT
+        except UnreadableError:
+            return False
+
+    def steps(self, case: Case) -> Iterable[Shown]:
+        from dhcli.checking.workings import matrix_steps
+
+        return matrix_steps(case, self)
+
+    def read(self, case: Case, text: str, place: Place | None = None) -> Entries:
+        return read_entries(self, case.exercise, text, place)
+
+    def mark(self, case: Case, reading: Reading[Entries]) -> Mark:
+        from dhcli.checking.numeric import mark_numbers
+        from dhcli.checking.symbolic import mark_symbols
+
+        exercise, entries = case.exercise, reading.value
+        truth = truth_of(self, case)
+        if exercise.numeric:
+            if truth.numbers is None:
+                missing = unvalued(self, exercise)
+                hint = f"--set {missing[0]}=..., or given: in the file of an exercise"
+                raise RobotError(f"{exercise.id} asks for numbers, and has no value for {', '.join(missing)}", hint)
+            judged = mark_numbers(self, truth, entries, exercise, case.tolerance)
+        else:
+            judged = mark_symbols(self, truth, entries, exercise)
+        typed = tuple(tuple(write(entry.typed, "short", exercise.writing) for entry in row) for row in entries)
+        columns = self.shape[1]
+        shown = [cell.expected for cell in judged.cells]
+        rows = tuple(tuple(shown[i : i + columns]) for i in range(0, len(shown), columns))
+        return replace(judged, reading=entries_text(typed), expected=entries_text(rows))
+
+    def misprinted(self, case: Case, judged: Judged[Entries], printed: Judged[Entries]) -> tuple[str, ...]:
+        """A remark for each wrong entry that is just what the document prints.
+
+        The right entry is told only where the exercise shows what was expected: a misprint is no reason to give it
+        away.
+        """
+        from dhcli.checking.symbolic import same
+
+        exercise, remarks, cells = case.exercise, [], judged.mark.cells
+        if judged.mark.verdict not in UNSOLVED or judged.reading is None or printed.reading is None:
+            return ()
+        for cell in cells:
+            r, c = cell.row, cell.column
+            typed, shown = judged.reading.value[r][c].expr, printed.reading.value[r][c].expr
+            if cell.verdict in UNSOLVED and same(typed, shown, exercise.values):
+                where = "this" if len(cells) == 1 else f"entry ({r + 1},{c + 1})"
+                right = f", the right entry is {cell.expected}" if exercise.shows_expected else ""
+                remarks.append(f"{where} is what the document prints; it is a misprint{right}")
+        return tuple(remarks)
+
+    def slips(self, case: Case) -> Iterable[Slip]:
+        from dhcli.checking.diagnosis.search import search_of
+
+        return (one.slips[0] for one in search_of(self, case.memo).visible)
+
+    def answer_with(self, case: Case, name: str) -> str | None:
+        from dhcli.checking.diagnosis.matrix_causes import answer_with
+
+        return answer_with(case, self, name)
+
+    def hidden(self, case: Case) -> Iterable[Slip]:
+        from dhcli.checking.diagnosis.search import search_of
+
+        return (one.slips[0] for one in search_of(self, case.memo).hidden)
+
+    def unclear(self, case: Case) -> Iterable[str]:
+        from dhcli.checking.diagnosis.search import search_of
+
+        return (one.slips[0].name for one in search_of(self, case.memo).unclear)
+
+    def causes(self, case: Case, reading: Reading[Entries]) -> Causes:
+        from dhcli.checking.diagnosis.matrix_causes import matrix_causes
+
+        return matrix_causes(case, self, reading.value)
+
+    def told(self, case: Case, mark: Mark, reading: Reading[Entries]) -> Mark:
+        from dhcli.checking.diagnosis.geometry import HALVES, geometry
+        from dhcli.checking.diagnosis.typed import typed_answer
+
+        try:
+            typed = typed_answer(case, self, reading.value)
+        except (UnreadableError, DhcliError):
+            return mark
+        words = geometry(case.exercise, self, typed) if typed is not None else ""
+        others = tuple(remark for remark in mark.remarks if not remark.startswith(HALVES))
+        return replace(mark, remarks=(words, *others)) if words else mark
+
+    def follows(self, case: Case, reading: Reading[Entries], earlier: Mapping[str, Reading[Any]]) -> tuple[str, ...]:
+        from dhcli.checking.diagnosis.following import follows
+
+        return follows(case, self, reading.value, earlier)
+
+    def leads(
+        self, case: Case, reading: Reading[Entries], span: tuple[int, int], _points: Points
+    ) -> tuple[int, int, Matrices] | None:
+        from dhcli.checking.diagnosis.following import span_of
+        from dhcli.checking.diagnosis.typed import typed_answer
+
+        robot = case.exercise.robot
+        if robot is None or not isinstance(self.source, Span) or self.piece != "pose" or self.inverse:
+            return None
+        start, end = span_of(robot, self.source)
+        typed = typed_answer(case, self, reading.value)
+        is_forward = span[0] <= start < min(end, span[1])
+        return (start, end, typed.values) if typed is not None and is_forward else None
+
+
+def outside_brackets(text: str) -> dict[str, int]:
+    """How many commas and semicolons stand outside brackets."""
+    depth, found = 0, {",": 0, ";": 0}
+    for letter in text:
+        depth += (letter in OPENING) - (letter in OPENING.values())
+        if depth == 0 and letter in found:
+            found[letter] += 1
+    return found

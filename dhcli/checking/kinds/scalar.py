@@ -1,0 +1,94 @@
+"""`scalar`: an angle, a length or a number, computed from an expression."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from functools import partial
+from typing import TYPE_CHECKING, ClassVar, Self
+
+from dhcli.checking.diagnosis.result import Slip
+from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
+from dhcli.checking.values import TypedValue, mark_value, quantity_of, read_value, spelled_value
+from dhcli.checking.verdicts import Mark
+from dhcli.errors import Place
+from dhcli.notation.parser import parse
+from dhcli.notation.scope import Scope
+from dhcli.notation.tree import Expr, Trig
+from dhcli.notation.walk import symbols, walk
+
+if TYPE_CHECKING:
+    from dhcli.checking.diagnosis.alternatives import Alternative
+
+
+@dataclass(frozen=True, slots=True)
+class ScalarQuestion(Question[TypedValue]):
+    """An angle, a length or a number, computed from an expression."""
+
+    expr: Expr
+    text: str
+
+    words: ClassVar = ("scalar",)
+    examples: ClassVar = ("scalar 2*a1",)
+
+    @classmethod
+    def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
+        """`scalar 2*a1`."""
+        text = text.removeprefix("scalar").strip()
+        return cls(parse(text, scope, place), text)
+
+    def describe(self, _exercise: Exercise) -> str:
+        return "one value"
+
+    @property
+    def has_cosines(self) -> bool:
+        return any(isinstance(node, Trig) for node in walk(self.expr))
+
+    @property
+    def names(self) -> frozenset[str]:
+        return symbols(self.expr)
+
+    def expected(self, case: Case, _style: str = "short") -> str:
+        return spelled_value(quantity_of(self.expr, case.exercise), case.exercise)
+
+    def steps(self, case: Case) -> Iterable[Shown]:
+        if case.exercise.given or case.exercise.numeric:
+            yield Shown(f"What is asked for is {self.text}")
+
+    def read(self, case: Case, text: str, place: Place | None = None) -> TypedValue:
+        return read_value(case.exercise, text, place)
+
+    def mark(self, case: Case, reading: Reading[TypedValue]) -> Mark:
+        return mark_value(case.exercise, quantity_of(self.expr, case.exercise), reading.value, case.tolerance)
+
+    def slips(self, case: Case) -> Iterable[Slip]:
+        return (one.slip for one in self._changing(case))
+
+    def answer_with(self, case: Case, name: str) -> str | None:
+        from dhcli.checking.diagnosis.alternatives import answer_of, changing
+
+        return answer_of(changing(case, self._alternatives(case, name)), name)
+
+    def causes(self, case: Case, reading: Reading[TypedValue]) -> Causes:
+        return tuple((one.slip,) for one in self._changing(case, reading))
+
+    def _changing(self, case: Case, reading: Reading[TypedValue] | None = None) -> Iterator[Alternative[TypedValue]]:
+        """In symbols mistakes that are the same have one name; in numbers they only happen to agree."""
+        from dhcli.checking.diagnosis.alternatives import changing
+
+        return changing(case, self._alternatives(case), reading, distinct=not case.exercise.numeric)
+
+    def _alternatives(self, case: Case, name: str = "") -> Iterator[Alternative[TypedValue]]:
+        from dhcli.checking.diagnosis.alternatives import Alternative
+        from dhcli.checking.diagnosis.mistakes.values import IN_VALUES
+
+        kind = name.partition(" ")[0]
+        for mistake in (one for one in IN_VALUES if kind in ("", one.id)):
+            for where, expr in mistake.made(self.expr, case.exercise):
+                slip = Slip(f"{mistake.id} {where}".strip(), mistake.words.format(where=where), mistake.hint)
+                value = quantity_of(expr, case.exercise)
+                yield Alternative(
+                    slip,
+                    spelled_value(value, case.exercise),
+                    partial(mark_value, case.exercise, value, tolerance=case.tolerance),
+                )

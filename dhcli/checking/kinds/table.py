@@ -1,0 +1,149 @@
+"""`table`: the DH table of the robot in one of the conventions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import ClassVar, Self
+
+from dhcli.checking.diagnosis.result import Slip
+from dhcli.checking.exercise import Case, Causes, Exercise, Matrices, Points, Question, Reading, Shown
+from dhcli.checking.kinds.linked import needed
+from dhcli.checking.tables.typed_rows import TypedRow, read_table
+from dhcli.checking.verdicts import Mark
+from dhcli.errors import NotationError, Place, Problem
+from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
+from dhcli.kinematics.fold import fold
+from dhcli.kinematics.moves import names
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.validity import Finding
+from dhcli.notation.scope import Scope
+
+STATED = ("base frame", "end frame", "joint zero", "positive sense")
+"""What a task says where only one table can be right."""
+
+FIRST = 1
+"""Index of frame 0, behind the base."""
+
+
+@dataclass(frozen=True, slots=True)
+class TableQuestion(Question[tuple[TypedRow, ...]]):
+    """The DH table of the robot in one of the conventions."""
+
+    convention: Convention
+
+    words: ClassVar = ("table",)
+    examples: ClassVar = ("table standard",)
+    keys: ClassVar = ("compare",)
+    is_in_table: ClassVar = True
+
+    @classmethod
+    def asked(cls, text: str, _scope: Scope, place: Place | None) -> Self:
+        """`table standard` or `table modified`."""
+        rest = text.removeprefix("table").strip()
+        if rest not in (Convention.STANDARD, Convention.MODIFIED):
+            hint = "write table standard or table modified"
+            raise NotationError(Problem(f"there is no table '{rest}'", place, hint))
+        return cls(Convention(rest))
+
+    def check(self, robot: Robot | None) -> None:
+        needed(robot)
+
+    def describe(self, _exercise: Exercise) -> str:
+        return f"the {self.convention.value} DH table"
+
+    def blank(self, exercise: Exercise) -> tuple[int, int]:
+        return (len(exercise.robot.links), len(COLUMNS)) if exercise.robot is not None else (1, 1)
+
+    def notes(self, exercise: Exercise) -> Iterable[str]:
+        if exercise.robot is not None:
+            yield "columns: " + "  ".join(exercise.robot.columns) + "; angles in degrees"
+
+    def is_whole(self, text: str) -> bool:
+        return Question.is_whole(self, text) and text.strip().startswith("[")
+
+    def expected(self, case: Case, _style: str = "short") -> str:
+        from dhcli.checking.tables.marking import write_table
+
+        return write_table(case.exercise, self.convention)
+
+    def steps(self, case: Case) -> Iterable[Shown]:
+        from dhcli.checking.tables.answer import own_rows
+        from dhcli.checking.tables.steps import MEANINGS, table_lines
+
+        exercise = case.exercise
+        yield Shown("Each row leads from one frame to the next:\n" + "\n".join(MEANINGS[self.convention]))
+        for robot in (exercise.robot, exercise.also and exercise.also[0]):
+            if robot is not None and exercise.robot is not None and robot.convention is self.convention:
+                lines = table_lines(own_rows(robot), exercise.robot.columns, robot.first, exercise)
+                yield Shown("Row by row:\n" + "\n".join(lines))
+                return
+
+    def findings(self, case: Case, where: tuple[str | int, ...]) -> Iterable[Finding]:
+        if case.part.compare != "same-motion":
+            return
+        task = " ".join(case.exercise.task.lower().split())
+        if missing := [words for words in STATED if words not in task]:
+            message = f"{case.part.id}: same-motion wants one table, and the task does not state: {', '.join(missing)}"
+            yield Finding((*where, "compare"), message, "state it, or compare: same-robot")
+
+    def read(self, case: Case, text: str, place: Place | None = None) -> tuple[TypedRow, ...]:
+        from dhcli.checking.tables.marking import robot_of
+
+        exercise, robot = case.exercise, robot_of(case.exercise)
+        return read_table(text, robot, exercise.scope, robot.columns, exercise.unit, place)
+
+    def mark(self, case: Case, reading: Reading[tuple[TypedRow, ...]]) -> Mark:
+        from dhcli.checking.tables.marking import mark_table
+
+        return mark_table(case.exercise, self.convention, reading.value, case.part.compare, case.tolerance)
+
+    def slips(self, case: Case) -> Iterable[Slip]:
+        from dhcli.checking.diagnosis.slips import table_candidates
+
+        return (one.slips[0] for one in table_candidates(case.exercise, self.convention))
+
+    def answer_with(self, case: Case, name: str) -> str | None:
+        from dhcli.checking.diagnosis.slips import table_candidates
+        from dhcli.checking.tables.cells import table_text
+
+        robot = case.exercise.robot
+        for one in table_candidates(case.exercise, self.convention, name) if robot is not None else ():
+            if one.slips[0].name == name and robot is not None:
+                rows = tuple(step.row for step in one.work.steps if step.row is not None)
+                return table_text(rows, robot.columns, case.exercise.writing)
+        return None
+
+    def causes(self, case: Case, reading: Reading[tuple[TypedRow, ...]]) -> Causes:
+        from dhcli.checking.diagnosis.table_causes import table_causes
+
+        return table_causes(case, self.convention, _settled(case, reading))
+
+    def differs(self, mark: Mark) -> bool:
+        return mark.verdict.passed is True and bool(mark.remarks)
+
+    def rows(self, case: Case, reading: Reading[tuple[TypedRow, ...]]) -> tuple[Row, ...]:
+        robot = case.exercise.robot
+        return _settled(case, reading) if robot and len(reading.value) == len(robot.links) else ()
+
+    def leads(
+        self, case: Case, reading: Reading[tuple[TypedRow, ...]], span: tuple[int, int], points: Points
+    ) -> tuple[int, int, Matrices] | None:
+        """From the first frame asked about to the last that the table reaches.
+
+        A table is one drawing: its rows are never mixed with those of the right one.
+        """
+        rows = self.rows(case, reading)
+        start, end = max(span[0], FIRST), min(span[1], FIRST + len(rows))
+        if start >= end:
+            return None
+        chain = tuple(move for row in rows[start - FIRST : end - FIRST] for move in moves_of(row, self.convention))
+        if not names(chain) <= points.names:
+            return None
+        return start, end, tuple(fold(chain, over) for over in points.at)
+
+
+def _settled(case: Case, reading: Reading[tuple[TypedRow, ...]]) -> tuple[Row, ...]:
+    from dhcli.checking.tables.cells import settled
+
+    return tuple(settled(typed.row, case.tolerance) for typed in reading.value)

@@ -1,0 +1,41 @@
+"""How a DH table is worked out: what its parameters measure, and its rows below each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from dhcli.checking.exercise import Exercise
+from dhcli.checking.tables.cells import spelled
+from dhcli.kinematics.conventions import Convention, Row
+
+MEANINGS = {
+    Convention.STANDARD: (
+        "a_i: from z_{i-1} to z_i along x_i",
+        "alpha_i: from z_{i-1} to z_i about x_i",
+        "d_i: from x_{i-1} to x_i along z_{i-1}",
+        "theta_i: from x_{i-1} to x_i about z_{i-1}",
+    ),
+    Convention.MODIFIED: (
+        "a_{i-1}: from z_{i-1} to z_i along x_{i-1}",
+        "alpha_{i-1}: from z_{i-1} to z_i about x_{i-1}",
+        "d_i: from x_{i-1} to x_i along z_i",
+        "theta_i: from x_{i-1} to x_i about z_i",
+    ),
+}
+"""What the four parameters of a row measure, in the order of `COLUMNS`."""
+
+
+def table_lines(rows: Sequence[Row], columns: Sequence[str], first: int, exercise: Exercise) -> Iterator[str]:
+    """A DH table, a line for each row with its values by name, below each other.
+
+    Args:
+        rows: The rows.
+        columns: The columns in the robot's order.
+        first: Number of the first row.
+        exercise: The exercise, for how it writes angles.
+    """
+    cells = [[f"{column} = {spelled(getattr(row, column), exercise.writing)}" for column in columns] for row in rows]
+    widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
+    for number, row in enumerate(cells, first):
+        texts = (text.ljust(width) for text, width in zip(row, widths, strict=True))
+        yield f"row {number}:  {'   '.join(texts)}".rstrip()

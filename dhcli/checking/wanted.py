@@ -1,0 +1,141 @@
+"""Which matrix is asked for, and what of it: frames of a robot or a product of moves, and a piece of what comes out.
+
+`link 1` · `pose 0..3` · `product "Rot(z, 90°) Trans(1, 2, 3)"` · `inverse of link i` are matrices; `rotation of`,
+`position of`, `entry 1 4 of`, `axis x of`, `point (1, 2, 3) of` and `vector (1, 0, 0) of` choose what is asked of one.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Literal, TypeAlias
+
+from dhcli.errors import NotationError, Place, Problem
+from dhcli.kinematics.moves import Chain, read_chain
+from dhcli.notation.matrix import parse_matrix
+from dhcli.notation.quantity import DimensionError, to_length
+from dhcli.notation.scope import Scope
+from dhcli.notation.tree import Expr
+
+
+class NotAskedError(Exception):
+    """A text that asks nothing that is known.
+
+    Attributes:
+        text: The text, or the piece of it that is not understood.
+    """
+
+    def __init__(self, text: str) -> None:
+        """Say which text."""
+        super().__init__(text)
+        self.text = text
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """The pose of one frame of the robot seen from another.
+
+    Attributes:
+        start: The frame it is seen from.
+        end: The frame described.
+        link: Whether it was asked for as a link, `A_i`.
+    """
+
+    start: str
+    end: str
+    link: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Composed:
+    """A product of moves, without a robot."""
+
+    chain: Chain
+    text: str
+
+
+Source: TypeAlias = Span | Composed
+
+Piece = Literal["pose", "rotation", "position", "entry", "axis", "point", "vector"]
+"""What is asked of a matrix."""
+
+
+@dataclass(frozen=True, slots=True)
+class Wanted:
+    """A matrix, or a piece of one, that is asked for.
+
+    Attributes:
+        source: Where the matrix comes from.
+        inverse: Whether its inverse is meant.
+        piece: What is asked of it.
+        index: Row and column of an entry from 0; for an axis its column and 0.
+        point: Coordinates of a point or a vector in the frame described.
+    """
+
+    source: Source
+    inverse: bool = False
+    piece: Piece = "pose"
+    index: tuple[int, int] = (0, 0)
+    point: tuple[Expr, ...] = ()
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Rows and columns of the answer."""
+        return {"pose": (4, 4), "rotation": (3, 3), "entry": (1, 1)}.get(self.piece, (3, 1))
+
+
+_PIECE = re.compile(
+    r"(?P<piece>rotation|position|entry\s+(?P<row>[1-4])\s+(?P<column>[1-4])|axis\s+(?P<axis>[xyz])"
+    r"|(?P<kind>point|vector)\s*(?P<point>\(.*\)))\s+(?:of\s+)?(?P<rest>.+)",
+    re.DOTALL,
+)
+_POSE = re.compile(r"(?:pose\s+)?(?P<start>base|\d+)\s*\.\.\s*(?P<end>tool|base|\d+)")
+_LINK = re.compile(r"link\s+(?P<link>\d+)")
+_PRODUCT = re.compile(r"product\s+[\"“'](?P<text>.+)[\"”']", re.DOTALL)
+_INVERSE = re.compile(r"inverse\s+of\s+(?P<rest>.+)", re.DOTALL)
+
+
+def read_wanted(text: str, scope: Scope, place: Place | None) -> Wanted:
+    """Read what is asked of which matrix, such as `position of pose 0..3`.
+
+    Raises:
+        NotAskedError: It asks for no matrix.
+        NotationError: A coordinate or a product in it cannot be read.
+    """
+    match = _PIECE.fullmatch(text)
+    if match is None:
+        source, inverse = _source(text, scope, place)
+        return Wanted(source, inverse)
+    source, inverse = _source(match["rest"], scope, place)
+    if match["row"]:
+        return Wanted(source, inverse, "entry", (int(match["row"]) - 1, int(match["column"]) - 1))
+    if match["axis"]:
+        return Wanted(source, inverse, "axis", ("xyz".index(match["axis"]), 0))
+    if match["kind"]:
+        cells = [cell.expr for row in parse_matrix(f"[{match['point'][1:-1]}]", scope, place) for cell in row]
+        if len(cells) != 3:  # noqa: PLR2004
+            raise NotationError(Problem(f"a {match['kind']} has three coordinates, not {len(cells)}", place))
+        kind: Piece = "point" if match["kind"] == "point" else "vector"
+        return Wanted(source, inverse, kind, point=tuple(_length(cell, place) for cell in cells))
+    return Wanted(source, inverse, "rotation" if match["piece"] == "rotation" else "position")
+
+
+def _length(expr: Expr, place: Place | None) -> Expr:
+    try:
+        return to_length(expr)
+    except DimensionError as error:
+        raise NotationError(Problem(error.message, place, error.hint)) from None
+
+
+def _source(text: str, scope: Scope, place: Place | None) -> tuple[Source, bool]:
+    text = text.strip()
+    if match := _INVERSE.fullmatch(text):
+        source, inverse = _source(match["rest"], scope, place)
+        return source, not inverse
+    if match := _LINK.fullmatch(text):
+        return Span(str(int(match["link"]) - 1), match["link"], link=True), False
+    if match := _POSE.fullmatch(text):
+        return Span(match["start"], match["end"]), False
+    if match := _PRODUCT.fullmatch(text):
+        return Composed(read_chain(match["text"], scope, place), match["text"]), False
+    raise NotAskedError(text)

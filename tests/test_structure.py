@@ -1,0 +1,76 @@
+"""The house: no ring of files anywhere, counting what is imported for its types alone."""
+
+from __future__ import annotations
+
+import ast
+from functools import cache
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1] / "dhcli"
+
+KNOWN = (
+    {"dhcli.notation.tree", "dhcli.notation.writer"},  # a tree shows itself as text by its writer, which walks it
+)
+"""The ring that has a reason to stay."""
+
+
+def module_of(path: Path) -> str:
+    """The name that a file is imported by."""
+    parts = path.relative_to(ROOT.parent).with_suffix("").parts
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+@cache
+def imports() -> dict[str, frozenset[str]]:
+    """Every module with the modules of the package that it names, wherever in the file the import stands."""
+    files = {module_of(path): path for path in ROOT.rglob("*.py")}
+    found: dict[str, frozenset[str]] = {}
+    for name, path in files.items():
+        named: set[str] = set()
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+            if isinstance(node, ast.Import):
+                named |= {alias.name for alias in node.names}
+            elif isinstance(node, ast.ImportFrom) and node.module:
+                inner = {f"{node.module}.{alias.name}" for alias in node.names} & files.keys()
+                named |= inner or {node.module}
+        found[name] = frozenset(named & files.keys() - {name})
+    return found
+
+
+def rings(graph: dict[str, frozenset[str]]) -> list[frozenset[str]]:
+    """The sets of modules each of which leads to all others of its set, by Tarjan's algorithm."""
+    order: dict[str, int] = {}
+    low: dict[str, int] = {}
+    waiting: list[str] = []
+    found: list[frozenset[str]] = []
+
+    def visit(name: str) -> None:
+        order[name] = low[name] = len(order)
+        waiting.append(name)
+        for other in sorted(graph[name]):
+            if other not in order:
+                visit(other)
+            if other in waiting:
+                low[name] = min(low[name], low[other])
+        if low[name] == order[name]:
+            ring = frozenset(waiting[waiting.index(name) :])
+            del waiting[waiting.index(name) :]
+            if len(ring) > 1:
+                found.append(ring)
+
+    for name in sorted(graph):
+        if name not in order:
+            visit(name)
+    return found
+
+
+def test_no_files_import_each_other_in_a_ring() -> None:
+    """A file can be understood with those below it alone; so whatever is needed on both sides stands below both."""
+    assert [sorted(ring) for ring in rings(imports()) if not any(ring <= known for known in KNOWN)] == []
+
+
+def test_a_ring_would_be_found() -> None:
+    """Of two files, of three, and not where two only share a third one."""
+    graph = {"a": frozenset("b"), "b": frozenset("c"), "c": frozenset("ad"), "d": frozenset("e"), "e": frozenset()}
+    assert rings(graph) == [frozenset("abc")]
+    assert rings({"a": frozenset("c"), "b": frozenset("c"), "c": frozenset()}) == []
