@@ -123,10 +123,12 @@ class Judge:
 
     def expected(self, part: Part, style: str = "short") -> str:
         """The right answer to a part as a person would type it."""
+        part.question.need_values(self.exercise)
         return part.question.expected(self._case(part), style)
 
     def solution(self, part: Part) -> tuple[Shown, ...]:
         """The steps that lead to the right answer; the last one holds it as it may be typed."""
+        part.question.need_values(self.exercise)
         case = self._case(part)
         steps = tuple(part.question.steps(case))
         if part.question.statements:
@@ -161,6 +163,7 @@ class Judge:
         Raises:
             UnknownNameError: No such mistake can be made here; the hint names those that can.
         """
+        part.question.need_values(self.exercise)
         answer = part.question.answer_with(self._case(part), name)
         if answer is not None:
             return answer

@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
-from typing import TYPE_CHECKING
 
 from dhcli.errors import Place, RobotError
 from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans, read_chain
@@ -18,9 +17,6 @@ from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_angle, to_length
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr, Number
-
-if TYPE_CHECKING:
-    from dhcli.kinematics.description import Value
 
 _A_CHAIN = 'write "Trans(0, 0, l3) Rot(x, 90°)", or give Rot, Trans and Fixed moves'
 _A_VALUE = 'write 0.4, "400 mm", "90°", or None for one that stays open'
@@ -74,7 +70,7 @@ def mapping_of(given: object, part: str) -> Mapping[str, object]:
     return given
 
 
-def value_of(given: object, name: str, *, is_angle: bool) -> Value:
+def value_of(given: object, name: str, *, is_angle: bool) -> Angle | Expr:
     """An angle or a length, a text with its unit, or a number: radians or metres.
 
     Raises:
