@@ -247,7 +247,12 @@ def check(exercise: Exercise, part: str, answer: str) -> Mark:
 
     Raises:
         UnknownNameError: There is no such part; the hint lists those there are.
+        DhcliError: What was given is no exercise, or no text.
     """
+    if not isinstance(exercise, Exercise):
+        raise DhcliError(f"an Exercise is wanted, not {exercise!r:.60}", "load_exercise loads one")
+    if not isinstance(part, str) or not isinstance(answer, str):
+        raise DhcliError("the name of a part and the answer to it are texts", 'check(exercise, "a1", "[c1 -s1 ...]")')
     return Judge(exercise).check(exercise.part(part), answer)
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
+from typing import Any
 
 from dhcli.errors import Place, RobotError
 from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans, read_chain
@@ -56,7 +57,7 @@ def tuple_of(given: object, part: str, hint: str = "") -> tuple[object, ...]:
     return tuple(given)
 
 
-def mapping_of(given: object, part: str) -> Mapping[str, object]:
+def mapping_of(given: object, part: str) -> Mapping[str, Any]:
     """Something by name.
 
     Raises:
