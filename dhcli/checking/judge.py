@@ -251,7 +251,7 @@ def check(exercise: Exercise, part: str, answer: str) -> Mark:
     """
     if not isinstance(exercise, Exercise):
         raise DhcliError(f"an Exercise is wanted, not {exercise!r:.60}", "load_exercise loads one")
-    if not isinstance(part, str) or not isinstance(answer, str):
+    if not all(isinstance(text, str) for text in (part, answer)):
         raise DhcliError("the name of a part and the answer to it are texts", 'check(exercise, "a1", "[c1 -s1 ...]")')
     return Judge(exercise).check(exercise.part(part), answer)
 
