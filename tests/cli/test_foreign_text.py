@@ -62,10 +62,10 @@ notes: {evil}
 space: planar
 ground: a
 joints:
-  - {{name: p, type: R, links: [a, b], at: [0, 0]}}
-  - {{name: q, type: R, links: [b, c], at: [1 m, 1 m]}}
-  - {{name: r, type: R, links: [c, d], at: [2 m, 1 m]}}
-  - {{name: s, type: R, links: [d, a], at: [3 m, 0]}}
+  - {{name: p, type: R, links: [a, b], point: [0, 0]}}
+  - {{name: q, type: R, links: [b, c], point: [1 m, 1 m]}}
+  - {{name: r, type: R, links: [c, d], point: [2 m, 1 m]}}
+  - {{name: s, type: R, links: [d, a], point: [3 m, 0]}}
 """
 EXERCISE = """\
 format: 1
@@ -117,7 +117,7 @@ def command_lines() -> Iterator[tuple[str, ...]]:
         "class": ("grade", "class"),
         "library": ("list",),
         "lint": ("lint", "robots", "exercises"),
-        "sweep": ("sweep", robot, "--over", "theta1 step 90°", "--q", "d2=0.1"),
+        "sweep": ("sweep", robot, "--over", "theta1=-90°..90° step 90°", "--q", "d2=0.1"),
         "transform": ("transform", "Rot(z, theta1) Trans(1, 0, 0)"),
         "steps": ("transform", "Rot(z, theta1) Trans(1, 0, 0)", "--steps"),
     }.items():

@@ -107,7 +107,10 @@ def check_typed(kind: Kind, name: object) -> None:
             f"{name!r:.60} is no name of a{'n' * (kind is Kind.EXERCISES)} {kind.noun}", "write it as text"
         )
     if "\0" in str(name):
-        raise UnknownNameError(f"there is no {kind.noun} {str(name)!r:.60}", "no file has NUL in its name")
+        raise UnknownNameError(
+            f"there is no {kind.noun} '{str(name):.60}'",
+            f"no file has NUL in its name; dhcli list {kind.value} shows what there is",
+        )
 
 
 def _is_path(kind: Kind, name: str) -> bool:
