@@ -15,7 +15,8 @@ if TYPE_CHECKING:
     from typer._click import Command, Context, HelpFormatter
 
 PANELS = {
-    "Compute": ("fk", "sweep", "transform", "dof"),
+    "Compute": ("fk", "sweep", "jacobian", "singularities", "rates", "torques", "transform", "dof"),
+    "See": ("draw",),
     "Exercises": ("start", "check", "watch", "hint", "solution"),
     "Classes": ("grade",),
     "Library and authors": ("show", "list", "new", "lint"),

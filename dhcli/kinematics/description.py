@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from types import MappingProxyType
-from typing import Literal, TypeAlias
+from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from dhcli.errors import RobotError, did_you_mean
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row
@@ -17,6 +17,9 @@ from dhcli.notation.scope import Scope
 from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Expr, Trig
 from dhcli.notation.walk import symbols, walk
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.derived import Formula
 
 Value: TypeAlias = Angle | Expr
 """The value of a name: an exact angle, or an expression of lengths in metres."""
@@ -74,6 +77,8 @@ class Description:
     poses: Mapping[str, tuple[Value, ...]] = field(default_factory=dict)
     columns: tuple[str, ...] = COLUMNS
     notes: str = ""
+    derived: Mapping[str, Formula] = field(default_factory=dict)
+    remarks: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         """Take what a caller gives as what it plainly means, and let nobody change a mapping in place.
@@ -105,6 +110,7 @@ class Description:
         }
         for attribute, mapping in mappings.items():
             object.__setattr__(self, attribute, MappingProxyType(mapping))
+        object.__setattr__(self, "derived", MappingProxyType(dict(mapping_of(self.derived, "derived"))))
         object.__setattr__(self, "convention", _convention(self.convention))
 
     @cached_property

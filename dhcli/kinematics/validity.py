@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -15,13 +14,9 @@ from dhcli.notation.names import canonical
 from dhcli.notation.parser import RESERVED
 from dhcli.notation.quantity import UNITS, is_affine
 from dhcli.notation.scope import trig_name
+from dhcli.notation.tokens import is_name
 from dhcli.notation.tree import Expr, Number, Trig
 from dhcli.notation.walk import symbols, walk
-
-_NO_PART_OF_A_NAME = re.compile(r"[-+*/=,;:()\[\]<>|&!?@#$%\"\s−–·]")  # noqa: RUF001
-"""What has a meaning of its own between names."""
-_IN_BRACES = re.compile(r"_\{[^{}]*\}")
-"""An index as LaTeX writes it: `a_{i-1}`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,23 +68,15 @@ def _names(robot: Description) -> Iterator[Finding]:
     for section, listed in (("variables", robot.variables), ("parameters", tuple(robot.parameters))):
         for index, name in enumerate(listed):
             where = (section, index if section == "variables" else name)
-            if fault := fault_of_name(name):
-                yield Finding(where, *fault)
-            if name in RESERVED or name in UNITS:
+            if not is_name(name):
+                yield Finding(
+                    where, f"{name!r:.60} is not a name", "write letters, with digits or an index: elbow_1, l_x"
+                )
+            elif name in RESERVED or name in UNITS:
                 yield Finding(where, f"{name} has a meaning of its own", "choose another name")
             if canonical(name) in seen:
                 yield Finding(where, f"{name} is used twice", f"{seen[canonical(name)]} is declared already")
             seen.setdefault(canonical(name), name)
-
-
-def fault_of_name(name: str) -> tuple[str, str] | None:
-    """Why a text cannot be a name in expressions, and what to write; None if it can."""
-    if found := _NO_PART_OF_A_NAME.search(_IN_BRACES.sub("", name)):
-        better = _NO_PART_OF_A_NAME.sub("_", name).strip("_")
-        return f"{name} is no name that expressions can use: it holds '{found[0]}'", better and f"write {better}"
-    if not name or name[0].isdecimal():
-        return f"'{name}' is no name: it begins with no letter", "write theta1, d2, elbow"
-    return None
 
 
 def _shorthand(robot: Description) -> Iterator[Finding]:

@@ -112,18 +112,25 @@ def command_lines() -> Iterator[tuple[str, ...]]:
         "robot": ("show", robot),
         "linkage": ("show", linkage),
         "mobility": ("dof", linkage),
+        "mobility at joint values": ("dof", robot, "--pose", "home"),
         "exercise": ("show", exercise),
         "marks": ("check", exercise, "--part", "a", "--answer", EVIL, "--why"),
         "class": ("grade", "class"),
         "library": ("list",),
         "lint": ("lint", "robots", "exercises"),
         "sweep": ("sweep", robot, "--over", "theta1=-90°..90° step 90°", "--q", "d2=0.1"),
+        "jacobian": ("jacobian", robot, "-s"),
+        "singularities": ("singularities", robot),
+        "velocity": ("rates", robot, "--pose", "home", "--rates", "1,1"),
+        "torques": ("torques", robot, "--pose", "home", "--force", "1,0,0"),
         "transform": ("transform", "Rot(z, theta1) Trans(1, 0, 0)"),
         "steps": ("transform", "Rot(z, theta1) Trans(1, 0, 0)", "--steps"),
     }.items():
         yield from ((*words, "--format", name) for name in look.formats(kind) if name != "gradescope")
     yield from (("show", products, "--format", name) for name in look.formats("robot"))
     yield "grade", "class/one", "--format", "gradescope"
+    yield "draw", robot, "--pose", "home"
+    yield "draw", robot, "--pose", "home", "-o", f"{NAME}.svg"
     yield "start", exercise, "-o", "-"
     yield "start", exercise, "-o", NAME
     yield "hint", exercise

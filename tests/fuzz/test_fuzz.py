@@ -28,7 +28,8 @@ from tests.nightly import NIGHT, cases_for_nights, nightly
 COUNT = int(os.environ.get("DHCLI_FUZZ", "0")) or (250 if NIGHT else 12)
 SEED = os.environ.get("DHCLI_FUZZ_SEED", "dhcli")
 STEERING = set("\x1b\x07\x9b\x85\u202e\u200b\u2028")
-OWN = ("--help", "--install-completion", "--show-completion", "--version")
+OWN = ("--open", "--help", "--install-completion", "--show-completion", "--version")
+"""Options that are typer's, and the one that opens a window."""
 
 
 @pytest.fixture(autouse=True)

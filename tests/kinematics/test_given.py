@@ -130,9 +130,9 @@ def test_a_name_that_reads_as_something_else_is_refused(name: str) -> None:
     with pytest.raises(DhcliError) as caught:
         read_robot(ROBOT.format(name=f'"{name}"', theta=name), "x.yaml", "x")
     first = caught.value.problems[0]
-    assert "is no name" in first.message
+    assert "is not a name" in first.message
     assert (first.place.line, first.place.column) == (5, 13)  # type: ignore[union-attr]
-    with pytest.raises(DhcliError, match="is no name"):
+    with pytest.raises(DhcliError, match="is not a name"):
         replace(SCARA, variables=(name, *SCARA.variables[1:]))
 
 

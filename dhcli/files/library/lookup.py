@@ -108,7 +108,7 @@ def check_typed(kind: Kind, name: object) -> None:
         )
     if "\0" in str(name):
         raise UnknownNameError(
-            f"there is no {kind.noun} '{str(name):.60}'",
+            f"there is no {kind.noun} '{name!s:.60}'",
             f"no file has NUL in its name; dhcli list {kind.value} shows what there is",
         )
 
