@@ -76,13 +76,6 @@ CASES: dict[str, Case] = {
         ("lint", "x.yaml"),
         {"x.yaml": source("exercise").replace(b"variants:", b"variants: " + b"1.. " * 40_000 + b"\n#")},
     ),
-}
-"""The findings that are mended."""
-
-SLOW = {"check of 50 parallel joints in letters"}
-"""Those of them that nights are for: counting makes them ten times as slow."""
-
-PENDING: dict[str, Case] = {
     "a row that a matrix does not have": _exercise("entry 4 4 of pose 0..2"),
     "a link of 5,000 digits": _exercise("link " + "9" * 5000),
     "inverse of inverse of, 2,000 times": _exercise("inverse of " * 2000 + "link 1"),
@@ -98,4 +91,7 @@ PENDING: dict[str, Case] = {
         )
     ),
 }
-"""Findings in the reading of text, mended elsewhere; they move above as soon as they pass."""
+"""Every finding by what it was."""
+
+SLOW = {"check of 50 parallel joints in letters", "115 terms a cell"}
+"""Those of them that nights are for: counting makes them ten times as slow."""

@@ -123,7 +123,7 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("draw", "scara", "--pose", "pick", "--dark", "--table", "-o", "a.svg", "--force"),
     ("draw", "puma560", "--pose", "ready", "-o", "a.tex"),
     ("draw", "scara", "--pose", "pick", "--to", "zero", "-o", "film.svg"),
-    ("draw", "scara", "--pose", "pick", "--beside", "scara-zhou"),
+    ("draw", "puma560", "--pose", "ready", "--beside", "puma560-standard"),
     ("dof", "scara", "--q", "10,20,0.1", "--deg"),
     ("dof", "scara", "--pose", "pick"),
     ("transform", "Rot(z,phi) Trans(height,0,0)", "--symbols", "phi,height"),

@@ -20,10 +20,10 @@ import dhcli
 from dhcli import DhcliError, Pose, load_exercise, load_robot
 from dhcli.cli.app import COMMANDS, load
 from tests.cli.running import run
-from tests.fuzz.corpus import CASES, PENDING, SLOW
+from tests.fuzz.corpus import CASES, SLOW
 from tests.fuzz.doors import DOORS, LINES, Case, cases
 from tests.fuzz.measuring import MOST_BYTES, TooMuchWorkError, counted
-from tests.nightly import NIGHT, cases_for_nights, nightly
+from tests.nightly import NIGHT, cases_for_nights
 
 COUNT = int(os.environ.get("DHCLI_FUZZ", "0")) or (250 if NIGHT else 12)
 SEED = os.environ.get("DHCLI_FUZZ_SEED", "dhcli")
@@ -75,14 +75,6 @@ def test_mutated_input_ends_in_words(door: str) -> None:
 def test_what_was_found_once_stays_mended(name: str) -> None:
     """Each within a second of calls and 200 MB."""
     assert fault_of(CASES[name], memory=NIGHT) == ""
-
-
-@nightly
-@pytest.mark.parametrize("name", PENDING)
-@pytest.mark.xfail(reason="the reader of notation is being mended", strict=False)
-def test_what_the_reader_of_notation_still_does(name: str) -> None:
-    """The mark goes when all of them pass."""
-    assert fault_of(PENDING[name], memory=True) == ""
 
 
 def test_every_option_of_every_command_is_mutated() -> None:
