@@ -27,6 +27,10 @@ if TYPE_CHECKING:
     from dhcli.kinematics.batch import forward_batch as forward_batch
     from dhcli.kinematics.forward import forward as forward
     from dhcli.kinematics.forward import symbolic as symbolic
+    from dhcli.kinematics.inverse.asked import inverse as inverse
+    from dhcli.kinematics.inverse.batch import inverse_batch as inverse_batch
+    from dhcli.kinematics.inverse.path import follow as follow
+    from dhcli.kinematics.inverse.solutions import Solutions as Solutions
     from dhcli.kinematics.pose import Pose as Pose
     from dhcli.kinematics.robot import Robot as Robot
     from dhcli.kinematics.singular.finding import singularities as singularities
@@ -54,11 +58,15 @@ _HOMES = {
     "Rates": "dhcli.kinematics.velocity.rates",
     "Robot": "dhcli.kinematics.robot",
     "Singularities": "dhcli.kinematics.singular.result",
+    "Solutions": "dhcli.kinematics.inverse.solutions",
     "axis_angles": "dhcli.geometry.many",
     "check": "dhcli.checking.judge",
     "draw": "dhcli.render.pictures.picture",
+    "follow": "dhcli.kinematics.inverse.path",
     "forward": "dhcli.kinematics.forward",
     "forward_batch": "dhcli.kinematics.batch",
+    "inverse": "dhcli.kinematics.inverse.asked",
+    "inverse_batch": "dhcli.kinematics.inverse.batch",
     "jacobian": "dhcli.kinematics.velocity.many",
     "joint_rates": "dhcli.kinematics.velocity.rates",
     "load_exercise": "dhcli.files.yaml.exercises",
@@ -83,12 +91,16 @@ __all__ = [
     "Rates",
     "Robot",
     "Singularities",
+    "Solutions",
     "__version__",
     "axis_angles",
     "check",
     "draw",
+    "follow",
     "forward",
     "forward_batch",
+    "inverse",
+    "inverse_batch",
     "jacobian",
     "joint_rates",
     "load_exercise",

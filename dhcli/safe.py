@@ -39,6 +39,12 @@ def comment(text: str, mark: str) -> str:
     return f"{mark} {one_line(text)}".rstrip() + "\n"
 
 
+def docstring(text: str) -> str:
+    """A docstring of Python on one line, which nothing in the text can end."""
+    said = one_line(text).replace("\\", "/").replace('"', "'")
+    return f'"""{said}"""'
+
+
 def csv_cell(text: str) -> str:
     """A cell that no spreadsheet takes for a formula; quotes are for the writer of the whole line.
 

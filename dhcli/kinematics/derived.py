@@ -12,7 +12,7 @@ from dhcli.notation.tree import Expr
 from dhcli.notation.walk import substitute, symbols
 
 Value: TypeAlias = Angle | Expr
-"""See `description.Value`, which stands above."""
+"""The value of a name: an exact angle, or an expression of lengths in metres."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,23 +6,18 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Literal, TypeAlias
+from typing import Literal
 
 from dhcli.errors import RobotError, did_you_mean
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row
+from dhcli.kinematics.derived import Formula, Value
 from dhcli.kinematics.given import chain_of, mapping_of, tuple_of, value_of
 from dhcli.kinematics.moves import Chain, angle_names, expressions
 from dhcli.notation.angle import Angle
 from dhcli.notation.scope import Scope
 from dhcli.notation.styles import Joints
-from dhcli.notation.tree import Expr, Trig
+from dhcli.notation.tree import Trig
 from dhcli.notation.walk import symbols, walk
-
-if TYPE_CHECKING:
-    from dhcli.kinematics.derived import Formula
-
-Value: TypeAlias = Angle | Expr
-"""The value of a name: an exact angle, or an expression of lengths in metres."""
 
 Kind = Literal["revolute", "prismatic"]
 

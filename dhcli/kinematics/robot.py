@@ -6,7 +6,8 @@ from dataclasses import fields
 from types import MappingProxyType
 
 from dhcli.errors import RobotError, plural
-from dhcli.kinematics.description import Description, Joint, Kind, Link, Value
+from dhcli.kinematics.derived import Value
+from dhcli.kinematics.description import Description, Joint, Kind, Link
 from dhcli.kinematics.validity import check
 
 __all__ = ["Joint", "Kind", "Link", "Robot", "Value", "check_robot"]

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import Problem, RobotError, did_you_mean
-from dhcli.kinematics.description import Description, Link, Value
+from dhcli.kinematics.derived import Value
+from dhcli.kinematics.description import Description, Link
 from dhcli.kinematics.moves import Chain, Fixed, Trans, angle_names, expressions, names
 from dhcli.notation.angle import Angle
 from dhcli.notation.names import canonical

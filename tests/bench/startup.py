@@ -36,6 +36,7 @@ COMMANDS = (
     "lint exercise.yaml",
     "new robot my-arm --force",
     "help fk",
+    "ik puma560 --pose nominal",
 )
 """What is typed for each command but `watch`, which does not end; run in a folder of its own."""
 

@@ -17,7 +17,7 @@ import pytest
 
 import dhcli
 from dhcli.render import look
-from dhcli.safe import comment, csv_cell, html, latex, one_line
+from dhcli.safe import comment, csv_cell, docstring, html, latex, one_line
 from tests.cli.running import Run
 
 EVIL = "e\x1b[31m\x9b2J\u202e\u200b\u2028\x85\r\nimport os"
@@ -123,6 +123,8 @@ def command_lines() -> Iterator[tuple[str, ...]]:
         "singularities": ("singularities", robot),
         "velocity": ("rates", robot, "--pose", "home", "--rates", "1,1"),
         "torques": ("torques", robot, "--pose", "home", "--force", "1,0,0"),
+        "inverse": ("ik", robot, "--pose", "home", "--task", "position"),
+        "derivation": ("ik", robot, "--derive", "--task", "position"),
         "transform": ("transform", "Rot(z, theta1) Trans(1, 0, 0)"),
         "steps": ("transform", "Rot(z, theta1) Trans(1, 0, 0)", "--steps"),
     }.items():
@@ -226,6 +228,14 @@ def test_a_comment_is_one_line() -> None:
     assert said.startswith("# e")
 
 
+def test_a_docstring_is_one_string() -> None:
+    """Neither quotes nor a backslash end it."""
+    for text in ('x""" + import_os() + """', "x\\", 'x"', EVIL):
+        (statement,) = ast.parse(docstring(text)).body
+        assert isinstance(statement, ast.Expr)
+        assert isinstance(statement.value, ast.Constant)
+
+
 def test_a_cell_with_letters_of_no_width_is_no_formula() -> None:
     """A spreadsheet may drop them."""
     line = next(csv.reader(io.StringIO(csv_cell("\u200b\u2060=1+1"))))
@@ -312,6 +322,6 @@ def test_comments_of_code_are_made_in_one_place() -> None:
         for name, node in nodes("render")
         if isinstance(node, ast.JoinedStr)
         and isinstance(first := node.values[0] if node.values else None, ast.Constant)
-        and str(first.value).lstrip().startswith(("# ", "% ", "// ", "/*", "<!--"))
+        and str(first.value).lstrip().startswith(("# ", "% ", "// ", "/*", "<!--", '"""'))
     ]
     assert found == []

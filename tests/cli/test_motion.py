@@ -310,7 +310,7 @@ def test_torques_and_rates_come_in_every_format(dhcli: Run, command: str, format
         ("rates planar-2r --pose zero", "rates of the joints, or a velocity"),
         ("rates planar-2r --pose zero --rates 1,2,3", "3 rates for 2 joints"),
         ("rates planar-2r --pose zero --rates 1m/s,2", "1m/s is in m/s, and rad/s is wanted"),
-        ("rates planar-2r --pose zero --velocity nan,0,0", "nan of a velocity has no value"),
+        ("rates planar-2r --pose zero --velocity nan,0,0", "nan is no number"),
         ("rates planar-2r --pose zero --velocity 1,0,0 --rates 1,2", "--rates does not go with a velocity"),
         ("rates planar-2r --pose zero --velocity 1,0,0 -s", "--symbolic does not go with a velocity"),
         ("rates planar-2r --pose zero --rates 1,2 --damped 0.1", "--damped is about joint rates for a velocity"),

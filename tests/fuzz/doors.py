@@ -131,6 +131,28 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("check", "scara", "--pose", "zero", "--as", "position", "--answer", "0, 0.5, 0.4"),
     ("show", "scara", "--draw"),
     ("draw", "yim/planar-in-numbers", "--variant", "alice", "--solution", "--worksheet", "-o", "w.svg"),
+    ("ik", "planar-2r", "--q", "10,20", "--deg", "--set", "a1=1", "--task", "position", "--from", "0", "--to", "2"),
+    ("ik", "puma560", "--pose", "ready", "--near", "ready", "--branch", "elbow up", "--within-limits", "--digits", "3"),
+    ("ik", "puma560", "--target", "Trans(0.4,0.15,0.3) Rot(y,90°)", "--all-turns", "--format", "json", "-o", "i.json"),
+    (
+        "ik",
+        "puma560",
+        "--position",
+        "0.4,0.15,0.3",
+        "--rpy",
+        "0,90,0",
+        "--deg",
+        "--format",
+        "csv",
+        "-o",
+        "i.csv",
+        "--force",
+    ),
+    ("ik", "puma560", "--position", "0.4,0.15,0.3", "--quaternion", "1,0,0,0"),
+    ("ik", "panda", "--pose", "ready", "--hold", "theta7=0", "--family", "3"),
+    ("ik", "puma560", "--position", "0.4,0.15,0.3", "--pointing", "0,0,-1"),
+    ("ik", "planar-2r", "--derive"),
+    ("ik", "scara", "--in", "poses.csv", "--each", "first"),
     ("dof", "6-UPS", "--format", "json"),
     ("dof", "loop 4R", "--tol", "1e-3"),
     ("dof", "--links", "4", "--joints", "3R 1P", "--planar"),
@@ -255,7 +277,13 @@ def _line(chance: random.Random) -> Case:
     words = list(chance.choice(LINES))
     at = chance.randrange(1, len(words))
     words[at] = mutated(words[at], chance)
-    files = {"q.csv": ROWS["q.csv"], "robot.yaml": source("robot"), "exercise.yaml": source("exercise")}
+    poses = b"p_x,p_y,p_z,roll,pitch,yaw\n-0.2321,0.4259,0.3,0,0,0.8\n"
+    files = {
+        "q.csv": ROWS["q.csv"],
+        "poses.csv": poses,
+        "robot.yaml": source("robot"),
+        "exercise.yaml": source("exercise"),
+    }
     files |= {"class/one/s.yaml": source("sheet"), "sheet.yaml": source("sheet")}
     return Case(tuple(word.replace("\0", "") for word in words), files, chance.choice(("", IDENTITY)))
 

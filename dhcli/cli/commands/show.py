@@ -38,7 +38,7 @@ def show(
     result = _load(kind, name, variant)
     if draw and (kind == "exercise" or delivery.chosen(kind) != "table" or output is not None):
         raise DhcliError("--draw puts a picture under the table of a robot or a linkage", "dhcli draw writes files")
-    delivery.hand_over(kind, result)
+    delivery.hand_over(kind, result, getattr(result, "remarks", ()))
     if draw:
         _draw(name)
 
