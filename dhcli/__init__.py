@@ -1,4 +1,4 @@
-"""Forward kinematics for people who learn it, teach it or use it.
+"""The kinematics of robot arms for people who learn it, teach it or use it.
 
 >>> from dhcli import load_robot, forward, symbolic
 >>> scara = load_robot("scara")

@@ -131,4 +131,4 @@ def root(
         bool, typer.Option("--version", help="Show the version and stop.", callback=_version, is_eager=True)
     ] = False,
 ) -> None:
-    """Forward kinematics of robot arms: from a DH table to the pose, in numbers or as the textbook prints it."""
+    """Kinematics of robot arms: poses, joint values, velocities, pictures; in numbers or as a textbook prints them."""
