@@ -17,7 +17,7 @@ from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.tolerance import DEFAULT, Tolerance
 from dhcli.checking.verdicts import Mark
 from dhcli.checking.written import Printed, Range, Trial, answer_scope
-from dhcli.errors import DhcliError, Place, UnknownNameError, did_you_mean
+from dhcli.errors import DhcliError, Place, RobotError, UnknownNameError, did_you_mean
 from dhcli.kinematics.conventions import Row
 from dhcli.kinematics.derived import replaced
 from dhcli.kinematics.robot import Robot, Value
@@ -223,6 +223,16 @@ class Question(ABC, Generic[T]):
     def unvalued(self, _exercise: Exercise) -> tuple[str, ...]:
         """Names without which an answer in numbers cannot be computed, and that have no value."""
         return ()
+
+    def need_values(self, exercise: Exercise) -> None:
+        """Make sure that there is a right answer where numbers are asked for.
+
+        Raises:
+            RobotError: A name in it has no value.
+        """
+        if exercise.numeric and (missing := self.unvalued(exercise)):
+            hint = f"--set {missing[0]}=..., or given: in the file of an exercise"
+            raise RobotError(f"{exercise.id} asks for numbers, and has no value for {', '.join(missing)}", hint)
 
     @abstractmethod
     def expected(self, case: Case, style: str = "short") -> str:

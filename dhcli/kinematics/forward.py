@@ -62,7 +62,7 @@ def forward(
         UnknownNameError: The robot has no such frame, joint or length.
     """
     check_robot(robot)
-    values = {**parameter_values(robot, parameters or {}), **joint_values(robot, q)}
+    values = {**parameter_values(robot, {} if parameters is None else parameters), **joint_values(robot, q)}
     return numeric_pose(robot, values, *ends(robot, start, end))
 
 
@@ -90,7 +90,7 @@ def symbolic(
         UnknownNameError: The robot has no such frame, joint or length.
     """
     check_robot(robot)
-    values = {**given_parameters(robot, parameters or {}), **joint_values(robot, q)}
+    values = {**given_parameters(robot, {} if parameters is None else parameters), **joint_values(robot, q)}
     return symbolic_pose(robot, values, *ends(robot, start, end))
 
 

@@ -27,6 +27,8 @@ from dhcli.notation.scope import Scope, usual
 from dhcli.notation.tree import ZERO, Trig
 from dhcli.notation.walk import walk
 
+MOST_IN_LETTERS = 80
+"""Moves whose frames are all computed in letters; the formula of each may be as long as there are moves before it."""
 _SHORT = 60
 """Characters of a matrix that stands in a heading as it was typed."""
 
@@ -194,11 +196,14 @@ def compose(product: Product, values: Mapping[str, Value], wanted: Wanted) -> Tr
         wanted: What to find out.
 
     Raises:
-        RobotError: An entry is not a real number.
+        RobotError: An entry is not a real number, or there are too many moves for formulas.
     """
     moves = put_in(product.moves, values)
     points, vectors = (put_in(tuple(Trans(*triple) for triple in t), values) for t in (wanted.points, wanted.vectors))
     exact = wanted.symbolic or bool(names((*moves, *points, *vectors)))
+    if exact and len(moves) > MOST_IN_LETTERS:
+        message = f"{len(moves)} moves are more than the {MOST_IN_LETTERS} that are multiplied in letters"
+        raise RobotError(message, "give every letter a value with --set, or multiply a part at a time")
     so_far = [moves[: i + 1] if wanted.order == "current" else moves[i::-1] for i in range(len(moves))]
     steps = tuple(
         Stage(text, chain, str(i), exact) for i, (text, chain) in enumerate(zip(product.texts, so_far, strict=True), 1)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean, plural
 from dhcli.kinematics.derived import replaced
+from dhcli.kinematics.given import mapping_of
 from dhcli.kinematics.moves import Chain, names
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.validity import in_floats
@@ -57,7 +58,7 @@ def joint_values(robot: Robot, q: JointInput, *, bare: Bare = "rad", place: Plac
     if isinstance(q, Mapping):
         return {
             (joint := joint_called(robot, name, place)): _value(robot, joint, value, bare, place)
-            for name, value in q.items()
+            for name, value in mapping_of(q, "q").items()
         }
     try:
         given = list(q)
@@ -76,7 +77,7 @@ def given_parameters(
         RobotError: An unknown name.
         NotationError: A value that cannot be read.
     """
-    named = {_parameter(robot, name, place): value for name, value in given.items()}
+    named = {_parameter(robot, name, place): value for name, value in mapping_of(given, "parameters").items()}
     return {name: _value(robot, name, value, "refuse", place) for name, value in named.items()}
 
 

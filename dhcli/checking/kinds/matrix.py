@@ -15,7 +15,7 @@ from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.truth import is_length, names_in, truth_of, unvalued
 from dhcli.checking.verdicts import IN_OTHER_UNIT, UNSOLVED, Mark, Verdict
 from dhcli.checking.wanted import Composed, Span, Wanted, read_wanted
-from dhcli.errors import DhcliError, NotationError, Place, Problem, RobotError
+from dhcli.errors import DhcliError, NotationError, Place, Problem
 from dhcli.kinematics.frames import frame
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.operators import OPENING
@@ -167,10 +167,7 @@ class MatrixQuestion(Wanted, Question[Entries]):
         exercise, entries = case.exercise, reading.value
         truth = truth_of(self, case)
         if exercise.numeric:
-            if truth.numbers is None:
-                missing = unvalued(self, exercise)
-                hint = f"--set {missing[0]}=..., or given: in the file of an exercise"
-                raise RobotError(f"{exercise.id} asks for numbers, and has no value for {', '.join(missing)}", hint)
+            self.need_values(exercise)
             judged = mark_measured(self, truth, entries, exercise, case.tolerance)
         else:
             judged = mark_symbols(self, truth, entries, exercise)

@@ -188,13 +188,13 @@ def _written(content: str | bytes, output: str, *, force: bool) -> str:
     Raises:
         FileError: It exists already, or cannot be written.
     """
-    from dhcli.cli.shell.console import say
+    from dhcli.cli.shell.console import tell
     from dhcli.cli.shell.delivery import check_free
     from dhcli.files.atomic import write_whole
 
     check_free(output, force=force)
     write_whole(output, content, overwrite=force)
-    say(f"wrote {output}\n")
+    tell(f"wrote {output}")
     return output
 
 
@@ -204,11 +204,11 @@ def _opened_page(picture: Picture, name: str) -> str:
     import tempfile
     from pathlib import Path
 
-    from dhcli.cli.shell.console import say
+    from dhcli.cli.shell.console import tell
 
     folder = tempfile.mkdtemp(prefix="dhcli-")
     suffix, text = ("svg", picture.svg()) if picture.worksheet else ("html", picture.page())
     path = Path(folder) / f"{re.sub(r'[^A-Za-z0-9_-]+', '-', name) or 'page'}.{suffix}"
     path.write_text(text, encoding="utf-8")
-    say(f"wrote {path}\n")
+    tell(f"wrote {path}")
     return str(path)

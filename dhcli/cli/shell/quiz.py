@@ -157,13 +157,13 @@ def exit_code(verdict: Verdict) -> ExitStatus:
 
 def remember(marked: SheetMark) -> None:
     """Note the verdicts among the progress of this user, for exercises of the library."""
-    from dhcli.cli.shell.console import say
+    from dhcli.cli.shell.console import tell
     from dhcli.files.progress import record
 
     if "/" in marked.exercise.id:
         message = record(marked.exercise.id, {p.part.id: p.mark.verdict for p in marked.parts})
         if message:
-            say(f"dhcli: {message}\n")
+            tell(f"dhcli: {message}")
 
 
 def first_open(exercise: Exercise, best: Mapping[str, str]) -> Part:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from dhcli.errors import DhcliError, FileError, Place, Problem
-from dhcli.files.library.lookup import Kind, entries, find
+from dhcli.files.library.lookup import Kind, check_typed, entries, find
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.yaml.coordinates import Coordinates
 from dhcli.files.yaml.fields import Problems
@@ -76,6 +76,7 @@ def load_linkage(name: str | Path, tolerance: float = 0.0) -> Linkage | Counts:
         UnknownNameError: No linkage has this name.
         FileError: The file is no linkage; every problem with file, line and column.
     """
+    check_typed(Kind.LINKAGES, name)
     path = name if isinstance(name, Path) else find(Kind.LINKAGES, name)
     text = read_text("-" if str(path) == "-" else path)
     return read_linkage(text, source_of(path), "stdin" if str(path) == "-" else path.stem, tolerance)

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from dhcli.errors import FileError, NotationError, Place, Problem, did_you_mean
-from dhcli.files.library.lookup import Kind, find
+from dhcli.files.library.lookup import Kind, check_typed, find
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.parameters import Parameters
@@ -52,6 +52,7 @@ def load_robot(name: str | Path) -> Robot:
         UnknownNameError: No robot has this name; the nearest are listed.
         FileError: The file is no robot; every problem, each with file, line and column.
     """
+    check_typed(Kind.ROBOTS, name)
     path = name if isinstance(name, Path) else find(Kind.ROBOTS, name)
     text = read_text("-" if str(path) == "-" else path)
     return read_robot(text, source_of(path), "stdin" if str(path) == "-" else path.stem)

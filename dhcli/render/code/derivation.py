@@ -15,6 +15,7 @@ from dhcli.notation.tree import ZERO, Call, Expr, Trig
 from dhcli.notation.walk import rebuild, symbols, walk
 from dhcli.notation.writer import write
 from dhcli.render.look import Look
+from dhcli.safe import comment, docstring
 
 
 def derivation_latex(result: Derivation, _look: Look) -> str:
@@ -102,7 +103,8 @@ def _python(result: Derivation) -> list[str]:
     names = [*(identifier(n) for n, v in values.items() if v is None), *names]
     lines = ["import numpy as np", "", ""]
     lines += [f"def inverse({', '.join(['T', *names])}):"]
-    lines += [f'    """Every solution of {result.robot.name}: joint values in radians and metres, in joint order."""']
+    said = f"Every solution of {result.robot.name}: joint values in radians and metres, in joint order."
+    lines += [f"    {docstring(said)}"]
     lines += [f"    {name} = T[{row - 1}][{column - 1}]" for name, row, column in _entries(result)]
     lines += ["    solutions = []"]
     margin = "    "
@@ -133,7 +135,8 @@ def _python(result: Derivation) -> list[str]:
 def _matlab(result: Derivation) -> list[str]:
     names = [identifier(name) for name in _lengths(result)]
     lines = [f"function solutions = inverse({', '.join(['T', *names])})"]
-    lines += [f"% Every solution of {result.robot.name}, a row each: radians and metres, in joint order."]
+    said = f"Every solution of {result.robot.name}, a row each: radians and metres, in joint order."
+    lines += [comment(said, "%").rstrip("\n")]
     lines += [f"{name} = T({row}, {column});" for name, row, column in _entries(result)]
     lines += ["solutions = [];"]
     margin, ends = "", list[str]()

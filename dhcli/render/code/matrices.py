@@ -16,11 +16,11 @@ from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write
 from dhcli.render.look import Look
-from dhcli.render.paper import Paper
+from dhcli.safe import comment as comment_line
+from dhcli.safe import one_line
 
 _SPELLING = {"csv": "sympy", "json": "sympy"}
 """Formats whose formulas are spelled as another one spells them."""
-_FORMULA = tuple("=+-@＝＋－＠")  # noqa: RUF001  the wide ones begin a formula as well
 
 
 def entry(value: Expr | float, joints: Joints, look: Look) -> str:
@@ -90,12 +90,13 @@ def matrix_source(
     if look.format == "matlab":
         names = _syms([*entries, [one.expr for one in definitions]], without={one.name for one in definitions})
         before = "".join(f"{short} = {text};\n" for short, text in lets)
-        return f"% {comment}\n{names}{before}{named or letter} = {_matlab(rows)};\n"
+        return f"{comment_line(comment, '%')}{names}{before}{named or letter} = {_matlab(rows)};\n"
     if look.format == "sympy":
         return (f"{named} = " if named else "") + f"Matrix([{', '.join('[' + ', '.join(row) + ']' for row in rows)}])\n"
     before = "".join(f"{short} = {text}\n" for short, text in lets)
     head = "import numpy as np\n\n" if look.in_file else ""
-    return f"{head}# {comment}\n{before}" + (f"{named or letter} = " if named or look.in_file else "") + _numpy(rows)
+    said = comment_line(comment, "#")
+    return f"{head}{said}{before}" + (f"{named or letter} = " if named or look.in_file else "") + _numpy(rows)
 
 
 def vector_source(values: Sequence[Expr | float], joints: Joints, look: Look) -> str:
@@ -116,19 +117,10 @@ def csv_rows(rows: Sequence[Sequence[Expr | float]], joints: Joints, look: Look)
 
 
 def csv_line(cells: Iterable[str]) -> str:
-    """One line of a CSV file, cells quoted where they need it."""
+    """One line of a CSV file, cells quoted where they need it; what somebody else wrote is a `csv_cell` before."""
     text = io.StringIO()
-    csv.writer(text, lineterminator="\n").writerow(cells)
+    csv.writer(text, lineterminator="\n").writerow(map(one_line, cells))
     return text.getvalue()
-
-
-def harmless(text: str) -> str:
-    """A text that somebody else wrote, as a CSV cell that no spreadsheet takes for a formula.
-
-    Source: OWASP, CSV injection: an apostrophe before what begins like one; full-width signs count too.
-    """
-    is_formula = text.lstrip().startswith(_FORMULA) or text.startswith(("\t", "\r", "\n"))
-    return Paper().spell(f"'{text}" if is_formula else text)
 
 
 def variable(name: str) -> str:

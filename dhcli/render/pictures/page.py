@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-from html import escape
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
@@ -15,6 +14,7 @@ from dhcli.mobility.linkage import Linkage
 from dhcli.render.pictures.looks import COLOURS, LOOKS, TEXTS, UPRIGHT
 from dhcli.render.pictures.page_data import arm_model, plane_model, space_model
 from dhcli.render.pictures.svg import FONTS
+from dhcli.safe import html
 from dhcli.scene.shapes import Figure
 
 if TYPE_CHECKING:
@@ -73,14 +73,14 @@ def _page(
 ) -> str:
     data = json.dumps(model, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
     code = "\n".join(_script(name) for name in scripts)
-    label = escape(_clean(f"{title}, {subtitle}"))
+    label = html(f"{title}, {subtitle}")
     return (
         f'<!DOCTYPE html>\n<html lang="en">\n<head><meta charset="utf-8">\n'
-        f'<meta name="viewport" content="width=device-width,initial-scale=1">\n<title>{escape(_clean(title))}</title>\n'
+        f'<meta name="viewport" content="width=device-width,initial-scale=1">\n<title>{html(title)}</title>\n'
         f"<style>{_colours(dark=picture.dark)}{_read('page.css')}</style>\n"
         f'<style id="looks">{_looks(flat="space" not in scripts)}</style></head>\n<body><main>\n'
         f'<div class="stage">{_FIGURE.format(label=label)}<p class="hint"><span id="seen"></span></p></div>\n'
-        f"<aside><h1>{escape(_clean(title))}</h1><p>{escape(_clean(subtitle))}</p>\n{controls}</aside></main>\n"
+        f"<aside><h1>{html(title)}</h1><p>{html(subtitle)}</p>\n{controls}</aside></main>\n"
         f'<script type="application/json" id="model">{data}</script>\n<script>"use strict";\n{code}\n</script>\n'
         "</body></html>\n"
     )
@@ -90,7 +90,7 @@ def _still(linkage: Linkage, figure: Figure, picture: Drawing) -> str:
     """A page that only shows, for a linkage whose points are not known."""
     from dhcli.render.pictures.svg import svg
 
-    title = escape(_clean(linkage.title))
+    title = html(linkage.title)
     drawn = svg(figure, dark=picture.dark)
     return (
         f'<!DOCTYPE html>\n<html lang="en">\n<head><meta charset="utf-8"><title>{title}</title></head>\n'
@@ -145,7 +145,7 @@ def _looks(*, flat: bool) -> str:
 
 
 def _arm_controls(robot: Robot) -> str:
-    order = escape(ORDER[robot.convention].replace("alpha_", "α_").replace("theta_", "θ_"))
+    order = html(ORDER[robot.convention].replace("alpha_", "α_").replace("theta_", "θ_"))
     checks = "".join(
         f'<label><input type="checkbox" id="on-{name}"{" checked" * on}> {name}</label>'
         for name, on in (("frames", True), ("dimensions", True), ("y", False), ("body", True), ("turns", True))
@@ -174,7 +174,3 @@ _LINKAGE = (
     '<p id="note" class="warn" role="status"></p>\n'
     '<h2>Points</h2><table id="pins"></table><p class="hint">Drag a pin or a link to move the linkage.</p>\n'
 )
-
-
-def _clean(text: str) -> str:
-    return "".join(letter if letter.isprintable() else " " for letter in text)

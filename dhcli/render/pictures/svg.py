@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import zlib
-from xml.sax.saxutils import escape, quoteattr
 
 from dhcli.render.pictures.looks import COLOURS, LOOKS, TEXTS, UPRIGHT, Look
+from dhcli.safe import html
 from dhcli.scene.shapes import Figure, Shape, Text
 from dhcli.scene.vectors import Flat
 from dhcli.scene.words import Words
@@ -27,11 +27,11 @@ def svg(figure: Figure, *, dark: bool = False, size: tuple[int, int] | None = No
     key = f"f{zlib.crc32((body + str(dark)).encode()):08x}"
     looks = sorted({shape.look for shape in figure.shapes})
     texts = sorted({text.look for text in figure.texts})
-    described = quoteattr(_clean(f"{figure.title}: {figure.caption}"))
+    described = html(f"{figure.title}: {figure.caption}")
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" class="{key}" width="{width}" height="{height}" '
-        f'viewBox="0 0 {_number(figure.width)} {_number(figure.height)}" role="img" aria-label={described}>\n'
-        f"<title>{escape(_clean(figure.title))}</title>\n"
+        f'viewBox="0 0 {_number(figure.width)} {_number(figure.height)}" role="img" aria-label="{described}">\n'
+        f"<title>{html(figure.title)}</title>\n"
         f"<style>{_style(looks, texts, key, dark=dark)}</style>\n"
         f"{_defs(figure.shapes, key)}"
         f'<rect class="paper" width="100%" height="100%"/>\n{body.replace("url(#", f"url(#{key}")}\n</svg>\n'
@@ -140,17 +140,13 @@ def _words(words: Words, size: float) -> str:
     found, lowered = [], False
     drop = _number(0.24 * size)
     for run in words:
-        text = escape(_clean(run.text))
+        text = html(run.text)
         if run.below:
             found.append(f'<tspan dy="{drop}" font-size="{_number(0.7 * size)}">{text}</tspan>')
         else:
             found.append(f'<tspan dy="-{drop}">{text}</tspan>' if lowered else text)
         lowered = run.below
     return "".join(found)
-
-
-def _clean(text: str) -> str:
-    return "".join(letter if letter.isprintable() else " " for letter in text)
 
 
 def _number(value: float) -> str:

@@ -6,6 +6,7 @@ import math
 
 from dhcli.notation.names import GREEK
 from dhcli.render.pictures.looks import COLOURS, LOOKS, TEXTS, UPRIGHT, Look
+from dhcli.safe import comment
 from dhcli.scene.shapes import Figure, Shape, Text
 from dhcli.scene.vectors import Flat
 from dhcli.scene.words import Words
@@ -39,7 +40,7 @@ def tikz(figure: Figure, *, dark: bool = False, size: tuple[int, int] | None = N
     body = [ground] * bool(ground) + [_shape(shape) for shape in figure.shapes] + [_text(t) for t in figure.texts]
     lines = "\n".join(body)
     return (
-        f"% {_comment(figure.title)}: {_comment(figure.caption)}\n"
+        f"{comment(f'{figure.title}: {figure.caption}', '%')}"
         "% Include it with \\input; the preamble needs \\usepackage{tikz}. Alone it is a document of its own.\n"
         "\\ifdefined\\tikzpicture\\def\\dhend{}\\else\n"
         "\\documentclass{article}\\usepackage{tikz}\\pagestyle{empty}\\begin{document}\\def\\dhend{\\end{document}}\\fi\n"
@@ -114,10 +115,6 @@ def _letter(letter: str) -> str:
     if letter in GREEK:
         return f"\\{GREEK[letter]} "
     return _SIGNS.get(letter, _SPECIAL.get(letter, letter if letter.isprintable() else " "))
-
-
-def _comment(text: str) -> str:
-    return "".join(letter if letter.isprintable() else " " for letter in text)
 
 
 def _point(point: Flat) -> str:

@@ -34,9 +34,9 @@ def exercise_table(exercise: Exercise, look: Look) -> str:
     for part in exercise.parts:
         lines += ["", question_text(exercise, part, paper).rstrip("\n")]
     option = f" --variant {shlex.quote(exercise.variant)}" if exercise.variant else ""
-    lines += ["", paper.ink(f"dhcli start {exercise.id}{option} writes a sheet to fill in", "dim")]
+    lines += ["", paper.ink(paper.spell(f"dhcli start {exercise.id}{option} writes a sheet to fill in"), "dim")]
     if shown(exercise):
-        lines.append(paper.ink(f"dhcli draw {exercise.id}{option} draws the arm", "dim"))
+        lines.append(paper.ink(paper.spell(f"dhcli draw {exercise.id}{option} draws the arm"), "dim"))
     return "\n".join(lines) + "\n"
 
 

@@ -13,6 +13,7 @@ from dhcli.render.code.matrices import csv_line
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
 from dhcli.render.text.prose import prose_lines
+from dhcli.safe import csv_cell
 
 _INKS = {
     Verdict.RIGHT: ("green",),
@@ -53,7 +54,7 @@ def marks_csv(marked: SheetMark, _look: Look) -> str:
     lines = [csv_line(["part", "verdict", "earned", "credit"])]
     for one in marked.parts:
         earned, credit = one.mark.earned * one.part.credit, one.part.credit
-        lines.append(csv_line([one.part.id, one.mark.verdict.word, plain(earned), plain(credit)]))
+        lines.append(csv_line([csv_cell(one.part.id), one.mark.verdict.word, plain(earned), plain(credit)]))
     return "".join(lines)
 
 
