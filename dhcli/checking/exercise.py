@@ -154,6 +154,15 @@ class Question(ABC, Generic[T]):
         """The question with what a file says of it besides `ask:`."""
         return self
 
+    def in_unit(self, _unit: Fraction, _scope: Scope) -> Self:
+        """The question with the bare lengths in it in metres, where a sheet is in another unit.
+
+        Args:
+            _unit: Metres in a bare length of the sheet.
+            _scope: The names that it may use.
+        """
+        return self
+
     def check(self, _robot: Robot | None) -> None:
         """Make sure that a robot has what is asked about.
 

@@ -57,6 +57,9 @@ INVERSE = "this is the inverse: it shows the reference from the frame"
 TRANSPOSED = "the rotation is transposed: its columns, not its rows, are the axes of the frame described"
 """What is seen without a search; where the slip is found it has its name there."""
 
+IN_OTHER_UNIT = "the lengths are in "
+"""How the remark begins that the rest of an answer is judged in another unit than that of the sheet."""
+
 UNSOLVED = (Verdict.WRONG, Verdict.CLOSE)
 
 

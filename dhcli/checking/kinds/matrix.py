@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import Any, ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
@@ -11,13 +12,14 @@ from dhcli.checking.entries import Entries, entries_text, read_entries
 from dhcli.checking.exercise import Case, Causes, Exercise, Judged, Matrices, Points, Question, Reading, Shown
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.pasted import UnreadableError
-from dhcli.checking.truth import names_in, truth_of, unvalued
-from dhcli.checking.verdicts import UNSOLVED, Mark, Verdict
-from dhcli.checking.wanted import Span, Wanted, read_wanted
-from dhcli.errors import DhcliError, Place
+from dhcli.checking.truth import is_length, names_in, truth_of, unvalued
+from dhcli.checking.verdicts import IN_OTHER_UNIT, UNSOLVED, Mark, Verdict
+from dhcli.checking.wanted import Composed, Span, Wanted, read_wanted
+from dhcli.errors import DhcliError, NotationError, Place, Problem
 from dhcli.kinematics.frames import frame
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.operators import OPENING
+from dhcli.notation.quantity import DimensionError
 from dhcli.notation.scope import Scope
 from dhcli.notation.writer import write
 
@@ -45,7 +47,23 @@ class MatrixQuestion(Wanted, Question[Entries]):
     def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
         """A link, a pose, a product, an inverse, or a piece of one."""
         found = read_wanted(text, scope, place)
-        return cls(found.source, found.inverse, found.piece, found.index, found.point)
+        return cls(found.source, found.inverse, found.piece, found.index, found.point, found.measured)
+
+    def in_unit(self, unit: Fraction, scope: Scope) -> Self:
+        """Bare coordinates of a point, and bare lengths of a product, are in the unit of the sheet."""
+        from dhcli.checking.units import chain_in_metres, in_metres
+
+        source = self.source
+        if isinstance(source, Composed):
+            source = Composed(chain_in_metres(source.text, unit, scope), source.text)
+        if self.piece not in ("point", "vector") or not is_length(self, 0, 0):
+            return replace(self, source=source)
+        pairs = zip(self.point, self.measured, strict=True)
+        try:
+            point = tuple(one if measured else in_metres(one, unit, scope) for one, measured in pairs)
+        except DimensionError as error:
+            raise NotationError(Problem(error.message, None, error.hint)) from None
+        return replace(self, source=source, point=point)
 
     def check(self, robot: Robot | None) -> None:
         if isinstance(self.source, Span):
@@ -143,14 +161,14 @@ class MatrixQuestion(Wanted, Question[Entries]):
         return read_entries(self, case.exercise, text, place)
 
     def mark(self, case: Case, reading: Reading[Entries]) -> Mark:
-        from dhcli.checking.numeric import mark_numbers
+        from dhcli.checking.other_unit import mark_measured
         from dhcli.checking.symbolic import mark_symbols
 
         exercise, entries = case.exercise, reading.value
         truth = truth_of(self, case)
         if exercise.numeric:
             self.need_values(exercise)
-            judged = mark_numbers(self, truth, entries, exercise, case.tolerance)
+            judged = mark_measured(self, truth, entries, exercise, case.tolerance)
         else:
             judged = mark_symbols(self, truth, entries, exercise)
         typed = tuple(tuple(write(entry.typed, "short", exercise.writing) for entry in row) for row in entries)
@@ -173,7 +191,7 @@ class MatrixQuestion(Wanted, Question[Entries]):
         for cell in cells:
             r, c = cell.row, cell.column
             typed, shown = judged.reading.value[r][c].expr, printed.reading.value[r][c].expr
-            if cell.verdict in UNSOLVED and same(typed, shown, exercise.values):
+            if cell.verdict in UNSOLVED and same(typed, shown, exercise.values, exercise):
                 where = "this" if len(cells) == 1 else f"entry ({r + 1},{c + 1})"
                 right = f", the right entry is {cell.expected}" if exercise.shows_expected else ""
                 remarks.append(f"{where} is what the document prints; it is a misprint{right}")
@@ -208,6 +226,8 @@ class MatrixQuestion(Wanted, Question[Entries]):
         from dhcli.checking.diagnosis.geometry import HALVES, geometry
         from dhcli.checking.diagnosis.typed import typed_answer
 
+        if mark.remarks and mark.remarks[0].startswith(IN_OTHER_UNIT):
+            return mark
         try:
             typed = typed_answer(case, self, reading.value)
         except (UnreadableError, DhcliError):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from fractions import Fraction
 from pathlib import Path
 
 from dhcli.checking.exercise import Exercise
@@ -115,7 +116,8 @@ class _Loader:
         scope = answer_scope(self.robot, (*self.given, *self.names))
         if has_robot and self.robot is None:
             scope = Scope(is_open=True)  # its names are not known, and that it was not found is told
-        self.parts = PartReader(self.problems, scope, self.robot, has_robot, self.tolerance, self.printed, [])
+        unit = LENGTH_UNITS.get(self.unit, Fraction(1))
+        self.parts = PartReader(self.problems, scope, self.robot, has_robot, unit, self.tolerance, self.printed, [])
 
     def exercise(self) -> Exercise:
         nodes = self.fields.sequence("parts", example="- {id: a1, ask: link 1}")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import Any
 
 from dhcli.checking.exercise import Part, Question
@@ -33,6 +34,7 @@ class PartReader:
         scope: The names that questions may use.
         robot: The robot, if there is one.
         has_robot: Whether the file names a robot, which may not have been found.
+        unit: Metres in a bare length of a sheet.
         tolerance: The tolerance of the exercise.
         printed: What the document prints, by part.
         ids: The ids so far, also of parts that cannot be read.
@@ -42,6 +44,7 @@ class PartReader:
     scope: Scope
     robot: Robot | None
     has_robot: bool
+    unit: Fraction
     tolerance: Tolerance
     printed: dict[str, Printed]
     ids: list[str]
@@ -88,6 +91,8 @@ class PartReader:
         """What is asked; None if it cannot be read."""
         try:
             question = read_question(ask.text, self.scope, ask.place_of(0))
+            if self.unit != 1:
+                question = question.in_unit(self.unit, self.scope)
         except NotationError as error:
             self.problems.take(error)
             return None

@@ -216,6 +216,8 @@ def _units(exercise: Exercise) -> Iterator[str]:
             else ""
         )
         yield f"Products: a1*c1, a1c1 or a1 c1{rows}."
+        if exercise.unit not in ("m", "none"):
+            yield f"Numbers beside letters: lengths in {exercise.unit} unless a unit stands with them."
 
 
 def _part_lines(exercise: Exercise, part: Part) -> Iterator[str]:

@@ -76,7 +76,7 @@ def marks_content(marked: SheetMark, _look: Look) -> dict[str, Any]:
                 "earned": one.mark.earned * one.part.credit,
                 "credit": one.part.credit,
                 "cause": {
-                    "rationale": list(one.mark.remarks),
+                    "rationale": [*one.mark.remarks, *_notes(one.mark)],
                     "help": one.part.hints[0] if one.part.hints else None,
                     "expected": one.mark.expected if allowed else None,
                     "actual": one.mark.reading or None,
@@ -205,9 +205,14 @@ def _cells(mark: Mark, paper: Paper) -> Iterator[str]:
     elif len(mark.cells) > 1:
         places = ", ".join(f"({cell.row + 1},{cell.column + 1})" for cell in bad)
         yield from _lines_below(f"not right: {places}", paper)
-    for cell in [cell for cell in bad if cell.note][:1]:
-        where = f"entry ({cell.row + 1},{cell.column + 1}): " if len(mark.cells) > 1 else ""
-        yield from _lines_below(where + cell.note, paper)
+    for note in _notes(mark):
+        yield from _lines_below(note, paper)
+
+
+def _notes(mark: Mark) -> Iterator[str]:
+    """The note for the first entry that is not right and has one: where it holds, and numbers to think about."""
+    for cell in [cell for cell in mark.cells if cell.note and cell.verdict is not Verdict.RIGHT][:1]:
+        yield (f"entry ({cell.row + 1},{cell.column + 1}): " if len(mark.cells) > 1 else "") + cell.note
 
 
 def _signed(cells: Sequence[CellMark], paper: Paper) -> Iterator[str]:
