@@ -8,6 +8,7 @@ from dataclasses import replace
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.tables.answer import TableAnswer, ends_on_axis, own_rows
 from dhcli.checking.tables.cells import table_text
+from dhcli.checking.tables.comparing import LITERAL, SAME_MOTION, SAME_ROBOT, gives
 from dhcli.checking.tables.differences import end_rows, first_difference
 from dhcli.checking.tables.freedoms import end_freedoms
 from dhcli.checking.tables.motions import Outcome, oddity
@@ -27,7 +28,7 @@ def mark_table(
     exercise: Exercise,
     convention: Convention,
     rows: tuple[TypedRow, ...],
-    compare: str = "same-robot",
+    compare: str = SAME_ROBOT,
     tolerance: Tolerance | None = None,
     *,
     end_free: bool | None = None,
@@ -44,8 +45,9 @@ def mark_table(
             reaches the robot's own end frame.
 
     Returns:
-        RIGHT for the robot's own cells, and for other frames of the same robot, which are named; EQUIVALENT for what
-        is right in another way; CLOSE or WRONG with the first joint that differs.
+        RIGHT for the robot's own cells, and for other frames of the same robot where the task leaves them open;
+        EQUIVALENT for what is right in another way, with the freedom that was used; CLOSE or WRONG with the first
+        joint that differs.
 
     Raises:
         UnreadableError: Only the unit of the table is wrong.
@@ -60,7 +62,7 @@ def mark_table(
     if cells and worst(cell.verdict for cell in cells) is Verdict.RIGHT:
         mark = Mark(Verdict.RIGHT, cells=cells, earned=1.0)
     else:
-        mark = _by_cells(answer, cells) if compare == "literal" else _by_motion(answer, cells)
+        mark = _by_cells(answer, cells) if compare == LITERAL else _by_motion(answer, cells)
     reading = table_text(answer.plain, robot.columns, exercise.writing)
     return replace(mark, reading=reading, expected=_own_table(exercise, convention))
 
@@ -108,7 +110,7 @@ def _by_cells(answer: TableAnswer, cells: tuple[CellMark, ...]) -> Mark:
     remarks = _notes(cells)
     if not cells:
         remarks = (f"your table has {len(answer.rows)} rows, the right one has {len(answer.table)}",)
-    if not answer.misfit and replace(answer, compare="same-robot").judged().verdict is Verdict.RIGHT:
+    if not answer.misfit and replace(answer, compare=SAME_ROBOT).judged().verdict is Verdict.RIGHT:
         remarks = ("a right table of the same robot, but this task asks for the one of the document", *remarks)
     return Mark(
         worst(cell.verdict for cell in cells) if cells else Verdict.WRONG,
@@ -133,9 +135,13 @@ def _by_motion(answer: TableAnswer, cells: tuple[CellMark, ...]) -> Mark:
 
 
 def _accepted(answer: TableAnswer, cells: tuple[CellMark, ...], outcome: Outcome) -> Mark:
-    """Right with other frames, or with the joints counted otherwise, or simply another table."""
+    """RIGHT if the task gave the freedom that was used, or none was; else EQUIVALENT. It is named in any case."""
     frames, joints = answer.freedoms(outcome)
-    own = not answer.table or (answer.compare == "same-robot" and bool(frames))
+    if outcome.is_free:
+        own = outcome.match is not None and gives(answer.exercise.task, outcome.match, answer.slack(outcome))
+    else:  # the same motion of all joints; only frames in between may differ
+        is_free = answer.compare == SAME_ROBOT and bool(answer.exercise.task.strip())
+        own = not answer.table or (is_free and bool(frames))
     remarks = (*frames, *joints) or (() if own else ("another table of the same motion",))
     shown = tuple(c if c.verdict is Verdict.RIGHT else replace(c, verdict=Verdict.EQUIVALENT, note="") for c in cells)
     return Mark(Verdict.RIGHT if own else Verdict.EQUIVALENT, cells=shown, remarks=remarks, earned=1.0)
@@ -144,7 +150,7 @@ def _accepted(answer: TableAnswer, cells: tuple[CellMark, ...], outcome: Outcome
 def _second_truth(answer: TableAnswer) -> Mark | None:
     """EQUIVALENT if the answer is the exercise's other robot, or goes on to the robot's tool."""
     others = [answer.exercise.also] if answer.exercise.also else []
-    if answer.robot.tool and answer.compare != "literal":
+    if answer.robot.tool and answer.compare != LITERAL:
         last = answer.robot.links[-1]
         links = (*answer.robot.links[:-1], replace(last, moves=(*last.moves, *answer.robot.tool), row=None))
         others.append((replace(answer.robot, links=links, tool=()), "the table goes on to the tool frame"))
@@ -153,7 +159,7 @@ def _second_truth(answer: TableAnswer) -> Mark | None:
         cells = second.cells
         if cells and worst(cell.verdict for cell in cells) is Verdict.RIGHT:
             return Mark(Verdict.EQUIVALENT, cells=cells, remarks=(note,), earned=1.0)
-        if answer.compare == "literal" or second.misfit:
+        if answer.compare == LITERAL or second.misfit:
             continue
         outcome = second.judged()
         if outcome.verdict is Verdict.RIGHT:
@@ -164,12 +170,14 @@ def _second_truth(answer: TableAnswer) -> Mark | None:
 
 def _why(answer: TableAnswer, cells: tuple[CellMark, ...], outcome: Outcome) -> tuple[str, ...]:
     """What can be said of a wrong table: the other convention, the end frame, or the first wrong joint."""
+    if answer.is_oversized(outcome):
+        return ("your lengths are a million times those of the robot: look for one with a digit or a unit too many",)
     convention = OTHERS[answer.convention]
-    robot = replace(answer, compare="same-robot")
+    robot = replace(answer, compare=SAME_ROBOT)
     if _starts_like(answer, convention) and robot.judged(None, convention, end_free=True).verdict is Verdict.RIGHT:
         return (f"right for {NAMES[convention]}; this exercise uses {answer.convention.value}",)
     free = robot.judged(end_free=True)
-    if answer.compare == "same-motion":
+    if answer.compare == SAME_MOTION:
         outcome = robot.judged()
         if outcome.verdict is Verdict.RIGHT and not _is_plainer(free, outcome):
             frames, joints = robot.freedoms(outcome)
@@ -194,7 +202,7 @@ def _at_the_end(answer: TableAnswer, free: Outcome, match: Match) -> tuple[str, 
     is_along = abs(match.tool.offset[2]) > slack.length
     rows = f"look at {end_rows(answer, free, is_along=is_along)}"
     end = (end_freedoms("end", match.tool, slack) or ("your end frame is another",))[0]
-    if answer.compare == "same-motion":
+    if answer.compare == SAME_MOTION:
         base = end_freedoms("base", match.base.inverse(), slack)
         used = (*base, *answer.freedoms(free)[1])
         if used:

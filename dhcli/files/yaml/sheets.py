@@ -17,7 +17,7 @@ from dhcli.files.yaml.fields import Problems
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
 from dhcli.files.yaml.prose import folded
 from dhcli.files.yaml.robot_line import robot_line, values_text
-from dhcli.files.yaml.robots import load_robot
+from dhcli.files.yaml.robots import read_robot
 from dhcli.kinematics.conventions import COLUMNS, Convention
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.angle import Angle
@@ -30,6 +30,9 @@ KEYS = ("exercise", "answers", "variant", "given", "name")
 BLANK = "_"
 WIDEST = 88
 """Columns of a comment."""
+
+_LENGTH = re.compile(r"[\d.)]\s{0,9}(mm|cm|m|in)\b")
+"""The unit of a length behind its number."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,7 +139,8 @@ def read_table(path: Path | str, reference: Robot) -> Table:
     Raises:
         FileError: It is no robot file, or has products instead of a table.
     """
-    robot = load_robot(path if str(path) == "-" else Path(path))
+    text, source = read_text(path), source_of(path)
+    robot = read_robot(text, source, "stdin" if str(path) == "-" else Path(path).stem)
     own = {
         name: value
         for name, value in robot.parameters.items()
@@ -144,7 +148,8 @@ def read_table(path: Path | str, reference: Robot) -> Table:
     }
     lengths = {name: value for name, value in own.items() if isinstance(value, Expr)}
     angles = {name: value for name, value in own.items() if isinstance(value, Angle)}
-    lines = [", ".join(COLUMNS)]
+    has_units = any(_LENGTH.search(value) for value in _values(read_yaml(text, source)))
+    lines = ["a [m], alpha, d [m], theta" if has_units else ", ".join(COLUMNS)]  # bare, it may be meant in mm
     for link in robot.links:
         if link.row is None:
             hint = "convention: standard or modified"
@@ -154,6 +159,13 @@ def read_table(path: Path | str, reference: Robot) -> Table:
         alpha, theta = row.alpha.substitute(angles), row.theta.substitute(angles)
         lines.append(", ".join((write(a), write_angle(alpha), write(d), write_angle(theta))))
     return Table(robot.convention, "\n".join(lines))
+
+
+def _values(root: PlacedNode) -> Iterator[str]:
+    """What a robot file writes for its lengths and in its rows."""
+    wanted = ("parameters", "links")
+    top = root.entries if isinstance(root, PlacedMapping) else ()
+    return (_text(node) for key, node in top if key.text in wanted)
 
 
 def write_sheet(exercise: Exercise) -> str:
