@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
@@ -25,9 +25,15 @@ FIRST = 1
 
 @dataclass(frozen=True, slots=True)
 class TableQuestion(Question[tuple[TypedRow, ...]]):
-    """The DH table of the robot in one of the conventions."""
+    """The DH table of the robot in one of the conventions.
+
+    Attributes:
+        convention: The convention.
+        note: What is told beside every verdict, of a table that was made on the spot.
+    """
 
     convention: Convention
+    note: str = ""
 
     words: ClassVar = ("table",)
     examples: ClassVar = ("table standard",)
@@ -101,7 +107,8 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         from dhcli.checking.tables.comparing import compare_of
         from dhcli.checking.tables.marking import mark_table
 
-        return mark_table(case.exercise, self.convention, reading.value, compare_of(case), case.tolerance)
+        mark = mark_table(case.exercise, self.convention, reading.value, compare_of(case), case.tolerance)
+        return replace(mark, remarks=(*mark.remarks, self.note)) if self.note else mark
 
     def slips(self, case: Case) -> Iterable[Slip]:
         from dhcli.checking.diagnosis.slips import table_candidates

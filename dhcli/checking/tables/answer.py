@@ -52,6 +52,11 @@ class TableAnswer:
     end_free: bool
 
     @property
+    def asker(self) -> str:
+        """Who fixes what is compared."""
+        return "this task" if self.exercise.task.strip() else "this comparison"
+
+    @property
     def plain(self) -> tuple[Row, ...]:
         """The rows alone."""
         return tuple(typed.row for typed in self.rows)

@@ -21,6 +21,7 @@ from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.same_robot import Match
 from dhcli.notation.tree import ZERO
 
+FIXES = "fixes base, end frame, zeros and senses"
 OTHERS = {Convention.STANDARD: Convention.MODIFIED, Convention.MODIFIED: Convention.STANDARD}
 
 
@@ -111,7 +112,8 @@ def _by_cells(answer: TableAnswer, cells: tuple[CellMark, ...]) -> Mark:
     if not cells:
         remarks = (f"your table has {len(answer.rows)} rows, the right one has {len(answer.table)}",)
     if not answer.misfit and replace(answer, compare=SAME_ROBOT).judged().verdict is Verdict.RIGHT:
-        remarks = ("a right table of the same robot, but this task asks for the one of the document", *remarks)
+        asks = f"a right table of the same robot, but {answer.asker} asks for the one of the document"
+        remarks = (asks, *remarks)
     return Mark(
         worst(cell.verdict for cell in cells) if cells else Verdict.WRONG,
         cells=cells,
@@ -181,7 +183,7 @@ def _why(answer: TableAnswer, cells: tuple[CellMark, ...], outcome: Outcome) -> 
         outcome = robot.judged()
         if outcome.verdict is Verdict.RIGHT and not _is_plainer(free, outcome):
             frames, joints = robot.freedoms(outcome)
-            return "the same robot, but this task fixes base, end frame, zeros and senses", *frames, *joints
+            return f"the same robot, but {answer.asker} {FIXES}", *frames, *joints
     if outcome.verdict is Verdict.CLOSE:
         return ()
     if free.verdict is Verdict.RIGHT and free.match is not None:
@@ -206,7 +208,7 @@ def _at_the_end(answer: TableAnswer, free: Outcome, match: Match) -> tuple[str, 
         base = end_freedoms("base", match.base.inverse(), slack)
         used = (*base, *answer.freedoms(free)[1])
         if used:
-            return "all axes are right, but this task fixes base, end frame, zeros and senses", *used, end
+            return f"all axes are right, but {answer.asker} {FIXES}", *used, end
     return f"all joints are right; {end}", rows
 
 

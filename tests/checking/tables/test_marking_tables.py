@@ -393,9 +393,11 @@ def test_a_forgotten_last_length_is_found_unless_the_end_frame_is_free() -> None
 
 def test_same_motion_holds_base_zeros_and_senses_and_says_so() -> None:
     """The stricter comparison tells that the robot is the same."""
-    mark = marked("zhou-6r", changed(ZHOU, "θ2", "θ2 + 90"), "same-motion")
+    mark = marked("zhou-6r", changed(ZHOU, "θ2", "θ2 + 90"), "same-motion", task=FREE)
     assert mark.verdict is Verdict.WRONG
     assert mark.remarks[0] == "the same robot, but this task fixes base, end frame, zeros and senses"
+    asked = marked("zhou-6r", changed(ZHOU, "θ2", "θ2 + 90"), "same-motion")
+    assert asked.remarks[0] == "the same robot, but this comparison fixes base, end frame, zeros and senses"
     assert "your theta2 has another zero (+90°)" in mark.remarks
 
 

@@ -20,7 +20,7 @@ from dhcli.checking.tables.marking import mark_table
 from dhcli.checking.tables.typed_rows import read_table as rows_read
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import FileError
-from dhcli.files.yaml.sheets import read_table
+from dhcli.files.yaml.tables import read_table
 from dhcli.kinematics.conventions import Row
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.tree import Number, number
