@@ -128,8 +128,17 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
 
     def causes(self, case: Case, reading: Reading[tuple[TypedRow, ...]]) -> Causes:
         from dhcli.checking.diagnosis.table_causes import table_causes
+        from dhcli.checking.tables.comparing import LITERAL, compare_of
+        from dhcli.checking.tables.marking import answer_of
+        from dhcli.checking.tables.reasons import is_of_other_convention, reason_of
 
-        return table_causes(case, self.convention, _settled(case, reading))
+        answer = answer_of(case.exercise, self.convention, reading.value, compare_of(case), case.tolerance)
+        if not is_of_other_convention(answer):
+            causes = table_causes(case, self.convention, _settled(case, reading))
+            if causes or answer.misfit or answer.compare == LITERAL:
+                return causes
+        slip = reason_of(answer).slip
+        return ((slip,),) if slip else ()
 
     def differs(self, mark: Mark) -> bool:
         return mark.verdict.passed is True and bool(mark.remarks)

@@ -31,7 +31,6 @@ from dhcli.notation.tokens import Source, tokenize
 from dhcli.notation.tree import Constant, Expr, Number, Sum, Symbol, Trig, Unit, add, multiply
 from dhcli.notation.walk import symbols, walk
 
-MOST_TURNS = 100
 SEED, TRIES = 29, 4
 
 
@@ -131,8 +130,6 @@ def _row(cells: Sequence[Cell], number: int, heads: Heads, robot: Robot, scope: 
     a, d = (_length(named[column], f"row {number}, {column}", heads.unit, robot, scope) for column in ("a", "d"))
     alpha, theta = (_angle(named[column], f"row {number}, {column}", heads.bare, scope) for column in ANGLES)
     row = Row(a, alpha, d, theta)
-    for column, angle in zip(ANGLES, (alpha, theta), strict=True):
-        _check_turns(named[column], f"row {number}, {column}", angle)
     alpha, theta = (_angle(named[column], f"row {number}, {column}", other, scope) for column in ANGLES)
     return TypedRow(row, named, replace(row, alpha=alpha, theta=theta), heads.says_unit)
 
@@ -146,13 +143,6 @@ def _angle(cell: Cell, where: str, bare: Bare, scope: Scope) -> Angle:
         return to_angle(cell.expr, bare="rad" if radians else bare)
     except DimensionError as error:
         raise UnreadableError(f"{where}: {cell.text}: {error.message} ({error.hint})") from None
-
-
-def _check_turns(cell: Cell, where: str, angle: Angle) -> None:
-    """Refuse an angle so large that nobody can mean it."""
-    if abs(angle.degrees) > 360 * MOST_TURNS or abs(angle.radians) > 2 * math.pi * MOST_TURNS:
-        said = f"{where}: {cell.text} is more than {MOST_TURNS} turns; an angle of a table is within one"
-        raise UnreadableError(said)
 
 
 def _length(cell: Cell, where: str, unit: str, robot: Robot, scope: Scope) -> Expr:
