@@ -55,7 +55,7 @@ def checked(arm: Robot, path: Path) -> Mark:
     """What `check ROBOT --table FILE` says."""
     table = read_table(path, arm)
     exercise = question_about_table(arm, table.convention)
-    return Judge(exercise).check(exercise.parts[0], table.text)
+    return Judge(exercise).mark(exercise.parts[0], table.text)
 
 
 @pytest.mark.parametrize(
