@@ -51,8 +51,9 @@ def reason_of(answer: TableAnswer, outcome: Outcome | None = None) -> Reason:
         if outcome.verdict is Verdict.RIGHT and not _is_plainer(free, outcome):
             frames, joints = robot.freedoms(outcome)
             return _freely(f"the same robot, but {answer.asker} {FIXES}", (*frames, *joints))
-    if outcome.verdict is Verdict.CLOSE:
-        return Reason()
+    if outcome.verdict is Verdict.CLOSE:  # where there are cells, these show which length it is
+        said = "right to within ten times the tolerance: look at the digits of its lengths"
+        return Reason(() if answer.cells else (said,))
     if free.verdict is Verdict.RIGHT and free.match is not None:
         return _at_the_end(answer, free, free.match)
     return Reason(first_difference(robot, outcome))
@@ -85,7 +86,7 @@ def _other_convention(answer: TableAnswer) -> Reason:
 
 def _freely(said: str, used: tuple[str, ...]) -> Reason:
     """The right robot, but not as the task fixes it."""
-    hint = "compare base, end frame, zeros and senses with those of the task"
+    hint = "compare base, end frame, zeros and senses with those that are fixed"
     return Reason((said, *used), Slip("freedom", "; ".join(used) or said, hint))
 
 

@@ -21,7 +21,7 @@ from dhcli.checking.tables.typed_rows import read_table as rows_read
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import FileError
 from dhcli.files.yaml.tables import read_table
-from dhcli.kinematics.conventions import Row
+from dhcli.kinematics.conventions import Convention, Row
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.tree import Number, number
 from dhcli.notation.walk import substitute
@@ -80,6 +80,16 @@ def test_a_length_in_numbers_is_judged_at_the_robots_own_values(
     mark = checked(robot(name), file_with(tmp_path, name, change))
     assert mark.verdict is verdict
     assert mark.verdict is not Verdict.RIGHT or mark.remarks == ()
+
+
+def test_a_table_that_is_close_says_so_where_no_cell_can() -> None:
+    """The robot has no table in this convention, so there are no cells to mark."""
+    exercise = question_about_table(robot("planar-2r"), Convention.MODIFIED)
+    mark = Judge(exercise).mark(exercise.parts[0], "0, 0, 0, theta1; 403 mm, 0, 0, theta2")
+    assert (mark.verdict, mark.cells) == (Verdict.CLOSE, ())
+    assert mark.remarks == ("right to within ten times the tolerance: look at the digits of its lengths",)
+    right = Judge(exercise).mark(exercise.parts[0], "0, 0, 0, theta1; 400 mm, 0, 0, theta2")
+    assert (right.verdict, right.remarks) == (Verdict.EQUIVALENT, ("your end frame is shifted along x by -300 mm",))
 
 
 def test_a_freedom_is_named_with_its_millimetres(tmp_path: Path) -> None:
