@@ -342,7 +342,7 @@ class Part:
         depends: Parts whose answers it builds on.
         hints: Help, from gentle to plain.
         tolerance: How near is near enough; the exercise's own if None.
-        compare: How a table is judged: literal, same-motion or same-robot.
+        compare: How a table is judged: literal, same-motion or same-robot; empty where the file does not say.
         printed: What the document shows, if it does.
     """
 
@@ -353,7 +353,7 @@ class Part:
     depends: tuple[str, ...] = ()
     hints: tuple[str, ...] = ()
     tolerance: Tolerance | None = None
-    compare: str = "same-robot"
+    compare: str = ""
     printed: Printed | None = None
 
     def heading(self, exercise: Exercise) -> str:

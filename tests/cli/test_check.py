@@ -13,6 +13,8 @@ from dhcli.files.progress import Try, path_of_progress, read_progress
 from tests.cli.running import Run
 from tests.cli.terminal import Terminal
 
+ROOT = Path(__file__).parents[2]
+
 PLANAR = "yim/planar-two-links"
 A1 = "[c1 -s1 0 a1*c1; s1 c1 0 a1*s1; 0 0 1 0; 0 0 0 1]"
 MISPRINT = "[c1 -s1 0 a1*c1; s1 c1 0 a1*c1; 0 0 1 0; 0 0 0 1]"
@@ -327,6 +329,43 @@ def test_a_table_is_checked_against_a_robot(dhcli: Run, tmp_path: Path) -> None:
     assert dhcli("check", "planar-2r", "--table", "wrong.yaml").code == 1
     (tmp_path / "broken.yaml").write_text("links: 1\n", "utf-8")
     assert dhcli("check", "planar-2r", "--table", "broken.yaml").code == 2
+
+
+def test_a_table_is_compared_as_one_says(dhcli: Run, tmp_path: Path) -> None:
+    """As the same robot by default; the same motion, or the cells alone, on request."""
+    text = (ROOT / "robots" / "ur5e.yaml").read_text("utf-8")
+    (tmp_path / "mine.yaml").write_text(text.replace("a2: -425 mm", "a2: 425 mm"), "utf-8")
+    asked = ("check", "ur5e", "--table", "mine.yaml")
+    robot = dhcli(*asked)
+    assert (robot.code, robot.out.split()[1]) == (0, "EQUIVALENT")
+    assert "your theta2 has another zero (180°)" in robot.out
+    assert dhcli(*asked, "--compare", "same-robot").out == robot.out
+    motion = dhcli(*asked, "--compare", "same-motion")
+    assert (motion.code, motion.out.split()[1]) == (1, "WRONG")
+    assert "the same robot, but this comparison fixes base" in motion.out
+    literal = dhcli(*asked, "--compare", "literal")
+    assert (literal.code, literal.out.split()[1]) == (1, "WRONG")
+    assert "a right table of the same robot" in literal.out
+
+
+def test_a_comparison_that_is_not_known_is_refused(dhcli: Run, tmp_path: Path) -> None:
+    """Or one of nothing."""
+    (tmp_path / "mine.yaml").write_text((ROOT / "robots" / "ur5e.yaml").read_text("utf-8"), "utf-8")
+    wrong = dhcli("check", "ur5e", "--table", "mine.yaml", "--compare", "samerobot")
+    assert (wrong.code, "did you mean same-robot" in wrong.err) == (2, True)
+    nothing = dhcli("check", "ur5e", "--q", "0,0,0,0,0,0", "--compare", "literal", "--answer", "1")
+    assert (nothing.code, "--table FILE" in nothing.err) == (2, True)
+
+
+def test_a_tool_that_no_table_holds_is_told(dhcli: Run, tmp_path: Path) -> None:
+    """The file's own poses go on to it, those of the robot do not."""
+    text = (ROOT / "robots" / "ur5e.yaml").read_text("utf-8")
+    (tmp_path / "mine.yaml").write_text(text + "tool: Trans(0, 0, 100 mm)\n", "utf-8")
+    told = "beside the table: tool: of mine differs from ur5e, and was not compared"
+    assert told in dhcli("check", "ur5e", "--table", "mine.yaml").out
+    same = (ROOT / "robots" / "zhou-6r.yaml").read_text("utf-8")
+    (tmp_path / "same.yaml").write_text(same, "utf-8")
+    assert "beside the table" not in dhcli("check", "zhou-6r", "--table", "same.yaml").out
 
 
 # ---------------------------------------------------------------------------------------------------- tolerances

@@ -59,6 +59,14 @@ def check(
         str | None,
         typer.Option(metavar="FILE", help="A DH table: a robot file in either convention.", rich_help_panel=_QUESTION),
     ] = None,
+    compare: Annotated[
+        str | None,
+        typer.Option(
+            metavar="HOW",
+            help="How the table is compared: same-robot (the default), same-motion or literal.",
+            rich_help_panel=_QUESTION,
+        ),
+    ] = None,
     as_: Annotated[
         str | None,
         typer.Option(
@@ -96,7 +104,7 @@ def check(
 
     delivery = Delivery("check", format_, output=output, force=force)
     delivery.chosen("marks")
-    asked = RobotOptions(q, pose, tuple(set_ or ()), deg, symbolic, from_, to, table, as_, entry)
+    asked = RobotOptions(q, pose, tuple(set_ or ()), deg, symbolic, from_, to, table, as_, entry, compare)
     answer = None if answer is None else _text(answer)
     exercise, typed = exercise_of(name, asked, answer or "")
     exercise = with_tolerance(exercise, tol_rotation, tol_position, decimals)

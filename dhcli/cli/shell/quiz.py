@@ -33,6 +33,7 @@ class RobotOptions:
         table: The file with a DH table to compare; its convention is the one asked for.
         form: What of the pose is answered, or how: position, rotation, rpy, zyz, quaternion and so on.
         entry: Row and column of the one entry that is answered.
+        compare: How the table is compared.
     """
 
     q: str | None = None
@@ -45,6 +46,7 @@ class RobotOptions:
     table: str | None = None
     form: str | None = None
     entry: str | None = None
+    compare: str | None = None
 
     @property
     def given(self) -> bool:
@@ -90,10 +92,12 @@ def _about(robot: Robot, asked: RobotOptions, answer: str) -> tuple[Exercise, st
     from dhcli.kinematics.frames import ends
 
     if asked.table is not None:
-        from dhcli.files.yaml.sheets import read_table
+        from dhcli.files.yaml.tables import read_table
 
         table = read_table(asked.table, robot)
-        return question_about_table(robot, table.convention), table.text
+        return question_about_table(robot, table.convention, _comparison(asked), table.note), table.text
+    if asked.compare is not None:
+        raise DhcliError("--compare says how a table is compared, and there is none", "--table FILE")
     if not asked.symbolic and asked.q is None and asked.pose is None and robot.variables:
         hint = f"dhcli check {robot.name} --q 0.3,... or --symbolic, and --answer '[...]'"
         raise DhcliError(f"{robot.name} is a robot: say at which joint values, or ask for symbols", hint)
@@ -102,6 +106,16 @@ def _about(robot: Robot, asked: RobotOptions, answer: str) -> tuple[Exercise, st
     asks = [f"{piece}pose {start}..{end}" for piece in _pieces(asked)]
     exercises = [question_about(robot, ask, numeric=not asked.symbolic, given=values) for ask in asks]
     return question_answered(exercises, answer), ""
+
+
+def _comparison(asked: RobotOptions) -> str:
+    """How a table is compared: as the same robot unless the options say otherwise."""
+    from dhcli.checking.tables.comparing import COMPARED, SAME_ROBOT
+
+    how = asked.compare or SAME_ROBOT
+    if how not in COMPARED:
+        raise UnknownNameError(f"tables are not compared as '{how}'", did_you_mean(how, COMPARED))
+    return how
 
 
 def _pieces(asked: RobotOptions) -> tuple[str, ...]:

@@ -8,6 +8,7 @@ from typing import Any
 
 from dhcli.checking.exercise import Part, Question
 from dhcli.checking.kinds.registry import keys, read_question
+from dhcli.checking.tables.comparing import COMPARED
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.written import Printed
 from dhcli.errors import DhcliError, NotationError, Place, did_you_mean
@@ -21,8 +22,6 @@ from dhcli.notation.scope import Scope
 KEYS = ("id", "ask", "prompt", "credit", "depends", "hints", *keys(), "exact", "decimals")
 OF_ALL = ("numeric", "unit", "tolerance", "given", "names", "printed", "feedback", "variants", "also", "tests")
 """Keys that stand at the top of a file and hold for all parts."""
-
-COMPARED = ("literal", "same-motion", "same-robot")
 
 
 @dataclass(slots=True)
@@ -119,9 +118,9 @@ class PartReader:
         return tolerance
 
     def compare(self, fields: Fields) -> str:
-        """How a table is judged."""
-        text = fields.text("compare", "same-robot")
-        if text not in COMPARED:
+        """How a table is judged; empty where the file leaves it to the task."""
+        text = fields.text("compare")
+        if "compare" in fields and text not in COMPARED:
             hint = did_you_mean(text, COMPARED)
             self.problems.add(fields.place_of("compare"), f"compare: '{text}' is not known", hint)
         return text

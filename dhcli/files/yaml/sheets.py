@@ -11,19 +11,12 @@ from pathlib import Path
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.judge import Judge, SheetMark
 from dhcli.checking.variants import variant_of
-from dhcli.errors import DhcliError, FileError, Place, Problem
+from dhcli.errors import DhcliError, FileError, Place
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.yaml.fields import Problems
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
 from dhcli.files.yaml.prose import folded
 from dhcli.files.yaml.robot_line import robot_line, values_text
-from dhcli.files.yaml.robots import load_robot
-from dhcli.kinematics.conventions import COLUMNS, Convention
-from dhcli.kinematics.robot import Robot
-from dhcli.notation.angle import Angle
-from dhcli.notation.tree import Expr
-from dhcli.notation.walk import substitute
-from dhcli.notation.writer import write, write_angle
 from dhcli.safe import one_line, yaml_scalar
 
 KEYS = ("exercise", "answers", "variant", "given", "name")
@@ -115,45 +108,6 @@ def judged_sheet(
     check_numbers(sheet, judge.exercise, written)
     texts = {name: answer.text for name, answer in sheet.answers.items()}
     return judge.sheet(texts, {name: answer.place for name, answer in sheet.answers.items()}, only)
-
-
-@dataclass(frozen=True, slots=True)
-class Table:
-    """A DH table from a file: its convention, and its rows as the text of an answer."""
-
-    convention: Convention
-    text: str
-
-
-def read_table(path: Path | str, reference: Robot) -> Table:
-    """The DH table of a robot file, to be compared with another robot.
-
-    Args:
-        path: The file.
-        reference: The robot it is compared with. A length of the file that this one does not know, or knows with
-            another value, is put in as a number; all others stay letters.
-
-    Raises:
-        FileError: It is no robot file, or has products instead of a table.
-    """
-    robot = load_robot(path if str(path) == "-" else Path(path))
-    own = {
-        name: value
-        for name, value in robot.parameters.items()
-        if value is not None and (name not in reference.parameters or reference.parameters[name] not in (None, value))
-    }
-    lengths = {name: value for name, value in own.items() if isinstance(value, Expr)}
-    angles = {name: value for name, value in own.items() if isinstance(value, Angle)}
-    lines = [", ".join(COLUMNS)]
-    for link in robot.links:
-        if link.row is None:
-            hint = "convention: standard or modified"
-            raise FileError(Problem("has products, not a DH table", Place(str(path)), hint))
-        row = link.row
-        a, d = (substitute(length, lengths, angles) for length in (row.a, row.d))
-        alpha, theta = row.alpha.substitute(angles), row.theta.substitute(angles)
-        lines.append(", ".join((write(a), write_angle(alpha), write(d), write_angle(theta))))
-    return Table(robot.convention, "\n".join(lines))
 
 
 def write_sheet(exercise: Exercise) -> str:
