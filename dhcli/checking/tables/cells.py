@@ -117,7 +117,7 @@ def _judged(value: Value, right: Value, exercise: Exercise, tolerance: Tolerance
         return judge(off, 0.0, tolerance.angle)
     if isinstance(value, Angle) or isinstance(right, Angle):
         return Verdict.WRONG
-    if same(value, right, given_values(exercise)):
+    if same(value, right, given_values(exercise), exercise):
         return Verdict.RIGHT
     value, right = put(value, given_values(exercise)), put(right, own_values(exercise))
     if symbols(value) or symbols(right):
