@@ -38,6 +38,7 @@ def setting_of(exercise: Exercise) -> Setting:
         values=exercise.values,
         numeric=exercise.numeric,
         writing=exercise.writing,
+        robot=robot,
         unit=exercise.metres if exercise.unit != "none" else exercise.metres * 0,
     )
 
@@ -83,19 +84,26 @@ def slip_of(mistake: Mistake, where: str) -> Slip:
 def table_candidates(exercise: Exercise, convention: Convention, name: str = "") -> tuple[Candidate, ...]:
     """Single mistakes in the cells of the right table, or those of the kind that is named.
 
-    None where the robot has no table in this convention.
+    None where the robot has no table in this convention. Of cells that several mistakes lead to, one that is made in
+    several rows is not named.
     """
     robot = exercise.robot
     if robot is None or robot.convention is not convention:
         return ()
     work = table_work(robot)
     found = candidates(work, replace(setting_of(exercise), numeric=False), name=name)
-    rows = [step.row for step in work.steps]
-    return tuple(
-        candidate
-        for candidate in found
-        if candidate.mistake.level is Level.TABLE and [step.row for step in candidate.work.steps] != rows
-    )
+    seen = [[step.row for step in work.steps]]
+    kept = []
+    for candidate in found:
+        rows = [step.row for step in candidate.work.steps]
+        if (
+            candidate.mistake.level is Level.TABLE
+            and rows != seen[0]
+            and not (candidate.mistake.alone and rows in seen)
+        ):
+            kept.append(candidate)
+            seen.append(rows)
+    return tuple(kept)
 
 
 def table_work(robot: Robot) -> Work:
