@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dhcli.checking.diagnosis.by_entry import entry_causes
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.diagnosis.search import search_of
 from dhcli.checking.diagnosis.slips import candidates, setting_of
@@ -22,11 +23,27 @@ def matrix_causes(case: Case, question: Wanted, entries: Entries) -> Causes:
     typed = typed_answer(case, question, entries)
     if typed is None:
         return ()
+    if typed.is_general and not case.exercise.numeric:
+        return _in_symbols(typed)
     for slack in typed.slacks:
         causes = typed.search.causes(typed.values, slack, typed.slacks[0])
         if causes:
             return tuple(cause.slips for cause in causes)
     return _in_other_unit(case.exercise, typed)
+
+
+def _in_symbols(typed: TypedMatrix) -> Causes:
+    """One mistake in the work, one in the terms that were written down, two in the work, more in the terms."""
+
+    def in_work(stage: str) -> Causes:
+        found = typed.search.causes(typed.values, typed.slacks[0], stages=(stage,))
+        return tuple(cause.slips for cause in found)
+
+    singles = in_work("singles")
+    if singles:
+        return singles
+    in_terms = entry_causes(typed)
+    return in_terms.one or in_work("pairs") or in_terms.more
 
 
 def answer_with(case: Case, question: Wanted, name: str) -> str | None:

@@ -1,6 +1,7 @@
 """Mistakes in several rows of a DH table at once: cells in each other's row, columns one row too far, other joints.
 
-None of them is made in a pair: there are many, and with a second slip they could explain anything.
+None of them is made in a pair: there are many, and with a second slip they could explain anything. Where a slip in one
+row gives the same, that is named.
 """
 
 from __future__ import annotations
@@ -28,16 +29,20 @@ SHIFTED = {"alpha": ("alpha",), "a": ("a",), "a+alpha": ("a", "alpha")}
 
 
 BETWEEN_ROWS(
-    "theta-signs", "every joint angle counts the other way", "look at the positive sense of the angles", alone=True
+    "theta-signs",
+    "every joint angle counts the other way",
+    "look at the positive sense of the angles",
+    rank=Rank.SYMPTOM,
+    alone=True,
 )(all_rows(theta_sign))
 
-BETWEEN_ROWS("a-signs", "the sign of a is turned round in every row", "look at the lengths a", alone=True)(
-    all_rows(a_sign)
-)
+BETWEEN_ROWS(
+    "a-signs", "the sign of a is turned round in every row", "look at the lengths a", rank=Rank.SYMPTOM, alone=True
+)(all_rows(a_sign))
 
-BETWEEN_ROWS("d-signs", "the sign of each fixed d is turned round", "look at the offsets d", alone=True)(
-    all_rows(lambda row, setting: None if symbols(row.d) & set(setting.variables) else d_sign(row, setting))
-)
+BETWEEN_ROWS(
+    "d-signs", "the sign of each fixed d is turned round", "look at the offsets d", rank=Rank.SYMPTOM, alone=True
+)(all_rows(lambda row, setting: None if symbols(row.d) & set(setting.variables) else d_sign(row, setting)))
 
 
 @BETWEEN_ROWS(
@@ -84,13 +89,17 @@ def theta_zero(work: Work, setting: Setting) -> Made:
             yield step.name, work.with_step(index, factor or step)
 
 
-@BETWEEN_ROWS("a-swapped", "a of rows {where} have changed places", "which a belongs to which row?", alone=True)
+@BETWEEN_ROWS(
+    "a-swapped", "a of rows {where} have changed places", "which a belongs to which row?", rank=Rank.SYMPTOM, alone=True
+)
 def a_swapped(work: Work, setting: Setting) -> Made:
     """Two lengths in each other's row; one that is 0 leaves the other in a wrong row."""
     return _swapped(work, setting, "a", lambda row: row.a != ZERO)
 
 
-@BETWEEN_ROWS("d-swapped", "d of rows {where} have changed places", "which d belongs to which row?", alone=True)
+@BETWEEN_ROWS(
+    "d-swapped", "d of rows {where} have changed places", "which d belongs to which row?", rank=Rank.SYMPTOM, alone=True
+)
 def d_swapped(work: Work, setting: Setting) -> Made:
     """Two offsets in each other's row; a joint that slides stays where it is."""
     moving = set(setting.variables)
@@ -99,7 +108,11 @@ def d_swapped(work: Work, setting: Setting) -> Made:
 
 
 @BETWEEN_ROWS(
-    "alpha-swapped", "alpha of rows {where} have changed places", "which alpha belongs to which row?", alone=True
+    "alpha-swapped",
+    "alpha of rows {where} have changed places",
+    "which alpha belongs to which row?",
+    rank=Rank.SYMPTOM,
+    alone=True,
 )
 def alpha_swapped(work: Work, setting: Setting) -> Made:
     """Two twists in each other's row; one that is 0 leaves the other in a wrong row."""
@@ -110,6 +123,7 @@ def alpha_swapped(work: Work, setting: Setting) -> Made:
     "shifted",
     "{entry} stands one row further {term} everywhere",
     "which row does each {entry} belong to in this convention?",
+    rank=Rank.SYMPTOM,
     alone=True,
 )
 def shifted(work: Work, setting: Setting) -> Made:

@@ -6,6 +6,7 @@ from dataclasses import replace
 from itertools import combinations
 
 from dhcli.checking.diagnosis.mistakes.record import Catalogue, Level, Made
+from dhcli.checking.diagnosis.result import Rank
 from dhcli.checking.diagnosis.work import Setting, Work, steps_between
 from dhcli.checking.wanted import Span
 from dhcli.kinematics.frames import frame
@@ -17,6 +18,7 @@ OF_FRAMES = Catalogue(Level.PRODUCT)
     "other-frames",
     "this is the pose of frame {term} seen from frame {entry}",
     "from which frame to which is it asked?",
+    rank=Rank.SYMPTOM,
     alone=True,
 )
 def other_frames(work: Work, setting: Setting) -> Made:
