@@ -10,9 +10,8 @@ ROOT = Path(__file__).parents[1] / "dhcli"
 
 KNOWN = (
     {"dhcli.notation.tree", "dhcli.notation.writer"},  # a tree shows itself as text by its writer, which walks it
-    {"dhcli.mobility.large", "dhcli.mobility.truth"},
 )
-"""Rings that are there; only the first has a reason to stay."""
+"""The ring that has a reason to stay."""
 
 
 def module_of(path: Path) -> str:

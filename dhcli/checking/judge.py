@@ -123,10 +123,12 @@ class Judge:
 
     def expected(self, part: Part, style: str = "short") -> str:
         """The right answer to a part as a person would type it."""
+        part.question.need_values(self.exercise)
         return part.question.expected(self._case(part), style)
 
     def solution(self, part: Part) -> tuple[Shown, ...]:
         """The steps that lead to the right answer; the last one holds it as it may be typed."""
+        part.question.need_values(self.exercise)
         case = self._case(part)
         steps = tuple(part.question.steps(case))
         if part.question.statements:
@@ -161,6 +163,7 @@ class Judge:
         Raises:
             UnknownNameError: No such mistake can be made here; the hint names those that can.
         """
+        part.question.need_values(self.exercise)
         answer = part.question.answer_with(self._case(part), name)
         if answer is not None:
             return answer
@@ -249,7 +252,12 @@ def check(exercise: Exercise, part: str, answer: str) -> Mark:
 
     Raises:
         UnknownNameError: There is no such part; the hint lists those there are.
+        DhcliError: What was given is no exercise, or no text.
     """
+    if not isinstance(exercise, Exercise):
+        raise DhcliError(f"an Exercise is wanted, not {exercise!r:.60}", "load_exercise loads one")
+    if not all(isinstance(text, str) for text in (part, answer)):
+        raise DhcliError("the name of a part and the answer to it are texts", 'check(exercise, "a1", "[c1 -s1 ...]")')
     return Judge(exercise).check(exercise.part(part), answer)
 
 

@@ -79,7 +79,9 @@ def _compute(question: Wanted, case: Case) -> Truth:
     over = Floats(numbers(values))
 
     def multiplied() -> tuple[tuple[float, ...], ...]:
-        return fold(merge(put_in(chain, values)), over)  # merged, so that angles which add up to 60° give exactly 1/2
+        # Merged once more with the values, so that angles which add up to 60° give exactly 1/2; merging letters first
+        # leaves little to merge in numbers, where every rotation between two others has to be looked through.
+        return fold(merge(put_in(merge(chain), values)), over)
 
     matrix = case.memo.of(("product", question.source, question.inverse), multiplied)
     return Truth(rows, piece_of(matrix, question, over), _size(chain, question, exercise, values), structural)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from importlib import import_module
 from typing import TYPE_CHECKING, Annotated
 
@@ -11,10 +12,11 @@ from typer.core import TyperCommand, TyperGroup, TyperOption
 from dhcli.errors import DhcliError
 
 if TYPE_CHECKING:
-    from typer._click import Command, Context
+    from typer._click import Command, Context, HelpFormatter
 
 PANELS = {
-    "Compute": ("fk", "sweep", "transform", "dof"),
+    "Compute": ("fk", "ik", "sweep", "jacobian", "singularities", "rates", "torques", "transform", "dof"),
+    "See": ("draw",),
     "Exercises": ("start", "check", "watch", "hint", "solution"),
     "Classes": ("grade",),
     "Library and authors": ("show", "list", "new", "lint"),
@@ -39,7 +41,30 @@ dhcli help student
 """
 
 
-class Commands(TyperGroup):
+class _PlainHelp:
+    """Help without colours, and without bold letters too, where nobody wants them; typer leaves the bold ones."""
+
+    def format_help(self, ctx: Context, formatter: HelpFormatter) -> None:
+        """Write the help as ever, once rich knows."""
+        if not os.environ.get("TERMINAL_WIDTH", "").isdigit():
+            os.environ.pop("TERMINAL_WIDTH", None)  # typer takes it for a number
+        from typer import rich_utils
+
+        from dhcli.render.paper import is_colour_wanted
+
+        rich_utils.COLOR_SYSTEM = "auto" if is_colour_wanted() else None
+        super().format_help(ctx, formatter)  # type: ignore[misc]
+
+
+class Group(_PlainHelp, TyperGroup):
+    """A command with commands of its own."""
+
+
+class One(_PlainHelp, TyperCommand):
+    """One of them."""
+
+
+class Commands(Group):
     """A group that imports a command when it is asked for."""
 
     def list_commands(self, ctx: Context) -> list[str]:
@@ -51,7 +76,7 @@ class Commands(TyperGroup):
         return load(cmd_name) if cmd_name in COMMANDS else None
 
 
-class OnceEach(TyperCommand):
+class OnceEach(One):
     """A command that takes an option with one value once; of two, typer would silently take the last."""
 
     def parse_args(self, ctx: Context, args: list[str]) -> list[str]:
@@ -106,4 +131,4 @@ def root(
         bool, typer.Option("--version", help="Show the version and stop.", callback=_version, is_eager=True)
     ] = False,
 ) -> None:
-    """Forward kinematics of robot arms: from a DH table to the pose, in numbers or as the textbook prints it."""
+    """Kinematics of robot arms: poses, joint values, velocities, pictures; in numbers or as a textbook prints them."""

@@ -25,7 +25,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """
     words = list(sys.argv[1:] if arguments is None else arguments)
     streams = sys.stdout, sys.stderr
-    sys.stdout, sys.stderr = map(GuardedStream.around, streams)
+    sys.stdout = GuardedStream.around(streams[0])
+    sys.stderr = GuardedStream.around(streams[1], is_talk=True)
     try:
         return _guarded(words)
     finally:

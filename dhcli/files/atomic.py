@@ -4,15 +4,23 @@ from __future__ import annotations
 
 import errno
 import os
+import re
 import stat
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from itertools import islice
 from pathlib import Path
 from typing import BinaryIO
 
 from dhcli.errors import FileError, Place, Problem
 
 _DISK_FULL = {errno.ENOSPC, errno.EDQUOT}
+_TEMPORARY = re.compile(r"\.dhcli-[0-9a-f]{12}\.tmp")
+_LEFT_AFTER = 24 * 3600
+"""Seconds after which nobody writes to a file any more."""
+_MOST_LOOKED_AT = 10_000
+"""Names in a folder among which such files are looked for."""
 
 
 def write_whole(path: Path | str, content: str | bytes, *, overwrite: bool) -> None:
@@ -80,6 +88,7 @@ def _mode_of(path: Path) -> int | None:
 @contextmanager
 def _beside(path: Path, mode: int | None) -> Iterator[BinaryIO]:
     """A new file beside the target, where a rename is one step, and that step."""
+    _sweep(path.parent)
     temporary = path.with_name(f".dhcli-{os.urandom(6).hex()}.tmp")
     try:  # opening is a part of it: Ctrl-C may come as soon as the file is there
         with open(temporary, "xb") as stream:
@@ -92,6 +101,18 @@ def _beside(path: Path, mode: int | None) -> Iterator[BinaryIO]:
     except BaseException:  # Ctrl-C too must leave nothing behind
         temporary.unlink(missing_ok=True)
         raise
+
+
+def _sweep(folder: Path) -> None:
+    """Remove what processes that were killed have left in a folder: files that nobody has written to for a day."""
+    before = time.time() - _LEFT_AFTER
+    try:
+        with os.scandir(folder) as found:
+            for entry in islice(found, _MOST_LOOKED_AT):
+                if _TEMPORARY.fullmatch(entry.name) and entry.stat(follow_symlinks=False).st_mtime < before:
+                    os.unlink(entry.path)
+    except OSError:  # it is somebody else's, or gone already
+        return
 
 
 def _explain(error: OSError, path: Path) -> Problem:

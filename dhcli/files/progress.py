@@ -1,6 +1,7 @@
 """How far a student has come: the best verdict and the number of tries of each part.
 
-One small file in the user's data folder, written whole or not at all. Nothing is ever locked by it.
+One small file in the user's data folder, written whole or not at all. Whoever changes it holds its folder meanwhile, so
+that twenty checks at once are twenty tries; where a system cannot hold folders, the last one wins.
 """
 
 from __future__ import annotations
@@ -15,6 +16,8 @@ from pathlib import Path
 from dhcli.checking.verdicts import WORST_FIRST, Verdict
 from dhcli.errors import FileError
 from dhcli.files.atomic import write_whole
+from dhcli.files.holding import held
+from dhcli.files.home import user_folder
 from dhcli.files.reading import read_text
 
 FORMAT = 1
@@ -45,16 +48,16 @@ Progress = Mapping[str, Mapping[str, Try]]
 
 def path_of_progress() -> Path:
     """The file that holds the progress of this user."""
-    home = os.environ.get("XDG_DATA_HOME", "")
-    base = Path(home) if os.path.isabs(home) else Path.home() / ".local" / "share"
-    return base / "dhcli" / "progress.json"
+    return user_folder("XDG_DATA_HOME", ".local", "share") / "dhcli" / "progress.json"
 
 
 def read_progress() -> tuple[Progress, str]:
-    """The progress so far, and a message if a broken file had to be set aside; empty if all is well."""
+    """The progress so far, and a message if it cannot be read; empty if all is well. A broken file is set aside."""
     path = path_of_progress()
-    if not path.exists():
+    if not os.path.lexists(path):
         return {}, ""
+    if not os.path.isfile(path):  # a pipe would be waited for
+        return {}, _set_aside(path)
     try:
         content = json.loads(read_text(path, limit=4_000_000))
         if content["format"] != FORMAT:
@@ -67,8 +70,7 @@ def read_progress() -> tuple[Progress, str]:
             for exercise, parts in content["exercises"].items()
         }, ""
     except (FileError, ValueError, KeyError, TypeError, AttributeError, OverflowError, RecursionError):
-        aside = _set_aside(path)
-        return {}, f"{path} could not be read and was set aside as {aside.name}; progress starts anew"
+        return {}, _set_aside(path)
 
 
 def solved_parts(exercise: str) -> tuple[str, ...]:
@@ -85,7 +87,11 @@ def _progress_at(_path: Path, _changed: int) -> Progress:
 def _progress_now() -> Progress:
     """The progress, read once as long as its file does not change."""
     path = path_of_progress()
-    return _progress_at(path, path.stat().st_mtime_ns) if path.exists() else {}
+    try:
+        changed = os.stat(path).st_mtime_ns
+    except OSError:
+        return {}
+    return _progress_at(path, changed)
 
 
 def record(exercise: str, verdicts: Mapping[str, Verdict]) -> str:
@@ -107,8 +113,19 @@ def record_hint(exercise: str, part: str) -> str:
 
 
 def _change(exercise: str, parts: Iterable[str], change: Callable[[str, Try], Try]) -> str:
+    path = path_of_progress()
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with held(path.parent):
+            return _change_held(path, exercise, parts, change)
+    except (FileError, OSError) as error:
+        return f"progress could not be saved: {error}"
+
+
+def _change_held(path: Path, exercise: str, parts: Iterable[str], change: Callable[[str, Try], Try]) -> str:
+    """Read the progress, change it and write it back, while nobody else does."""
     progress, message = read_progress()
-    if "newer" in message:
+    if message and os.path.lexists(path):  # of a newer dhcli, or it could not be set aside: it is not overwritten
         return message
     known = {name: dict(done) for name, done in progress.items()}
     own = known.setdefault(exercise, {})
@@ -121,12 +138,7 @@ def _change(exercise: str, parts: Iterable[str], change: Callable[[str, Try], Tr
             for name, done in known.items()
         },
     }
-    path = path_of_progress()
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        write_whole(path, json.dumps(content, indent=1) + "\n", overwrite=True)
-    except (FileError, OSError) as error:
-        return f"progress could not be saved: {error}"
+    write_whole(path, json.dumps(content, indent=1) + "\n", overwrite=True)
     return message
 
 
@@ -136,10 +148,13 @@ def _verdict(word: str) -> str:
     return word
 
 
-def _set_aside(path: Path) -> Path:
-    """Move a broken file out of the way under a name that is free."""
+def _set_aside(path: Path) -> str:
+    """Move a broken file out of the way under a name that is free; what was done, for the user."""
     number = 1
-    while (aside := path.with_name(f"{path.name}.broken-{number}")).exists():
+    while os.path.lexists(aside := path.with_name(f"{path.name}.broken-{number}")):
         number += 1
-    path.rename(aside)
-    return aside
+    try:
+        path.rename(aside)
+    except OSError as error:
+        return f"{path} could not be read, nor set aside: {error.strerror}; progress is neither shown nor saved"
+    return f"{path} could not be read and was set aside as {aside.name}; progress starts anew"

@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from types import MappingProxyType
-from typing import Literal, TypeAlias
+from typing import Literal
 
+from dhcli.errors import RobotError, did_you_mean
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row
+from dhcli.kinematics.derived import Formula, Value
+from dhcli.kinematics.given import chain_of, mapping_of, tuple_of, value_of
 from dhcli.kinematics.moves import Chain, angle_names, expressions
 from dhcli.notation.angle import Angle
 from dhcli.notation.scope import Scope
 from dhcli.notation.styles import Joints
-from dhcli.notation.tree import Expr, Trig
+from dhcli.notation.tree import Trig
 from dhcli.notation.walk import symbols, walk
-
-Value: TypeAlias = Angle | Expr
-"""The value of a name: an exact angle, or an expression of lengths in metres."""
 
 Kind = Literal["revolute", "prismatic"]
 
@@ -72,11 +72,41 @@ class Description:
     poses: Mapping[str, tuple[Value, ...]] = field(default_factory=dict)
     columns: tuple[str, ...] = COLUMNS
     notes: str = ""
+    derived: Mapping[str, Formula] = field(default_factory=dict)
+    remarks: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        """Let nobody change a mapping in place."""
-        for attribute in ("parameters", "limits", "poses"):
-            object.__setattr__(self, attribute, MappingProxyType(dict(getattr(self, attribute))))
+        """Take what a caller gives as what it plainly means, and let nobody change a mapping in place.
+
+        Raises:
+            RobotError: Something is not what it should be, such as a number for a list of moves.
+            NotationError: A text among them cannot be read.
+        """
+        for attribute in ("base", "tool"):
+            object.__setattr__(self, attribute, chain_of(getattr(self, attribute), attribute))
+        object.__setattr__(self, "variables", tuple_of(self.variables, "variables", 'write ["theta1", "d2"]'))
+        object.__setattr__(self, "links", tuple_of(self.links, "links", "each is a Link"))
+        _all_are(self.links, Link, "links", "each is a Link with its number and its moves")
+        _all_are(self.variables, str, "variables", 'write ["theta1", "d2"]')
+        turning = angle_names(self.chain)
+        mappings: dict[str, dict[str, object]] = {
+            "parameters": {
+                name: None if given is None else value_of(given, name, is_angle=name in turning)
+                for name, given in mapping_of(self.parameters, "parameters").items()
+            },
+            "limits": {
+                name: _values(given, f"limits.{name}", [name in turning] * 2, 'write ("-90°", "90°")')
+                for name, given in mapping_of(self.limits, "limits").items()
+            },
+            "poses": {
+                name: _values(given, f"poses.{name}", [joint in turning for joint in self.variables])
+                for name, given in mapping_of(self.poses, "poses").items()
+            },
+        }
+        for attribute, mapping in mappings.items():
+            object.__setattr__(self, attribute, MappingProxyType(mapping))
+        object.__setattr__(self, "derived", MappingProxyType(dict(mapping_of(self.derived, "derived"))))
+        object.__setattr__(self, "convention", _convention(self.convention))
 
     @cached_property
     def joints(self) -> tuple[Joint, ...]:
@@ -135,3 +165,26 @@ class Description:
     def pattern(self) -> str:
         """The joints as letters, such as RRP."""
         return "".join(joint.kind[0].upper() for joint in self.joints)
+
+
+def _values(given: object, part: str, turning: Sequence[bool], hint: str = "") -> tuple[Value, ...]:
+    """Values one by one; how many there should be, other rules say, but limits are always two."""
+    found = tuple_of(given, part, hint)
+    if hint and len(found) != len(turning):
+        raise RobotError(f"{part}: {len(found)} values", hint)
+    kinds = [*turning, *[False] * len(found)]
+    return tuple(value_of(each, part, is_angle=is_angle) for each, is_angle in zip(found, kinds, strict=False))
+
+
+def _all_are(given: Iterable[object], kind: type, part: str, hint: str) -> None:
+    for each in given:
+        if not isinstance(each, kind):
+            raise RobotError(f"{part}: {each!r:.60} is no {'name' if kind is str else kind.__name__}", hint)
+
+
+def _convention(given: Convention | str) -> Convention:
+    try:
+        return Convention(given)
+    except ValueError:
+        known = [convention.value for convention in Convention]
+        raise RobotError(f"convention: {given!r:.60} is not known", did_you_mean(str(given), known)) from None

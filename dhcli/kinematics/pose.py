@@ -41,11 +41,14 @@ class Pose(Generic[N]):
     Frame letters cancel as in a book: `T_ab @ T_bc` is `T_ac`, and `T_ab @ p_b` is `p_a`.
 
     Attributes:
-        rows: Entries, shape (4, 4), floats or expressions; translation in metres.
+        rows: Entries, shape (4, 4), floats or expressions; translation in metres. Lists and arrays are taken too.
         reference: The frame it is seen from.
         frame: The frame it describes.
         title: What it is called where that is more than its frames, such as `A_1` or `Rot(z, theta1)`.
         joints: The robot's joint angles, for shorthand.
+
+    Raises:
+        RobotError: The rows are no matrix of that shape, or an entry is neither a number nor an expression.
     """
 
     rows: tuple[tuple[N, ...], ...]
@@ -53,6 +56,10 @@ class Pose(Generic[N]):
     frame: str = "1"
     title: str = ""
     joints: Joints = field(default=THETAS, compare=False, repr=False)
+
+    def __post_init__(self) -> None:
+        """Refuse what is no matrix, and make tuples of lists."""
+        object.__setattr__(self, "rows", _rows_of(self.rows))
 
     @property
     def is_symbolic(self) -> bool:
@@ -62,10 +69,7 @@ class Pose(Generic[N]):
     @property
     def name(self) -> str:
         """`T_03`, or the title if it has one."""
-        if self.title:
-            return self.title
-        short = len(self.reference) == 1 and len(self.frame) == 1
-        return f"T_{self.reference}{self.frame}" if short else f"T_{{{self.reference},{self.frame}}}"
+        return self.title or matrix_name(self.reference, self.frame)
 
     @property
     def rotation(self) -> tuple[tuple[N, ...], ...]:
@@ -283,3 +287,28 @@ def _in_floats(point: Iterable[Any]) -> list[float]:
         return [float(coordinate) for coordinate in point]
     except (TypeError, ValueError):
         raise RobotError(f"a point of a pose in numbers has three numbers [m], not {tuple(point)}") from None
+
+
+def matrix_name(reference: str, frame: str) -> str:
+    """What the matrix between two frames is called: `T_03`, `T_{base,tool}`."""
+    is_short = len(reference) == 1 and len(frame) == 1
+    return f"T_{reference}{frame}" if is_short else f"T_{{{reference},{frame}}}"
+
+
+def _rows_of(given: object) -> tuple[tuple[Any, ...], ...]:
+    """The entries of a matrix as tuples.
+
+    Raises:
+        RobotError: It is none.
+    """
+    hint = "four rows of four numbers or expressions, the last row 0 0 0 1"
+    try:
+        rows = tuple(map(tuple, given))  # type: ignore[call-overload]
+    except TypeError:
+        raise RobotError(f"a pose is a 4x4 matrix, and {given!r:.60} is none", hint) from None
+    if [len(row) for row in rows] != [4] * 4:
+        raise RobotError(f"a pose is a 4x4 matrix, and {given!r:.60} is none", hint)
+    for entry in (entry for row in rows for entry in row):
+        if not isinstance(entry, int | float | Expr) and not hasattr(entry, "__float__"):
+            raise RobotError(f"a pose has numbers or expressions in it, and {entry!r:.60} is neither", hint)
+    return rows

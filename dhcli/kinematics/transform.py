@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Literal, TypeAlias, cast
 
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean
@@ -16,32 +17,44 @@ from dhcli.kinematics.placement import Placement, locked_warnings, placements
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.question import AnyPose, SeenPoint, folded
 from dhcli.kinematics.robot import Value
+from dhcli.kinematics.sharpened import sharpened
 from dhcli.notation.factors import Factor, parse_factors
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
 from dhcli.notation.pasted import pose_matrix
-from dhcli.notation.quantity import DimensionError, to_angle, to_length
-from dhcli.notation.scope import OPEN, Scope
+from dhcli.notation.quantity import DimensionError, to_angle, to_plain_length
+from dhcli.notation.scope import Scope, usual
 from dhcli.notation.tree import ZERO, Trig
 from dhcli.notation.walk import walk
 
+MOST_IN_LETTERS = 80
+"""Moves whose frames are all computed in letters; the formula of each may be as long as there are moves before it."""
 _SHORT = 60
 """Characters of a matrix that stands in a heading as it was typed."""
 
 Order: TypeAlias = Literal["current", "fixed"]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Stage:
     """One move of a product.
 
     Attributes:
         text: The move as it was typed.
-        pose: The frame that it and the moves before it reach.
+        chain: It and the moves before it, in the order in which they are multiplied.
+        end: The frame that they reach.
+        symbolic: Whether they are multiplied in terms; else in floats.
     """
 
     text: str
-    pose: AnyPose
+    chain: Chain
+    end: str
+    symbolic: bool
+
+    @cached_property
+    def pose(self) -> AnyPose:
+        """The frame that the move and those before it reach; most questions want the last one only."""
+        return folded(self.chain, "0", self.end, symbolic=self.symbolic)
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,41 +111,50 @@ class Product:
     Attributes:
         moves: The moves.
         texts: How each was typed.
+        remarks: What was taken for something else, such as 1.5708 rad for 90°.
     """
 
     moves: Chain
     texts: tuple[str, ...]
+    remarks: tuple[str, ...] = ()
 
 
-def read_product(text: str, place: Place) -> Product:
+def read_product(text: str, place: Place, symbols: Sequence[str] = ()) -> Product:
     """Read a product of moves and matrices, or one matrix as dhcli or another program has printed it.
+
+    Args:
+        text: What a person wrote.
+        place: Where the text stands, for errors.
+        symbols: Names that may stand in it besides those that look like names, a letter with an index.
 
     Raises:
         NotationError: It cannot be read, or a matrix in it is no pose.
     """
     moves: list[Move] = []
     texts: list[str] = []
-    for factor in _factors(text, place):
+    remarks: list[str] = []
+    for factor in _factors(text, place, usual(symbols), remarks):
         move = from_factor(factor)
         if isinstance(move, Fixed):
             where = _place_in(text, factor.start, place)
             if fault := not_a_rotation(move.rows):
                 hint = "its first three columns must be perpendicular unit vectors, right-handed"
                 raise NotationError(Problem(f"this matrix is no pose: {fault}", where, hint))
+            (move,) = sharpened((move,), remarks)
         moves.append(move)
         texts.append(spelled(move) if isinstance(move, Rot | Trans) else _title(factor.text))
-    return Product(tuple(moves), tuple(texts))
+    return Product(tuple(moves), tuple(texts), tuple(dict.fromkeys(remarks)))
 
 
-def _factors(text: str, place: Place) -> tuple[Factor, ...]:
+def _factors(text: str, place: Place, scope: Scope, remarks: list[str]) -> tuple[Factor, ...]:
     """The factors of a product; a text that is none may be one matrix, with what a program writes around it."""
     try:
-        return parse_factors(text, OPEN, place)
+        return parse_factors(text, scope, place, remarks)
     except NotationError:
         matrix = pose_matrix(text)
         if matrix is None:
             raise
-    return parse_factors(matrix, OPEN, place)
+    return parse_factors(matrix, scope, place, remarks)
 
 
 def _title(matrix: str) -> str:
@@ -159,7 +181,7 @@ def values_for(product: Product, settings: Mapping[str, str], place: Place) -> d
             raise RobotError(Problem(f"{written} does not stand in the product", place, hint))
         expr = parse(text, Scope(), place)
         try:
-            values[name] = to_angle(expr, bare="refuse") if name in angles else to_length(expr)
+            values[name] = to_angle(expr, bare="refuse") if name in angles else to_plain_length(expr)
         except DimensionError as error:
             raise NotationError(Problem(f"{error.message}, for {name}", place, error.hint)) from None
     return values
@@ -174,15 +196,17 @@ def compose(product: Product, values: Mapping[str, Value], wanted: Wanted) -> Tr
         wanted: What to find out.
 
     Raises:
-        RobotError: An entry is not a real number.
+        RobotError: An entry is not a real number, or there are too many moves for formulas.
     """
     moves = put_in(product.moves, values)
     points, vectors = (put_in(tuple(Trans(*triple) for triple in t), values) for t in (wanted.points, wanted.vectors))
     exact = wanted.symbolic or bool(names((*moves, *points, *vectors)))
+    if exact and len(moves) > MOST_IN_LETTERS:
+        message = f"{len(moves)} moves are more than the {MOST_IN_LETTERS} that are multiplied in letters"
+        raise RobotError(message, "give every letter a value with --set, or multiply a part at a time")
     so_far = [moves[: i + 1] if wanted.order == "current" else moves[i::-1] for i in range(len(moves))]
     steps = tuple(
-        Stage(text, folded(chain, "0", str(i), symbolic=exact))
-        for i, (text, chain) in enumerate(zip(product.texts, so_far, strict=True), 1)
+        Stage(text, chain, str(i), exact) for i, (text, chain) in enumerate(zip(product.texts, so_far, strict=True), 1)
     )
     chain = so_far[-1]
     turning = tuple(turned for move in chain if (turned := _turning(move)) is not None)
@@ -199,7 +223,7 @@ def compose(product: Product, values: Mapping[str, Value], wanted: Wanted) -> Tr
         vectors=tuple(seen(vector, end, turning) for vector, end in zip(wanted.vectors, vectors, strict=True)),
         placements=said,
         words=() if exact else in_words(cast("Pose[float]", steps[-1].pose).rotation),
-        warnings=locked_warnings(said),
+        warnings=(*product.remarks, *locked_warnings(said)),
     )
 
 

@@ -17,10 +17,10 @@ from dhcli.errors import Problem
 from dhcli.geometry.rank import TIGHT, Rank, rank_of
 from dhcli.geometry.twists import Array
 from dhcli.mobility.constraints import Rows, constraints
+from dhcli.mobility.decision import Truth, certain
 from dhcli.mobility.loops import closure, lambdas
 from dhcli.mobility.model import Model
 from dhcli.mobility.pairs import LinkageError
-from dhcli.mobility.truth import Truth, certain
 
 WIDEST = 1200
 """Columns of a front; a linkage with a wider one is no long chain."""

@@ -91,7 +91,7 @@ PAIRS = (
         "rolling", "", None, 1, (), ("point", "other", "radii"), "wheels that roll without a carrier: centres and radii"
     ),
 )
-"""Every kind of joint. Source of the freedoms: Lynch and Park, Modern Robotics, table 2.1; mobility.md."""
+"""Every kind of joint. Source of the freedoms: Lynch and Park, Modern Robotics, table 2.1."""
 
 LETTERS = {pair.letter: pair for pair in PAIRS if pair.letter}
 

@@ -1,6 +1,6 @@
 """Why the formula and the truth differ, in words that a student understands.
 
-Tried in this order, as mobility.md has it: λ too large for the loops; a part of the joint graph with too many joints;
+Tried in this order: λ too large for the loops; a part of the joint graph with too many joints;
 special lengths; special directions of axes. Each is tested by computing, not guessed.
 """
 
@@ -13,11 +13,11 @@ import numpy as np
 
 from dhcli.geometry.rank import TIGHT, Rank, rank_of, spaces
 from dhcli.mobility.copies import disturbed, generic, twisted
+from dhcli.mobility.decision import Truth
 from dhcli.mobility.linkage import Linkage
 from dhcli.mobility.loops import shortest_lambdas
 from dhcli.mobility.model import Model, model_of
 from dhcli.mobility.pairs import LinkageError
-from dhcli.mobility.truth import Truth
 
 DISTURBANCE = 0.02
 FAINT, FAINTEST = 3e-3, 1e-8

@@ -1,20 +1,20 @@
 """The true mobility of a linkage in its given position, step by step.
 
 1 twists and scale, 2 λ of the loops, 3 rank, 4 certificates, 5 idle freedoms, 6 second order, 7 imposed amplitude,
-8 rank at the landings, 9 bounds where it stays undecided, 10 motion of the output link. Source: mobility.md.
+8 rank at the landings, 9 bounds where it stays undecided, 10 motion of the output link.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
-from dhcli.geometry.rank import TIGHT, Rank, orthonormal, spaces
+from dhcli.geometry.rank import TIGHT, orthonormal, spaces
 from dhcli.geometry.twists import Array
 from dhcli.mobility.branches import LANDED, branch_at
-from dhcli.mobility.idle import Idle, idle_freedoms, still_idle
+from dhcli.mobility.decision import Decision, Landed, Setting, Truth, certain, decided
+from dhcli.mobility.idle import idle_freedoms, still_idle
 from dhcli.mobility.landing import SHAKY, Path, Trial, attempt
+from dhcli.mobility.large import large_mobility
 from dhcli.mobility.linkage import Linkage
 from dhcli.mobility.loops import lambdas
 from dhcli.mobility.model import Model, model_of
@@ -32,7 +32,6 @@ from dhcli.mobility.second_order import (
     proves_rigid,
     quadratic_forms,
 )
-from dhcli.mobility.verdicts import Landed, Setting, Verdict, decided
 
 DIRECTIONS = 4
 STARTS = 48
@@ -57,41 +56,6 @@ MOST_MOTIONS = 700
 """With more motions an amplitude is not imposed: the answer would take minutes."""
 
 
-@dataclass(frozen=True)
-class Truth:
-    """What the geometry says; see `Mobility` for the words.
-
-    Attributes:
-        model: The linkage in numbers.
-        rank: The rank in the given position.
-        instantaneous: Freedoms at this instant.
-        lambdas: λ of each loop of the spanning tree.
-        mobility: The true one; None if undecided.
-        bounds: Lowest and highest possible mobility.
-        certificate: How it is known.
-        idle: Idle freedoms.
-        passing: Motions of a part alone that exist in this position only, and are lost when the rest moves.
-        branches: Dimensions of the families of motion found, with idle freedoms.
-        order: Power of the amplitude with which a shaky structure resists.
-        motion: Type of the output link's motion.
-        kinds: Its types on the branches that meet here, where they have the same number of freedoms.
-    """
-
-    model: Model
-    rank: Rank
-    instantaneous: int
-    lambdas: tuple[int, ...]
-    mobility: int | None
-    bounds: tuple[int, int]
-    certificate: str
-    idle: tuple[Idle, ...] = ()
-    passing: tuple[Idle, ...] = ()
-    branches: tuple[int, ...] = ()
-    order: int | None = None
-    motion: str = ""
-    kinds: tuple[str, ...] = ()
-
-
 def true_mobility(linkage: Linkage, tolerance: float = 0.0) -> Truth:
     """Find the mobility of a linkage whose geometry is known.
 
@@ -105,8 +69,6 @@ def true_mobility(linkage: Linkage, tolerance: float = 0.0) -> Truth:
     model = model_of(linkage)
     equations = len(model.basis) * len(model.chords) + len(model.ties)
     if len(linkage.links) > MANY or max(equations, model.motions) > WIDE:
-        from dhcli.mobility.large import large_mobility
-
         return large_mobility(model, tolerance)
     tight = max(TIGHT, tolerance)
     rank, motions, stresses = spaces(model.jacobian(), tight)
@@ -115,15 +77,15 @@ def true_mobility(linkage: Linkage, tolerance: float = 0.0) -> Truth:
     equations = sum(found) + len(model.ties)
     idle = idle_freedoms(model, tight)
     lasting = tuple(one for one in idle if one.lasting)
-    verdict = Verdict(instantaneous, certain(model, rank, equations, instantaneous))
+    verdict = Decision(instantaneous, certain(model, rank, equations, instantaneous))
     if verdict.certificate:
         there = twists_nearby(model, motions, tolerance) if len(idle) > len(lasting) else None
         # an open chain has no equations that rounding could hide
         motion = motion_nearby(model, motions, tolerance if equations else 0.0)
-        verdict = Verdict(instantaneous, verdict.certificate, motion, landings=() if there is None else (there,))
+        verdict = Decision(instantaneous, verdict.certificate, motion, landings=() if there is None else (there,))
     elif instantaneous == len(idle):
         words = "exact: apart from the idle freedoms nothing can move, not even for an instant"
-        verdict = Verdict(instantaneous, words, motion_type(model, motions, tolerance=tolerance))
+        verdict = Decision(instantaneous, words, motion_type(model, motions, tolerance=tolerance))
     else:
         frozen = orthonormal(np.array([one.rates for one in lasting]).T).T if lasting else np.zeros((0, model.motions))
         verdict = _beyond_rank(model, stresses, frozen, equations, tolerance)
@@ -149,7 +111,7 @@ def true_mobility(linkage: Linkage, tolerance: float = 0.0) -> Truth:
     )
 
 
-def _beyond_rank(model: Model, stresses: Array, frozen: Array, equations: int, tolerance: float) -> Verdict:
+def _beyond_rank(model: Model, stresses: Array, frozen: Array, equations: int, tolerance: float) -> Decision:
     """Where the rank alone says nothing: second order, then imposed amplitudes."""
     _, free, _ = spaces(np.concatenate([model.jacobian(), frozen]), max(TIGHT, tolerance))
     forms, flat = np.zeros((0, free.shape[1], free.shape[1])), max(CLEAR, DRAWN * tolerance)
@@ -160,26 +122,15 @@ def _beyond_rank(model: Model, stresses: Array, frozen: Array, equations: int, t
         if not free.shape[1] or (not tolerance and (proves_rigid(forms) or not len(cover(forms)))):
             sure = "exact" if not tolerance else "numerical"
             words = f"{sure}: the second order test: what can begin to move is stopped at once"
-            return Verdict(len(frozen), words, motion_type(model, frozen.T), order=2)
+            return Decision(len(frozen), words, motion_type(model, frozen.T), order=2)
     vanish = len(forms) > 0 and float(np.abs(forms).max()) <= max(CLEAR, DRAWN_NEGATIVE * tolerance)
     if tolerance:
         forms = forms[:0]  # where they vanish together is not to be seen in a drawing
     if model.motions > MOST_MOTIONS:
-        return Verdict(None, f"undecided: more than {MOST_MOTIONS} motions, too many to try how far they go")
+        return Decision(None, f"undecided: more than {MOST_MOTIONS} motions, too many to try how far they go")
     directions, go_on = _directions(free, forms)
     setting = Setting(model, frozen, free.shape[1], tolerance, ABOVE_SECOND if go_on or vanish else SHAKY)
     return decided(*_try_out(setting, directions, equations), setting)
-
-
-def certain(model: Model, rank: Rank, equations: int, instantaneous: int) -> str:
-    """A certificate that needs no more than the rank; empty if there is none."""
-    if not model.chords and not len(model.ties):
-        return "exact: there is no loop, so every joint moves freely"
-    if instantaneous == 0:
-        return "exact: nothing can move, not even for an instant"
-    if rank.rank == equations:
-        return "exact: the loop equations are independent here, so every instantaneous motion goes on"
-    return ""
 
 
 def _try_out(setting: Setting, directions: list[Array], equations: int) -> tuple[list[Trial], list[Landed]]:

@@ -12,10 +12,12 @@ from typing import Literal
 
 from dhcli.errors import Place
 from dhcli.notation.angle import Angle
-from dhcli.notation.matrix import matching, read_matrix
+from dhcli.notation.cells import matching
+from dhcli.notation.matrix import read_matrix
 from dhcli.notation.operators import DEEPEST
 from dhcli.notation.parser import Parser
-from dhcli.notation.quantity import DimensionError, to_angle, to_length
+from dhcli.notation.quantity import DimensionError, to_angle, to_plain_length
+from dhcli.notation.quarters import with_right_angles
 from dhcli.notation.scope import OPEN, Scope
 from dhcli.notation.tokens import Source, Token, tokenize
 from dhcli.notation.tree import ONE, ZERO, Expr
@@ -57,20 +59,35 @@ class Factor:
     start: int = 0
 
 
-def parse_factors(text: str, scope: Scope = OPEN, place: Place | None = None) -> tuple[Factor, ...]:
+@dataclass(frozen=True, slots=True)
+class _Reading:
+    """What the readers of one product share: its text, the names it may use, and where to say what was taken for what.
+
+    Without a place for remarks, angles are taken as they stand.
+    """
+
+    source: Source
+    scope: Scope
+    remarks: list[str] | None
+
+
+def parse_factors(
+    text: str, scope: Scope = OPEN, place: Place | None = None, remarks: list[str] | None = None
+) -> tuple[Factor, ...]:
     """Read a product of moves and matrices, from left to right.
 
     Args:
         text: What a person wrote.
         scope: The names it may use.
         place: Where the text stands, for errors.
+        remarks: Where to say that 1.5708 rad was taken as 90°; without it such angles are taken as they stand.
 
     Raises:
         NotationError: With the column, what is wrong there, and what would be read.
     """
     source = Source(text, place or Place("product"))
     tokens = [token for token in tokenize(source, most=LONGEST) if token.kind != "end"]
-    factors = tuple(_product(source, tokens, scope, inverse=False))
+    factors = tuple(_product(_Reading(source, scope, remarks), tokens, inverse=False))
     if not factors:
         raise source.error(0, "no move is written here", EXAMPLE)
     if len(factors) > MOST_FACTORS:
@@ -78,7 +95,8 @@ def parse_factors(text: str, scope: Scope = OPEN, place: Place | None = None) ->
     return factors
 
 
-def _product(source: Source, tokens: Sequence[Token], scope: Scope, *, inverse: bool, depth: int = 0) -> list[Factor]:
+def _product(reading: _Reading, tokens: Sequence[Token], *, inverse: bool, depth: int = 0) -> list[Factor]:
+    source = reading.source
     if depth > DEEPEST:
         raise source.error(tokens[0].start if tokens else 0, f"brackets nested deeper than {DEEPEST} are not read")
     factors: list[Factor] = []
@@ -98,14 +116,14 @@ def _product(source: Source, tokens: Sequence[Token], scope: Scope, *, inverse: 
         end = _inverse_mark(tokens, closing)
         turned = inverse != (end > closing)
         if token.kind == "word" and token.text in _INVERSE:
-            part = _product(source, inside, scope, inverse=not turned, depth=depth + 1)
+            part = _product(reading, inside, inverse=not turned, depth=depth + 1)
             factors.extend(part)
         elif token.text == "(":
-            factors.extend(_product(source, inside, scope, inverse=turned, depth=depth + 1))
+            factors.extend(_product(reading, inside, inverse=turned, depth=depth + 1))
         elif token.kind == "sign" or token.text in ("begin", "array", "matrix", "Matrix"):
-            factors.append(_matrix(source, tokens[i : closing + 1], scope, inverse=turned))
+            factors.append(_matrix(reading, tokens[i : closing + 1], inverse=turned))
         else:
-            factors.append(_move(source, token, inside, tokens[closing], scope, inverse=turned))
+            factors.append(_move(reading, token, inside, tokens[closing], inverse=turned))
         i = end + 1
     return factors[::-1] if inverse else factors
 
@@ -126,8 +144,9 @@ def _inverse_mark(tokens: Sequence[Token], closing: int) -> int:
     return closing
 
 
-def _matrix(source: Source, tokens: Sequence[Token], scope: Scope, *, inverse: bool) -> Factor:
-    cells = read_matrix(source, tokens, scope)
+def _matrix(reading: _Reading, tokens: Sequence[Token], *, inverse: bool) -> Factor:
+    source = reading.source
+    cells = read_matrix(source, tokens, reading.scope)
     start, text = tokens[0].start, source.text[tokens[0].start : tokens[-1].end]
     if [len(row) for row in cells] != [4] * 4:
         shape = f"{len(cells)}x{len(cells[0])}"
@@ -139,12 +158,13 @@ def _matrix(source: Source, tokens: Sequence[Token], scope: Scope, *, inverse: b
     return Factor("matrix", text, rows=rows, inverse=inverse, start=start)
 
 
-def _move(source: Source, word: Token, inside: Sequence[Token], close: Token, scope: Scope, *, inverse: bool) -> Factor:
+def _move(reading: _Reading, word: Token, inside: Sequence[Token], close: Token, *, inverse: bool) -> Factor:
+    source, scope = reading.source, reading.scope
     text = source.text[word.start : close.end]
     arguments = _arguments(inside)
     if match := _ROTATION.fullmatch(word.text):
         axis, rest = _axis(source, match[1], arguments, word, close, "Rot(z, 90°)")
-        angle = _angle(source, _parse(source, rest[0], scope, close), rest[0][0].start)
+        angle = _angle(reading, _parse(source, rest[0], scope, close), rest[0][0].start)
         return Factor("rot", text, axis=axis, angle=angle, inverse=inverse, start=word.start)
     if match := _TRANSLATION.fullmatch(word.text):
         if match[1] or len(arguments) == 2:  # noqa: PLR2004  Trans(z, d1) and Trans_z(d1)
@@ -194,15 +214,17 @@ def _parse(source: Source, tokens: list[Token], scope: Scope, close: Token) -> E
     return expr
 
 
-def _angle(source: Source, expr: Expr, start: int) -> Angle:
+def _angle(reading: _Reading, expr: Expr, start: int) -> Angle:
+    if reading.remarks is not None:
+        expr = with_right_angles(expr, reading.remarks)
     try:
         return to_angle(expr, bare="refuse")
     except DimensionError as error:
-        raise source.error(start, error.message, error.hint) from None
+        raise reading.source.error(start, error.message, error.hint) from None
 
 
 def _length(source: Source, expr: Expr, start: int) -> Expr:
     try:
-        return to_length(expr)
+        return to_plain_length(expr)
     except DimensionError as error:
         raise source.error(start, error.message, error.hint) from None

@@ -9,9 +9,13 @@ from dataclasses import dataclass
 from typing import TextIO
 
 from dhcli.notation.names import GREEK
+from dhcli.safe import one_line
 
 WIDE = 100
 """Columns of a pipe or a file: fixed, so that what a program reads never depends on a window."""
+
+LEAST = 20
+"""Columns of the narrowest window that is drawn for; a narrower one, which nobody reads, breaks its lines itself."""
 
 _NEEDED = "⎡θ°─"
 _INKS = {"bold": "1", "dim": "2", "underline": "4", "red": "31", "green": "32", "yellow": "33", "cyan": "36"}
@@ -57,16 +61,13 @@ class Paper:
     def of(cls, stream: TextIO) -> Paper:
         """The paper that a stream writes on; a terminal's own width, a fixed one for everything else."""
         terminal = stream.isatty()
-        width = shutil.get_terminal_size((80, 24)).columns if terminal else WIDE
-        colour = not os.environ.get("NO_COLOR") and (
-            bool(os.environ.get("FORCE_COLOR")) or (terminal and os.environ.get("TERM") != "dumb")
-        )
+        width = max(LEAST, shutil.get_terminal_size((80, 24)).columns) if terminal else WIDE
+        colour = is_colour_wanted() and (bool(os.environ.get("FORCE_COLOR")) or terminal)
         return cls(width, colour, _knows(stream.encoding, _NEEDED), terminal)
 
     def spell(self, text: str) -> str:
         """A text in the letters that the paper knows, on one line, without what would steer a terminal."""
-        if not text.isprintable():  # controls, marks that turn the direction of writing, line ends of all sorts
-            text = "".join(letter if letter.isprintable() else " " for letter in text)
+        text = one_line(text)
         return text if self.unicode or text.isascii() else in_ascii(text)
 
     def ink(self, text: str, *inks: str) -> str:
@@ -74,6 +75,12 @@ class Paper:
         if not self.colour or not inks or not text:
             return text
         return f"\x1b[{';'.join(_INKS[ink] for ink in inks)}m{text}\x1b[0m"
+
+
+def is_colour_wanted() -> bool:
+    """Whether colours, bold letters among them, may be used where they can be: NO_COLOR and a dumb terminal say no."""
+    is_dumb = os.environ.get("TERM") == "dumb" and not os.environ.get("FORCE_COLOR")
+    return not os.environ.get("NO_COLOR") and not is_dumb
 
 
 def in_ascii(text: str) -> str:

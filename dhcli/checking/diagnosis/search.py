@@ -31,6 +31,10 @@ SEED = 11
 SAME = 1e-9
 MOST_CAUSES = 12
 STAGES = ("singles", "pairs")
+MOST_STEPS = 100
+"""Moves and rows of the longest product in which mistakes are looked for."""
+MOST_WORK = 5_000_000
+"""Pairs of mistakes times factors of their products, beyond which pairs are not looked for: a few seconds' work."""
 
 PLAIN = math.sqrt(2)
 """Tolerances that a mistake is off by where it shows plainly; no round number, so that no mistake is off by just that,
@@ -78,6 +82,8 @@ class Search:
         self.singles: tuple[Candidate, ...]
         if like and like.of_values.keys() == self.of_values.keys():
             self.singles = tuple(self.of_values.get(one.slips[0].name, one) for one in like.singles)
+        elif len(self.right.steps) > MOST_STEPS:
+            self.singles = ()
         else:
             self.singles = self._distinct(candidates(self.right, self.setting))
 
@@ -107,7 +113,9 @@ class Search:
 
     @cached_property
     def pairs(self) -> tuple[Candidate, ...]:
-        """Two mistakes at once, the one of the earlier level first."""
+        """Two mistakes at once, the one of the earlier level first; none where there are too many to look through."""
+        if len(self.singles) ** 2 * len(self.right.steps) > MOST_WORK:
+            return ()
         found: list[Candidate] = []
         place = {one.slips[0].name: k for k, one in enumerate(self.singles)}
         for k, one in enumerate(self.singles):

@@ -27,7 +27,7 @@ def hint(
     """Show the next hint, for the first part that is not solved yet or the one named."""
     from dhcli.checking.judge import Judge
     from dhcli.checking.variants import variant_of
-    from dhcli.cli.shell.console import say, write_out
+    from dhcli.cli.shell.console import tell, write_out
     from dhcli.cli.shell.quiz import first_open
     from dhcli.files.progress import Try, read_progress, record_hint
     from dhcli.files.yaml.exercises import load_exercise
@@ -39,15 +39,16 @@ def hint(
     done = progress.get(exercise.id, {})
     meant = exercise.part(part) if part else first_open(exercise, {p: t.best for p, t in done.items()})
     shown = done.get(meant.id, Try("SKIPPED", 0)).hints
+    paper = Paper.of(sys.stdout)
     if not meant.hints:
-        write_out(f"{meant.id}: there is no hint for this part\n")
+        write_out(f"{paper.spell(meant.id)}: there is no hint for this part\n")
         return
     number = min(shown, len(meant.hints) - 1)
     text = f"{meant.id}, hint {number + 1} of {len(meant.hints)}: {meant.hints[number]}"
-    write_out("".join(f"{line}\n" for line in prose_lines(text, Paper.of(sys.stdout))))
+    write_out("".join(f"{line}\n" for line in prose_lines(text, paper)))
     message = message or record_hint(exercise.id, meant.id)
     if message:
-        say(f"dhcli: {message}\n")
+        tell(f"dhcli: {message}")
     option = f" --variant {shlex.quote(exercise.variant)}" if exercise.variant else ""
     if number + 1 == len(meant.hints):
-        say(f"that was the last one; dhcli solution {exercise.id}{option} --part {meant.id} works it out\n")
+        tell(f"that was the last one; dhcli solution {exercise.id}{option} --part {meant.id} works it out")

@@ -39,7 +39,7 @@ def list_(
     force: Force = False,
 ) -> None:
     """List what there is: names, joints, titles, and the folder each comes from."""
-    from dhcli.cli.shell.console import say
+    from dhcli.cli.shell.console import tell
     from dhcli.cli.shell.delivery import Delivery
     from dhcli.files.library.catalogue import catalogue
 
@@ -48,7 +48,7 @@ def list_(
     listed = catalogue(kinds_of(kind))
     delivery.hand_over("library", listed)
     if not listed:
-        say(f"there are no {kind or 'files'} yet\n")
+        tell(f"there are no {kind or 'files'} yet")
 
 
 def kinds_of(word: str | None) -> tuple[Kind, ...]:

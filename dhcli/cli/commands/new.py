@@ -7,9 +7,10 @@ from typing import Annotated
 
 import typer
 
+from dhcli.cli.app import Group, One
 from dhcli.cli.shell.options import Force
 
-new = typer.Typer(add_completion=False, rich_markup_mode="rich", help="Write a file to start from.")
+new = typer.Typer(cls=Group, add_completion=False, rich_markup_mode="rich", help="Write a file to start from.")
 
 
 @new.callback()
@@ -17,7 +18,7 @@ def _group() -> None:
     """Write a file to start from."""
 
 
-@new.command(epilog="dhcli new robot my-arm --convention standard --joints RRP")
+@new.command(cls=One, epilog="dhcli new robot my-arm --convention standard --joints RRP")
 def robot(
     name: Annotated[str, typer.Argument(metavar="NAME", help="Name of the robot.")],
     convention: Annotated[str, typer.Option(metavar="NAME", help="standard, modified or product.")] = "standard",
@@ -31,7 +32,7 @@ def robot(
     force: Force = False,
 ) -> None:
     """Write a commented robot file that loads, for you to change."""
-    from dhcli.cli.shell.console import say, write_out
+    from dhcli.cli.shell.console import tell, write_out
     from dhcli.cli.shell.delivery import make_folder, write_file
     from dhcli.files.yaml.templates import robot_template
 
@@ -44,10 +45,11 @@ def robot(
         make_folder(path.parent)
     write_file(path, text, force=force)
     asked = name if output is None else path
-    say(f"wrote {path}\nnext: dhcli show {asked}, then dhcli fk {asked} --symbolic\n")
+    tell(f"wrote {path}")
+    tell(f"next: dhcli show {asked}, then dhcli fk {asked} --symbolic")
 
 
-@new.command(epilog="dhcli new exercise my-course/first --robot planar-2r")
+@new.command(cls=One, epilog="dhcli new exercise my-course/first --robot planar-2r")
 def exercise(
     name: Annotated[str, typer.Argument(metavar="COURSE/NAME", help="Id of the exercise.")],
     robot_name: Annotated[str, typer.Option("--robot", metavar="ROBOT", help="The robot it asks about.")],
@@ -63,7 +65,7 @@ def exercise(
     force: Force = False,
 ) -> None:
     """Write a commented exercise file with blanks that lint points at, for you to fill in."""
-    from dhcli.cli.shell.console import say, write_out
+    from dhcli.cli.shell.console import tell, write_out
     from dhcli.cli.shell.delivery import make_folder, write_file
     from dhcli.files.yaml.exercise_template import exercise_template
     from dhcli.files.yaml.robots import load_robot
@@ -77,10 +79,11 @@ def exercise(
         make_folder(path.parent.parent)
         make_folder(path.parent)
     write_file(path, text, force=force)
-    say(f"wrote {path}\nnext: fill in what is empty, then dhcli lint {path}\n")
+    tell(f"wrote {path}")
+    tell(f"next: fill in what is empty, then dhcli lint {path}")
 
 
-@new.command(epilog="dhcli new linkage my-press --form joints")
+@new.command(cls=One, epilog="dhcli new linkage my-press --form joints")
 def linkage(
     name: Annotated[str, typer.Argument(metavar="NAME", help="Name of the linkage.")],
     form: Annotated[str, typer.Option(metavar="FORM", help="joints, bars, chain or loop.")] = "joints",
@@ -96,7 +99,7 @@ def linkage(
     force: Force = False,
 ) -> None:
     """Write a commented linkage file that loads, for you to change."""
-    from dhcli.cli.shell.console import say, write_out
+    from dhcli.cli.shell.console import tell, write_out
     from dhcli.cli.shell.delivery import make_folder, write_file
     from dhcli.files.yaml.linkage_template import linkage_template
 
@@ -110,4 +113,5 @@ def linkage(
         make_folder(path.parent)
     write_file(path, text, force=force)
     asked = name if output is None else path
-    say(f"wrote {path}\nnext: dhcli show {asked}, then dhcli dof {asked}\n")
+    tell(f"wrote {path}")
+    tell(f"next: dhcli show {asked}, then dhcli dof {asked}")

@@ -39,12 +39,12 @@ def solution(
     exercise = judge.exercise
     parts = (exercise.part(part),) if part else exercise.parts
     if not yes:
-        _ask_once(exercise, parts)
+        ask_once(exercise, parts)
     paper = Paper.of(sys.stdout)
     write_out("\n".join(solution_text(exercise, one, judge.solution(one), paper) for one in parts))
 
 
-def _ask_once(exercise: Exercise, parts: tuple[Part, ...]) -> None:
+def ask_once(exercise: Exercise, parts: tuple[Part, ...]) -> None:
     """Make sure that a person wants to see parts that were never tried.
 
     Raises:
@@ -53,14 +53,16 @@ def _ask_once(exercise: Exercise, parts: tuple[Part, ...]) -> None:
     from dhcli.cli.shell.console import say
     from dhcli.errors import DhcliError
     from dhcli.files.progress import Try, read_progress
+    from dhcli.render.paper import Paper
 
     done = read_progress()[0].get(exercise.id, {})
     untried = [part.id for part in parts if not done.get(part.id, Try("", 0)).tries]
     if not untried:
         return
     listed = ", ".join(untried)
+    paper = Paper.of(sys.stderr)
     if not sys.stdin.isatty():
         raise DhcliError(f"never tried: {listed}", "try first with dhcli check, or say --yes")
-    say(f"You have not tried {listed} yet. Show the solution all the same? [y/N] ")
+    say(f"You have not tried {paper.spell(listed)} yet. Show the solution all the same? [y/N] ")
     if sys.stdin.readline().strip().lower() not in ("y", "yes"):
         raise DhcliError("not shown", f"dhcli hint {exercise.id} gives a hint")

@@ -28,9 +28,10 @@ def start(
     force: Annotated[bool, typer.Option("--force", help="Overwrite the file.")] = False,
 ) -> None:
     """Write an answer sheet for an exercise."""
+    from dhcli.checking.figures import shown
     from dhcli.checking.judge import Judge
     from dhcli.checking.variants import variant_of
-    from dhcli.cli.shell.console import say, write_out
+    from dhcli.cli.shell.console import tell, write_out
     from dhcli.cli.shell.delivery import write_file
     from dhcli.files.yaml.exercises import load_exercise
     from dhcli.files.yaml.sheets import write_sheet
@@ -43,5 +44,7 @@ def start(
     named = name if name.endswith((".yaml", ".yml")) else exercise.id
     path = output or f"{exercise.id.split('/')[-1]}.sheet.yaml"
     write_file(path, text, force=force)
-    say(f"wrote {path}\n")
-    say(f"next: fill it in, then dhcli check {named} {path}, or dhcli watch {named} {path}\n")
+    tell(f"wrote {path}")
+    if shown(exercise):
+        tell(f"dhcli draw {named} draws the arm")
+    tell(f"next: fill it in, then dhcli check {named} {path}, or dhcli watch {named} {path}")

@@ -101,7 +101,7 @@ def _draw(judge: Judge, path: str, variant: str | None, hints: int) -> None:
         shown = part.hints[min(hints, len(part.hints)) - 1] if part.hints else "there is no hint for this part"
         text += "".join(f"\n{line}" for line in prose_lines(f"hint for {part.id}: {shown}", paper)) + "\n"
     at = time.strftime("%H:%M:%S")
-    write_out(f"{CLEAR}{text}\n{paper.ink(f'{path}, checked at {at} · {KEYS}', 'dim')}\n")
+    write_out(f"{CLEAR}{text}\n{paper.ink(paper.spell(f'{path}, checked at {at} · {KEYS}'), 'dim')}\n")
     sys.stdout.flush()
 
 

@@ -7,6 +7,7 @@ import io
 import os
 import sys
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from itertools import pairwise
 from typing import Any, BinaryIO, TextIO, cast
 
@@ -25,15 +26,21 @@ class GuardedStream:
         is_read: Whether anybody still reads.
     """
 
-    def __init__(self, stream: TextIO) -> None:
-        """Stand before a stream."""
+    def __init__(self, stream: TextIO, *, is_talk: bool = False) -> None:
+        """Stand before a stream.
+
+        Args:
+            stream: The stream.
+            is_talk: Whether what is written there may be lost: the exit code tells what cannot be said on a full disk.
+        """
         self._stream = stream
+        self._is_talk = is_talk
         self.is_read = True
 
     @classmethod
-    def around(cls, stream: TextIO | None) -> TextIO:
+    def around(cls, stream: TextIO | None, *, is_talk: bool = False) -> TextIO:
         """The guarded stream; nowhere, if the caller has closed it."""
-        return cast("TextIO", cls(stream or open(os.devnull, "w", encoding="utf-8")))  # noqa: PTH123
+        return cast("TextIO", cls(stream or open(os.devnull, "w", encoding="utf-8"), is_talk=is_talk))  # noqa: PTH123
 
     def write(self, text: str) -> int:
         """Write, or forget it if nobody reads any more."""
@@ -65,7 +72,7 @@ class GuardedStream:
             self._let_go(error)
 
     def _let_go(self, error: OSError) -> None:
-        if error.errno not in _CLOSED:
+        if error.errno not in _CLOSED and not self._is_talk:
             reason = error.strerror or str(error)
             self._to_nowhere()
             raise FileError(Problem(f"cannot be written: {reason}", Place("standard output"))) from None
@@ -115,6 +122,13 @@ def say(text: str) -> None:
     sys.stderr.write(text)
 
 
+def tell(text: str) -> None:
+    """Write talk that has foreign text in it, such as the name of a file, on a line of its own."""
+    from dhcli.render.paper import Paper
+
+    say(f"{Paper.of(sys.stderr).spell(text)}\n")
+
+
 def finish() -> None:
     """Make sure that everything is written while errors can still be told."""
     sys.stdout.flush()
@@ -126,12 +140,15 @@ def complain(problems: Iterable[Problem], words: Sequence[str]) -> None:
     from dhcli.render.text.problems import problems_text
 
     listed = list(problems)
+    with suppress(FileError):  # results written before may have no room
+        sys.stdout.flush()
     say(problems_text(listed, Paper.of(sys.stderr)))
     if wants_json(words):
         from dhcli.render.json.envelope import envelope
 
-        write_out(envelope(command_of(words), None, listed))
-        sys.stdout.flush()
+        with suppress(FileError):  # what went wrong first is what the exit code tells
+            write_out(envelope(command_of(words), None, listed))
+            sys.stdout.flush()
 
 
 def wants_json(words: Sequence[str]) -> bool:

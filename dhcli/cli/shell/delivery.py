@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from dhcli.cli.shell.console import say, write_out
+from dhcli.cli.shell.console import say, tell, write_out
 from dhcli.errors import DhcliError, FileError, Place, Problem, UnknownNameError, did_you_mean
 from dhcli.render.look import Look, check_format, content, render
 from dhcli.render.paper import Paper
@@ -87,7 +87,7 @@ class Delivery:
             write_out(text)
             return
         write_file(self.output, text, force=self.force)
-        say(f"wrote {self.output}\n")
+        tell(f"wrote {self.output}")
 
     def _warn(self, warnings: Iterable[str]) -> None:
         if warned := list(warnings):

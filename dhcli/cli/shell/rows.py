@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, BinaryIO
 
-from dhcli.cli.shell.console import raw_out, say, somebody_reads, write_out
+from dhcli.cli.shell.console import raw_out, somebody_reads, tell, write_out
 from dhcli.cli.shell.delivery import check_force, check_free, format_by_suffix
 from dhcli.errors import DhcliError, UnknownNameError, did_you_mean, plural
 from dhcli.render.code.rows import FORMATS, Layout, RowText
@@ -101,7 +101,7 @@ class RowDelivery:
             _sink(name, layout, stream) as sink,
         ):
             yield sink
-        say(f"wrote {self.output}: {plural(sink.count, 'row')}\n")
+        tell(f"wrote {self.output}: {plural(sink.count, 'row')}")
 
 
 @contextmanager

@@ -68,7 +68,7 @@ def _ask(part: Part, paper: Paper) -> str | None:
     lines: list[str] = []
     shown = 0
     while True:
-        write_out(f"{part.id}> " if not lines else "... ")
+        write_out(f"{paper.spell(part.id)}> " if not lines else "... ")
         sys.stdout.flush()
         line = sys.stdin.readline()
         if not line:

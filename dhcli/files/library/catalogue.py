@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from dhcli.errors import DhcliError, Problem
+from dhcli.files.home import user_folder
 from dhcli.files.library.lookup import Entry, Kind, entries
 
 
@@ -135,14 +136,16 @@ def _stamp(path: str) -> tuple[int, int]:
 
 
 def _path_of_index() -> Path:
-    home = os.environ.get("XDG_CACHE_HOME", "")
-    return (Path(home) if os.path.isabs(home) else Path.home() / ".cache") / "dhcli" / "library.json"
+    return user_folder("XDG_CACHE_HOME", ".cache") / "dhcli" / "library.json"
 
 
 def _remembered(state: list[Any]) -> dict[str, Row] | None:
     """What was read when the library was in this state; None if it was in another, or nothing is kept."""
+    path = _path_of_index()
+    if not os.path.isfile(path):  # a pipe would be waited for
+        return None
     try:
-        with open(_path_of_index(), encoding="utf-8") as stream:
+        with open(path, encoding="utf-8") as stream:
             kept = json.load(stream)
         if kept["state"] != state:
             return None

@@ -86,6 +86,7 @@ def find(kind: Kind, name: str) -> Path:
     Raises:
         UnknownNameError: The library holds nothing of that name; the hint has the nearest and what to type next.
     """
+    check_typed(kind, name)
     if _is_path(kind, name):
         return Path(name)
     known = entries(kind)
@@ -93,6 +94,23 @@ def find(kind: Kind, name: str) -> Path:
         if entry.name == name:
             return entry.path
     raise UnknownNameError(f"there is no {kind.noun} '{name}'", hint=_hint(kind, name, known))
+
+
+def check_typed(kind: Kind, name: object) -> None:
+    """Make sure that a name may be one.
+
+    Raises:
+        UnknownNameError: It is no text, or no system has files of that name.
+    """
+    if not isinstance(name, str | os.PathLike):
+        raise UnknownNameError(
+            f"{name!r:.60} is no name of a{'n' * (kind is Kind.EXERCISES)} {kind.noun}", "write it as text"
+        )
+    if "\0" in str(name):
+        raise UnknownNameError(
+            f"there is no {kind.noun} '{name!s:.60}'",
+            f"no file has NUL in its name; dhcli list {kind.value} shows what there is",
+        )
 
 
 def _is_path(kind: Kind, name: str) -> bool:

@@ -11,6 +11,7 @@ from dhcli.errors import DhcliError
 from dhcli.files.yaml.templates import check_name
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import is_within_limits
+from dhcli.safe import one_line, yaml_scalar
 
 FEWEST_FRAMES = 4
 """base, two numbered frames, tool: the frames of a robot with one link."""
@@ -50,11 +51,11 @@ def exercise_template(name: str, robot: Robot) -> str:
 format: 1
 title: ""
 source: ""                      # your notes, a chapter, a sheet
-robot: {robot.name}
+robot: {yaml_scalar(robot.name)}
 
 # In your own words; a student must be able to answer from this text alone.
 task: |
-  The robot is {robot.title}.
+  The robot is {one_line(robot.title)}.
   Base frame {start}: write here where it stands. End frame {end}: write here on which part it sits.
   Joint zero: write here how the arm looks then. Positive sense: write here that of every joint.
 
@@ -91,7 +92,7 @@ tests:
 
 def _mistake(robot: Robot, start: str, end: str) -> str:
     """A mistake that shows in the pose; in that of a SCARA, whose rotation is symmetric, the usual one does not."""
-    exercise = question_about(robot, start, end, numeric=False, given={})
+    exercise = question_about(robot, f"pose {start}..{end}", numeric=False, given={})
     names = [slip.name for slip in Judge(exercise).slips(exercise.parts[0])]
     return "transposed" if "transposed" in names else names[0]
 

@@ -9,7 +9,7 @@ from dhcli.checking.exercise import Exercise
 from dhcli.checking.verdicts import Verdict
 from dhcli.checking.written import Printed, Range, Trial, answer_scope
 from dhcli.errors import DhcliError, FileError, Problem, did_you_mean
-from dhcli.files.library.lookup import Kind, entries, find
+from dhcli.files.library.lookup import Kind, check_typed, entries, find
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.yaml.fields import Problems
 from dhcli.files.yaml.parts import PartReader
@@ -56,6 +56,7 @@ def load_exercise(name: str | Path) -> Exercise:
         UnknownNameError: No exercise has this id; the nearest are listed.
         FileError: The file is no exercise; every problem, each with file, line and column.
     """
+    check_typed(Kind.EXERCISES, name)
     path = name if isinstance(name, Path) else find(Kind.EXERCISES, full_id(name))
     ids = {entry.path: entry.name for entry in entries(Kind.EXERCISES)}
     text = read_text("-" if str(path) == "-" else path)

@@ -5,14 +5,14 @@ from __future__ import annotations
 from pathlib import Path
 
 from dhcli.errors import DhcliError, FileError, Place, Problem
-from dhcli.files.library.lookup import Kind, entries, find
+from dhcli.files.library.lookup import Kind, check_typed, entries, find
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.yaml.coordinates import Coordinates
 from dhcli.files.yaml.fields import Problems
 from dhcli.files.yaml.joints import JointReader
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, read_yaml
 from dhcli.mobility.counting import Counts, counts
-from dhcli.mobility.linkage import InvalidLinkageError, Linkage, serial
+from dhcli.mobility.linkage import InvalidLinkageError, Linkage, NamedPoint, serial
 from dhcli.mobility.pairs import LETTERS, SPATIAL, LinkageError, Space, space_of
 from dhcli.mobility.patterns import EXAMPLES, count_of, joint_counts, looks_like_pattern, read_pattern
 
@@ -76,6 +76,7 @@ def load_linkage(name: str | Path, tolerance: float = 0.0) -> Linkage | Counts:
         UnknownNameError: No linkage has this name.
         FileError: The file is no linkage; every problem with file, line and column.
     """
+    check_typed(Kind.LINKAGES, name)
     path = name if isinstance(name, Path) else find(Kind.LINKAGES, name)
     text = read_text("-" if str(path) == "-" else path)
     return read_linkage(text, source_of(path), "stdin" if str(path) == "-" else path.stem, tolerance)
@@ -135,7 +136,8 @@ class _Loader:
         ground = self.fields.text("ground") or ("ground" if "ground" in known else "")
         texts = {key: self.fields.text(key) for key in ("title", "source", "notes", "output")}
         try:
-            return Linkage(self.name, self.space, tuple(joints), ground, **texts)
+            named = tuple(NamedPoint(n, at, reader.loose.get(n, "")) for n, at in self.numbers.points.items())
+            return Linkage(self.name, self.space, tuple(joints), ground, **texts, points=named)
         except InvalidLinkageError as error:
             for finding in error.findings:
                 key, index = str(finding.where[0]), finding.where[-1]

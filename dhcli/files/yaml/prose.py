@@ -5,6 +5,8 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterator
 
+from dhcli.safe import one_line
+
 _ENDS = (".", ":", ";", "?", "!")
 """What a line of its own ends in; any other line goes on below."""
 
@@ -35,7 +37,7 @@ def folded(text: str, width: int, first: str = "", rest: str = "") -> list[str]:
 
 def _paragraphs(text: str) -> Iterator[str]:
     paragraph = ""
-    for line in text.strip("\n").splitlines():
+    for line in map(one_line, text.strip("\n").splitlines()):
         alone = not line.strip() or line.startswith((" ", "-", "*"))
         if paragraph and alone:
             yield paragraph

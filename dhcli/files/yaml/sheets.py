@@ -24,6 +24,7 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import substitute
 from dhcli.notation.writer import write, write_angle
+from dhcli.safe import one_line, yaml_scalar
 
 KEYS = ("exercise", "answers", "variant", "given", "name")
 BLANK = "_"
@@ -168,11 +169,11 @@ def write_sheet(exercise: Exercise) -> str:
         *(["#", *known] if known else []),
         "#",
         *_comment(fill),
-        f"#   dhcli check {exercise.id} THIS_FILE",  # whole, to be copied
+        f"#   dhcli check {one_line(exercise.id)} THIS_FILE",  # whole, to be copied
         *(line for text in _units(exercise) for line in _comment(text)),
         "format: 1",
-        f"exercise: {exercise.id}",
-        *([f"variant: {_scalar(exercise.variant)}"] if exercise.variant else []),
+        f"exercise: {yaml_scalar(exercise.id)}",
+        *([f"variant: {yaml_scalar(exercise.variant)}"] if exercise.variant else []),
         *_given(exercise),
         "answers:",
     ]
@@ -184,18 +185,13 @@ def write_sheet(exercise: Exercise) -> str:
 def _given(exercise: Exercise) -> Iterator[str]:
     """The numbers of the sheet as data: if the exercise is changed later, a right answer must not become wrong."""
     if exercise.values and (exercise.numeric or exercise.variant):
-        values = ", ".join(f"{_scalar(name)}: {_value(text)}" for name, text in values_text(exercise).items())
+        values = ", ".join(f"{yaml_scalar(name)}: {_value(text)}" for name, text in values_text(exercise).items())
         yield from folded(f"given: {{{values}}}", WIDEST, "", "  ")
 
 
 def _value(text: str) -> str:
     """A value as YAML between braces; one with a comma or a bracket in it needs quotes."""
-    return text if re.fullmatch(r"[-\w.°+*/^() ]+", text) else _scalar(text)
-
-
-def _scalar(text: str) -> str:
-    """A text as YAML; in quotes unless it is plainly a name."""
-    return text if re.fullmatch("[A-Za-z][A-Za-z0-9_-]*", text) else "'" + text.replace("'", "''") + "'"
+    return text if re.fullmatch(r"[-\w.°+*/^() ]+", text) else yaml_scalar(text)
 
 
 def _comment(text: str, first: str = "# ", rest: str = "# ") -> list[str]:
@@ -227,7 +223,7 @@ def _part_lines(exercise: Exercise, part: Part) -> Iterator[str]:
     yield ""
     if part.prompt.strip():
         yield from _comment(part.prompt.strip(), "  # ", "  # ")
-    yield from _comment(question.describe(exercise), "  # ", "  # ")
+    yield from _comment(part.heading(exercise), "  # ", "  # ")
     yield from (f"  # {note}" for note in question.notes(exercise))
     for number, option in enumerate(question.statements, 1):
         yield from _comment(option, f"  #   {number}: ", "  #      ")

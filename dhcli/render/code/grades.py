@@ -9,10 +9,10 @@ from typing import Any
 from dhcli.checking.verdicts import Verdict
 from dhcli.classroom.grading import Graded, PartGrade
 from dhcli.classroom.report import STEPS, ClassReport
-from dhcli.render.code.matrices import csv_line, exact, harmless
+from dhcli.render.code.matrices import csv_line, exact
 from dhcli.render.json.envelope import problem_content
 from dhcli.render.look import Look
-from dhcli.render.paper import Paper
+from dhcli.safe import csv_cell, one_line
 
 _VISIBLE = {"visibility": "visible", "output_format": "text"}
 
@@ -20,12 +20,12 @@ _VISIBLE = {"visibility": "visible", "output_format": "text"}
 def class_csv(report: ClassReport, _look: Look) -> str:
     """One line for each sheet, two columns for each part; what students wrote is made harmless."""
     parts = list(dict.fromkeys(part.part for part in report.parts))
-    heads = [f"{part} {what}" for part in parts for what in ("verdict", "earned")]
+    heads = [csv_cell(f"{part} {what}") for part in parts for what in ("verdict", "earned")]
     lines = [csv_line(["student", "sheet", "exercise", "variant", *heads, "earned", "credit", "problem"])]
     for row in report.rows:
-        said = [harmless(text) for text in (row.student, row.sheet, row.exercise, row.variant)]
+        said = [csv_cell(text) for text in (row.student, row.sheet, row.exercise, row.variant)]
         sums = [_number(row.earned), _number(row.credit)] if row.parts else ["", ""]
-        problems = harmless("; ".join(str(problem) for problem in row.problems))
+        problems = csv_cell("; ".join(str(problem) for problem in row.problems))
         lines.append(csv_line([*said, *_part_cells(row, parts), *sums, problems]))
     return "".join(lines)
 
@@ -124,7 +124,7 @@ def _test(part: PartGrade) -> dict[str, Any]:
 
 def _lines(texts: list[str]) -> str:
     """Texts below each other, without what would steer the page that shows them."""
-    return "\n".join(Paper().spell(text) for text in texts)
+    return "\n".join(one_line(text) for text in texts)
 
 
 def _number(value: float) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from dhcli.kinematics.frames import View
-from dhcli.kinematics.pose import Pose
+from dhcli.kinematics.pose import matrix_name
 from dhcli.render.code.matrices import variable
 from dhcli.render.code.rows import Group, Layout
 
@@ -37,7 +37,7 @@ def pose_layout(forms: Sequence[str], views: Iterable[View] = (), *, index: bool
         index: Whether the first column says where the joint values stand.
     """
     said = tuple(_unlike(GROUPS[form], forms) for form in forms)
-    keys = [variable(Pose((), view.reference, view.frame).name) for view in views]
+    keys = [variable(matrix_name(view.reference, view.frame)) for view in views]
     groups = tuple(Group.within(key, said) for key in keys) or said
     if index:
         return Layout((INDEX, *groups))

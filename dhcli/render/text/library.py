@@ -12,6 +12,7 @@ from dhcli.render.code.matrices import csv_line
 from dhcli.render.look import Look
 from dhcli.render.paper import WIDE
 from dhcli.render.text.table import Inked, table_text
+from dhcli.safe import csv_cell
 
 
 def library_table(listed: Sequence[Listed], look: Look) -> str:
@@ -34,7 +35,9 @@ def library_csv(listed: Sequence[Listed], _look: Look) -> str:
     lines = [csv_line(["kind", "name", "joints", "title", "origin", "path"])]
     for one in listed:
         entry = one.entry
-        lines.append(csv_line([one.kind.noun, entry.name, one.joints, one.title, entry.origin, str(entry.path)]))
+        lines.append(
+            csv_line(map(csv_cell, (one.kind.noun, entry.name, one.joints, one.title, entry.origin, str(entry.path))))
+        )
     return "".join(lines)
 
 

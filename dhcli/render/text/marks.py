@@ -13,6 +13,7 @@ from dhcli.render.code.matrices import csv_line
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
 from dhcli.render.text.prose import prose_lines
+from dhcli.safe import csv_cell
 
 _INKS = {
     Verdict.RIGHT: ("green",),
@@ -53,7 +54,7 @@ def marks_csv(marked: SheetMark, _look: Look) -> str:
     lines = [csv_line(["part", "verdict", "earned", "credit"])]
     for one in marked.parts:
         earned, credit = one.mark.earned * one.part.credit, one.part.credit
-        lines.append(csv_line([one.part.id, one.mark.verdict.word, plain(earned), plain(credit)]))
+        lines.append(csv_line([csv_cell(one.part.id), one.mark.verdict.word, plain(earned), plain(credit)]))
     return "".join(lines)
 
 
@@ -87,9 +88,10 @@ def marks_content(marked: SheetMark, _look: Look) -> dict[str, Any]:
     }
 
 
-def question_text(exercise: Exercise, part: Part, paper: Paper) -> str:
-    """What a part asks, for a person who is about to answer."""
-    asked = prose_lines(f"{part.id}: {part.question.describe(exercise)}", paper)
+def question_text(exercise: Exercise, part: Part, paper: Paper, *, whole: bool = False) -> str:
+    """What a part asks, for a person who is about to answer; the whole of it for one who sees the solution."""
+    heading = part.question.describe(exercise) if whole else part.heading(exercise)
+    asked = prose_lines(f"{part.id}: {heading}", paper)
     lines = [paper.ink(line, "bold") for line in asked]
     lines += prose_lines(part.prompt.strip(), paper)
     for n, option in enumerate(part.question.statements, 1):
@@ -101,7 +103,7 @@ def solution_text(exercise: Exercise, part: Part, steps: Iterable[Shown], paper:
     """The steps of a solution, each matrix under what it is."""
     from dhcli.render.text.matrix import matrix_lines
 
-    lines = [question_text(exercise, part, paper).rstrip("\n")]
+    lines = [question_text(exercise, part, paper, whole=True).rstrip("\n")]
     for step in steps:
         lines += ["", *(line for text in step.text.splitlines() for line in prose_lines(text, paper))]
         if step.rows:
@@ -130,7 +132,7 @@ def _part_lines(marked: SheetMark, one: PartMark, look: Look) -> Iterator[str]:
     sign = verdict.sign if paper.unicode else _ASCII_SIGNS.get(verdict.sign, verdict.sign)
     word = paper.ink(f"{sign} {verdict.word:<10}", "bold", *_INKS[verdict])
     credit = _partial_credit(one) if len(marked.parts) > 1 else ""
-    asked = f"{one.part.id}: {one.part.question.describe(exercise)}{credit}"
+    asked = f"{one.part.id}: {one.part.heading(exercise)}{credit}"
     first, *rest = prose_lines(paper.spell(asked), paper, _UNDER_ASKED, _UNDER_ASKED)
     yield f"{word}  {first.removeprefix(_UNDER_ASKED)}"
     yield from rest

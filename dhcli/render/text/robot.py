@@ -20,6 +20,7 @@ from dhcli.render.look import Look
 from dhcli.render.paper import Paper
 from dhcli.render.text.quantities import in_units
 from dhcli.render.text.table import Inked, table_text
+from dhcli.safe import csv_cell, latex
 
 _LETTERS = {"a": "a", "alpha": "α", "d": "d", "theta": "θ"}
 _PROSE = 96
@@ -59,7 +60,8 @@ def robot_table(robot: Robot, look: Look) -> str:
 def robot_csv(robot: Robot, _look: Look) -> str:
     """The rows of the table, or the products."""
     if robot.convention is Convention.PRODUCT:
-        return csv_line(["i", "product"]) + "".join(csv_line([str(link.number), link.text]) for link in robot.links)
+        products = (csv_line([str(link.number), csv_cell(link.text)]) for link in robot.links)
+        return csv_line(["i", "product"]) + "".join(products)
     lines = [csv_line(["i", *robot.columns])]
     lines += [csv_line([str(link.number), *_row(robot, link, "full")]) for link in robot.links]
     return "".join(lines)
@@ -68,7 +70,7 @@ def robot_csv(robot: Robot, _look: Look) -> str:
 def robot_latex(robot: Robot, _look: Look) -> str:
     """The table for a paper."""
     if robot.convention is Convention.PRODUCT:
-        rows = [[str(link.number), rf"\texttt{{{link.text}}}"] for link in robot.links]
+        rows = [[str(link.number), rf"\texttt{{{latex(link.text)}}}"] for link in robot.links]
         titles = ["$i$", "product"]
     else:
         rows = [[str(link.number), *(f"${cell}$" for cell in _row(robot, link, "latex"))] for link in robot.links]
@@ -163,8 +165,16 @@ def _joints(robot: Robot, look: Look) -> str:
 def _parameters(robot: Robot, look: Look) -> str:
     if not robot.parameters:
         return ""
-    rows = [[name, "no value" if value is None else value_text(value)] for name, value in robot.parameters.items()]
+    rows = [
+        [name, _formula(robot, name) + ("no value" if value is None else value_text(value))]
+        for name, value in robot.parameters.items()
+    ]
     return table_text(["parameter", "value"], rows, look.paper)
+
+
+def _formula(robot: Robot, name: str) -> str:
+    """What a parameter is in terms of others."""
+    return f"{write(robot.derived[name].expr, 'full', robot.writing)} = " if name in robot.derived else ""
 
 
 def _poses(robot: Robot, look: Look) -> str:

@@ -1,0 +1,102 @@
+"""What a caller may give for the parts of a robot, taken as what it plainly means, or refused in words.
+
+A file has its own reader, which knows where everything stands; here a program gives text for moves, a float for a
+length, a list for a tuple.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+from typing import Any
+
+from dhcli.errors import Place, RobotError
+from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans, read_chain
+from dhcli.notation.angle import Angle
+from dhcli.notation.parser import parse
+from dhcli.notation.quantity import DimensionError, to_angle, to_length
+from dhcli.notation.scope import Scope
+from dhcli.notation.tree import Expr, Number
+
+_A_CHAIN = 'write "Trans(0, 0, l3) Rot(x, 90°)", or give Rot, Trans and Fixed moves'
+_A_VALUE = 'write 0.4, "400 mm", "90°", or None for one that stays open'
+
+
+def chain_of(given: object, part: str) -> Chain:
+    """Moves, or a text that spells them.
+
+    Args:
+        given: What the caller gave.
+        part: What to call it in a message: `tool`, `base`.
+
+    Raises:
+        RobotError: It is neither.
+        NotationError: The text cannot be read, with the column.
+    """
+    if isinstance(given, str):
+        return read_chain(given, place=Place(part, text=given)) if given.strip() else ()
+    if isinstance(given, Rot | Trans | Fixed):
+        return (given,)
+    moves: list[Move] = []
+    for move in tuple_of(given, part, _A_CHAIN):
+        if not isinstance(move, Rot | Trans | Fixed):
+            raise RobotError(f"{part}: {_shown(move)} is no move", _A_CHAIN)
+        moves.append(move)
+    return tuple(moves)
+
+
+def tuple_of(given: object, part: str, hint: str = "") -> tuple[object, ...]:
+    """A list of something.
+
+    Raises:
+        RobotError: It is none; a text is one thing, and not its letters.
+    """
+    if isinstance(given, str | bytes | Mapping) or not isinstance(given, Iterable):
+        raise RobotError(f"{part}: {_shown(given)} is no list", hint)
+    return tuple(given)
+
+
+def mapping_of(given: object, part: str) -> Mapping[str, Any]:
+    """Something by name.
+
+    Raises:
+        RobotError: It is no mapping, or a key is no text.
+    """
+    if not isinstance(given, Mapping):
+        raise RobotError(f"{part}: {_shown(given)} is no mapping of names", 'write {"a1": 0.4}')
+    for key in given:
+        if not isinstance(key, str):
+            raise RobotError(f"{part}: {_shown(key)} is no name", 'write {"a1": 0.4}')
+    return given
+
+
+def value_of(given: object, name: str, *, is_angle: bool) -> Angle | Expr:
+    """An angle or a length, a text with its unit, or a number: radians or metres.
+
+    Raises:
+        RobotError: It is none of them, or not finite.
+        NotationError: The text cannot be read, with the column.
+    """
+    if isinstance(given, Angle | Expr):
+        return given
+    if isinstance(given, str):
+        try:
+            expr = parse(given, Scope(), Place(name, text=given))
+            return to_angle(expr, bare="refuse") if is_angle else to_length(expr)
+        except DimensionError as error:
+            raise RobotError(f"{name}: {error.message}", error.hint) from None
+    try:
+        number = float(given)  # type: ignore[arg-type]
+    except (TypeError, ValueError, OverflowError):
+        raise RobotError(f"{name}: {_shown(given)} is no value", _A_VALUE) from None
+    if not math.isfinite(number):
+        raise RobotError(f"{name}: {number} is no value", _A_VALUE)
+    exact = Fraction(repr(number))  # 0.1 is a tenth, as it was typed, and not the binary fraction nearest to it
+    if is_angle:
+        return Angle(radians=exact)
+    return Number(exact, None if exact.denominator == 1 else exact.denominator.bit_length() - 1)
+
+
+def _shown(given: object) -> str:
+    return f"{given!r:.60}"

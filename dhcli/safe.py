@@ -1,0 +1,74 @@
+"""Text that somebody else wrote, made safe for where it goes: one function for each medium, and nothing else does it.
+
+Foreign is every text that dhcli did not make itself: names of files, titles, answers, what is typed. Nothing in it may
+steer a terminal, leave a comment of generated code, or become a formula, a command or a tag. A test holds the rooms
+above to these functions (`tests/cli/test_foreign_text.py`).
+"""
+
+from __future__ import annotations
+
+import html as _html
+import json
+import re
+
+_FORMULA = tuple("=+-@＝＋－＠")  # noqa: RUF001  the wide ones begin a formula as well
+_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*(?:/[A-Za-z0-9_-]+)?")
+_LATEX = {
+    "\\": r"\textbackslash{}",
+    "{": r"\{",
+    "}": r"\}",
+    "^": r"\textasciicircum{}",
+    "~": r"\textasciitilde{}",
+    **{sign: f"\\{sign}" for sign in "$&#%_"},
+}
+_LATEX_SIGN = re.compile(r"[\\{}^~$&#%_]")
+
+
+def one_line(text: str) -> str:
+    """A text on one line of a terminal: controls, marks that turn the direction of writing, line ends become blanks."""
+    return text if text.isprintable() else "".join(letter if letter.isprintable() else " " for letter in text)
+
+
+def comment(text: str, mark: str) -> str:
+    """A comment of a program on one line, which nothing in the text can end.
+
+    Args:
+        text: What it says.
+        mark: What begins a comment in that language: `#`, `%`.
+    """
+    return f"{mark} {one_line(text)}".rstrip() + "\n"
+
+
+def docstring(text: str) -> str:
+    """A docstring of Python on one line, which nothing in the text can end."""
+    said = one_line(text).replace("\\", "/").replace('"', "'")
+    return f'"""{said}"""'
+
+
+def csv_cell(text: str) -> str:
+    """A cell that no spreadsheet takes for a formula; quotes are for the writer of the whole line.
+
+    Source: OWASP, CSV injection: an apostrophe before what begins like one; full-width signs count too, and so does
+    what stands behind blanks, tabs or letters without width.
+    """
+    said = one_line(text)
+    is_formula = said.lstrip().startswith(_FORMULA) or text.startswith(("\t", "\r", "\n"))
+    return f"'{said}" if is_formula else said
+
+
+def yaml_scalar(text: str) -> str:
+    """A text as one value in YAML; in quotes unless it is plainly a name, or the id of an exercise."""
+    if _NAME.fullmatch(text):
+        return text
+    # Controls and letters without width stand in double quotes, spelled by their numbers.
+    return "'" + text.replace("'", "''") + "'" if text.isprintable() else json.dumps(text)
+
+
+def latex(text: str) -> str:
+    """Plain text in LaTeX, outside formulas."""
+    return _LATEX_SIGN.sub(lambda sign: _LATEX[sign[0]], one_line(text))
+
+
+def html(text: str) -> str:
+    """Plain text in HTML and SVG, also between the quotes of an attribute."""
+    return _html.escape(one_line(text), quote=True)

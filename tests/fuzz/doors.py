@@ -1,0 +1,343 @@
+"""Every door of dhcli: valid command lines and files, one word or one file of which is then mutated."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from tests.fuzz.mutating import mutated, mutated_bytes
+
+ROOT = Path(__file__).parents[2]
+IDENTITY = "1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1"
+
+LINES: tuple[tuple[str, ...], ...] = (
+    ("fk", "scara", "--q", "0.3,30°,100mm", "--digits", "3", "--format", "json"),
+    ("fk", "scara", "--q", "theta1=10, theta2=20, d3=0.1", "--deg", "--set", "l1=400 mm", "--set", "l2=1/3 m"),
+    (
+        "fk",
+        "puma560",
+        "--pose",
+        "ready",
+        "--as",
+        "position,rpy,quaternion,axis-angle",
+        "--from",
+        "base",
+        "--to",
+        "tool",
+    ),
+    ("fk", "planar-2r", "-s", "--q", "theta1=90°", "--style", "full", "--let"),
+    ("fk", "planar-2r", "-s", "--point", "1,a1,0", "--inverse"),
+    ("fk", "planar-2r", "-s", "--factors", "1", "--format", "sympy"),
+    ("fk", "stanford", "-s", "--frames"),
+    ("fk", "stanford", "--links", "--q", "0,0,0.2,0,0,0", "--format", "csv"),
+    ("fk", "scara", "--in", "q.csv", "--ignore-columns", "--skip-bad", "--index", "--deg"),
+    ("fk", "scara", "--pose", "pick", "-o", "out.m", "--force"),
+    (
+        "sweep",
+        "planar-2r",
+        "--over",
+        "theta1=-90°..90° step 30°",
+        "--over",
+        "theta2 n 4",
+        "--point",
+        "0,0,0",
+        "--digits",
+        "2",
+    ),
+    ("sweep", "scara", "--over", "theta1=0..1 step 0.5", "--pose", "zero", "--set", "l1=1", "--from", "0", "--to", "3"),
+    (
+        "sweep",
+        "scara",
+        "--over",
+        "d3=0..30mm step 10mm",
+        "--q",
+        "theta1=0,theta2=0",
+        "--deg",
+        "--format",
+        "csv",
+        "-o",
+        "s.csv",
+    ),
+    ("transform", "Trans(8,-6,14) Rot(y,90°) Rot(z,a)^-1", "--set", "a=30°", "--point", "1,2,3", "--vector", "0,0,1"),
+    ("transform", f"Rot(x,b) [{IDENTITY}]", "--steps", "--fixed", "-s", "--style", "full"),
+    (
+        "transform",
+        "Rot(z,0.5 rad) Trans(0,0,400 mm)",
+        "--as",
+        "rpy",
+        "--digits",
+        "2",
+        "--format",
+        "json",
+        "-o",
+        "t.json",
+    ),
+    ("jacobian", "planar-2r", "-s", "--let", "--from", "0", "--to", "2", "--point", "0,0,0", "--format", "latex"),
+    ("jacobian", "scara", "--q", "10,20,0.1", "--deg", "--set", "l1=1", "--digits", "3", "--style", "full"),
+    ("jacobian", "scara", "--pose", "pick", "--part", "linear", "--order", "angular-first", "-o", "j.json", "--force"),
+    ("jacobian", "scara", "--pose", "pick", "--analytic", "rpy"),
+    ("jacobian", "scara", "--pose", "pick", "--space"),
+    ("jacobian", "scara", "--pose", "pick", "--body"),
+    ("jacobian", "scara", "--pose", "pick", "--in", "tool"),
+    ("jacobian", "scara", "--rows", "q.csv", "--skip-bad", "--ignore-columns", "--index"),
+    (
+        "singularities",
+        "planar-2r",
+        "--from",
+        "0",
+        "--to",
+        "2",
+        "--part",
+        "linear",
+        "--point",
+        "0,0,0",
+        "--format",
+        "json",
+    ),
+    (
+        "singularities",
+        "scara",
+        "--q",
+        "10,20,0.1",
+        "--deg",
+        "--set",
+        "l1=1",
+        "--style",
+        "full",
+        "-o",
+        "s.json",
+        "--force",
+    ),
+    ("singularities", "scara", "--pose", "pick"),
+    ("rates", "planar-2r", "--q", "10,20", "--deg", "--set", "a1=1", "--velocity", "1,0,0", "--angular", "0,0,1"),
+    ("rates", "scara", "--pose", "pick", "--velocity", "1,0,0", "--damped", "0.1", "--digits", "3", "--style", "full"),
+    ("rates", "planar-2r", "-s", "--rates", "1,2", "--from", "0", "--to", "2", "--in", "0", "--at", "0,0,0"),
+    ("rates", "scara", "--pose", "pick", "--rates", "1,2,3", "--format", "json", "-o", "r.json", "--force"),
+    ("torques", "planar-2r", "--q", "10,20", "--deg", "--set", "a1=1", "--force", "1,0,0", "--moment", "0,0,1"),
+    ("torques", "planar-2r", "-s", "--force", "1,0,0", "--from", "0", "--to", "2", "--in", "0", "--at", "0,0,0"),
+    ("torques", "scara", "--pose", "pick", "--force", "1,0,0", "--style", "full", "--digits", "3"),
+    ("torques", "scara", "--pose", "pick", "--force", "1,0,0", "--format", "json", "-o", "t.json", "--overwrite"),
+    ("draw", "scara", "--q", "10,20,0.1", "--deg", "--set", "l1=1", "--view", "top", "--size", "80x20"),
+    ("draw", "scara", "--pose", "pick", "--dark", "--table", "-o", "a.svg", "--force"),
+    ("draw", "puma560", "--pose", "ready", "-o", "a.tex"),
+    ("draw", "scara", "--pose", "pick", "--to", "zero", "-o", "film.svg"),
+    ("draw", "puma560", "--pose", "ready", "--beside", "puma560-standard"),
+    ("dof", "scara", "--q", "10,20,0.1", "--deg"),
+    ("dof", "scara", "--pose", "pick"),
+    ("transform", "Rot(z,phi) Trans(height,0,0)", "--symbols", "phi,height"),
+    ("check", "scara", "--pose", "zero", "--entry", "1,4", "--answer", "0"),
+    ("check", "scara", "--pose", "zero", "--as", "position", "--answer", "0, 0.5, 0.4"),
+    ("show", "scara", "--draw"),
+    ("draw", "yim/planar-in-numbers", "--variant", "alice", "--solution", "--worksheet", "-o", "w.svg"),
+    ("ik", "planar-2r", "--q", "10,20", "--deg", "--set", "a1=1", "--task", "position", "--from", "0", "--to", "2"),
+    ("ik", "puma560", "--pose", "ready", "--near", "ready", "--branch", "elbow up", "--within-limits", "--digits", "3"),
+    ("ik", "puma560", "--target", "Trans(0.4,0.15,0.3) Rot(y,90°)", "--all-turns", "--format", "json", "-o", "i.json"),
+    (
+        "ik",
+        "puma560",
+        "--position",
+        "0.4,0.15,0.3",
+        "--rpy",
+        "0,90,0",
+        "--deg",
+        "--format",
+        "csv",
+        "-o",
+        "i.csv",
+        "--force",
+    ),
+    ("ik", "puma560", "--position", "0.4,0.15,0.3", "--quaternion", "1,0,0,0"),
+    ("ik", "panda", "--pose", "ready", "--hold", "theta7=0", "--family", "3"),
+    ("ik", "puma560", "--position", "0.4,0.15,0.3", "--pointing", "0,0,-1"),
+    ("ik", "planar-2r", "--derive"),
+    ("ik", "scara", "--in", "poses.csv", "--each", "first"),
+    ("dof", "6-UPS", "--format", "json"),
+    ("dof", "loop 4R", "--tol", "1e-3"),
+    ("dof", "--links", "4", "--joints", "3R 1P", "--planar"),
+    ("dof", "--links", "n", "--joints", "2R,1C", "--lambda", "6", "-o", "d.json", "--force"),
+    ("start", "yim/planar-in-numbers", "--variant", "alice", "-o", "-", "--force"),
+    (
+        "check",
+        "yim/planar-in-numbers",
+        "--part",
+        "a1",
+        "--answer",
+        "[c1 -s1 0 0.4; s1 c1 0 0; 0 0 1 0; 0 0 0 1]",
+        "--why",
+    ),
+    ("check", "yim/planar-in-numbers", "--variant", "alice", "--part", "middle", "--answer", "0.3852 0.3449 0"),
+    ("check", "scara", "--q", "10,20,0.1", "--deg", "--set", "l1=1", "--answer", IDENTITY, "--tol-rotation", "0.01"),
+    ("check", "scara", "--pose", "zero", "--answer", IDENTITY, "--tol-position", "0.5mm", "--decimals", "3"),
+    (
+        "check",
+        "puma560",
+        "-s",
+        "--from",
+        "4",
+        "--to",
+        "6",
+        "--answer",
+        "c5c6 -c5s6 -s5 0; s6 c6 0 0; s5c6 -s5s6 c5 0; 0 0 0 1",
+    ),
+    ("check", "planar-2r", "--table", "robot.yaml", "--format", "json", "-o", "m.json", "--force"),
+    ("watch", "yim/planar-in-numbers", "sheet.yaml", "--variant", "x"),
+    ("hint", "yim/planar-in-numbers", "--part", "t02", "--variant", "bob"),
+    ("solution", "yim/planar-in-numbers", "--part", "t02", "--yes", "--variant", "bob"),
+    (
+        "grade",
+        "class",
+        "--exercise",
+        "yim/planar-in-numbers",
+        "--jobs",
+        "1",
+        "--timeout",
+        "20",
+        "--format",
+        "json",
+        "-o",
+        "g.json",
+    ),
+    ("show", "puma560", "--format", "latex", "-o", "p.tex", "--force"),
+    ("show", "yim/planar-in-numbers", "--variant", "alice"),
+    ("list", "robots", "--format", "csv", "-o", "l.csv", "--force"),
+    ("lint", "robot.yaml", "exercise.yaml", "--format", "json", "-o", "lint.json", "--force"),
+    ("new", "robot", "arm", "--convention", "modified", "--joints", "RRP", "-o", "-"),
+    ("new", "exercise", "course/first", "--robot", "planar-2r", "--output", "-", "--force"),
+    ("new", "linkage", "press", "--form", "bars", "-o", "-"),
+    ("new", "linkage", "press", "--form", "joints", "-o", "press.yaml", "--force"),
+    ("new", "robot", "arm", "-o", "arm.yaml", "--force"),
+    ("sweep", "planar-2r", "--over", "theta1 n 3", "--q", "theta2=0", "-o", "t.csv", "--force"),
+    ("transform", "Rot(z,a)", "-o", "t.json", "--force"),
+    ("grade", "class", "-o", "c.csv", "--force"),
+    ("help", "student"),
+)
+"""A line for every option of every command; a test makes sure that none is left out."""
+
+FILES: dict[str, tuple[str, tuple[tuple[str, ...], ...]]] = {
+    "robot": (
+        "robots/planar-2r.yaml",
+        (("show", "./x.yaml"), ("fk", "./x.yaml", "-s"), ("lint", "x.yaml"), ("dof", "x.yaml")),
+    ),
+    "product": ("robots/scara.yaml", (("show", "./x.yaml"), ("fk", "./x.yaml", "--pose", "pick"), ("lint", "x.yaml"))),
+    "modified": (
+        "robots/puma560.yaml",
+        (("fk", "./x.yaml", "-s", "--format", "numpy"), ("check", "puma560", "--table", "x.yaml")),
+    ),
+    "linkage": ("robots/linkages/planar-four-bar.yaml", (("show", "./x.yaml"), ("dof", "x.yaml"), ("lint", "x.yaml"))),
+    "spatial": ("robots/linkages/bennett.yaml", (("dof", "x.yaml", "--format", "json"),)),
+    "exercise": (
+        "exercises/yim/planar-in-numbers.yaml",
+        (("show", "./x.yaml"), ("lint", "x.yaml"), ("start", "./x.yaml", "-o", "-"), ("solution", "./x.yaml", "--yes")),
+    ),
+    "table": (
+        "exercises/wpi/puma560-table.yaml",
+        (("solution", "./x.yaml", "--yes"), ("start", "./x.yaml", "--variant", "a")),
+    ),
+    "counts": ("exercises/yim/counting-freedoms.yaml", (("solution", "./x.yaml", "--yes"), ("show", "./x.yaml"))),
+    "sheet": (
+        "tests/data/class/student-1/planar.yaml",
+        (
+            ("check", "yim/planar-in-numbers", "x.yaml"),
+            ("check", "yim/planar-in-numbers", "x.yaml", "--why", "--format", "json"),
+        ),
+    ),
+}
+"""A file of each kind, and the commands that read it."""
+
+ROWS: dict[str, bytes] = {
+    "q.csv": b"theta1[deg], theta2 [rad], d3[mm], note\n10,0.5,100,a\n20,0.6,-50,b\n",
+    "q2.csv": b"sep=;\n0,1;0,2;0,3\n1;2;3\n",
+    "q.jsonl": b'{"theta1": 0.1, "theta2": 0.2, "d3": 0.3}\n[1, 2, 3]\n',
+    "q.npy": b"\x93NUMPY\x01\x00v\x00{'descr': '<f8', 'fortran_order': False, 'shape': (1, 3), }"
+    + b" " * 58
+    + b"\n"
+    + b"\0" * 24,
+}
+
+
+@dataclass(frozen=True)
+class Case:
+    """A command line with what it finds in its folder and on standard input."""
+
+    words: tuple[str, ...]
+    files: dict[str, bytes] = field(default_factory=dict)
+    stdin: str = ""
+
+
+def cases(door: str, count: int, seed: str) -> Iterator[Case]:
+    """So many cases at a door, the same for the same seed."""
+    for number in range(count):
+        chance = random.Random(f"{seed}/{door}/{number}")  # noqa: S311  nothing is kept secret
+        yield DOORS[door](chance)
+
+
+def _line(chance: random.Random) -> Case:
+    words = list(chance.choice(LINES))
+    at = chance.randrange(1, len(words))
+    words[at] = mutated(words[at], chance)
+    poses = b"p_x,p_y,p_z,roll,pitch,yaw\n-0.2321,0.4259,0.3,0,0,0.8\n"
+    files = {
+        "q.csv": ROWS["q.csv"],
+        "poses.csv": poses,
+        "robot.yaml": source("robot"),
+        "exercise.yaml": source("exercise"),
+    }
+    files |= {"class/one/s.yaml": source("sheet"), "sheet.yaml": source("sheet")}
+    return Case(tuple(word.replace("\0", "") for word in words), files, chance.choice(("", IDENTITY)))
+
+
+def _file(chance: random.Random) -> Case:
+    kind = chance.choice(sorted(FILES))
+    words = chance.choice(FILES[kind][1])
+    content = source(kind)
+    if chance.random() < 0.1:
+        return Case(words, {"x.yaml": mutated_bytes(content, chance)})
+    return Case(words, {"x.yaml": mutated(content.decode(), chance).encode("utf-8", "surrogatepass")})
+
+
+def _rows(chance: random.Random) -> Case:
+    name = chance.choice(sorted(ROWS))
+    content = ROWS[name]
+    if name.endswith(".npy") or chance.random() < 0.2:
+        content = mutated_bytes(content, chance)
+    else:
+        content = mutated(content.decode(), chance).encode("utf-8", "surrogatepass")
+    more = chance.choice(((), ("--deg",), ("--skip-bad", "--ignore-columns"), ("--as", "rpy", "--format", "jsonl")))
+    return Case(("fk", "scara", "--in", name, *more), {name: content})
+
+
+def _answer(chance: random.Random) -> Case:
+    words = list(chance.choice([line for line in LINES if "--answer" in line]))
+    at = words.index("--answer") + 1
+    text = mutated(mutated(words[at], chance), chance)
+    words[at] = "-"
+    return Case(tuple(words), stdin=text.encode("utf-8", "replace").decode())
+
+
+def _moves(chance: random.Random) -> Case:
+    return Case(
+        ("transform", mutated(mutated("Trans(8,-6,14) Rot(y,90°) Rot(z,a)^-1", chance), chance).replace("\0", ""))
+    )
+
+
+def _freedoms(chance: random.Random) -> Case:
+    pattern = chance.choice(("6-UPS", "loop 4R", "3-RRR planar", "2R1P", "RRRP", "20 pin 4 slot"))
+    return Case(("dof", mutated(mutated(pattern, chance), chance).replace("\0", "")))
+
+
+DOORS = {
+    "words": _line,
+    "files": _file,
+    "rows": _rows,
+    "answers": _answer,
+    "moves": _moves,
+    "freedoms": _freedoms,
+}
+
+
+def source(kind: str) -> bytes:
+    """The valid file of a kind."""
+    (path,) = ROOT.glob(FILES[kind][0])
+    return path.read_bytes()
