@@ -114,7 +114,8 @@ class Search:
     @cached_property
     def pairs(self) -> tuple[Candidate, ...]:
         """Two mistakes at once, the one of the earlier level first; none where there are too many to look through."""
-        if len(self.singles) ** 2 * len(self.right.steps) > MOST_WORK:
+        paired = sum(not one.mistake.alone for one in self.singles)
+        if paired**2 * len(self.right.steps) > MOST_WORK:
             return ()
         found: list[Candidate] = []
         place = {one.slips[0].name: k for k, one in enumerate(self.singles)}

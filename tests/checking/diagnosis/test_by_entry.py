@@ -25,7 +25,7 @@ def about(name: str, ask: str = "") -> Exercise:
     """The pose of a robot, or what else is asked of it."""
     robot = load_robot(name)
     if not ask:
-        return question_about(robot, robot.frames[1], robot.frames[-2], numeric=False, given={})
+        return question_about(robot, f"pose {robot.frames[1]}..{robot.frames[-2]}", numeric=False, given={})
     return Exercise("e", "", "", "", (Part("pose", read_question(ask, robot.scope)),), robot)
 
 
@@ -117,7 +117,7 @@ def test_a_slip_in_the_table_is_named_before_one_in_the_terms() -> None:
 def test_numbers_show_no_terms() -> None:
     """There is nothing to look for in them."""
     robot = load_robot("planar-2r")
-    exercise = question_about(robot, "0", "2", numeric=True, given=joint_values(robot, "25°,40°"))
+    exercise = question_about(robot, "pose 0..2", numeric=True, given=joint_values(robot, "25°,40°"))
     search = search_of(exercise.parts[0].question, case_of(exercise, exercise.parts[0]).memo)
     assert search.setting.numeric
     found = check(exercise, "pose", "[0.4 -0.9 0 1.2; 0.9 0.4 0 1; 0 0 1 0; 0 0 0 1]").diagnosis

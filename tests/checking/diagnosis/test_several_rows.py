@@ -31,7 +31,7 @@ def about(robot: Robot, start: str, end: str, *, numeric: bool) -> Exercise:
     """The same of any robot."""
     angles = ("25°", "37°", "49°", "62°", "71°", "16°")
     given = joint_values(robot, ",".join(angles[: len(robot.joints)])) if numeric else {}
-    return question_about(robot, start, end or robot.frames[-2], numeric=numeric, given=given)
+    return question_about(robot, f"pose {start}..{end or robot.frames[-2]}", numeric=numeric, given=given)
 
 
 def with_rows(robot: Robot, change: Callable[[Rows], Rows]) -> Robot:
@@ -116,8 +116,8 @@ def test_a_value_of_a_joint_that_is_left_out_is_no_sine_for_a_cosine() -> None:
     """At a drawn angle of 90° both give the same; what is plain is named alone."""
     robot = load_robot("ur5e")
     given = joint_values(robot, "25°,90°,49°,62°,71°,16°")
-    exercise = question_about(robot, "0", "6", numeric=True, given=given)
-    other = question_about(robot, "0", "6", numeric=True, given={**given, "theta2": Angle()})
+    exercise = question_about(robot, "pose 0..6", numeric=True, given=given)
+    other = question_about(robot, "pose 0..6", numeric=True, given={**given, "theta2": Angle()})
     found = check(exercise, "pose", expected(other, other.parts[0])).diagnosis
     assert found is not None
     assert found.ids == ("theta-zero 2",)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
-from itertools import combinations
+from itertools import combinations, pairwise
 
 from dhcli.checking.diagnosis.mistakes.changes import all_rows, in_row, value_of
 from dhcli.checking.diagnosis.mistakes.record import Catalogue, Level, Made
@@ -26,6 +26,9 @@ BETWEEN_ROWS = Catalogue(Level.TABLE)
 
 SHIFTED = {"alpha": ("alpha",), "a": ("a",), "a+alpha": ("a", "alpha")}
 """Columns that are written one row too far, by how that is called."""
+
+MANY = 12
+"""With more rows than these only neighbours are taken for each other: the pairs of rows would be too many."""
 
 
 BETWEEN_ROWS(
@@ -61,7 +64,7 @@ def theta_other(work: Work, setting: Setting) -> Made:
         if step.row is None or len(own) != 1 or own[0][0] not in every:
             continue
         near = every.index(own[0][0])
-        for other in every[max(0, near - 1) : near + 2] if setting.numeric else every:
+        for other in every[max(0, near - 1) : near + 2] if setting.numeric or len(every) > MANY else every:
             terms = ((other, own[0][1]),)
             row = replace(step.row, theta=replace(step.row.theta, terms=terms))
             if not _hardly_differ(row.theta, step.row.theta, setting):
@@ -151,7 +154,7 @@ def _swapped(
 ) -> Made:
     """Every two cells of a column that differ, in each other's row."""
     places = [k for k, step in enumerate(work.steps) if step.row is not None and (not free or free[k])]
-    for k, m in combinations(places, 2):
+    for k, m in combinations(places, 2) if len(places) <= MANY else pairwise(places):
         one, two = work.steps[k], work.steps[m]
         if one.row is None or two.row is None:
             continue
