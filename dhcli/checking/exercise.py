@@ -311,6 +311,10 @@ class Question(ABC, Generic[T]):
         """Whether later parts may follow from a right answer otherwise than from the solution."""
         return False
 
+    def is_plausible(self, _case: Case, _judged: Judged[T]) -> bool:
+        """Whether somebody has worked out an answer, so that what follows from it shows work as well."""
+        return True
+
     def rows(self, _case: Case, _reading: Reading[T]) -> tuple[Row, ...]:
         """The DH rows that an answer draws, one for each link of the robot; none where it draws none."""
         return ()

@@ -223,8 +223,7 @@ class Judge:
         own = {
             name: one.reading
             for name, one in earlier.items()
-            if one.reading is not None
-            and (one.mark.verdict in UNSOLVED or self.exercise.part(name).question.differs(one.mark))
+            if one.reading is not None and self._may_lead(self.exercise.part(name), one)
         }
         used = part.question.follows(self._case(part), judged.reading, own)
         if not used:
@@ -235,6 +234,12 @@ class Judge:
         return replace(
             mark, earned=1.0, remarks=(f"{remark}; this part keeps its credit",), diagnosis=Diagnosis(follows=used)
         )
+
+    def _may_lead(self, part: Part, judged: Judged[Any]) -> bool:
+        """Whether an answer differs from the solution, and is one that a person may go on from."""
+        if part.question.differs(judged.mark):
+            return True
+        return judged.mark.verdict in UNSOLVED and part.question.is_plausible(self._case(part), judged)
 
 
 def check(exercise: Exercise, part: str, answer: str) -> Mark:

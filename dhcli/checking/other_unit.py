@@ -15,6 +15,9 @@ from dhcli.checking.wanted import Wanted
 
 SOLVED = (Verdict.RIGHT, Verdict.ROUNDED)
 
+CLEAR = 10
+"""Tolerances above which a length is right in another unit by no chance: near zero many are."""
+
 
 def mark_measured(question: Wanted, truth: Truth, entries: Entries, exercise: Exercise, tolerance: Tolerance) -> Mark:
     """Judge an answer in numbers, whatever unit its lengths are in.
@@ -76,7 +79,7 @@ def _plain_unit(
 
 
 def _is_plainly(question: Wanted, truth: Truth, own: Mark, other: Mark, tolerance: Tolerance) -> bool:
-    """Whether lengths that are not zero are right in another unit, and none in that of the sheet."""
+    """Whether lengths that are not near zero are right in another unit, and none in that of the sheet."""
     assert truth.numbers is not None  # noqa: S101
     limits, found = limits_of(question, truth, tolerance), False
     for here, there in zip(own.cells, other.cells, strict=True):
@@ -85,5 +88,6 @@ def _is_plainly(question: Wanted, truth: Truth, own: Mark, other: Mark, toleranc
             continue
         if here.verdict in SOLVED and there.verdict not in SOLVED:
             return False
-        found = found or (there.verdict in SOLVED and here.verdict not in SOLVED)
+        is_clear = abs(truth.numbers[r][c]) > CLEAR * limits[r][c]
+        found = found or (is_clear and there.verdict in SOLVED and here.verdict not in SOLVED)
     return found

@@ -73,7 +73,7 @@ def test_metres_on_a_sheet_in_millimetres() -> None:
     mark = judged("[0.42406, -0.48978, 0]", "position of pose 0..2", "mm")
     assert mark.remarks[0].startswith("the lengths are in m; this sheet is in mm")
     assert mark.diagnosis is not None
-    assert [one.name for one in mark.diagnosis.causes[0]] == ["entry-sign 2,1", "in-m"]
+    assert mark.diagnosis.ids == ("theta-signs + in-m", "entry-sign 2,1 + in-m")
 
 
 @pytest.mark.parametrize(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dhcli.checking.diagnosis.by_entry import entry_causes
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.diagnosis.search import search_of
 from dhcli.checking.diagnosis.slips import candidates, setting_of
@@ -19,12 +20,18 @@ from dhcli.notation.writer import write
 OTHER_UNIT = {"mm": "m", "m": "mm"}
 
 
+MOST_BESIDES = 2
+"""Slips besides a unit that are named; more are chance."""
+
+
 def matrix_causes(case: Case, question: Wanted, entries: Entries) -> Causes:
     """The mistakes that give just a matrix, one or two; or one besides the unit of the lengths."""
     typed = typed_answer(case, question, entries)
     if typed is None:
         return ()
     exercise = case.exercise
+    if typed.is_general and not exercise.numeric:
+        return _in_symbols(typed)
     unit = "" if typed.is_general else plain_unit(question, truth_of(question, case), entries, exercise, case.tolerance)
     if unit:
         return _in_other_unit(exercise, typed, unit)
@@ -33,6 +40,20 @@ def matrix_causes(case: Case, question: Wanted, entries: Entries) -> Causes:
         if causes:
             return tuple(cause.slips for cause in causes)
     return _in_other_unit(exercise, typed, OTHER_UNIT.get(exercise.unit, ""))
+
+
+def _in_symbols(typed: TypedMatrix) -> Causes:
+    """One mistake in the work, one in the terms that were written down, two in the work, more in the terms."""
+
+    def in_work(stage: str) -> Causes:
+        found = typed.search.causes(typed.values, typed.slacks[0], stages=(stage,))
+        return tuple(cause.slips for cause in found)
+
+    singles = in_work("singles")
+    if singles:
+        return singles
+    in_terms = entry_causes(typed)
+    return in_terms.one or in_work("pairs") or in_terms.more
 
 
 def answer_with(case: Case, question: Wanted, name: str) -> str | None:
@@ -71,7 +92,7 @@ def typed_text(case: Case, work: Work) -> str:
 
 
 def _in_other_unit(exercise: Exercise, typed: TypedMatrix, unit: str) -> Causes:
-    """The one slip besides the unit of the lengths, such as metres for millimetres."""
+    """The slips besides the unit of the lengths, such as metres for millimetres; none where many would do."""
     if typed.is_general or not unit:
         return ()
     other = typed.scaled(float(LENGTH_UNITS[unit] / LENGTH_UNITS[exercise.unit]))
@@ -79,7 +100,7 @@ def _in_other_unit(exercise: Exercise, typed: TypedMatrix, unit: str) -> Causes:
         return ()
     causes = other.search.causes(other.values, other.slacks[0], stages=("singles",))
     slip = Slip(f"in-{unit}", f"the lengths are in {unit}, not {exercise.unit}", "look at the unit of the sheet")
-    return ((*causes[0].slips, slip),) if len(causes) == 1 else ()
+    return tuple((*one.slips, slip) for one in causes) if len(causes) <= MOST_BESIDES else ()
 
 
 def _six_decimals(value: float) -> str:

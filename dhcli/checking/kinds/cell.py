@@ -115,6 +115,8 @@ class CellQuestion(Question[TypedValue]):
 
         index = place_of(robot, self.link)
         for one in table_candidates(case.exercise, robot.convention, name):
+            if one.mistake.alone:  # a cell does not show what has happened in several rows
+                continue
             yield from asked(one.slips[0], one.work.steps[index].row)
         for other in (index - 1, index + 1):
             if 0 <= other < len(robot.links):

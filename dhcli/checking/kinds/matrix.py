@@ -161,6 +161,7 @@ class MatrixQuestion(Wanted, Question[Entries]):
         return read_entries(self, case.exercise, text, place)
 
     def mark(self, case: Case, reading: Reading[Entries]) -> Mark:
+        from dhcli.checking.diagnosis.plausible import at_a_point, is_trivial
         from dhcli.checking.other_unit import mark_measured
         from dhcli.checking.symbolic import mark_symbols
 
@@ -171,6 +172,9 @@ class MatrixQuestion(Wanted, Question[Entries]):
             judged = mark_measured(self, truth, entries, exercise, case.tolerance)
         else:
             judged = mark_symbols(self, truth, entries, exercise)
+        is_open = judged.verdict in UNSOLVED or (judged.verdict is Verdict.ROUNDED and not exercise.numeric)
+        if is_open and is_trivial(at_a_point(entries, exercise.values)):
+            judged = replace(judged, earned=0.0)  # what is right in it was not worked out
         typed = tuple(tuple(write(entry.typed, "short", exercise.writing) for entry in row) for row in entries)
         columns = self.shape[1]
         shown = [cell.expected for cell in judged.cells]
@@ -238,8 +242,22 @@ class MatrixQuestion(Wanted, Question[Entries]):
 
     def follows(self, case: Case, reading: Reading[Entries], earlier: Mapping[str, Reading[Any]]) -> tuple[str, ...]:
         from dhcli.checking.diagnosis.following import follows
+        from dhcli.checking.diagnosis.plausible import at_a_point, is_trivial
 
+        if is_trivial(at_a_point(reading.value, case.exercise.values)):
+            return ()
         return follows(case, self, reading.value, earlier)
+
+    def is_plausible(self, case: Case, judged: Judged[Entries]) -> bool:
+        from dhcli.checking.diagnosis.plausible import HALF, at_a_point, has_name, is_motion, is_trivial
+
+        if judged.reading is None:
+            return False
+        values, mark = at_a_point(judged.reading.value, case.exercise.values), judged.mark
+        if is_trivial(values) or has_name(mark):
+            return not is_trivial(values)
+        is_from_here = not case.exercise.numeric or mark.earned >= HALF
+        return is_from_here and (self.piece != "pose" or is_motion(values))
 
     def leads(
         self, case: Case, reading: Reading[Entries], span: tuple[int, int], _points: Points

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Causes, Exercise, Matrices, Points, Question, Reading, Shown
+from dhcli.checking.exercise import Case, Causes, Exercise, Judged, Matrices, Points, Question, Reading, Shown
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.tables.typed_rows import TypedRow, read_table
 from dhcli.checking.verdicts import Mark
@@ -142,6 +142,15 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
 
     def differs(self, mark: Mark) -> bool:
         return mark.verdict.passed is True and bool(mark.remarks)
+
+    def is_plausible(self, case: Case, judged: Judged[tuple[TypedRow, ...]]) -> bool:
+        from dhcli.checking.diagnosis.plausible import has_right_joints
+
+        robot = case.exercise.robot
+        if robot is None or judged.reading is None:
+            return False
+        right = [link.row for link in robot.links if link.row is not None]
+        return has_right_joints(_settled(case, judged.reading), right, robot.variables)
 
     def rows(self, case: Case, reading: Reading[tuple[TypedRow, ...]]) -> tuple[Row, ...]:
         robot = case.exercise.robot
