@@ -21,7 +21,7 @@ MISPRINT = "[c1 -s1 0 a1*c1; s1 c1 0 a1*c1; 0 0 1 0; 0 0 0 1]"
 NUMBERS = "[0.2588 -0.9659 0 0.4241; 0.9659 0.2588 0 0.4898; 0 0 1 0; 0 0 0 1]"
 AT = ("check", "planar-2r", "--q", "30°, 45°")
 
-DATA = {"exercise", "variant", "verdict", "passed", "earned", "credit", "parts"}
+DATA = {"exercise", "variant", "verdict", "passed", "earned", "credit", "parts", "withdrawn"}
 PART = {"part", "verdict", "passed", "earned", "credit", "cause"}
 CAUSE = {"rationale", "help", "expected", "actual", "diagnosis"}
 

@@ -120,6 +120,9 @@ class MatrixQuestion(Wanted, Question[Entries]):
     def has_cosines(self) -> bool:
         return True
 
+    def is_length(self, row: int, column: int) -> bool:
+        return is_length(self, row, column)
+
     def is_whole(self, text: str) -> bool:
         if not Question.is_whole(self, text):
             return False

@@ -39,6 +39,7 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
     examples: ClassVar = ("table standard",)
     keys: ClassVar = ("compare",)
     is_in_table: ClassVar = True
+    earns_by_row: ClassVar = True
 
     @classmethod
     def asked(cls, text: str, _scope: Scope, place: Place | None) -> Self:

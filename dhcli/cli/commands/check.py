@@ -144,10 +144,10 @@ def _meant(exercise: Exercise, part: str | None) -> str:
     """The one part that an answer is to."""
     from dhcli.errors import DhcliError
 
-    if part is None and len(exercise.parts) > 1:
-        names = ", ".join(one.id for one in exercise.parts)
-        raise DhcliError(f"{exercise.id} has {len(exercise.parts)} parts: say which one is answered", f"--part {names}")
-    return exercise.part(part).id if part else exercise.parts[0].id
+    if part is None and len(exercise.asked) > 1:
+        names = ", ".join(one.id for one in exercise.asked)
+        raise DhcliError(f"{exercise.id} has {len(exercise.asked)} parts: say which one is answered", f"--part {names}")
+    return exercise.part(part).id if part else exercise.asked[0].id
 
 
 def _text(answer: str) -> str:

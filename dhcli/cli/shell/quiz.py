@@ -183,7 +183,7 @@ def remember(marked: SheetMark) -> None:
 def first_open(exercise: Exercise, best: Mapping[str, str]) -> Part:
     """The first part that is not solved yet; the first of all if all are."""
     solved = {Verdict.RIGHT.word, Verdict.EQUIVALENT.word}
-    return next((part for part in exercise.parts if best.get(part.id) not in solved), exercise.parts[0])
+    return next((part for part in exercise.asked if best.get(part.id) not in solved), exercise.asked[0])
 
 
 def _not_negative(option: str, value: float) -> float:

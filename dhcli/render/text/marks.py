@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
+from dhcli.checking.credit import plain
 from dhcli.checking.diagnosis.result import Diagnosis
+from dhcli.checking.earning import worth
 from dhcli.checking.exercise import Exercise, Part, Shown
 from dhcli.checking.judge import MISPRINT, PartMark, SheetMark, is_explained
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
@@ -39,6 +41,8 @@ def marks_table(marked: SheetMark, look: Look) -> str:
     lines = [line for part in marked.parts for line in _part_lines(marked, part, look)]
     if len(marked.parts) > 1:
         lines += ["", sum_line(marked)]
+    for part in marked.withdrawn:
+        lines += prose_lines(f"{part.id} was withdrawn and does not count: {part.withdrawn}", look.paper)
     return "\n".join(lines) + "\n"
 
 
@@ -85,13 +89,14 @@ def marks_content(marked: SheetMark, _look: Look) -> dict[str, Any]:
             }
             for one in marked.parts
         ],
+        "withdrawn": [{"part": part.id, "reason": part.withdrawn} for part in marked.withdrawn],
     }
 
 
 def question_text(exercise: Exercise, part: Part, paper: Paper, *, whole: bool = False) -> str:
     """What a part asks, for a person who is about to answer; the whole of it for one who sees the solution."""
     heading = part.question.describe(exercise) if whole else part.heading(exercise)
-    asked = prose_lines(f"{part.id}: {heading}", paper)
+    asked = prose_lines(" · ".join(filter(None, (f"{part.id}: {heading}", worth(exercise, part)))), paper)
     lines = [paper.ink(line, "bold") for line in asked]
     lines += prose_lines(part.prompt.strip(), paper)
     for n, option in enumerate(part.question.statements, 1):
@@ -109,11 +114,6 @@ def solution_text(exercise: Exercise, part: Part, steps: Iterable[Shown], paper:
         if step.rows:
             lines += matrix_lines(step.rows, exercise.writing, Look(paper=paper))
     return "\n".join(lines) + "\n"
-
-
-def plain(value: float) -> str:
-    """A credit for people."""
-    return f"{value:.2f}".rstrip("0").rstrip(".")
 
 
 def _diagnosis(found: Diagnosis | None) -> dict[str, Any] | None:
@@ -157,7 +157,7 @@ def _partial_credit(one: PartMark) -> str:
     if one.mark.verdict.passed is True or not share or not credit:
         return ""
     if share == 1:
-        kept = "full credit" if one.mark.verdict is Verdict.ROUNDED else "credit kept"
+        kept = "credit kept" if one.mark.diagnosis and one.mark.diagnosis.follows else "full credit"
         return f" ({kept}: {plain(credit)})"
     return f" ({plain(share * credit)} of {plain(credit)} credits)"
 
