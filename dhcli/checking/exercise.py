@@ -218,6 +218,8 @@ class Question(ABC, Generic[T]):
     def is_whole(self, text: str) -> bool:
         """Whether what was typed so far is plainly complete: its brackets close, and no operand is still to come."""
         depth = sum((letter in OPENING) - (letter in OPENING.values()) for letter in text)
+        if "\\begin" in text:
+            return depth <= 0 and text.count("\\end") >= text.count("\\begin")
         return depth <= 0 and not text.strip().endswith(_GOES_ON)
 
     # --- What is right -------------------------------------------------------------------------------------------

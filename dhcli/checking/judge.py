@@ -37,11 +37,13 @@ class SheetMark:
         parts: The parts that were looked at, in order.
         withdrawn: Parts that it answers and that are not asked any more; they neither earn nor cost anything.
         why: Whether a person has asked for the names of slips; else there are only hints.
+        walked: Whether it is judged part by part while a person answers, who may type `why` and `hint`.
     """
 
     exercise: Exercise
     parts: tuple[PartMark, ...]
     why: bool = False
+    walked: bool = False
     withdrawn: tuple[Part, ...] = ()
 
     @property

@@ -12,6 +12,7 @@ import os
 import re
 import select
 import signal
+import struct
 import subprocess
 import sys
 from collections.abc import Iterator, Sequence
@@ -34,12 +35,19 @@ PATIENCE = 30.0
 class Terminal:
     """A command that runs on a terminal of its own."""
 
-    def __init__(self, folder: Path, *words: str, no_color: str = "1", own_process: bool = False) -> None:
-        """Start `dhcli` with these words in a folder, by default without colour and in this process."""
+    def __init__(
+        self, folder: Path, *words: str, no_color: str = "1", own_process: bool = False, columns: int = 0
+    ) -> None:
+        """Start `dhcli` with these words in a folder, by default without colour and in this process.
+
+        It has 100 columns, or as many as are said and can be changed then.
+        """
         import pty
 
         self.screen, other = pty.openpty()
-        environment = {"COLUMNS": "100", "NO_COLOR": no_color}
+        environment = {"COLUMNS": "0" if columns else "100", "NO_COLOR": no_color, "TERM": "xterm"}
+        if columns:
+            self.resize(columns)
         runner = _Process if own_process else _Thread
         self.running = runner(folder, words, other, environment)
         self.seen = ""
@@ -55,6 +63,13 @@ class Terminal:
     def type(self, text: str) -> None:
         """Press keys."""
         os.write(self.screen, text.encode())
+
+    def resize(self, columns: int) -> None:
+        """Make the window wider or narrower."""
+        import fcntl
+        import termios
+
+        fcntl.ioctl(self.screen, termios.TIOCSWINSZ, struct.pack("HHHH", 40, columns, 0, 0))
 
     def interrupt(self) -> None:
         """What Ctrl-C does to a process of its own."""
