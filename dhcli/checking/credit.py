@@ -6,7 +6,8 @@ from dataclasses import dataclass, fields
 
 from dhcli.checking.verdicts import Verdict
 
-UNITS = ("cells", "rows", "whole")
+_BY = {"cells": "cell by cell", "rows": "row by row", "whole": "as a whole"}
+UNITS = tuple(_BY)
 """What earns credit in a table: each cell that is right, each row, or the table alone."""
 
 
@@ -37,9 +38,8 @@ class Shares:
             return 1.0
         return {Verdict.ROUNDED: self.rounded, Verdict.CLOSE: self.close}.get(verdict, 0.0)
 
-    @property
-    def words(self) -> tuple[str, ...]:
-        """What was set otherwise than usual, in words."""
+    def beside(self, others: Shares) -> tuple[str, ...]:
+        """What is otherwise than in others, in words."""
         rotation = 0.0 if self.rotation is None else self.rotation
         said = {
             "rotation": f"the rotation of a pose earns {rotation:.3g}, its position {1 - rotation:.3g}",
@@ -47,10 +47,10 @@ class Shares:
             "rounded": f"what is ROUNDED earns {self.rounded:.3g}",
             "unit": f"what is right in another unit earns {self.unit:.3g}",
             "moves": f"the right moves in the wrong order earn {self.moves:.3g}",
-            "table": {"rows": "a table earns row by row", "whole": "a table earns as a whole"}.get(self.table, ""),
+            "table": f"a table earns {_BY[self.table]}",
         }
-        changed = (field.name for field in fields(self) if getattr(self, field.name) != getattr(USUAL, field.name))
-        return tuple(said[name] for name in changed if said[name])
+        changed = (field.name for field in fields(self) if getattr(self, field.name) != getattr(others, field.name))
+        return tuple(said[name] for name in changed)
 
 
 USUAL = Shares()

@@ -40,9 +40,9 @@ def earned(shares: Shares, question: Question[Any], mark: Mark, *, numeric: bool
 
 def worth_of(exercise: Exercise) -> str:
     """What an exercise is worth, and by which rules if not by the usual ones; nothing for a single plain question."""
-    said = [*exercise.shares.words]
+    said = [*exercise.shares.beside(USUAL)]
     for part in exercise.asked:
-        said += [f"{part.id}: {words}" for words in (part.shares.words if part.shares else ())]
+        said += [f"{part.id}: {words}" for words in (part.shares.beside(exercise.shares) if part.shares else ())]
     if len(exercise.asked) > 1:
         said.insert(0, f"{len(exercise.asked)} parts, {credits_text(exercise.credit)}")
     return "; ".join(said)

@@ -86,8 +86,8 @@ class Graded:
     def other_unit(self) -> str:
         """The unit that some or all of its answers are in, where nothing else is wrong with any of them; else empty."""
         units = {part.other_unit for part in self.parts if part.other_unit}
-        answered = (part for part in self.parts if part.verdict is not Verdict.SKIPPED)
-        return units.pop() if len(units) == 1 and all(p.other_unit or p.verdict.passed for p in answered) else ""
+        fine = {Verdict.RIGHT, Verdict.EQUIVALENT, Verdict.ROUNDED, Verdict.SKIPPED}
+        return units.pop() if len(units) == 1 and all(p.other_unit or p.verdict in fine for p in self.parts) else ""
 
 
 def grade(submission: Submission, only: str | None = None) -> Graded:

@@ -198,7 +198,9 @@ def test_what_differs_from_the_usual_is_told_before_anybody_answers() -> None:
     assert "Worth: 8 parts, 13 credits" in write_sheet(plain)
     assert "# Worth: what is CLOSE earns 0.5\n" in write_sheet(asked)
     assert worth(asked, asked.parts[0]) == ""
-    assert USUAL.words == ()
+    own = exercise("link 1", "{close: 0, table: rows}", of_all="{close: 1/2}")
+    assert worth_of(own) == "what is CLOSE earns 0.5; p: what is CLOSE earns 0; p: a table earns row by row"
+    assert USUAL.beside(USUAL) == ()
 
 
 # -------------------------------------------------------------------------------------------------- withdrawn parts

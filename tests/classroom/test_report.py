@@ -67,7 +67,7 @@ def test_a_sheet_that_is_right_but_for_a_unit_is_worth_a_look() -> None:
     other = PartGrade("a", Verdict.CANNOT_READ, 1, 2, other_unit="mm")
     rows = (
         row("1", other, PartGrade("b", R, 3, 3)),
-        row("2", other, PartGrade("b", S, 0, 3)),
+        row("2", other, PartGrade("b", S, 0, 3), PartGrade("c", Verdict.ROUNDED, 1, 1)),
         row("3", other, PartGrade("b", W, 0, 3)),
         row("4", PartGrade("a", R, 2, 2), PartGrade("b", R, 3, 3)),
     )

@@ -29,7 +29,7 @@ PAUSE = 0.2
 """Seconds between two looks at the file."""
 
 CLEAR = "\x1b[2J\x1b[H"
-KEYS = "h hint · w name the slips, or not · r check again · q quit"
+KEYS = "h hint · w names · r check again · q quit"
 
 
 @dataclass(frozen=True, slots=True)
