@@ -181,7 +181,7 @@ def _trials(judge: Judge) -> Iterator[Finding]:
     verdicts = {trial.verdict for trial in exercise.trials}
     for verdict in (Verdict.RIGHT, Verdict.WRONG):
         if verdict.word not in verdicts:
-            hint = f"tests: - {{part: {exercise.parts[0].id}, answer: ..., verdict: {verdict.word}}}"
+            hint = f"tests: - {{part: {exercise.asked[0].id}, answer: ..., verdict: {verdict.word}}}"
             yield Finding(("tests",), f"tests: none is {verdict.word}", hint)
 
 
