@@ -273,3 +273,11 @@ def test_a_name_that_nobody_filled_in_is_no_name(tmp_path: Path, line: str) -> N
     """The sheet is read all the same."""
     (tmp_path / "s.yaml").write_text(f"format: 1\n{line}\nanswers: {{a: '1'}}\n", "utf-8")
     assert read_sheet(tmp_path / "s.yaml").name == ""
+
+
+def test_lengths_in_another_unit_with_a_slip_besides_earn_no_more_for_being_seen() -> None:
+    """Its entries are shown as judged in that unit; the credit is that of the unit of the sheet."""
+    answer = LINK.replace("0.3464", "346.4").replace("0 0.2;", "0 -200;")
+    usual = Judge(exercise("link 1")).sheet({"p": answer})
+    assert "the lengths are in mm" in usual.parts[0].mark.remarks[0]
+    assert Judge(exercise("link 1", "{rotation: 0.1, close: 1}")).sheet({"p": answer}).earned == usual.earned
