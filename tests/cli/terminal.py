@@ -30,6 +30,8 @@ from tests.cli.running import STREAMS
 ROOT = Path(__file__).parents[2]
 PATIENCE = 30.0
 """Seconds after which what has not come will not come."""
+MOMENT = 1.0
+"""Seconds after which a person presses a key again."""
 
 
 class Terminal:
@@ -72,9 +74,16 @@ class Terminal:
         fcntl.ioctl(self.screen, termios.TIOCSWINSZ, struct.pack("HHHH", 40, columns, 0, 0))
 
     def interrupt(self) -> None:
-        """What Ctrl-C does to a process of its own."""
+        """What Ctrl-C does to a process of its own, which shows something then.
+
+        A signal that comes after a line editor has shown its prompt and before it waits for keys is seen by Python at
+        the next one only; a person presses Ctrl-C again.
+        """
         assert isinstance(self.running, _Process)
-        self.running.process.send_signal(signal.SIGINT)
+        for _ in range(int(PATIENCE / MOMENT)):
+            self.running.process.send_signal(signal.SIGINT)
+            if select.select([self.screen], [], [], MOMENT)[0]:
+                return
 
     def until(self, pattern: str) -> str:
         """Wait until something is shown; what was shown up to it, which is then forgotten."""
