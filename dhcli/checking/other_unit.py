@@ -7,7 +7,7 @@ from dataclasses import replace
 from dhcli.checking.entries import Entries, in_unit_of
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.numeric import limits_of, mark_numbers
-from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.pasted import WrongUnitError
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.truth import Truth, is_length
 from dhcli.checking.verdicts import IN_OTHER_UNIT, UNSOLVED, Mark, Verdict
@@ -51,7 +51,7 @@ def _in_other_unit(
         return None
     if other.verdict in SOLVED:
         digits = ", to the digits typed" if other.verdict is Verdict.ROUNDED else ""
-        raise UnreadableError(f"right in {unit}{digits}; this sheet is in {exercise.unit}")
+        raise WrongUnitError(unit, f"this sheet is in {exercise.unit}", digits)
     cells = tuple(replace(cell, expected=one.expected) for cell, one in zip(other.cells, own.cells, strict=True))
     remark = f"{IN_OTHER_UNIT}{unit}; this sheet is in {exercise.unit}: the rest is judged in {unit}"
     return Mark(Verdict.WRONG, cells=cells, remarks=(remark, *other.remarks), earned=own.earned)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from dhcli.algebra.floats import Floats
 from dhcli.checking.entries import check_names
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.pasted import UnreadableError, without_label
+from dhcli.checking.pasted import UnreadableError, WrongUnitError, without_label
 from dhcli.checking.tolerance import NOT_EXACT, Tolerance, is_rounding_of, judge, without_unit
 from dhcli.checking.units import in_metres, is_measure, on_sheet
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
@@ -89,7 +89,7 @@ def mark_value(exercise: Exercise, right: Quantity, answer: TypedValue, toleranc
     if right.is_angle and verdict is not Verdict.RIGHT:
         in_radians = _as_asked(answer.expr, right, exercise, "rad")
         if _verdict(exercise, in_radians, right, answer.expr, tolerance) is Verdict.RIGHT:
-            raise UnreadableError(f"right in radians; a bare angle is in degrees: write {shown} or {answer.text} rad")
+            raise WrongUnitError("radians", f"a bare angle is in degrees: write {shown} or {answer.text} rad")
     remarks: tuple[str, ...] = ()
     if tolerance.exact and verdict is Verdict.RIGHT and not _is_exact(typed, right, exercise):
         verdict, remarks = Verdict.ROUNDED, (NOT_EXACT,)

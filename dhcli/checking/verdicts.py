@@ -103,6 +103,8 @@ class Mark:
         earned: Share of the credit, 0 to 1.
         expected: The right answer as text.
         diagnosis: Why it is wrong, where that was looked for and found.
+        other_unit: The unit in which all of it is right, where nothing else is wrong with it.
+        found: Of the moves of a link, the share that is right whatever their order; 0 for everything else.
     """
 
     verdict: Verdict
@@ -112,3 +114,5 @@ class Mark:
     earned: float = 0.0
     expected: str = ""
     diagnosis: Diagnosis | None = None
+    other_unit: str = ""
+    found: float = 0.0

@@ -19,9 +19,13 @@ PLANAR = "yim/planar-two-links"
 A1 = "[c1 -s1 0 a1*c1; s1 c1 0 a1*s1; 0 0 1 0; 0 0 0 1]"
 MISPRINT = "[c1 -s1 0 a1*c1; s1 c1 0 a1*c1; 0 0 1 0; 0 0 0 1]"
 NUMBERS = "[0.2588 -0.9659 0 0.4241; 0.9659 0.2588 0 0.4898; 0 0 1 0; 0 0 0 1]"
+ROWS = [r"c_1 & -s_1 & 0 & a_1 c_1 \\", r"s_1 & c_1 & 0 & a_1 s_1 \\", r"0 & 0 & 1 & 0 \\", "0 & 0 & 0 & 1"]
+LATEX = [r"\begin{bmatrix}", *ROWS, r"\end{bmatrix}"]
+ARRAY = [r"\begin{array}{cccc}", *ROWS, r"\end{array}"]
+ROW_2 = [r"a2 & 0 & 0 & \theta_2", r"\end{array}"]
 AT = ("check", "planar-2r", "--q", "30°, 45°")
 
-DATA = {"exercise", "variant", "verdict", "passed", "earned", "credit", "parts"}
+DATA = {"exercise", "variant", "verdict", "passed", "earned", "credit", "parts", "withdrawn"}
 PART = {"part", "verdict", "passed", "earned", "credit", "cause"}
 CAUSE = {"rationale", "help", "expected", "actual", "diagnosis"}
 
@@ -257,7 +261,7 @@ def test_without_an_answer_and_without_a_terminal_it_never_waits(dhcli: Run, wor
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (("check", "nobody"), "there is no exercise and no robot 'nobody'"),
+        (("check", "nobody"), "there is no robot and no exercise 'nobody'"),
         (("check", "planar-2r"), "planar-2r is a robot: say at which joint values, or ask for symbols"),
         (("check", PLANAR, "--q", "0,0", "--answer", "1"), "is an exercise and says itself what is asked"),
         (("check", PLANAR, "--answer", "1"), "has 8 parts: say which one is answered"),
@@ -476,7 +480,7 @@ def test_on_a_terminal_the_parts_are_asked_one_by_one(tmp_path: Path) -> None:
     with Terminal(tmp_path, "check", "yim/planar-two-links") as screen:
         assert "Planar arm with two links" in screen.until("table> ")
         screen.type("?\n")
-        assert "hint: Parallel axes have no twist" in screen.until("table> ")
+        assert "hint 1 of 2: Parallel axes have no twist" in screen.until("table> ")
         screen.type("a1 0 0 theta1\n")
         screen.until(r"\.\.\. ")
         screen.type("a2 0 0 theta2\n")
@@ -530,6 +534,9 @@ def test_a_wrong_answer_may_be_tried_again(tmp_path: Path) -> None:
         (PLANAR, "a1", ["c1 -s1 0 a1*c1", "s1 c1 0 a1*s1", "0 0 1 0", "0 0 0 1", ""], "RIGHT"),
         (PLANAR, "a1", ["c1, -s1, 0, a1*c1;", "s1, c1, 0, a1*s1;", "0, 0, 1, 0;", "0, 0, 0, 1"], "RIGHT"),
         (PLANAR, "table", ["a1,0,0,theta1", "a2,0,0,theta2", ""], "RIGHT"),
+        (PLANAR, "a1", LATEX, "RIGHT"),
+        (PLANAR, "a1", ["A_1 = \\left[", *ARRAY, "\\right]"], "RIGHT"),
+        (PLANAR, "table", [r"\begin{array}{cccc}", r"a1 & 0 & 0 & \theta_1\\", *ROW_2], "RIGHT"),
     ],
 )
 def test_an_answer_is_judged_as_soon_as_it_is_whole(
@@ -566,7 +573,7 @@ def test_a_robot_is_asked_on_a_terminal_too(tmp_path: Path) -> None:
 
 @terminal
 def test_ctrl_c_ends_a_walk_with_130(tmp_path: Path) -> None:
-    """What was answered so far is kept."""
+    """What was answered so far is kept, and summed up."""
     with Terminal(tmp_path, "check", PLANAR, own_process=True) as screen:
         screen.until("table> ")
         screen.type("\n")
@@ -575,6 +582,7 @@ def test_ctrl_c_ends_a_walk_with_130(tmp_path: Path) -> None:
         screen.until("a2> ")
         screen.interrupt()
         assert screen.end() == 130
+        assert "1 of 8 parts solved, 2 of 13 credits" in screen.seen
         assert "Traceback" not in screen.seen
     assert read_progress()[0] == {PLANAR: {"a1": Try("RIGHT", 1)}}
 

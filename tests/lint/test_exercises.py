@@ -349,3 +349,14 @@ tests:
     path.write_text(text, "utf-8")
     found = [finding.message for finding in exercises.findings(Judge(load_exercise(str(path))))]
     assert any("shows its answer" in message for message in found) is told
+
+
+def test_a_part_that_was_withdrawn_is_not_looked_at(tmp_path: Path) -> None:
+    """It may be as faulty as it is; the others, and their places, are as before."""
+    broken = CLEAN.replace('tip: "0.5, 0.475, 0"', 'tip: "9, 9, 9"').replace("hints: [two rows]", "credit: 0")
+    gone = broken.replace("    prompt: Where is the end?", "    withdrawn: the figure is wrong")
+    told = findings(tmp_path, broken)
+    assert len(told) > 2
+    left = [one for one in findings(tmp_path, gone) if "tests: none is RIGHT" not in str(one)]
+    assert left
+    assert all("table" in str(one) for one in left)

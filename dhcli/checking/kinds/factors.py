@@ -137,4 +137,6 @@ def _mark(exercise: Exercise, right: Chain, typed: Chain, tolerance: Tolerance) 
         if strict.matched(strict.elementary(typed), strict.elementary(right)) < len(wanted):
             verdict, remarks = Verdict.ROUNDED, (NOT_EXACT,)
     shown = _spelled(right, exercise)
-    return Mark(verdict, _spelled(typed, exercise), remarks=remarks, earned=earned, expected=shown)
+    surplus = max(0, len(moving) - len(wanted))  # one that is too many costs what one earns
+    found = max(0, matched - surplus) / len(wanted) if wanted else 0.0
+    return Mark(verdict, _spelled(typed, exercise), remarks=remarks, earned=earned, expected=shown, found=found)

@@ -120,10 +120,13 @@ class MatrixQuestion(Wanted, Question[Entries]):
     def has_cosines(self) -> bool:
         return True
 
+    def is_length(self, row: int, column: int) -> bool:
+        return is_length(self, row, column)
+
     def is_whole(self, text: str) -> bool:
         if not Question.is_whole(self, text):
             return False
-        if self.shape == (1, 1) or text.strip().startswith(("[", "array", "np.")):
+        if self.shape == (1, 1) or "\\end" in text or text.strip().startswith(("[", "array", "np.")):
             return True
         rows, columns = self.shape
         apart = outside_brackets(text)

@@ -39,6 +39,7 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
     examples: ClassVar = ("table standard",)
     keys: ClassVar = ("compare",)
     is_in_table: ClassVar = True
+    earns_by_row: ClassVar = True
 
     @classmethod
     def asked(cls, text: str, _scope: Scope, place: Place | None) -> Self:
@@ -63,7 +64,7 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
             yield "columns: " + "  ".join(exercise.robot.columns) + "; angles in degrees"
 
     def is_whole(self, text: str) -> bool:
-        return Question.is_whole(self, text) and text.strip().startswith("[")
+        return Question.is_whole(self, text) and (text.strip().startswith("[") or "\\end" in text)
 
     def expected(self, case: Case, _style: str = "short") -> str:
         from dhcli.checking.tables.marking import write_table

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.pasted import WrongUnitError
 from dhcli.checking.tables.cells import given_values, mark_cells, own_values, settled
 from dhcli.checking.tables.comparing import LITERAL, SAME_MOTION
 from dhcli.checking.tables.freedoms import Drawn, Slack, end_freedoms, frame_freedoms, joint_freedoms
@@ -171,12 +171,12 @@ class TableAnswer:
         plausible = all(abs(angle.radians) <= FULL_TURN for angle in angles)
         if swapped != self.plain and plausible and self.is_right(swapped):
             here, there = ("degrees", "radians") if any(angle.radians for angle in angles) else ("radians", "degrees")
-            raise UnreadableError(f"right in {there}; the angles of this sheet are in {here}: write -90° or -pi/2")
+            raise WrongUnitError(there, f"the angles of this sheet are in {here}: write -90° or -pi/2")
         unit = self.exercise.unit
         for other in ("mm", "cm", "m"):
             rows = tuple(typed.in_unit(other) for typed in self.rows)
             if other != unit and rows != self.plain and self.is_right(rows):
-                raise UnreadableError(f"right in {other}; this sheet is in {unit}")
+                raise WrongUnitError(other, f"this sheet is in {unit}")
 
 
 def own_rows(robot: Robot) -> tuple[Row, ...]:

@@ -68,6 +68,12 @@ def _load(kind: str, name: str, variant: str | None) -> object:
         from dhcli.files.yaml.linkages import load_linkage
 
         return load_linkage(name)
+    from dhcli.errors import UnknownNameError
+    from dhcli.files.library.kinds import unknown
+    from dhcli.files.library.lookup import Kind
     from dhcli.files.yaml.robots import load_robot
 
-    return load_robot(name)
+    try:
+        return load_robot(name)
+    except UnknownNameError as error:
+        raise unknown(name, tuple(Kind), error) from None

@@ -66,7 +66,7 @@ def exercise_of(name: str, asked: RobotOptions, answer: str = "") -> tuple[Exerc
         UnknownNameError: Neither an exercise nor a robot has this name.
         DhcliError: Options of a question stand with an exercise, or a robot without a question.
     """
-    from dhcli.files.library.kinds import kind_of
+    from dhcli.files.library.kinds import kind_of, unknown
     from dhcli.files.library.lookup import Kind
     from dhcli.files.yaml.exercises import load_exercise
     from dhcli.files.yaml.robots import load_robot
@@ -80,9 +80,7 @@ def exercise_of(name: str, asked: RobotOptions, answer: str = "") -> tuple[Exerc
     try:
         robot = load_robot(name)
     except UnknownNameError as error:
-        problem = error.problems[0]
-        hint = f"{problem.hint}; dhcli list exercises shows the exercises"
-        raise UnknownNameError(f"there is no exercise and no robot '{name}'", hint) from None
+        raise unknown(name, (Kind.ROBOTS, Kind.EXERCISES), error) from None
     return _about(robot, asked, answer)
 
 
@@ -183,7 +181,7 @@ def remember(marked: SheetMark) -> None:
 def first_open(exercise: Exercise, best: Mapping[str, str]) -> Part:
     """The first part that is not solved yet; the first of all if all are."""
     solved = {Verdict.RIGHT.word, Verdict.EQUIVALENT.word}
-    return next((part for part in exercise.parts if best.get(part.id) not in solved), exercise.parts[0])
+    return next((part for part in exercise.asked if best.get(part.id) not in solved), exercise.asked[0])
 
 
 def _not_negative(option: str, value: float) -> float:

@@ -6,20 +6,22 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
+from dhcli.checking.credit import Shares
 from dhcli.checking.exercise import Part, Question
 from dhcli.checking.kinds.registry import keys, read_question
 from dhcli.checking.tables.comparing import COMPARED
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.written import Printed
 from dhcli.errors import DhcliError, NotationError, Place, did_you_mean
+from dhcli.files.yaml.credits import read_credit
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedNode, PlacedScalar
 from dhcli.files.yaml.tolerances import read_decimals
-from dhcli.files.yaml.typed import read_flag, read_number, read_texts, read_whole
+from dhcli.files.yaml.typed import read_flag, read_texts, read_whole
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.scope import Scope
 
-KEYS = ("id", "ask", "prompt", "credit", "depends", "hints", *keys(), "exact", "decimals")
+KEYS = ("id", "ask", "prompt", "credit", "withdrawn", "depends", "hints", *keys(), "exact", "decimals")
 OF_ALL = ("numeric", "unit", "tolerance", "given", "names", "printed", "feedback", "variants", "also", "tests")
 """Keys that stand at the top of a file and hold for all parts."""
 
@@ -35,6 +37,7 @@ class PartReader:
         has_robot: Whether the file names a robot, which may not have been found.
         unit: Metres in a bare length of a sheet.
         tolerance: The tolerance of the exercise.
+        shares: What answers earn in the exercise.
         printed: What the document prints, by part.
         ids: The ids so far, also of parts that cannot be read.
     """
@@ -45,6 +48,7 @@ class PartReader:
     has_robot: bool
     unit: Fraction
     tolerance: Tolerance
+    shares: Shares
     printed: dict[str, Printed]
     ids: list[str]
 
@@ -59,12 +63,14 @@ class PartReader:
         question = self.question(fields, ask) if ask is not None and name else None
         if question is None:
             return None
-        credit = read_number(fields, "credit")
+        credit, shares = read_credit(fields, self.shares)
         return Part(
             id=name,
             question=question,
             prompt=fields.text("prompt"),
-            credit=1.0 if credit is None else credit,
+            credit=credit,
+            shares=shares,
+            withdrawn=fields.text("withdrawn"),
             depends=depends,
             hints=read_texts(fields, "hints"),
             tolerance=self.own_tolerance(fields),

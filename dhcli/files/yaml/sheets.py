@@ -8,12 +8,13 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from dhcli.checking.earning import worth, worth_of
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.judge import Judge, SheetMark
 from dhcli.checking.variants import variant_of
 from dhcli.errors import DhcliError, FileError, Place
 from dhcli.files.reading import read_text, source_of
-from dhcli.files.yaml.fields import Problems
+from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
 from dhcli.files.yaml.prose import folded
 from dhcli.files.yaml.robot_line import robot_line, values_text
@@ -64,9 +65,18 @@ def read_sheet(path: Path | str) -> Sheet:
     answers = {key: _answer(node) for key, (_, node) in fields.mapping("answers").entries.items()}
     values = fields.mapping("given")
     given = {key: values.text(key) for key in values.entries}
-    exercise, variant, name = (fields.text(key) for key in ("exercise", "variant", "name"))
+    exercise, variant = fields.text("exercise"), fields.text("variant")
+    name = _name(fields)
     problems.raise_if_any(FileError)
     return Sheet(exercise, answers, variant, name, given)
+
+
+def _name(fields: Fields) -> str:
+    """Whose sheet it is; a blank that nobody has filled in is no name."""
+    node = fields.get("name")
+    if isinstance(node, PlacedScalar) and node.text.strip() in ("", BLANK):
+        return ""
+    return fields.text("name")
 
 
 def check_numbers(sheet: Sheet, exercise: Exercise, written: str) -> None:
@@ -113,7 +123,8 @@ def judged_sheet(
 def write_sheet(exercise: Exercise) -> str:
     """A blank sheet, with comments that show how each kind of answer is written."""
     given = f"Given: {exercise.given_text}" if exercise.given else ""
-    known = [line for text in (given, robot_line(exercise)) if text for line in _comment(text)]
+    credit = f"Worth: {worth_of(exercise)}" if worth_of(exercise) else ""
+    known = [line for text in (given, robot_line(exercise), credit) if text for line in _comment(text)]
     fill = f"Fill in each {BLANK} and save; leave a part as it is to skip it. Then:"
     lines = [
         *_comment(exercise.title),
@@ -131,7 +142,7 @@ def write_sheet(exercise: Exercise) -> str:
         *_given(exercise),
         "answers:",
     ]
-    for part in exercise.parts:
+    for part in exercise.asked:
         lines += _part_lines(exercise, part)
     return "\n".join(lines) + "\n"
 
@@ -155,7 +166,7 @@ def _comment(text: str, first: str = "# ", rest: str = "# ") -> list[str]:
 
 def _units(exercise: Exercise) -> Iterator[str]:
     """How numbers, or symbols, are written in the answers that this sheet asks for."""
-    questions = [part.question for part in exercise.parts]
+    questions = [part.question for part in exercise.asked]
     if all(question.is_plain for question in questions):
         return
     if exercise.numeric:
@@ -179,7 +190,8 @@ def _part_lines(exercise: Exercise, part: Part) -> Iterator[str]:
     yield ""
     if part.prompt.strip():
         yield from _comment(part.prompt.strip(), "  # ", "  # ")
-    yield from _comment(part.heading(exercise), "  # ", "  # ")
+    heading = " · ".join(filter(None, (part.heading(exercise), worth(exercise, part))))
+    yield from _comment(heading, "  # ", "  # ")
     yield from (f"  # {note}" for note in question.notes(exercise))
     for number, option in enumerate(question.statements, 1):
         yield from _comment(option, f"  #   {number}: ", "  #      ")
