@@ -9,6 +9,7 @@ from dhcli.checking.kinds.cell import CellQuestion
 from dhcli.checking.kinds.choice import ChoiceQuestion
 from dhcli.checking.kinds.count import CountQuestion
 from dhcli.checking.kinds.factors import FactorsQuestion
+from dhcli.checking.kinds.joints import JointsQuestion
 from dhcli.checking.kinds.matrix import MatrixQuestion
 from dhcli.checking.kinds.orientation import OrientationQuestion
 from dhcli.checking.kinds.scalar import ScalarQuestion
@@ -29,6 +30,7 @@ KINDS: list[type[Question[Any]]] = [
     OrientationQuestion,
     CountQuestion,
     ChoiceQuestion,
+    JointsQuestion,
 ]
 """A new kind is a file beside these, and a line here."""
 
