@@ -11,7 +11,7 @@ from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.pasted import UnreadableError
-from dhcli.checking.solving.goal import Target, read_target, solutions
+from dhcli.checking.solving.goal import Target, of_robot, read_target, solutions
 from dhcli.checking.solving.vectors import Range, Vector, in_radians, read_vectors, spelled
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import NotationError, Place, Problem, RobotError, plural
@@ -204,6 +204,9 @@ class JointsQuestion(Question[Vectors]):
 
     def _made_range(self, case: Case) -> Range:
         from dhcli.algebra.floats import Floats
+        from dhcli.kinematics.forward import put_in
+        from dhcli.kinematics.frames import between
+        from dhcli.kinematics.merge import merge
         from dhcli.kinematics.values import numbers
 
         exercise = case.exercise
@@ -226,4 +229,6 @@ class JointsQuestion(Question[Vectors]):
             tuple(frozenset(name for way in ways for name in way.joints) for ways in found.free),
             exercise,
             sum(lengths) or max((abs(row[3]) for row in rows[:3]), default=1.0),
+            merge(put_in(between(robot, *self.target.ends(robot)), of_robot(robot, exercise.values))),
+            numbers(of_robot(robot, exercise.values)),
         )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, TypeAlias
@@ -11,7 +12,7 @@ from dhcli.checking.exercise import Case, Reading
 from dhcli.checking.orientations import transposed
 from dhcli.checking.solving.derived import derivation_of, slipped, values_at
 from dhcli.checking.solving.goal import Rows, solve
-from dhcli.checking.solving.vectors import Range, Vector, apart
+from dhcli.checking.solving.vectors import FULL_TURN, Range, Vector, apart
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import DhcliError
 from dhcli.kinematics.conventions import Convention
@@ -24,6 +25,8 @@ Joints: TypeAlias = tuple[float, ...]
 SAME = 2e-3
 """Joint values that differ by less than this are typed the same [rad, m]."""
 
+OTHER_BRANCH = Slip("other-branch", "this is a solution of another branch", "which way does the arm bend?")
+OUTSIDE = Slip("out-of-limits", "a joint is outside its limits", "look at the limits of the joints")
 OTHERS = {Convention.STANDARD: Convention.MODIFIED, Convention.MODIFIED: Convention.STANDARD}
 
 
@@ -71,6 +74,8 @@ def _showing(question: JointsQuestion, case: Case) -> Iterator[Wrong]:
         if not kept or slip.name in seen:
             continue
         if question.which != "all":
+            if slip not in {OTHER_BRANCH, OUTSIDE}:  # what reaches the pose has another reason to be wrong
+                kept = tuple(row for row in kept if not any(_same(field, row, true) for true in right))
             kept = tuple(row for row in kept if _is_wrong(question, case, (row,)))
             if not kept or not right:
                 continue
@@ -99,10 +104,12 @@ def _mistakes(question: JointsQuestion, case: Case, field: Range) -> Iterator[tu
     """Every slip with the joint vectors it leads to, right ones among them."""
     yield from _of_formulas(question, case, field)
     yield from _of_pose(case, field)
-    if question.which == "branch" and len(field.solutions) > 1:
-        slip = Slip("other-branch", "this is a solution of another branch", "which way does the arm bend?")
-        wanted = question.wanted(case)
-        yield slip, [q for k, q in enumerate(field.solutions) if k not in wanted]
+    wanted = question.wanted(case)
+    others = [q for k, q in enumerate(field.solutions) if k not in wanted]
+    if question.which == "branch":
+        yield OTHER_BRANCH, others
+    elif question.within_limits:
+        yield OUTSIDE, others
 
 
 def _of_formulas(question: JointsQuestion, case: Case, field: Range) -> Iterator[tuple[Slip, list[Joints]]]:
@@ -115,7 +122,11 @@ def _of_formulas(question: JointsQuestion, case: Case, field: Range) -> Iterator
 
     def vectors(one: object) -> list[Joints]:
         found = values_at(one, field.robot, case.exercise.values, entries)  # type: ignore[arg-type]
-        return [tuple(q[name] for name in field.joints) for q in found if all(n in q for n in field.joints)]
+        rows = [[q[name] for name in field.joints] for q in found if all(n in q for n in field.joints)]
+        return [tuple(map(_wrapped, field.joints, row)) for row in rows]
+
+    def _wrapped(name: str, value: float) -> float:
+        return math.remainder(value, FULL_TURN) if name in field.robot.angles else value
 
     true = _different(field, vectors(derivation))
     if len(true) != len(field.solutions) or not all(any(_same(field, a, b) for b in field.solutions) for a in true):

@@ -12,10 +12,12 @@ from dhcli.checking.entries import check_names
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.orientations import angle_between, turned
 from dhcli.checking.pasted import UnreadableError
-from dhcli.checking.solving.goal import Rows, Target, pose_of
+from dhcli.checking.solving.goal import Rows, Target
 from dhcli.checking.tolerance import CLOSE_FACTOR, Tolerance, without_unit
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import DhcliError, Place, UnknownNameError, plural
+from dhcli.kinematics.fold import fold
+from dhcli.kinematics.moves import Chain
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import joint_called, numbers
 from dhcli.notation.angle import Angle
@@ -169,6 +171,8 @@ class Range:
         free: For each the joints that may stand anywhere.
         exercise: The exercise, for its values.
         size: Length of the whole arm [m].
+        chain: The moves between the frames asked about.
+        lengths: Values of the names in it besides the joints.
     """
 
     robot: Robot
@@ -179,6 +183,8 @@ class Range:
     free: tuple[frozenset[str], ...]
     exercise: Exercise
     size: float
+    chain: Chain
+    lengths: Mapping[str, Angle | float]
 
     def landing(self, values: Sequence[float], tolerance: Tolerance) -> Landing:
         """Where joint values lead; right if the pose is met, or if they are a solution's but for rounding."""
@@ -202,7 +208,7 @@ class Range:
 
     def _missed(self, q: Mapping[str, float], limit: float, rotation: float) -> tuple[float, str]:
         """By how many tolerances the pose is missed, and in words."""
-        there = pose_of(self.robot, self.target, self.exercise.values, q)
+        there = fold(self.chain, Floats({**self.lengths, **q}))
         said, off = [], 0.0
         if self.target.task in ("pose", "position"):
             far = math.dist([row[3] for row in there[:3]], [row[3] for row in self.rows[:3]])
