@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from fractions import Fraction
 
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Shown
@@ -20,7 +21,7 @@ from dhcli.kinematics.moves import names
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import ONE, ZERO, Call, Expr, add, multiply, negate, power
+from dhcli.notation.tree import ONE, ZERO, Call, Expr, Power, Product, Sum, add, multiply, negate, power
 from dhcli.notation.walk import children, substitute, symbols, walk
 from dhcli.notation.writer import write
 
@@ -139,11 +140,10 @@ def _in_step(step: Step, name: str) -> Iterator[tuple[Slip, Step]]:
             Slip(f"one-branch {name}", words, "how many angles have this cosine, or this tangent?"),
             replace(step, value=whole, spread=None, two=""),
         )
-    if isinstance(step.value, Call) or not children(step.value):
-        return
-    for term in step.value.terms if hasattr(step.value, "terms") else ():
-        if any(isinstance(node, Call) for node in walk(term)) and term != step.value.terms[0]:  # type: ignore[attr-defined]
-            other = add(*(negate(one) if one is term else one for one in step.value.terms))  # type: ignore[attr-defined]
+    terms = step.value.terms if isinstance(step.value, Sum) else ()
+    for term in terms[1:]:
+        if any(isinstance(node, Call) for node in walk(term)):
+            other = add(*(negate(one) if one is term else one for one in terms))
             words = f"an angle is added in {name} that has to be subtracted, or the other way round"
             yield (
                 Slip(f"angle-sign {name}", words, "draw the triangle: which angle is the larger one?"),
@@ -172,11 +172,25 @@ def put_for(expr: Expr, instead: Mapping[Expr, Expr]) -> Expr:
     if isinstance(expr, Call):
         return Call(expr.function, tuple(put_for(one, instead) for one in expr.arguments))
     parts = [put_for(one, instead) for one in children(expr)]
-    if hasattr(expr, "terms"):
-        return add(*parts)
-    if hasattr(expr, "factors"):
-        return multiply(*parts)
-    return power(parts[0], expr.exponent)  # type: ignore[attr-defined]
+    if all(new is old for new, old in zip(parts, children(expr), strict=True)):
+        return expr  # as it is written
+    if isinstance(expr, Power):
+        return power(parts[0], expr.exponent)
+    return add(*parts) if isinstance(expr, Sum) else multiply(*parts)
+
+
+def with_roots(expr: Expr) -> Expr:
+    """An expression with `1/sqrt(x)` for x to the power -1/2, which nobody writes."""
+    if not children(expr):
+        return expr
+    if isinstance(expr, Call):
+        return Call(expr.function, tuple(map(with_roots, expr.arguments)))
+    parts = tuple(map(with_roots, children(expr)))
+    if isinstance(expr, Power):
+        if expr.exponent.denominator == 2 and expr.exponent < 0:  # noqa: PLR2004
+            return Power(Power(parts[0], Fraction(1, 2)), Fraction(expr.exponent.numerator))
+        return Power(parts[0], expr.exponent)
+    return Sum(parts) if isinstance(expr, Sum) else Product(parts)
 
 
 def _left_out(derivation: Derivation, robot: Robot) -> Iterator[Slipped]:

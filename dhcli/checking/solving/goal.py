@@ -101,9 +101,8 @@ class Target:
         if self.task == "orientation":
             return f"R = [{_matrix(row[:3] for row in rows[:3])}] of {seen}"
         shown = [[*map(_short, row[:3]), _short(row[3] / per)] for row in rows[:3]]
-        return (
-            f"T = [{'; '.join(' '.join(row) for row in (*shown, '0001'))}] of {seen}, lengths in{unit or ' one unit'}"
-        )
+        matrix = "; ".join(" ".join(row) for row in (*shown, "0001"))
+        return f"T = [{matrix}] of {seen}{unit and f', lengths in{unit}'}"
 
 
 def _matrix(rows: Iterable[Sequence[float]]) -> str:
