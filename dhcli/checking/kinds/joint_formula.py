@@ -133,7 +133,7 @@ class JointFormulaQuestion(Question[Formula]):
         expected = typed_text(derivation, self.joints)
         if outcome.is_right:
             return Mark(Verdict.RIGHT, formula.text, earned=1.0, expected=expected)
-        earned, remarks = 0.0, tuple(self._said(outcome, cases, derivation, formula.text))
+        earned, remarks = 0.0, tuple(self._said(case, outcome, formula.text))
         if outcome.is_sound:
             earned = outcome.share
         elif outcome.is_covering:
@@ -194,10 +194,9 @@ class JointFormulaQuestion(Question[Formula]):
 
         return case.memo.of(("points", self.joints, self.target), drawn)
 
-    def _said(
-        self, outcome: Outcome, cases: tuple[covering.Case, ...], derivation: Derivation, text: str
-    ) -> Iterator[str]:
+    def _said(self, case: Case, outcome: Outcome, text: str) -> Iterator[str]:
         """What a formula gets right, and what it loses."""
+        cases, derivation = self._cases(case), self._derivation(case)
         entries = [(name, Symbol(name)) for name in self._entries]
         candidates = [*entries, *covering.arguments(_exprs(derivation, self.joints), derivation.robot)]
         right = covering.where(outcome.hits, cases, self._asked, candidates)
@@ -208,13 +207,8 @@ class JointFormulaQuestion(Question[Formula]):
             else:
                 yield "it gives no solution at any of the poses tried"
         elif outcome.is_sound:
-            by = next((name for name in ("acos", "asin", "atan(", "sqrt") if name in text), "")
-            lost = (
-                f"{by.strip('(')} gives one of two, where is the other?"
-                if by and "±" not in text
-                else "some are missing"
-            )
-            yield f"{only}: {lost}"
+            by = next((name for name in ("acos", "asin", "atan(", "sqrt") if name in text and "±" not in text), "")
+            yield f"{only}: {by.strip('(')} gives one of two" if by else f"{only}: some values are missing"
         elif outcome.wrapped:
             yield f"{only}: elsewhere it is half a turn off, as atan loses the quadrants on the left"
         elif outcome.is_covering:

@@ -14,7 +14,7 @@ from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.solving.goal import Target, of_robot, read_target, solutions
 from dhcli.checking.solving.vectors import Range, Vector, in_radians, read_vectors, spelled
 from dhcli.checking.verdicts import Mark, Verdict
-from dhcli.errors import NotationError, Place, Problem, RobotError, plural
+from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean, plural
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.validity import Finding
 from dhcli.notation.angle import Angle
@@ -104,8 +104,7 @@ class JointsQuestion(Question[Vectors]):
     def expected(self, case: Case, _style: str = "short") -> str:
         wanted = self.wanted(case)
         if not wanted:
-            found = solutions(case, self.target)
-            raise RobotError(found.why or "no solution is as asked for", "give a pose that the arm reaches")
+            raise self._none_found(solutions(case, self.target))
         field = self.range_of(case)
         rows = [self._text(field, field.solutions[k]) for k in (wanted if self.which == "all" else wanted[:1])]
         return f"[{'; '.join(rows)}]" if self.which == "all" else rows[0]
@@ -138,7 +137,7 @@ class JointsQuestion(Question[Vectors]):
         marked = mark_set if self.which == "all" else mark_one
         field, found, wanted = self.range_of(case), solutions(case, self.target), self.wanted(case)
         if not wanted:
-            raise RobotError(found.why or "no solution is as asked for")
+            raise self._none_found(found)
         mark = marked(self, case, field, found, wanted, reading.value)
         if mark.verdict.passed is False and any(one.bare for one in reading.value):
             degrees = tuple(in_radians(field, one) for one in reading.value)
@@ -193,6 +192,19 @@ class JointsQuestion(Question[Vectors]):
 
     def _text(self, field: Range, values: Iterable[float]) -> str:
         return ", ".join(spelled(field.robot, name, value) for name, value in zip(field.joints, values, strict=True))
+
+    def _none_found(self, found: Solutions) -> RobotError:
+        """Why no solution is as asked for."""
+        if not len(found):
+            return RobotError(found.why, "give a pose that the arm reaches")
+        there = list(dict.fromkeys(word for branch in found.branches for word in branch.split(", ") if word))
+        for word in self.branch:
+            if word not in there:
+                return RobotError(
+                    f"no solution is {word}", did_you_mean(word, there) or f"there are: {', '.join(there)}"
+                )
+        asked = " and ".join(self.branch) or "within the limits of the joints"
+        return RobotError(f"no solution is {asked}", "give another pose, or ask for another solution")
 
     def _is_branch(self, found: Solutions, k: int) -> bool:
         own = found.branches[k].split(", ") if found.branches else ()

@@ -199,14 +199,6 @@ class ReachQuestion(Question[bool]):
         verdict = Verdict.RIGHT if is_right else Verdict.WRONG
         return Mark(verdict, shown, (), remarks, float(is_right), self.expected(case))
 
-    def slips(self, _case: Case) -> Iterator[Slip]:
-        yield Slip("other-way", "it is the other way round", "compare the distance with the links")
-
-    def answer_with(self, case: Case, name: str) -> str | None:
-        if name != "other-way":
-            return None
-        return "no" if self._right(case) else "yes"
-
     def _why(self, case: Case) -> str:
         """Why it is reached, or is not."""
         found = solutions(case, self.target)

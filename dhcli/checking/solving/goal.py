@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import TYPE_CHECKING, TypeAlias, cast
 
 from dhcli.algebra.floats import Floats
@@ -13,13 +14,13 @@ from dhcli.checking.kinds.linked import needed
 from dhcli.errors import NotationError, Place, Problem, RobotError
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.frames import ends
-from dhcli.kinematics.moves import Chain, names, read_chain
+from dhcli.kinematics.moves import Chain, Fixed, names, read_chain
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import numbers
 from dhcli.notation.matrix import parse_matrix
 from dhcli.notation.quantity import DimensionError, to_length
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import Expr
+from dhcli.notation.tree import Expr, number
 from dhcli.notation.walk import symbols
 
 if TYPE_CHECKING:
@@ -28,7 +29,8 @@ if TYPE_CHECKING:
 
 Rows: TypeAlias = tuple[tuple[float, ...], ...]
 
-TASKS = ("pose", "position", "orientation", "axis", "direction")
+TASKS = ("pose", "position", "orientation")
+"""What of a pose may be given."""
 
 _GOAL = re.compile(
     r"(?:(?P<start>base|\d{1,4})\s*\.\.\s*(?P<end>tool|\d{1,4})\s+)?(?:of\s+|at\s+)?(?P<task>pose|position|orientation)"
@@ -136,6 +138,21 @@ def read_target(text: str, scope: Scope, place: Place | None) -> tuple[Target, s
     if match["task"] == "position":
         return Target("position", inner, point=_point(inner, scope, place), frames=frames), given["rest"].strip()
     return Target(match["task"], inner, read_chain(inner, scope, place), frames=frames), given["rest"].strip()
+
+
+def given_target(task: str, rows: Sequence[Sequence[float]], frames: tuple[str, str]) -> Target:
+    """A pose in numbers as a target.
+
+    Args:
+        task: What of it counts.
+        rows: The matrix, shape (4, 4) [m].
+        frames: The frame it is seen from and the frame it describes.
+    """
+    exact = [[number(Fraction(value)) for value in row] for row in rows[:3]]
+    if task == "position":
+        return Target(task, "the place given", point=tuple(row[3] for row in exact), frames=frames)
+    a, b, c = ((row[0], row[1], row[2], row[3]) for row in exact)
+    return Target(task, "the pose given", (Fixed((a, b, c)),), frames=frames)
 
 
 def _point(text: str, scope: Scope, place: Place | None) -> tuple[Expr, ...]:
