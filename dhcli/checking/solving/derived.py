@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import lru_cache
 
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Shown
@@ -44,17 +45,16 @@ class Slipped:
 def derivation_of(case: Case, target: Target) -> Derivation | None:
     """The derivation for the robot and the frames asked about; None where no textbook form is found."""
     robot = needed(case.exercise.robot)
-    start, end = target.ends(robot)
-    task = "position" if target.task == "position" else "pose"
-    known = case.memo.lasting
-    key = ("derivation", robot.name, start, end, task)
-    if key not in known:
-        try:
-            known[key] = derive(robot, start=start, end=end, task=task)
-        except (NoFormError, RobotError):
-            known[key] = None
-    found = known[key]
-    return found if isinstance(found, Derivation) else None
+    return _derived(robot, *target.ends(robot), "position" if target.task == "position" else "pose")
+
+
+@lru_cache(maxsize=64)
+def _derived(robot: Robot, start: str, end: str, task: str) -> Derivation | None:
+    """A derivation takes seconds where there are six joints, and every exercise on a robot asks for the same."""
+    try:
+        return derive(robot, start=start, end=end, task=task)
+    except (NoFormError, RobotError):
+        return None
 
 
 def steps_shown(derivation: Derivation, upto: str = "") -> Iterator[Shown]:
