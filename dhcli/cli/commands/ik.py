@@ -158,9 +158,9 @@ def ik(
         str | None,
         typer.Option(metavar="FRAME", help="Of this frame.", rich_help_panel=WHERE, autocompletion=complete_frame),
     ] = None,
-    format_: Annotated[str | None, format_option("table", "json", "csv", "latex", "numpy", "matlab")] = None,
+    format_: Annotated[str | None, format_option("table", "json", "csv", "latex", "numpy", "matlab", "c")] = None,
     digits: Digits = None,
-    output: Annotated[str | None, output_option(".json", ".csv", ".tex", ".py", ".m", ".txt")] = None,
+    output: Annotated[str | None, output_option(".json", ".csv", ".tex", ".py", ".m", ".c", ".txt")] = None,
     force: Force = False,
 ) -> int:
     """Inverse kinematics: every way to hold the joints so that the end frame stands in a pose."""
