@@ -148,6 +148,14 @@ def ik(
         str | None,
         typer.Option(metavar="WHICH", help="Of each row: all, nearest (to --near) or first.", rich_help_panel=_MANY),
     ] = None,
+    follow: Annotated[
+        bool,
+        typer.Option(
+            "--follow",
+            help="With --in: stay on one branch along the rows, beginning near --near; jumps are told.",
+            rich_help_panel=_MANY,
+        ),
+    ] = False,
     derive: Annotated[
         bool, typer.Option("--derive", help="The formulas, step by step as a book derives them; no pose is needed.")
     ] = False,
@@ -174,13 +182,13 @@ def ik(
     from dhcli.errors import ExitStatus
     from dhcli.files.yaml.robots import load_robot
 
-    if in_ is not None or each is not None:
+    if in_ is not None or each is not None or follow:
         from dhcli.cli.shell.inverse_rows import RowWish, solve_rows
 
         others: dict[str, object] = {"--q": q, "--pose": pose, "--target": target, "--position": position, "--rpy": rpy}
         others |= {"--quaternion": quaternion, "--pointing": pointing, "--branch": branch, "--family": family}
         others |= {"--all-turns": all_turns, "--derive": derive, "--digits": digits}
-        rows = RowWish(in_, each, task, near, hold or [], set_ or [], from_, to, within_limits, deg)
+        rows = RowWish(in_, each, task, near, hold or [], set_ or [], from_, to, within_limits, deg, follow)
         return solve_rows(robot, rows, others, format_, output, force=force)
     delivery = Delivery("ik", format_, digits, None, output, force)
     delivery.chosen("derivation" if derive else "inverse")

@@ -137,6 +137,16 @@ class RowWish:
     end: str | None
     within_limits: bool
     degrees: bool
+    follow: bool = False
+
+
+def _check_follow(wish: RowWish) -> None:
+    """Make sure that a path can be followed as asked."""
+    if wish.each is not None or wish.within_limits:
+        other = "--each" if wish.each is not None else "--within-limits"
+        raise DhcliError(f"--follow gives one solution of each row, whatever {other} says", f"leave {other} out")
+    if wish.near is None:
+        raise DhcliError("a path needs joint values to begin near to", "give --near VALUES; they choose the branch")
 
 
 def solve_rows(
@@ -154,7 +164,9 @@ def solve_rows(
         DhcliError: There is no file, an option does not go with it, or a row is no pose.
     """
     if wish.path is None:
-        raise DhcliError("--each is for many poses", "name their file with --in FILE")
+        raise DhcliError("--each and --follow are for many poses", "name their file with --in FILE")
+    if wish.follow:
+        _check_follow(wish)
     each = wish.each or "all"
     if each not in {"all", "nearest", "first"}:
         hint = did_you_mean(each, ("all", "nearest", "first")) or "all, nearest or first"
@@ -173,4 +185,7 @@ def solve_rows(
     wanted = Wanted(
         robot, cast("TaskName | None", task), cast("Each", each), near, held, wish.within_limits, low, high, lengths
     )
-    return ExitStatus.NOT_RIGHT if inverse_rows(wanted, wish.path, delivery) else ExitStatus.DONE
+    solve = inverse_rows
+    if wish.follow:
+        from dhcli.cli.shell.follow_rows import follow_rows as solve  # few follow a path
+    return ExitStatus.NOT_RIGHT if solve(wanted, wish.path, delivery) else ExitStatus.DONE
