@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import math
 from pathlib import Path
 
 import numpy as np
@@ -91,7 +92,7 @@ def test_what_cannot_be_read_is_refused_with_2(
 def circle(turns: float, radius: float = 0.15) -> str:
     """Points on a circle around (0.35, 0), as CSV."""
     angles = np.linspace(0, 2 * np.pi * turns, 40)
-    rows = [f"{0.35 + radius * np.cos(a)!r},{radius * np.sin(a)!r},0" for a in angles.tolist()]
+    rows = [f"{0.35 + radius * math.cos(a)},{radius * math.sin(a)},0" for a in angles.tolist()]
     return "p_x,p_y,p_z\n" + "\n".join(rows) + "\n"
 
 
