@@ -133,3 +133,16 @@ def test_a_path_that_cannot_be_followed_says_why(dhcli: Run, options: tuple[str,
     done = dhcli("ik", "planar-2r", *options, stdin="p_x,p_y,p_z\n0.5,0,0\n")
     assert done.code == 2
     assert said in done.err
+
+
+def test_rows_that_are_no_pose_may_be_left_out(dhcli: Run) -> None:
+    """A word for a number, a row too short, a matrix that is no rotation: each is named, the others are solved."""
+    head = "r11,r12,r13,p_x,r21,r22,r23,p_y,r31,r32,r33,p_z\n"
+    good = "1,0,0,0.5,0,-1,0,0.2,0,0,-1,-0.2\n"
+    text = head + good + good.replace("0.5", "far") + "1,0,0\n" + good.replace("1,", "2,", 1) + good
+    done = dhcli("ik", "scara-yim", "--in", "-", "--skip-bad", "--each", "first", stdin=text)
+    assert done.code == 0, done.err
+    assert [line.split(",")[0] for line in done.out.splitlines()] == ["row", "2", "6"]
+    assert all(f"-:{line}" in done.err for line in (3, 4, 5))
+    assert dhcli("ik", "scara-yim", "--in", "-", stdin=text).code == 2
+    assert "far" in dhcli("ik", "scara-yim", "--in", "-", stdin=text).err

@@ -156,6 +156,12 @@ def ik(
             rich_help_panel=_MANY,
         ),
     ] = False,
+    skip_bad: Annotated[
+        bool,
+        typer.Option(
+            "--skip-bad", help="With --in: leave out rows that are no pose, and list them.", rich_help_panel=_MANY
+        ),
+    ] = False,
     derive: Annotated[
         bool, typer.Option("--derive", help="The formulas, step by step as a book derives them; no pose is needed.")
     ] = False,
@@ -182,13 +188,13 @@ def ik(
     from dhcli.errors import ExitStatus
     from dhcli.files.yaml.robots import load_robot
 
-    if in_ is not None or each is not None or follow:
+    if in_ is not None or each is not None or follow or skip_bad:
         from dhcli.cli.shell.inverse_rows import RowWish, solve_rows
 
         others: dict[str, object] = {"--q": q, "--pose": pose, "--target": target, "--position": position, "--rpy": rpy}
         others |= {"--quaternion": quaternion, "--pointing": pointing, "--branch": branch, "--family": family}
         others |= {"--all-turns": all_turns, "--derive": derive, "--digits": digits}
-        rows = RowWish(in_, each, task, near, hold or [], set_ or [], from_, to, within_limits, deg, follow)
+        rows = RowWish(in_, each, task, near, hold or [], set_ or [], from_, to, within_limits, deg, follow, skip_bad)
         return solve_rows(robot, rows, others, format_, output, force=force)
     delivery = Delivery("ik", format_, digits, None, output, force)
     delivery.chosen("derivation" if derive else "inverse")

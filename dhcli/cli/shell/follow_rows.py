@@ -25,8 +25,14 @@ MOST_TOLD = 8
 """Rows that a warning names; of more, it tells how many."""
 
 
-def follow_rows(wanted: Wanted, path: str, delivery: RowDelivery) -> int:
+def follow_rows(wanted: Wanted, path: str, delivery: RowDelivery, bad: list[Problem] | None = None) -> int:
     """Follow the poses of a file, each by the joint values nearest to those before it.
+
+    Args:
+        wanted: What is wanted of each pose.
+        path: The file; `-` for standard input.
+        delivery: Where the joint values go.
+        bad: Where rows that are no pose are noted and left out; without it the first of them is an error.
 
     Returns:
         How many poses are out of reach.
@@ -34,10 +40,13 @@ def follow_rows(wanted: Wanted, path: str, delivery: RowDelivery) -> int:
     Raises:
         FileError: The file cannot be read, or a row is no pose.
     """
+    from dhcli.cli.shell.inverse_rows import rotations  # which imports this
+
     blocks, places = [], list[int]()
-    for poses, where in pose_blocks(path):
-        blocks.append(poses)
-        places += where
+    for poses, where in pose_blocks(path, bad):
+        kept, at = (poses, where) if bad is None else rotations(poses, where, path, bad)
+        blocks.append(kept)
+        places += at
     if not blocks:
         raise FileError(Problem("holds no poses", Place(path)))
     table = np.concatenate(blocks)

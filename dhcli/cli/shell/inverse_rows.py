@@ -36,8 +36,15 @@ from dhcli.render.text.problems import warning_line
 from dhcli.render.text.progress import row_progress
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
     from dhcli.kinematics.inverse.batch import Each
     from dhcli.kinematics.inverse.tasks import TaskName
+
+
+MOST_BAD = 8
+"""Rows left out that are named; of more, it is told how many."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,8 +87,14 @@ def check_rows(typed: str, path: str, others: Mapping[str, object]) -> None:
         raise DhcliError(f"{' and '.join(given)} {verb} not go with --in", "each row is a pose")
 
 
-def inverse_rows(wanted: Wanted, path: str, delivery: RowDelivery) -> int:
+def inverse_rows(wanted: Wanted, path: str, delivery: RowDelivery, bad: list[Problem] | None = None) -> int:
     """Solve each pose of a file, and hand the joint values over as they come.
+
+    Args:
+        wanted: What is wanted of each pose.
+        path: The file; `-` for standard input.
+        delivery: Where the joint values go.
+        bad: Where rows that are no pose are noted and left out; without it the first of them is an error.
 
     Returns:
         How many poses have no solution.
@@ -92,8 +105,10 @@ def inverse_rows(wanted: Wanted, path: str, delivery: RowDelivery) -> int:
     joints = Group.named("q", {name: name for name in wanted.robot.variables})
     total = lost = 0
     with delivery.open(Layout((INDEX, joints))) as sink, row_progress(sys.stderr, wanted=True) as tell:
-        for poses, places in pose_blocks(path):
+        for poses, places in pose_blocks(path, bad):
             task = wanted.task or ("pose" if poses.ndim == 3 else "position")  # noqa: PLR2004  matrices
+            if bad is not None:
+                poses, places = rotations(poses, places, path, bad)  # noqa: PLW2901  those that are poses
             try:
                 q, index = inverse_batch(
                     wanted.robot,
@@ -138,6 +153,26 @@ class RowWish:
     within_limits: bool
     degrees: bool
     follow: bool = False
+    skip_bad: bool = False
+
+
+def rotations(
+    poses: NDArray[np.float64], places: list[int], path: str, bad: list[Problem]
+) -> tuple[NDArray[np.float64], list[int]]:
+    """The rows of a block that are poses; the others are noted."""
+    from dhcli.kinematics.inverse.targets import read_targets
+    from dhcli.kinematics.inverse.tasks import task_called
+
+    task = task_called("pose" if poses.ndim == 3 else "position")  # noqa: PLR2004  matrices
+    kept = []
+    for k in range(len(poses)):
+        try:
+            read_targets(poses[k], task)
+        except RobotError as error:
+            bad += [Problem(p.message, Place(path, places[k]), p.hint) for p in error.problems]
+        else:
+            kept.append(k)
+    return poses[kept], [places[k] for k in kept]
 
 
 def _check_follow(wish: RowWish) -> None:
@@ -164,7 +199,7 @@ def solve_rows(
         DhcliError: There is no file, an option does not go with it, or a row is no pose.
     """
     if wish.path is None:
-        raise DhcliError("--each and --follow are for many poses", "name their file with --in FILE")
+        raise DhcliError("--each, --follow and --skip-bad are for many poses", "name their file with --in FILE")
     if wish.follow:
         _check_follow(wish)
     each = wish.each or "all"
@@ -185,7 +220,13 @@ def solve_rows(
     wanted = Wanted(
         robot, cast("TaskName | None", task), cast("Each", each), near, held, wish.within_limits, low, high, lengths
     )
+    bad: list[Problem] | None = [] if wish.skip_bad else None
     solve = inverse_rows
     if wish.follow:
         from dhcli.cli.shell.follow_rows import follow_rows as solve  # few follow a path
-    return ExitStatus.NOT_RIGHT if solve(wanted, wish.path, delivery) else ExitStatus.DONE
+    lost = solve(wanted, wish.path, delivery, bad)
+    for problem in (bad or [])[:MOST_BAD]:
+        say(warning_line(f"skipped {problem}", Paper.of(sys.stderr)))
+    if bad and len(bad) > MOST_BAD:
+        say(warning_line(f"skipped {len(bad)} rows in all", Paper.of(sys.stderr)))
+    return ExitStatus.NOT_RIGHT if lost else ExitStatus.DONE
