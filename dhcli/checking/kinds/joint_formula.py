@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
@@ -17,25 +17,22 @@ from dhcli.checking.solving.derived import (
     Slipped,
     derivation_of,
     moving_joints,
-    put_for,
     slipped,
     steps_shown,
-    with_roots,
 )
 from dhcli.checking.solving.formulas import Formula, read_formula
 from dhcli.checking.solving.goal import Target, of_robot
+from dhcli.checking.solving.typed import exprs_of, formula_of, typed_text, values_of
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import NotationError, Place, Problem, RobotError, UnknownNameError
 from dhcli.kinematics.inverse.derive import Derivation
 from dhcli.kinematics.inverse.derive_levels import POSITION, ROTATION
-from dhcli.kinematics.inverse.derive_rules import Step
 from dhcli.kinematics.inverse.derive_terms import name_of
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.validity import Finding
 from dhcli.notation.names import canonical
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import PI, ZERO, Call, Expr, Symbol, add, negate
-from dhcli.notation.writer import write
+from dhcli.notation.tree import Symbol
 
 _ASKED = re.compile(
     r"(?:angle|joint)\s+(?P<joints>[\w+ ]+?)\s+(?:(?P<start>base|\d{1,4})\s*\.\.\s*(?P<end>tool|\d{1,4})\s+)?"
@@ -198,7 +195,7 @@ class JointFormulaQuestion(Question[Formula]):
         """What a formula gets right, and what it loses."""
         cases, derivation = self._cases(case), self._derivation(case)
         entries = [(name, Symbol(name)) for name in self._entries]
-        candidates = [*entries, *covering.arguments(_exprs(derivation, self.joints), derivation.robot)]
+        candidates = [*entries, *covering.arguments(exprs_of(derivation, self.joints), derivation.robot)]
         right = covering.where(outcome.hits, cases, self._asked, candidates)
         only = f"right where {right} only" if right else f"right for {outcome.share:.0%} of the solutions"
         if not any(outcome.hits):
@@ -246,51 +243,3 @@ class JointFormulaQuestion(Question[Formula]):
 
         pairs = list(zip(typed, values, strict=True))
         return any(a for a, _ in pairs) and all(within(a, b) and within(b, a) for a, b in pairs)
-
-
-def formula_of(derivation: Derivation, joints: tuple[str, ...]) -> Step:
-    """The step that finds a joint or a sum of joints; a sum found before stands in it with its own formula.
-
-    Raises:
-        RobotError: No step finds it.
-    """
-    sums: dict[str, Step] = {}
-    for step in derivation.steps:
-        own = (step.atom,) if isinstance(step.atom, str) else tuple(name for name, _ in step.atom)
-        plain = isinstance(step.atom, str) or all(factor == 1 for _, factor in step.atom)
-        if own == joints and plain:
-            if step.rule != "SUM":
-                return step
-            for name, whole in sums.items():
-                value = put_for(step.value, {Symbol(name): whole.value})
-                if value != step.value:
-                    return replace(step, value=value, spread=whole.spread, two=whole.two)
-            return step
-        sums[name_of(step.atom)] = step
-    raise RobotError(f"no step of the derivation finds {' + '.join(joints)}")
-
-
-def values_of(step: Step) -> tuple[Expr, ...]:
-    """Every value that a step has."""
-    if step.spread is not None:
-        return add(step.value, step.spread), add(step.value, negate(step.spread))
-    return (step.value, add(step.value, PI)) if step.two else (step.value,)
-
-
-def typed_text(derivation: Derivation, joints: tuple[str, ...]) -> str:
-    """The formula for a joint as it may be typed: `±acos(...)`, or two values."""
-    step, writing = formula_of(derivation, joints), derivation.robot.writing
-    value = write(with_roots(step.value), "short", writing)
-    if step.spread is not None:
-        spread = write(with_roots(step.spread), "short", writing)
-        return f"±{spread}" if step.value == ZERO else f"{value} ± {spread}"
-    if step.two != "opposite":
-        return value
-    if isinstance(step.value, Call) and step.value.function == "atan2":
-        return f"{value}, {write(Call('atan2', tuple(map(negate, step.value.arguments))), 'short', writing)}"
-    return f"{value}, {write(add(step.value, PI), 'short', writing)}"
-
-
-def _exprs(derivation: Derivation, joints: tuple[str, ...]) -> tuple[Expr, ...]:
-    step = formula_of(derivation, joints)
-    return (step.value,) if step.spread is None else (step.value, step.spread)
