@@ -97,8 +97,8 @@ class JointFormulaQuestion(Question[Formula]):
         return f"a formula for {self._name} with all its values, from {given} seen from frame {start}"
 
     def notes(self, _exercise: Exercise) -> Iterable[str]:
-        yield "Write ± for two signs, or several values with commas; atan2(y, x), acos(x), sqrt(x) are read."
-        yield "Joints that are found before may stand in it; a long part may get a name: D = ... on a line before."
+        yield "Write ± for two signs, or several values with commas: atan2(y, x), acos(x), sqrt(x)."
+        yield "Other joints may stand in it. A long part may get a name on a line before: D = ..."
 
     def expected(self, case: Case, _style: str = "short") -> str:
         return typed_text(self._derivation(case), self.joints)

@@ -88,7 +88,8 @@ class JointsQuestion(Question[Vectors]):
 
     def notes(self, exercise: Exercise) -> Iterable[str]:
         joints = self._joints(exercise)
-        yield f"In this order: {', '.join(joints)}. Angles in degrees unless a unit stands with them."
+        yield f"In this order: {', '.join(joints)}."
+        yield "Angles in degrees unless a unit stands with them."
         if self.which == "all":
             yield "A row for each solution; whole turns more or less are the same."
 

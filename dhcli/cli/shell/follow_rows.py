@@ -6,13 +6,11 @@ import sys
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from dhcli.cli.shell.console import say
 from dhcli.cli.shell.rows import RowDelivery
 from dhcli.errors import FileError, Place, Problem, RobotError
 from dhcli.files.rows.poses import pose_blocks
-from dhcli.kinematics.inverse.path import follow
+from dhcli.kinematics.inverse.path import follow, joined
 from dhcli.render.code.pose_rows import INDEX
 from dhcli.render.code.rows import Group, Layout
 from dhcli.render.paper import Paper
@@ -49,7 +47,7 @@ def follow_rows(wanted: Wanted, path: str, delivery: RowDelivery, bad: list[Prob
         places += at
     if not blocks:
         raise FileError(Problem("holds no poses", Place(path)))
-    table = np.concatenate(blocks)
+    table = joined(blocks)
     task = wanted.task or ("pose" if table.ndim == 3 else "position")  # noqa: PLR2004  matrices
     try:
         found = follow(
@@ -65,9 +63,8 @@ def follow_rows(wanted: Wanted, path: str, delivery: RowDelivery, bad: list[Prob
     except RobotError as error:
         raise FileError([Problem(p.message, Place(path), p.hint) for p in error.problems]) from None
     joints = Group.named("q", {name: name for name in wanted.robot.variables})
-    there = ~np.isnan(found.q).any(axis=1)
     with delivery.open(Layout((INDEX, joints))) as sink:
-        sink.write(np.column_stack([np.array(places)[there], found.q[there]]))
+        sink.write(found.numbered(places))
     _tell(places, found.jumps, "the arm jumps to another branch before")
     _tell(places, found.singular, "the arm is singular, or nearly, at")
     _tell(places, found.lost, "out of reach, and without a row:")
