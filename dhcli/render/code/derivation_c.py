@@ -32,12 +32,11 @@ def derivation_c(result: Derivation, _look: Look) -> str:
     joints = joints_found(result)
     lengths = [_name(length) for length in lengths_used(result)]
     given = "".join(f"double {name}, " for name in lengths)
+    said = f"Every solution of {result.robot.name}, a row each: radians and metres, in joint order."
     lines = [
         "#include <math.h>",
         "",
-        comment(
-            f"Every solution of {result.robot.name}, a row each: radians and metres, in joint order.", "//"
-        ).rstrip(),
+        comment(said, "//").rstrip(),
         f"// Returns how many there are, at most {result.branches}.",
         f"int inverse(const double T[4][4], {given}double solutions[][{len(joints)}])",
         "{",

@@ -11,7 +11,10 @@ from hypothesis import strategies as st
 
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.judge import Judge
+from dhcli.checking.kinds.joint_formula import JointFormulaQuestion
+from dhcli.checking.kinds.joints import JointsQuestion
 from dhcli.checking.kinds.made import question_about
+from dhcli.checking.kinds.reaching import SolutionsQuestion
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import DhcliError, NotationError
 from dhcli.files.yaml.exercises import load_exercise
@@ -20,6 +23,7 @@ from tests.nightly import some
 
 PLACE = "joints of position (0.5, 0.3, 0)"
 FOLDER = Path(__file__).parents[3] / "exercises" / "inverse"
+BACK = (JointsQuestion, JointFormulaQuestion, SolutionsQuestion)
 NAMES = sorted(path.stem for path in FOLDER.glob("*.yaml"))
 
 
@@ -183,7 +187,7 @@ def test_a_slip_on_the_way_back_has_its_name(name: str) -> None:
     exercise = load_exercise(FOLDER / f"{name}.yaml")
     judge = Judge(exercise)
     named = total = 0
-    for part in exercise.parts:
+    for part in (part for part in exercise.parts if isinstance(part.question, BACK)):
         for slip in some([*judge.slips(part)], 6):
             mark = judge.check(part, judge.answer_with(part, slip.name))
             assert mark.verdict is not Verdict.RIGHT, (part.id, slip.name)
