@@ -98,6 +98,7 @@ _RENDERERS = {
     ("derivation", "table"): "dhcli.render.text.derivation:derivation_table",
     ("derivation", "latex"): "dhcli.render.code.derivation:derivation_latex",
     ("derivation", "matlab"): "dhcli.render.code.derivation:derivation_code",
+    ("derivation", "c"): "dhcli.render.code.derivation_c:derivation_c",
     ("derivation", "numpy"): "dhcli.render.code.derivation:derivation_code",
     ("jacobian", "table"): "dhcli.render.text.velocity:jacobian_table",
     ("jacobian", "latex"): "dhcli.render.code.velocity:jacobian_code",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import math
 from pathlib import Path
 
 import numpy as np
@@ -86,3 +87,62 @@ def test_what_cannot_be_read_is_refused_with_2(
     done = dhcli("ik", "puma560", *words, stdin=stdin)
     assert done.code == 2
     assert said in done.err
+
+
+def circle(turns: float, radius: float = 0.15) -> str:
+    """Points on a circle around (0.35, 0), as CSV."""
+    angles = np.linspace(0, 2 * np.pi * turns, 40)
+    rows = [f"{0.35 + radius * math.cos(a)},{radius * math.sin(a)},0" for a in angles.tolist()]
+    return "p_x,p_y,p_z\n" + "\n".join(rows) + "\n"
+
+
+def test_a_path_stays_on_one_branch(dhcli: Run) -> None:
+    """The one that begins near the values given; each row is near to the one before it."""
+    for elbow in (1, -1):
+        near = f"{-0.5 * elbow},{elbow}"
+        done = dhcli("ik", "planar-2r", "--in", "-", "--follow", "--near", near, stdin=circle(1))
+        assert done.code == 0, done.err
+        rows = np.loadtxt(io.StringIO(done.out), delimiter=",", skiprows=1)
+        assert rows[:, 0].tolist() == list(range(2, 42))
+        assert (rows[:, 2] * elbow > 0).all()
+        assert np.abs(np.diff(rows[:, 1:], axis=0)).max() < 0.5
+        assert not done.err
+
+
+def test_a_path_tells_what_it_cannot_reach(dhcli: Run) -> None:
+    """By the line; the rows that are reached are there."""
+    done = dhcli(
+        "ik", "planar-2r", "--in", "-", "--follow", "--near", "0,1", stdin="p_x,p_y,p_z\n0.5,0,0\n2,0,0\n0.5,0.1,0\n"
+    )
+    assert done.code == 1
+    assert "out of reach, and without a row: row 3" in done.err
+    assert [line.split(",")[0] for line in done.out.splitlines()] == ["row", "2", "4"]
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (("--follow",), "are for many poses"),
+        (("--in", "-", "--follow"), "begin near to"),
+        (("--in", "-", "--follow", "--near", "0,1", "--each", "all"), "leave --each out"),
+        (("--in", "-", "--follow", "--near", "0,1", "--within-limits"), "leave --within-limits out"),
+    ],
+)
+def test_a_path_that_cannot_be_followed_says_why(dhcli: Run, options: tuple[str, ...], said: str) -> None:
+    """It needs rows, a beginning, and has one solution each."""
+    done = dhcli("ik", "planar-2r", *options, stdin="p_x,p_y,p_z\n0.5,0,0\n")
+    assert done.code == 2
+    assert said in done.err
+
+
+def test_rows_that_are_no_pose_may_be_left_out(dhcli: Run) -> None:
+    """A word for a number, a row too short, a matrix that is no rotation: each is named, the others are solved."""
+    head = "r11,r12,r13,p_x,r21,r22,r23,p_y,r31,r32,r33,p_z\n"
+    good = "1,0,0,0.5,0,-1,0,0.2,0,0,-1,-0.2\n"
+    text = head + good + good.replace("0.5", "far") + "1,0,0\n" + good.replace("1,", "2,", 1) + good
+    done = dhcli("ik", "scara-yim", "--in", "-", "--skip-bad", "--each", "first", stdin=text)
+    assert done.code == 0, done.err
+    assert [line.split(",")[0] for line in done.out.splitlines()] == ["row", "2", "6"]
+    assert all(f"-:{line}" in done.err for line in (3, 4, 5))
+    assert dhcli("ik", "scara-yim", "--in", "-", stdin=text).code == 2
+    assert "far" in dhcli("ik", "scara-yim", "--in", "-", stdin=text).err

@@ -9,8 +9,11 @@ from dhcli.checking.kinds.cell import CellQuestion
 from dhcli.checking.kinds.choice import ChoiceQuestion
 from dhcli.checking.kinds.count import CountQuestion
 from dhcli.checking.kinds.factors import FactorsQuestion
+from dhcli.checking.kinds.joint_formula import JointFormulaQuestion
+from dhcli.checking.kinds.joints import JointsQuestion
 from dhcli.checking.kinds.matrix import MatrixQuestion
 from dhcli.checking.kinds.orientation import OrientationQuestion
+from dhcli.checking.kinds.reaching import ReachQuestion, SolutionsQuestion
 from dhcli.checking.kinds.scalar import ScalarQuestion
 from dhcli.checking.kinds.table import TableQuestion
 from dhcli.checking.wanted import NotAskedError
@@ -29,6 +32,10 @@ KINDS: list[type[Question[Any]]] = [
     OrientationQuestion,
     CountQuestion,
     ChoiceQuestion,
+    JointsQuestion,
+    JointFormulaQuestion,
+    SolutionsQuestion,
+    ReachQuestion,
 ]
 """A new kind is a file beside these, and a line here."""
 
@@ -47,8 +54,9 @@ def read_question(text: str, scope: Scope, place: Place | None = None) -> Questi
     text = text.strip()
     if len(text) > LONGEST:
         raise NotationError(Problem(f"a question of more than {LONGEST} characters is not read", place))
-    word = text.split(None, 1)[0] if text else ""
-    kind = next((kind for kind in KINDS if word in kind.words), MatrixQuestion)  # `0..3` is a pose, too
+    first = text.split(None, 2)
+    words = (" ".join(first[:2]), first[0]) if first else ()  # `count solutions` comes before `count`
+    kind = next((kind for word in words for kind in KINDS if word in kind.words), MatrixQuestion)  # `0..3` is a pose
     try:
         return kind.asked(text, scope, place)
     except NotAskedError as error:

@@ -14,6 +14,7 @@ from dhcli.errors import ExitStatus
 if TYPE_CHECKING:
     from dhcli.checking.exercise import Exercise
     from dhcli.checking.judge import Judge
+    from dhcli.cli.shell.goal import Goal
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -29,6 +30,8 @@ dhcli check scara --pose zero --answer "1 0 0 0; 0 1 0 0.5; 0 0 1 0.4; 0 0 0 1" 
 dhcli check scara --q 0.3,0.5,0.1 --answer "-0.2321, 0.4259, 0.3"
 
 dhcli check puma560 --pose ready --as rpy --answer "0, 0, 180°"
+
+dhcli check planar-2r --ik --position 0.5,0.3,0 --answer "2.477°, 67.98°"
 
 dhcli check puma560 --table my-table.yaml
 """
@@ -79,6 +82,29 @@ def check(
     entry: Annotated[
         str | None, typer.Option(metavar="ROW,COLUMN", help="One entry of the pose: 1,4.", rich_help_panel=_QUESTION)
     ] = None,
+    ik: Annotated[
+        bool, typer.Option("--ik", help="Joint values that reach a pose are answered.", rich_help_panel=_QUESTION)
+    ] = False,
+    target: Annotated[
+        str | None,
+        typer.Option(
+            metavar="MOVES",
+            help="With --ik: moves such as 'Trans(0.4,0,0.3) Rot(y,90°)', a 4x4 matrix, or @FILE.",
+            rich_help_panel=_QUESTION,
+        ),
+    ] = None,
+    position: Annotated[
+        str | None,
+        typer.Option(metavar="X,Y,Z", help="With --ik: where the end is to stand.", rich_help_panel=_QUESTION),
+    ] = None,
+    branch: Annotated[
+        str | None,
+        typer.Option(
+            metavar="WORDS",
+            help="With --ik: which solution is answered, such as 'elbow up', or all; any if left out.",
+            rich_help_panel=_QUESTION,
+        ),
+    ] = None,
     tol_rotation: Annotated[
         float | None, typer.Option(metavar="X", help="Of a direction cosine; 0.001.", rich_help_panel=_TOLERANCE)
     ] = None,
@@ -105,7 +131,13 @@ def check(
 
     delivery = Delivery("check", format_, output=output, force=force)
     delivery.chosen("marks")
-    asked = RobotOptions(q, pose, tuple(set_ or ()), deg, symbolic, from_, to, table, as_, entry, compare)
+    goal = _goal(q, pose, target, position) if ik else None
+    if not ik and (target, position, branch) != (None, None, None):
+        raise DhcliError("--target, --position and --branch belong to --ik", "add --ik")
+    if ik and target == answer == "-":
+        raise DhcliError("the pose and the answer cannot both come from standard input", "save one in a file")
+    which = (branch or "") if ik else ""
+    asked = RobotOptions(q, pose, tuple(set_ or ()), deg, symbolic, from_, to, table, as_, entry, compare, goal, which)
     answer = None if answer is None else _text(answer)
     exercise, typed = exercise_of(name, asked, answer or "")
     warned = tuple(warnings(exercise.robot, exercise.given)) if asked.given and exercise.robot else ()
@@ -126,6 +158,12 @@ def check(
     remember(marked)
     delivery.hand_over("marks", replace(marked, why=why), warned)
     return exit_code(marked.verdict)
+
+
+def _goal(q: str | None, pose: str | None, target: str | None, position: str | None) -> Goal:
+    from dhcli.cli.shell.goal import Goal
+
+    return Goal(q, pose, target, position, None, None, None, None)
 
 
 def _walk(judge: Judge, part: str | None, *, why: bool) -> ExitStatus:

@@ -148,6 +148,20 @@ def ik(
         str | None,
         typer.Option(metavar="WHICH", help="Of each row: all, nearest (to --near) or first.", rich_help_panel=_MANY),
     ] = None,
+    follow: Annotated[
+        bool,
+        typer.Option(
+            "--follow",
+            help="With --in: stay on one branch along the rows, beginning near --near; jumps are told.",
+            rich_help_panel=_MANY,
+        ),
+    ] = False,
+    skip_bad: Annotated[
+        bool,
+        typer.Option(
+            "--skip-bad", help="With --in: leave out rows that are no pose, and list them.", rich_help_panel=_MANY
+        ),
+    ] = False,
     derive: Annotated[
         bool, typer.Option("--derive", help="The formulas, step by step as a book derives them; no pose is needed.")
     ] = False,
@@ -158,9 +172,9 @@ def ik(
         str | None,
         typer.Option(metavar="FRAME", help="Of this frame.", rich_help_panel=WHERE, autocompletion=complete_frame),
     ] = None,
-    format_: Annotated[str | None, format_option("table", "json", "csv", "latex", "numpy", "matlab")] = None,
+    format_: Annotated[str | None, format_option("table", "json", "csv", "latex", "numpy", "matlab", "c")] = None,
     digits: Digits = None,
-    output: Annotated[str | None, output_option(".json", ".csv", ".tex", ".py", ".m", ".txt")] = None,
+    output: Annotated[str | None, output_option(".json", ".csv", ".tex", ".py", ".m", ".c", ".txt")] = None,
     force: Force = False,
 ) -> int:
     """Inverse kinematics: every way to hold the joints so that the end frame stands in a pose."""
@@ -174,13 +188,13 @@ def ik(
     from dhcli.errors import ExitStatus
     from dhcli.files.yaml.robots import load_robot
 
-    if in_ is not None or each is not None:
+    if in_ is not None or each is not None or follow or skip_bad:
         from dhcli.cli.shell.inverse_rows import RowWish, solve_rows
 
         others: dict[str, object] = {"--q": q, "--pose": pose, "--target": target, "--position": position, "--rpy": rpy}
         others |= {"--quaternion": quaternion, "--pointing": pointing, "--branch": branch, "--family": family}
         others |= {"--all-turns": all_turns, "--derive": derive, "--digits": digits}
-        rows = RowWish(in_, each, task, near, hold or [], set_ or [], from_, to, within_limits, deg)
+        rows = RowWish(in_, each, task, near, hold or [], set_ or [], from_, to, within_limits, deg, follow, skip_bad)
         return solve_rows(robot, rows, others, format_, output, force=force)
     delivery = Delivery("ik", format_, digits, None, output, force)
     delivery.chosen("derivation" if derive else "inverse")

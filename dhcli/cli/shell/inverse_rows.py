@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, cast
 from dhcli.cli.shell.console import say
 from dhcli.cli.shell.given import settings_of
 from dhcli.cli.shell.goal import Goal, task_of
+from dhcli.cli.shell.pose_wish import PoseWish, rotations
 from dhcli.cli.shell.rows import RowDelivery
 from dhcli.cli.shell.solutions import held_of, near_of
 from dhcli.errors import (
@@ -27,7 +28,6 @@ from dhcli.files.rows.poses import pose_blocks
 from dhcli.files.yaml.robots import load_robot
 from dhcli.kinematics.frames import ends
 from dhcli.kinematics.inverse.batch import inverse_batch, numbered
-from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import parameter_values
 from dhcli.render.code.pose_rows import INDEX
 from dhcli.render.code.rows import Group, Layout
@@ -40,31 +40,8 @@ if TYPE_CHECKING:
     from dhcli.kinematics.inverse.tasks import TaskName
 
 
-@dataclass(frozen=True, slots=True)
-class Wanted:
-    """What is wanted of each pose.
-
-    Attributes:
-        robot: The robot.
-        task: What of it counts; None for all that a row has.
-        each: Which solutions.
-        near: Joint values that they should be near to.
-        hold: Joints that are not computed.
-        within_limits: Whether only solutions inside the limits are wanted.
-        start: The frame they are seen from.
-        end: The frame that is placed.
-        lengths: Values of lengths and constant angles.
-    """
-
-    robot: Robot
-    task: TaskName | None
-    each: Each
-    near: Sequence[float] | None
-    hold: Mapping[str, float]
-    within_limits: bool
-    start: str
-    end: str
-    lengths: Mapping[str, Value]
+MOST_BAD = 8
+"""Rows left out that are named; of more, it is told how many."""
 
 
 def check_rows(typed: str, path: str, others: Mapping[str, object]) -> None:
@@ -80,8 +57,14 @@ def check_rows(typed: str, path: str, others: Mapping[str, object]) -> None:
         raise DhcliError(f"{' and '.join(given)} {verb} not go with --in", "each row is a pose")
 
 
-def inverse_rows(wanted: Wanted, path: str, delivery: RowDelivery) -> int:
+def inverse_rows(wanted: PoseWish, path: str, delivery: RowDelivery, bad: list[Problem] | None = None) -> int:
     """Solve each pose of a file, and hand the joint values over as they come.
+
+    Args:
+        wanted: What is wanted of each pose.
+        path: The file; `-` for standard input.
+        delivery: Where the joint values go.
+        bad: Where rows that are no pose are noted and left out; without it the first of them is an error.
 
     Returns:
         How many poses have no solution.
@@ -92,8 +75,10 @@ def inverse_rows(wanted: Wanted, path: str, delivery: RowDelivery) -> int:
     joints = Group.named("q", {name: name for name in wanted.robot.variables})
     total = lost = 0
     with delivery.open(Layout((INDEX, joints))) as sink, row_progress(sys.stderr, wanted=True) as tell:
-        for poses, places in pose_blocks(path):
+        for poses, places in pose_blocks(path, bad):
             task = wanted.task or ("pose" if poses.ndim == 3 else "position")  # noqa: PLR2004  matrices
+            if bad is not None:
+                poses, places = rotations(poses, places, path, bad)  # noqa: PLW2901  those that are poses
             try:
                 q, index = inverse_batch(
                     wanted.robot,
@@ -137,6 +122,17 @@ class RowWish:
     end: str | None
     within_limits: bool
     degrees: bool
+    follow: bool = False
+    skip_bad: bool = False
+
+
+def _check_follow(wish: RowWish) -> None:
+    """Make sure that a path can be followed as asked."""
+    if wish.each is not None or wish.within_limits:
+        other = "--each" if wish.each is not None else "--within-limits"
+        raise DhcliError(f"--follow gives one solution of each row, whatever {other} says", f"leave {other} out")
+    if wish.near is None:
+        raise DhcliError("a path needs joint values to begin near to", "give --near VALUES; they choose the branch")
 
 
 def solve_rows(
@@ -154,7 +150,9 @@ def solve_rows(
         DhcliError: There is no file, an option does not go with it, or a row is no pose.
     """
     if wish.path is None:
-        raise DhcliError("--each is for many poses", "name their file with --in FILE")
+        raise DhcliError("--each, --follow and --skip-bad are for many poses", "name their file with --in FILE")
+    if wish.follow:
+        _check_follow(wish)
     each = wish.each or "all"
     if each not in {"all", "nearest", "first"}:
         hint = did_you_mean(each, ("all", "nearest", "first")) or "all, nearest or first"
@@ -170,7 +168,16 @@ def solve_rows(
     lengths = parameter_values(robot, settings_of(wish.settings), Place("--set", text=" ".join(wish.settings)))
     near = near_of(robot, wish.near, degrees=wish.degrees)
     held = held_of(robot, wish.hold, degrees=wish.degrees)
-    wanted = Wanted(
+    wanted = PoseWish(
         robot, cast("TaskName | None", task), cast("Each", each), near, held, wish.within_limits, low, high, lengths
     )
-    return ExitStatus.NOT_RIGHT if inverse_rows(wanted, wish.path, delivery) else ExitStatus.DONE
+    bad: list[Problem] | None = [] if wish.skip_bad else None
+    solve = inverse_rows
+    if wish.follow:
+        from dhcli.cli.shell.follow_rows import follow_rows as solve  # few follow a path
+    lost = solve(wanted, wish.path, delivery, bad)
+    for problem in (bad or [])[:MOST_BAD]:
+        say(warning_line(f"skipped {problem}", Paper.of(sys.stderr)))
+    if bad and len(bad) > MOST_BAD:
+        say(warning_line(f"skipped {len(bad)} rows in all", Paper.of(sys.stderr)))
+    return ExitStatus.NOT_RIGHT if lost else ExitStatus.DONE

@@ -13,6 +13,7 @@ from dhcli.checking.verdicts import Verdict
 from dhcli.errors import DhcliError, ExitStatus, Place, Problem, UnknownNameError, did_you_mean
 
 if TYPE_CHECKING:
+    from dhcli.cli.shell.goal import Goal
     from dhcli.kinematics.robot import Robot
 
 PLAIN_FORMS = ("rpy", "quaternion", "axis-angle", "rotation-vector")
@@ -34,6 +35,8 @@ class RobotOptions:
         form: What of the pose is answered, or how: position, rotation, rpy, zyz, quaternion and so on.
         entry: Row and column of the one entry that is answered.
         compare: How the table is compared.
+        goal: The pose that joint values are asked for, if they are.
+        which: Which of them: all, or the words of a branch; any where nothing is said.
     """
 
     q: str | None = None
@@ -47,6 +50,8 @@ class RobotOptions:
     form: str | None = None
     entry: str | None = None
     compare: str | None = None
+    goal: Goal | None = None
+    which: str = ""
 
     @property
     def given(self) -> bool:
@@ -89,6 +94,8 @@ def _about(robot: Robot, asked: RobotOptions, answer: str) -> tuple[Exercise, st
     from dhcli.cli.shell.given import values_of
     from dhcli.kinematics.frames import ends
 
+    if asked.goal is not None:
+        return _about_joints(robot, asked, asked.goal), ""
     if asked.table is not None:
         from dhcli.files.yaml.tables import read_table
 
@@ -114,6 +121,25 @@ def _comparison(asked: RobotOptions) -> str:
     if how not in COMPARED:
         raise UnknownNameError(f"tables are not compared as '{how}'", did_you_mean(how, COMPARED))
     return how
+
+
+def _about_joints(robot: Robot, asked: RobotOptions, goal: Goal) -> Exercise:
+    """A question about the joint values that reach a pose."""
+    from dhcli.checking.exercise import Exercise, Part
+    from dhcli.checking.kinds.joints import JointsQuestion
+    from dhcli.checking.solving.goal import TASKS, given_target
+    from dhcli.cli.shell.goal import asked as pose_asked
+
+    if asked.table or asked.symbolic or asked.form or asked.entry:
+        raise DhcliError("--ik asks for joint values", "leave --table, --symbolic, --as and --entry out")
+    question = pose_asked(robot, goal, asked.start, asked.end, asked.settings, robot.name, degrees=asked.degrees)
+    if question.task not in TASKS:
+        raise DhcliError(Problem(f"--ik checks no {question.task}", Place("--task"), ", ".join(TASKS)))
+    target = given_target(question.task, question.pose, (question.start, question.end))
+    words = tuple(word.strip() for word in asked.which.split(",") if word.strip())
+    which = "all" if words == ("all",) else "branch" if words else "any"
+    part = Part("joints", JointsQuestion(target, which, words if which == "branch" else ()))
+    return Exercise(robot.name, robot.title, robot.source, "", (part,), robot, question.lengths, numeric=True)
 
 
 def _pieces(asked: RobotOptions) -> tuple[str, ...]:

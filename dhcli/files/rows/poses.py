@@ -7,6 +7,7 @@ import json
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from itertools import chain
 from typing import TYPE_CHECKING, TextIO
 
 import numpy as np
@@ -25,11 +26,12 @@ MATRIX = tuple(head for i in (1, 2, 3) for head in (*(f"r{i}{k}" for k in (1, 2,
 POSITION = ("p_x", "p_y", "p_z")
 
 
-def pose_blocks(path: str) -> Iterator[tuple[NDArray[np.float64], list[int]]]:
+def pose_blocks(path: str, bad: list[Problem] | None = None) -> Iterator[tuple[NDArray[np.float64], list[int]]]:
     """Poses of a file, or positions where it has no more.
 
     Args:
         path: The file; its suffix says what it is, and what comes from standard input, `-`, is CSV or JSON Lines.
+        bad: Where rows that are no pose are noted and left out; without it the first of them is an error.
 
     Yields:
         Poses (N, 4, 4) or positions (N, 3), and where each stands: its line from 1, its row in an array from 0.
@@ -43,9 +45,9 @@ def pose_blocks(path: str) -> Iterator[tuple[NDArray[np.float64], list[int]]]:
     with _opened(path) as stream:
         first = stream.readline()
         if first.lstrip().startswith("{"):
-            yield from _gathered(_of_json(first, stream, path))
+            yield from _gathered(_of_json(first, stream, path, bad))
         else:
-            yield from _gathered(_of_csv(first, stream, path))
+            yield from _gathered(_of_csv(first, stream, path, bad))
 
 
 @contextmanager
@@ -98,7 +100,7 @@ def _as_poses(values: list[list[float]]) -> NDArray[np.float64]:
     return poses
 
 
-def _of_csv(first: str, stream: TextIO, path: str) -> Iterator[tuple[int, list[float]]]:
+def _of_csv(first: str, stream: TextIO, path: str, bad: list[Problem] | None) -> Iterator[tuple[int, list[float]]]:
     heads = [head.strip() for head in next(csv.reader([first]), [])]
     wanted = MATRIX if all(head in heads for head in MATRIX) else POSITION
     if missing := [head for head in wanted if head not in heads]:
@@ -106,7 +108,9 @@ def _of_csv(first: str, stream: TextIO, path: str) -> Iterator[tuple[int, list[f
         raise FileError(Problem(f"no column is called {', '.join(missing)}", Place(path, 1), hint))
     columns = [heads.index(head) for head in wanted]
     for line, cells in enumerate(csv.reader(stream), 2):
-        if cells:
+        if not cells:
+            continue
+        with _noting(bad):
             yield line, _numbers([cells[k] if k < len(cells) else "" for k in columns], wanted, Place(path, line))
 
 
@@ -120,11 +124,22 @@ def _numbers(cells: Sequence[object], heads: Sequence[str], place: Place) -> lis
     return found
 
 
-def _of_json(first: str, stream: TextIO, path: str) -> Iterator[tuple[int, list[float]]]:
-    yield 1, _pose_of(first, Place(path, 1))
-    for line, text in enumerate(stream, 2):
+def _of_json(first: str, stream: TextIO, path: str, bad: list[Problem] | None) -> Iterator[tuple[int, list[float]]]:
+    for line, text in enumerate(chain((first,), stream), 1):
         if text.strip():
-            yield line, _pose_of(text, Place(path, line))
+            with _noting(bad):
+                yield line, _pose_of(text, Place(path, line))
+
+
+@contextmanager
+def _noting(bad: list[Problem] | None) -> Iterator[None]:
+    """Note what is wrong with a row, where rows may be left out."""
+    try:
+        yield
+    except FileError as error:
+        if bad is None:
+            raise
+        bad += error.problems
 
 
 def _pose_of(text: str, place: Place) -> list[float]:

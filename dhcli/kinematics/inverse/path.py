@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -54,6 +54,16 @@ class Path:
 
     def __len__(self) -> int:
         return len(self.q)
+
+    def numbered(self, places: Sequence[int]) -> Array:
+        """The joint values of the poses reached with where each pose stands in front, shape (M, 1 + n)."""
+        there = ~np.isnan(self.q).any(axis=1)
+        return np.column_stack([np.array(places)[there], self.q[there]])
+
+
+def joined(blocks: Sequence[Array]) -> Array:
+    """Blocks of poses, shapes (N, 4, 4) or (N, 3), as one."""
+    return np.concatenate(blocks)
 
 
 def follow(  # noqa: PLR0913  what may be asked of a path

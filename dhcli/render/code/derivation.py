@@ -44,13 +44,13 @@ def derivation_code(result: Derivation, look: Look) -> str:
     return "\n".join(_python(result) if look.format == "numpy" else _matlab(result)) + "\n"
 
 
-def _lengths(result: Derivation) -> list[str]:
+def lengths_used(result: Derivation) -> list[str]:
     """The lengths and constant angles that the formulas need."""
     used = {name for step in result.steps for expr in _exprs(step) for name in symbols(expr)}
     return [name for name in result.robot.parameters if name in used]
 
 
-def _entries(result: Derivation) -> Iterator[tuple[str, int, int]]:
+def entries_used(result: Derivation) -> Iterator[tuple[str, int, int]]:
     """The entries of the pose that the formulas need, with their row and column from 1."""
     used = {name for step in result.steps for expr in _exprs(step) for name in symbols(expr)}
     for name in ROTATION:
@@ -79,7 +79,7 @@ def _whole_sums(expr: Expr, sums: dict[tuple[tuple[str, object], ...], str]) -> 
     return rebuild(expr, leaf) if any(leaf(node) != node for node in walk(expr)) else expr
 
 
-def _spelled(result: Derivation, style: str) -> Iterator[tuple[Step, str, str, str]]:
+def spelled_steps(result: Derivation, style: str) -> Iterator[tuple[Step, str, str, str]]:
     """Each step with its name, its value, and what stands behind its sign."""
     sums: dict[tuple[tuple[str, object], ...], str] = {}
     for step in result.steps:
@@ -98,17 +98,17 @@ def _spelled(result: Derivation, style: str) -> Iterator[tuple[Step, str, str, s
 
 
 def _python(result: Derivation) -> list[str]:
-    values = {name: result.robot.parameters[name] for name in _lengths(result)}
+    values = {name: result.robot.parameters[name] for name in lengths_used(result)}
     names = [f"{identifier(n)}={in_floats(v)!r}" for n, v in values.items() if v is not None]
     names = [*(identifier(n) for n, v in values.items() if v is None), *names]
     lines = ["import numpy as np", "", ""]
     lines += [f"def inverse({', '.join(['T', *names])}):"]
     said = f"Every solution of {result.robot.name}: joint values in radians and metres, in joint order."
     lines += [f"    {docstring(said)}"]
-    lines += [f"    {name} = T[{row - 1}][{column - 1}]" for name, row, column in _entries(result)]
+    lines += [f"    {name} = T[{row - 1}][{column - 1}]" for name, row, column in entries_used(result)]
     lines += ["    solutions = []"]
     margin = "    "
-    for step, name, value, spread in _spelled(result, "numpy"):
+    for step, name, value, spread in spelled_steps(result, "numpy"):
         if step.two == "plus-minus":
             lines += [f"{margin}for sign_{name} in (1, -1):"]
             margin += "    "
@@ -128,19 +128,19 @@ def _python(result: Derivation) -> list[str]:
             lines += [f"{margin}{name} = {value} + turn_{name}"]
         else:
             lines += [f"{margin}{name} = {value}"]
-    row = ", ".join(identifier(name) for name in _found(result))
+    row = ", ".join(identifier(name) for name in joints_found(result))
     return [*lines, f"{margin}solutions.append([{row}])", "    return solutions"]
 
 
 def _matlab(result: Derivation) -> list[str]:
-    names = [identifier(name) for name in _lengths(result)]
+    names = [identifier(name) for name in lengths_used(result)]
     lines = [f"function solutions = inverse({', '.join(['T', *names])})"]
     said = f"Every solution of {result.robot.name}, a row each: radians and metres, in joint order."
     lines += [comment(said, "%").rstrip("\n")]
-    lines += [f"{name} = T({row}, {column});" for name, row, column in _entries(result)]
+    lines += [f"{name} = T({row}, {column});" for name, row, column in entries_used(result)]
     lines += ["solutions = [];"]
     margin, ends = "", list[str]()
-    for step, name, value, spread in _spelled(result, "matlab"):
+    for step, name, value, spread in spelled_steps(result, "matlab"):
         if step.two:
             choices = "[1, -1]" if step.two == "plus-minus" else "[0, pi]"
             lines += [f"{margin}for choice_{name} = {choices}"]
@@ -153,11 +153,11 @@ def _matlab(result: Derivation) -> list[str]:
         term = f"choice_{name}*{spread}" if step.two == "plus-minus" else f"choice_{name}" if step.two else ""
         whole = " + ".join(part for part in (value if value != "0" or not term else "", term) if part)
         lines += [f"{margin}{name} = {whole};"]
-    row = ", ".join(identifier(name) for name in _found(result))
+    row = ", ".join(identifier(name) for name in joints_found(result))
     return [*lines, f"{margin}solutions(end + 1, :) = [{row}];", *reversed(ends), "end"]
 
 
-def _found(result: Derivation) -> list[str]:
+def joints_found(result: Derivation) -> list[str]:
     """The joints in joint order."""
     found = {name_of(step.atom) for step in result.steps}
     return [name for name in result.robot.variables if name in found]

@@ -8,10 +8,9 @@ from typing import Any
 from dhcli.errors import plural
 from dhcli.kinematics.conventions import NAMES
 from dhcli.kinematics.inverse.derive import Derivation
-from dhcli.kinematics.inverse.derive_levels import Equation
 from dhcli.kinematics.inverse.derive_rules import Step
-from dhcli.kinematics.inverse.derive_terms import Atom
-from dhcli.notation.tree import ZERO, Call, Expr
+from dhcli.kinematics.inverse.derive_words import atom_text, condition_text, level_text, value_text
+from dhcli.notation.tree import Expr
 from dhcli.notation.writer import write
 from dhcli.render.look import Look
 from dhcli.render.text.forward import frame_words
@@ -56,51 +55,6 @@ def _step_lines(result: Derivation, step: Step, look: Look) -> Iterator[str]:
     yield f"{atom_text(step.atom)} = {value_text(step, style, joints_of=result)}"
     if condition := condition_text(step, style, result):
         yield condition
-
-
-def atom_text(atom: Atom) -> str:
-    """An unknown: `theta2 + theta3`."""
-    if isinstance(atom, str):
-        return atom
-    text = " + ".join(name if factor > 0 else f"-{name}" for name, factor in atom)
-    return text.replace("+ -", "- ")
-
-
-def value_text(step: Step, style: str, *, joints_of: Derivation) -> str:
-    """A formula with its sign: `± acos(...)`, `atan2(...) or 180° more`."""
-    joints = joints_of.robot.writing
-    value = write(step.value, style, joints)
-    if step.spread is not None:
-        spread = write(step.spread, style, joints)
-        return f"± {spread}" if step.value == ZERO else f"{value} ± {spread}"
-    return f"{value}, or 180° more" if step.two == "opposite" else value
-
-
-def condition_text(step: Step, style: str, result: Derivation) -> str:
-    """Where a formula says nothing."""
-    if step.condition is None:
-        return ""
-    text = write(step.condition, style, result.robot.writing)
-    if isinstance(step.spread, Call):
-        return f"no solution where {text} is beyond -1 or 1"
-    if step.spread is not None:
-        return f"no solution where {text} is negative"
-    return f"says nothing where {text} = 0: the joint is then free, or another equation has to serve"
-
-
-def level_text(result: Derivation, one: Equation) -> str:
-    """Where an equation stands: `(2,4) of inv(T_01) T = T_16`."""
-    low, high = one.level
-    before = f"inv({_name(result.start, low)}) " if low != result.start else ""
-    after = f" inv({_name(high, result.end)})" if high != result.end else ""
-    level = f"{before}T{after} = {_name(low, high)}"
-    if one.squared:
-        return f"rows {', '.join(map(str, one.entry))} of the position in {level}"
-    return f"({one.entry[0]},{one.entry[1]}) of {level}"
-
-
-def _name(low: str, high: str) -> str:
-    return f"T_{low}{high}" if len(low) == len(high) == 1 else f"T_{{{low},{high}}}"
 
 
 def derivation_content(result: Derivation, _look: Look) -> dict[str, Any]:

@@ -1,0 +1,245 @@
+"""`angle`: a formula for a joint, with all its values; judged at random poses on all branches."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import ClassVar, Self
+
+from dhcli.checking.diagnosis.result import Slip
+from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
+from dhcli.checking.kinds.linked import needed
+from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.solving import covering
+from dhcli.checking.solving.covering import Asked, Outcome
+from dhcli.checking.solving.derived import (
+    Slipped,
+    derivation_of,
+    moving_joints,
+    slipped,
+    steps_shown,
+)
+from dhcli.checking.solving.formulas import Formula, read_formula
+from dhcli.checking.solving.goal import Target, of_robot
+from dhcli.checking.solving.typed import exprs_of, formula_of, typed_text, values_of
+from dhcli.checking.verdicts import Mark, Verdict
+from dhcli.errors import NotationError, Place, Problem, RobotError, UnknownNameError
+from dhcli.kinematics.inverse.derive import Derivation
+from dhcli.kinematics.inverse.derive_levels import POSITION, ROTATION
+from dhcli.kinematics.inverse.derive_terms import name_of
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.validity import Finding
+from dhcli.notation.names import canonical
+from dhcli.notation.scope import Scope
+from dhcli.notation.tree import Symbol
+
+_ASKED = re.compile(
+    r"(?:angle|joint)\s+(?P<joints>[\w+ ]+?)\s+(?:(?P<start>base|\d{1,4})\s*\.\.\s*(?P<end>tool|\d{1,4})\s+)?"
+    r"of\s+(?P<task>pose|position|orientation)\s*"
+)
+EARNED_TOO_MUCH = 0.5
+"""What a formula earns that has every value, and others besides."""
+
+
+@dataclass(frozen=True, slots=True)
+class JointFormulaQuestion(Question[Formula]):
+    """A formula for a joint, or for a sum of joints, from the entries of a pose.
+
+    Attributes:
+        joints: The joints whose sum is asked for, mostly one.
+        target: What is given: a pose, a position or an orientation, in letters.
+        turns: Whether they are angles.
+    """
+
+    joints: tuple[str, ...]
+    target: Target
+    turns: bool = True
+
+    words: ClassVar = ("angle", "joint")
+    examples: ClassVar = ("angle theta2 of position", "angle theta3 of pose", "joint d3 of pose")
+
+    @classmethod
+    def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
+        """`angle theta2 of position`."""
+        match = _ASKED.fullmatch(text.strip())
+        if match is None:
+            message = f"'{text.strip():.60}' asks for no joint"
+            raise NotationError(Problem(message, place, "write angle theta2 of position, or of pose"))
+        joints = tuple(part.strip() for part in match["joints"].split("+"))
+        for name in joints:
+            if not scope.has(name):
+                raise NotationError(Problem(f"{name} is no joint", place, ", ".join(scope.joints)))
+        frames = (match["start"], match["end"]) if match["start"] else None
+        return cls(joints, Target(match["task"], match["task"], frames=frames), scope.is_angle(joints[0]))
+
+    def check(self, robot: Robot | None) -> None:
+        self.target.ends(robot)
+        moving = moving_joints(needed(robot), self.target)
+        for name in self.joints:
+            if name not in moving:
+                raise UnknownNameError(f"{name} is no joint between these frames", ", ".join(moving))
+
+    @property
+    def needs_table(self) -> bool:
+        return True
+
+    @property
+    def has_cosines(self) -> bool:
+        return True
+
+    def describe(self, exercise: Exercise) -> str:
+        start, end = self.target.ends(exercise.robot)
+        given = {
+            "position": f"the position px, py, pz of frame {end}",
+            "orientation": f"the direction cosines r11 to r33 of frame {end}",
+        }.get(self.target.task, f"the pose of frame {end}, its entries r11 to r33 and px, py, pz")
+        return f"a formula for {self._name} with all its values, from {given} seen from frame {start}"
+
+    def notes(self, _exercise: Exercise) -> Iterable[str]:
+        yield "Write ± for two signs, or several values with commas: atan2(y, x), acos(x), sqrt(x)."
+        yield "Other joints may stand in it. A long part may get a name on a line before: D = ..."
+
+    def expected(self, case: Case, _style: str = "short") -> str:
+        return typed_text(self._derivation(case), self.joints)
+
+    def steps(self, case: Case) -> Iterable[Shown]:
+        yield from steps_shown(self._derivation(case), self._name)
+
+    def findings(self, case: Case, _where: tuple[str | int, ...]) -> Iterable[Finding]:
+        derivation = derivation_of(case, self.target)
+        if derivation is None:
+            yield Finding((*_where, "ask"), f"{case.part.id}: no textbook form is found", "ask for numbers: joints of")
+
+    def read(self, case: Case, text: str, place: Place | None = None) -> Formula:
+        robot = needed(case.exercise.robot)
+        labels = [*self.joints, self._name.replace(" ", "")] if len(self.joints) == 1 else [self._name.replace(" ", "")]
+        labels += [self._sum_name] if len(self.joints) > 1 else []
+        aliases = [alias for alias, name in robot.scope.aliases.items() if (name,) == self.joints]
+        scope = self._scope(case.exercise)
+        formula = read_formula(text, [*map(canonical, labels), *aliases], scope, place or Place("answer"))
+        if set(self.joints) <= formula.names:
+            raise UnreadableError(f"{self._name} itself stands in it; it may hold the pose, lengths and other joints")
+        return formula
+
+    def mark(self, case: Case, reading: Reading[Formula]) -> Mark:
+        derivation = self._derivation(case)
+        formula = reading.value
+        cases, robot = self._cases(case), derivation.robot
+        outcome = covering.tried(formula, cases, self._asked, robot)
+        expected = typed_text(derivation, self.joints)
+        if outcome.is_right:
+            return Mark(Verdict.RIGHT, formula.text, earned=1.0, expected=expected)
+        earned, remarks = 0.0, tuple(self._said(case, outcome, formula.text))
+        if outcome.is_sound:
+            earned = outcome.share
+        elif outcome.is_covering:
+            earned = EARNED_TOO_MUCH
+        return Mark(Verdict.WRONG, formula.text, remarks=remarks, earned=earned, expected=expected)
+
+    def slips(self, case: Case) -> Iterator[Slip]:
+        return (slip for slip, _, _ in self._showing(case))
+
+    def answer_with(self, case: Case, name: str) -> str | None:
+        return next((text for slip, text, _ in self._showing(case) if slip.name == name), None)
+
+    def causes(self, case: Case, reading: Reading[Formula]) -> Causes:
+        typed = [reading.value.at(one.known) for one in self._cases(case)]
+        return tuple((slip,) for slip, _, values in self._showing(case) if self._agree(typed, values))
+
+    # --- Its parts -------------------------------------------------------------------------------------------------
+
+    @property
+    def _name(self) -> str:
+        return " + ".join(self.joints)
+
+    @property
+    def _sum_name(self) -> str:
+        return name_of(tuple((name, 1) for name in self.joints))  # type: ignore[misc]
+
+    @property
+    def _entries(self) -> tuple[str, ...]:
+        """The names of what is given."""
+        return {"position": POSITION, "orientation": ROTATION}.get(self.target.task, (*POSITION, *ROTATION))
+
+    @property
+    def _asked(self) -> Asked:
+        return Asked(tuple((name, 1) for name in self.joints), turns=self.turns)
+
+    def _scope(self, exercise: Exercise) -> Scope:
+        own = exercise.scope
+        entries = self._entries
+        new = tuple(name for name in entries if name not in own.names)
+        aliases = dict(own.aliases)
+        for name in POSITION if POSITION[0] in entries else ():
+            if not own.has(name[1]):
+                aliases[name[1]] = name
+        return Scope(own.joints, own.angles, (*own.lengths, *new), aliases)
+
+    def _derivation(self, case: Case) -> Derivation:
+        found = derivation_of(case, self.target)
+        if found is None:
+            raise RobotError(f"{needed(case.exercise.robot).name} has no textbook form by these rules")
+        return found
+
+    def _cases(self, case: Case) -> tuple[covering.Case, ...]:
+        def drawn() -> tuple[covering.Case, ...]:
+            derivation = self._derivation(case)
+            return covering.points(
+                derivation, derivation.robot, of_robot(derivation.robot, case.exercise.values), self._asked
+            )
+
+        return case.memo.of(("points", self.joints, self.target), drawn)
+
+    def _said(self, case: Case, outcome: Outcome, text: str) -> Iterator[str]:
+        """What a formula gets right, and what it loses."""
+        cases, derivation = self._cases(case), self._derivation(case)
+        entries = [(name, Symbol(name)) for name in self._entries]
+        candidates = [*entries, *covering.arguments(exprs_of(derivation, self.joints), derivation.robot)]
+        right = covering.where(outcome.hits, cases, self._asked, candidates)
+        only = f"right where {right} only" if right else f"right for {outcome.share:.0%} of the solutions"
+        if not any(outcome.hits):
+            if outcome.silent == len(cases):
+                yield "it has no real value at any of the poses tried"
+            else:
+                yield "it gives no solution at any of the poses tried"
+        elif outcome.is_sound:
+            by = next((name for name in ("acos", "asin", "atan(", "sqrt") if name in text and "±" not in text), "")
+            yield f"{only}: {by.strip('(')} gives one of two" if by else f"{only}: some values are missing"
+        elif outcome.wrapped:
+            yield f"{only}: elsewhere it is half a turn off, as atan loses the quadrants on the left"
+        elif outcome.is_covering:
+            yield "no value is missing, but some of its values solve nothing"
+        else:
+            yield only
+        if any(outcome.hits) and 0 < outcome.silent < len(cases):
+            yield "it has no real value at some poses that are reached"
+
+    def _showing(self, case: Case) -> tuple[tuple[Slip, str, list[list[float]]], ...]:
+        """Every slip whose formula is wrong, with that formula and its values."""
+        return case.memo.of(("formula slips", self.joints, self.target), lambda: tuple(self._found(case)))
+
+    def _found(self, case: Case) -> Iterator[tuple[Slip, str, list[list[float]]]]:
+        derivation = self._derivation(case)
+        right, seen = typed_text(derivation, self.joints), set[str]()
+        for one in slipped(derivation, derivation.robot):
+            text = self._slipped_text(one)
+            if text == right or one.slip.name in seen:
+                continue
+            formula = Formula(values_of(formula_of(one.derivation, self.joints)), text, 0)
+            if covering.tried(formula, self._cases(case), self._asked, derivation.robot).is_right:
+                continue
+            seen.add(one.slip.name)
+            yield one.slip, text, [formula.at(each.known) for each in self._cases(case)]
+
+    def _slipped_text(self, one: Slipped) -> str:
+        return typed_text(one.derivation, self.joints)
+
+    def _agree(self, typed: list[list[float]], values: list[list[float]]) -> bool:
+        """Whether two formulas have the same values everywhere."""
+
+        def within(first: list[float], second: list[float]) -> bool:
+            return all(any(self._asked.same(a, b) for b in second) for a in first)
+
+        pairs = list(zip(typed, values, strict=True))
+        return any(a for a, _ in pairs) and all(within(a, b) and within(b, a) for a, b in pairs)

@@ -1,0 +1,247 @@
+"""`joints`: joint values that reach a pose; judged by where they take the arm, then by the branch asked for."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar, Self
+
+from dhcli.checking.diagnosis.result import Slip
+from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
+from dhcli.checking.kinds.linked import needed
+from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.solving.goal import Target, of_robot, read_target, solutions
+from dhcli.checking.solving.vectors import Range, Vector, in_radians, read_vectors, spelled
+from dhcli.checking.verdicts import Mark, Verdict
+from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean, plural
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.validity import Finding
+from dhcli.notation.angle import Angle
+from dhcli.notation.scope import Scope
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.inverse.solutions import Solutions
+
+_WHICH = re.compile(
+    r"(?P<limits>within\s+limits\s*)?(?:(?P<all>all)|(?P<any>any)|branch\s+(?P<branch>[\w +,-]+))?", re.DOTALL
+)
+Vectors = tuple[Vector, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class JointsQuestion(Question[Vectors]):
+    """Joint values that take a frame to a pose.
+
+    Attributes:
+        target: The pose.
+        which: Whether all solutions are asked for, or one: any, or that of a branch.
+        branch: The words of the branch asked for.
+        within_limits: Whether they must be inside the limits of the joints.
+    """
+
+    target: Target
+    which: str = "any"
+    branch: tuple[str, ...] = ()
+    within_limits: bool = False
+
+    words: ClassVar = ("joints",)
+    examples: ClassVar = (
+        "joints of position (0.5, 0.3, 0)",
+        "joints of position (0.5, 0.3, 0) all",
+        "joints of position (0.5, 0.3, 0) branch elbow up",
+        'joints of pose "Trans(0.4, 0, 0.3) Rot(y, 90°)"',
+    )
+    is_plain: ClassVar = True
+
+    @classmethod
+    def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
+        """`joints of position (0.5, 0.3, 0) all`."""
+        target, rest = read_target(text.removeprefix("joints"), scope, place)
+        match = _WHICH.fullmatch(rest)
+        if match is None:
+            hint = "write all, any, branch elbow up, within limits all, or nothing"
+            raise NotationError(Problem(f"'{rest:.60}' says no solution", place, hint))
+        words = tuple(word.strip() for word in (match["branch"] or "").split(",") if word.strip())
+        which = "all" if match["all"] else "branch" if words else "any"
+        return cls(target, which, words, bool(match["limits"]))
+
+    def check(self, robot: Robot | None) -> None:
+        self.target.ends(robot)
+
+    @property
+    def needs_table(self) -> bool:
+        return True
+
+    @property
+    def in_rows(self) -> bool:
+        return True
+
+    def describe(self, exercise: Exercise) -> str:
+        which = {"all": "every solution, a row each", "any": "one solution"}.get(self.which)
+        which = which or f"the solution with {' and '.join(self.branch)}"
+        limits = " within the limits of the joints" if self.within_limits else ""
+        return f"joint values for {self.target.words(exercise)}: {which}{limits}"
+
+    def blank(self, exercise: Exercise) -> tuple[int, int]:
+        return 1, len(self._joints(exercise))
+
+    def notes(self, exercise: Exercise) -> Iterable[str]:
+        joints = self._joints(exercise)
+        yield f"In this order: {', '.join(joints)}."
+        yield "Angles in degrees unless a unit stands with them."
+        if self.which == "all":
+            yield "A row for each solution; whole turns more or less are the same."
+
+    @property
+    def names(self) -> frozenset[str]:
+        return self.target.names
+
+    def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
+        robot = needed(exercise.robot)
+        lengths = {name for name, value in robot.parameters.items() if value is None}
+        return tuple(sorted((self.target.names | lengths) - exercise.values.keys()))
+
+    def expected(self, case: Case, _style: str = "short") -> str:
+        wanted = self.wanted(case)
+        if not wanted:
+            raise self._none_found(solutions(case, self.target))
+        field = self.range_of(case)
+        rows = [self._text(field, field.solutions[k]) for k in (wanted if self.which == "all" else wanted[:1])]
+        return f"[{'; '.join(rows)}]" if self.which == "all" else rows[0]
+
+    def steps(self, case: Case) -> Iterable[Shown]:
+        from dhcli.checking.solving.derived import derivation_of, steps_shown
+
+        derivation = derivation_of(case, self.target)
+        if derivation is not None:
+            yield from steps_shown(derivation)
+        found = solutions(case, self.target)
+        field = self.range_of(case)
+        lines = [
+            f"{self._text(field, q)}{f' ({branch})' if branch else ''}"
+            for q, branch in zip(field.solutions, found.branches, strict=True)
+        ]
+        yield Shown("\n".join((f"In numbers that is {plural(len(lines), 'solution')}:", *lines)))
+
+    def read(self, case: Case, text: str, place: Place | None = None) -> Vectors:
+        exercise = case.exercise
+        robot = needed(exercise.robot)
+        found = read_vectors(exercise, robot, self._joints(exercise), text, place or Place("answer"))
+        if len(found) > 1 and self.which != "all":
+            raise UnreadableError(f"{len(found)} rows, and one solution is asked for")
+        return tuple(found)
+
+    def mark(self, case: Case, reading: Reading[Vectors]) -> Mark:
+        from dhcli.checking.solving.marking import mark_one, mark_set
+
+        marked = mark_set if self.which == "all" else mark_one
+        field, found, wanted = self.range_of(case), solutions(case, self.target), self.wanted(case)
+        if not wanted:
+            raise self._none_found(found)
+        mark = marked(self, case, field, found, wanted, reading.value)
+        if mark.verdict.passed is False and any(one.bare for one in reading.value):
+            degrees = tuple(in_radians(field, one) for one in reading.value)
+            if marked(self, case, field, found, wanted, degrees).verdict is Verdict.RIGHT:
+                raise UnreadableError("right in radians; bare angles are in degrees: write rad behind them")
+        return mark
+
+    def findings(self, case: Case, where: tuple[str | int, ...]) -> Iterable[Finding]:
+        found = solutions(case, self.target)
+        if len(found) and self.which == "branch" and not self.wanted(case):
+            listed = "; ".join(dict.fromkeys(branch for branch in found.branches if branch))
+            message = f"{case.part.id}: no solution is {' and '.join(self.branch)}"
+            yield Finding((*where, "ask"), message, f"branches here: {listed or 'none has a name'}")
+        if self.which == "all" and any(found.free):
+            message = f"{case.part.id}: this pose is singular, and a solution stands for a whole family"
+            yield Finding((*where, "ask"), message, "ask for one solution, or give another pose", is_warning=True)
+
+    def slips(self, case: Case) -> Iterator[Slip]:
+        from dhcli.checking.solving.slips import showing
+
+        return (one.slip for one in showing(self, case))
+
+    def answer_with(self, case: Case, name: str) -> str | None:
+        from dhcli.checking.solving.slips import showing
+
+        return next((one.text for one in showing(self, case) if one.slip.name == name), None)
+
+    def causes(self, case: Case, reading: Reading[Vectors]) -> Causes:
+        from dhcli.checking.solving.slips import gives, showing
+
+        return tuple((one.slip,) for one in showing(self, case) if gives(self, case, one, reading.value))
+
+    # --- What the judging of it needs ------------------------------------------------------------------------------
+
+    def wanted(self, case: Case) -> list[int]:
+        """The numbers of the solutions that are asked for, those within the limits first."""
+        found = solutions(case, self.target)
+        inside = found.within_limits
+        kept = [k for k in range(len(found)) if inside[k] or not self.within_limits]
+        kept = [k for k in kept if self._is_branch(found, k)]
+        return sorted(kept, key=lambda k: not inside[k])
+
+    def text_of(self, case: Case, rows: Iterable[tuple[float, ...]]) -> str:
+        """Joint vectors as a person would type them."""
+        texts = [self._text(self.range_of(case), row) for row in rows]
+        return f"[{'; '.join(texts)}]" if self.which == "all" else texts[0]
+
+    def _joints(self, exercise: Exercise) -> tuple[str, ...]:
+        from dhcli.checking.solving.derived import moving_joints
+
+        return moving_joints(needed(exercise.robot), self.target)
+
+    def _text(self, field: Range, values: Iterable[float]) -> str:
+        return ", ".join(spelled(field.robot, name, value) for name, value in zip(field.joints, values, strict=True))
+
+    def _none_found(self, found: Solutions) -> RobotError:
+        """Why no solution is as asked for."""
+        if not len(found):
+            return RobotError(found.why, "give a pose that the arm reaches")
+        there = list(dict.fromkeys(word for branch in found.branches for word in branch.split(", ") if word))
+        for word in self.branch:
+            if word not in there:
+                return RobotError(
+                    f"no solution is {word}", did_you_mean(word, there) or f"there are: {', '.join(there)}"
+                )
+        asked = " and ".join(self.branch) or "within the limits of the joints"
+        return RobotError(f"no solution is {asked}", "give another pose, or ask for another solution")
+
+    def _is_branch(self, found: Solutions, k: int) -> bool:
+        own = found.branches[k].split(", ") if found.branches else ()
+        return all(word in own for word in self.branch)
+
+    def range_of(self, case: Case) -> Range:
+        """What a vector is judged against."""
+        return case.memo.of(("range", self.target), lambda: self._made_range(case))
+
+    def _made_range(self, case: Case) -> Range:
+        from dhcli.algebra.floats import Floats
+        from dhcli.kinematics.forward import put_in
+        from dhcli.kinematics.frames import between
+        from dhcli.kinematics.merge import merge
+        from dhcli.kinematics.values import numbers
+
+        exercise = case.exercise
+        robot, found = needed(exercise.robot), solutions(case, self.target)
+        joints = self._joints(exercise)
+        at = [robot.variables.index(name) for name in joints]
+        rows = self.target.rows(exercise.values)
+        over = Floats(numbers(exercise.values))
+        lengths = [
+            abs(over.length(v))
+            for n, v in exercise.values.items()
+            if n in robot.parameters and not isinstance(v, Angle)
+        ]
+        return Range(
+            robot,
+            joints,
+            self.target,
+            rows,
+            tuple(tuple(float(row[k]) for k in at) for row in found.q),
+            tuple(frozenset(name for way in ways for name in way.joints) for ways in found.free),
+            exercise,
+            sum(lengths) or max((abs(row[3]) for row in rows[:3]), default=1.0),
+            merge(put_in(between(robot, *self.target.ends(robot)), of_robot(robot, exercise.values))),
+            numbers(of_robot(robot, exercise.values)),
+        )

@@ -1,0 +1,209 @@
+"""`count solutions` and `reach`: how many joint vectors reach a pose, and whether any does."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import ClassVar, Self
+
+from dhcli.checking.diagnosis.result import Slip
+from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
+from dhcli.checking.pasted import UnreadableError, without_label
+from dhcli.checking.solving.goal import Target, read_target, solutions
+from dhcli.checking.verdicts import Mark, Verdict
+from dhcli.errors import NotationError, Place, Problem, plural
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.validity import Finding
+from dhcli.notation.scope import Scope
+
+_LIMITS = re.compile(r"(?:within\s+limits)?")
+MOST_TYPED = 10_000
+WORDS = {"yes": True, "y": True, "true": True, "reached": True, "no": False, "n": False, "false": False}
+_WORD = re.compile(r"\s*(?P<word>[a-z]+)\b.*", re.DOTALL | re.IGNORECASE)
+
+
+def _asked(text: str, scope: Scope, place: Place | None) -> tuple[Target, bool]:
+    target, rest = read_target(text, scope, place)
+    if not _LIMITS.fullmatch(rest):
+        raise NotationError(Problem(f"'{rest:.60}' is not understood", place, "write within limits, or nothing"))
+    return target, bool(rest)
+
+
+@dataclass(frozen=True, slots=True)
+class SolutionsQuestion(Question[int]):
+    """How many joint vectors reach a pose.
+
+    Attributes:
+        target: The pose.
+        within_limits: Whether only those inside the limits of the joints count.
+    """
+
+    target: Target
+    within_limits: bool = False
+
+    words: ClassVar = ("count solutions",)
+    examples: ClassVar = ("count solutions of position (0.5, 0.3, 0)",)
+    is_plain: ClassVar = True
+
+    @classmethod
+    def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
+        """`count solutions of position (0.5, 0.3, 0) within limits`."""
+        return cls(*_asked(re.sub(r"^count\s+solutions", "", text), scope, place))
+
+    def check(self, robot: Robot | None) -> None:
+        self.target.ends(robot)
+
+    @property
+    def needs_table(self) -> bool:
+        return True
+
+    def describe(self, exercise: Exercise) -> str:
+        limits = " within the limits of the joints" if self.within_limits else ""
+        return f"how many solutions there are{limits} for {self.target.words(exercise)}, a whole number"
+
+    @property
+    def names(self) -> frozenset[str]:
+        return self.target.names
+
+    def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
+        return tuple(sorted(self.target.names - exercise.values.keys()))
+
+    def expected(self, case: Case, _style: str = "short") -> str:
+        return str(self._right(case))
+
+    def _right(self, case: Case) -> int:
+        found = solutions(case, self.target)
+        return int(found.within_limits.sum()) if self.within_limits else len(found)
+
+    def steps(self, case: Case) -> Iterable[Shown]:
+        found = solutions(case, self.target)
+        yield Shown("\n".join((f"{plural(len(found), 'solution')}", *filter(None, found.branches))))
+        if found.why:
+            yield Shown(found.why)
+
+    def findings(self, case: Case, where: tuple[str | int, ...]) -> Iterable[Finding]:
+        if any(solutions(case, self.target).free):
+            message = f"{case.part.id}: this pose is singular, and has solutions without number"
+            yield Finding((*where, "ask"), message, "give another pose", is_warning=True)
+
+    def read(self, _case: Case, text: str, _place: Place | None = None) -> int:
+        found = without_label(text).strip().rstrip(".")
+        if not found.isdecimal() or int(found[:9]) > MOST_TYPED:
+            raise UnreadableError("a number of solutions is a whole number")
+        return int(found)
+
+    def mark(self, case: Case, reading: Reading[int]) -> Mark:
+        right, typed = self._right(case), reading.value
+        verdict = Verdict.RIGHT if typed == right else Verdict.WRONG
+        return Mark(verdict, str(typed), earned=float(typed == right), expected=str(right))
+
+    def slips(self, case: Case) -> Iterator[Slip]:
+        return (slip for slip, _ in self._slips(case))
+
+    def answer_with(self, case: Case, name: str) -> str | None:
+        return next((str(number) for slip, number in self._slips(case) if slip.name == name), None)
+
+    def causes(self, case: Case, reading: Reading[int]) -> Causes:
+        return tuple((slip,) for slip, number in self._slips(case) if number == reading.value)
+
+    def _slips(self, case: Case) -> Iterator[tuple[Slip, int]]:
+        """Numbers that come out by one slip."""
+        right, found = self._right(case), solutions(case, self.target)
+        numbers = {
+            Slip("one-branch", "one angle was taken where a cosine has two", "which signs can be chosen freely?"): (
+                right // 2 if right > 1 else -1
+            ),
+            Slip("first-only", "the first solution was taken for the only one", "is there another posture?"): (
+                1 if right > 1 else -1
+            ),
+            Slip("limits", "the limits of the joints were not looked at", "look at the limits"): (
+                len(found) if self.within_limits else int(found.within_limits.sum())
+            ),
+            Slip("not-reached", "the pose is out of reach: there is no solution", "how far do the links reach?"): (
+                2 if right == 0 else -1
+            ),
+        }
+        seen = {right, -1}
+        for slip, number in numbers.items():
+            if number not in seen:
+                seen.add(number)
+                yield slip, number
+
+
+@dataclass(frozen=True, slots=True)
+class ReachQuestion(Question[bool]):
+    """Whether a pose is reached.
+
+    Attributes:
+        target: The pose.
+        within_limits: Whether the limits of the joints count.
+    """
+
+    target: Target
+    within_limits: bool = False
+
+    words: ClassVar = ("reach",)
+    examples: ClassVar = ("reach of position (0.5, 0.3, 0)",)
+    is_plain: ClassVar = True
+    is_explained: ClassVar = False
+
+    @classmethod
+    def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
+        """`reach of position (0.5, 0.3, 0) within limits`."""
+        return cls(*_asked(text.removeprefix("reach"), scope, place))
+
+    def check(self, robot: Robot | None) -> None:
+        self.target.ends(robot)
+
+    @property
+    def needs_table(self) -> bool:
+        return True
+
+    def describe(self, exercise: Exercise) -> str:
+        limits = " within the limits of the joints" if self.within_limits else ""
+        return f"whether the arm reaches this{limits}, yes or no: {self.target.words(exercise)}"
+
+    @property
+    def names(self) -> frozenset[str]:
+        return self.target.names
+
+    def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
+        return tuple(sorted(self.target.names - exercise.values.keys()))
+
+    def is_whole(self, text: str) -> bool:
+        return text.strip().lower() in WORDS
+
+    def expected(self, case: Case, _style: str = "short") -> str:
+        return "yes" if self._right(case) else "no"
+
+    def _right(self, case: Case) -> bool:
+        found = solutions(case, self.target)
+        return bool(found.within_limits.any()) if self.within_limits else bool(len(found))
+
+    def steps(self, case: Case) -> Iterable[Shown]:
+        yield Shown(self._why(case))
+
+    def read(self, _case: Case, text: str, _place: Place | None = None) -> bool:
+        match = _WORD.fullmatch(without_label(text))
+        word = match["word"].lower() if match else ""
+        if word not in WORDS:
+            raise UnreadableError("write yes or no; a reason may stand behind it")
+        return WORDS[word]
+
+    def mark(self, case: Case, reading: Reading[bool]) -> Mark:
+        right = self._right(case)
+        is_right = reading.value == right
+        shown = "yes" if reading.value else "no"
+        remarks = (self._why(case),) if is_right else ()
+        verdict = Verdict.RIGHT if is_right else Verdict.WRONG
+        return Mark(verdict, shown, (), remarks, float(is_right), self.expected(case))
+
+    def _why(self, case: Case) -> str:
+        """Why it is reached, or is not."""
+        found = solutions(case, self.target)
+        if not len(found):
+            return found.why
+        if self.within_limits and not found.within_limits.any():
+            return "it is reached, but each solution has a joint outside its limits"
+        return f"it is reached in {plural(len(found), 'way')}"

@@ -1,0 +1,249 @@
+"""The derivation behind a question, and the same derivation with one slip in it, as a student may make it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import lru_cache
+
+from dhcli.checking.diagnosis.result import Slip
+from dhcli.checking.exercise import Case, Shown
+from dhcli.checking.kinds.linked import needed
+from dhcli.checking.solving.goal import Target, of_robot
+from dhcli.errors import RobotError
+from dhcli.kinematics.conventions import NAMES
+from dhcli.kinematics.frames import between
+from dhcli.kinematics.inverse.derive import Derivation, NoFormError, derive
+from dhcli.kinematics.inverse.derive_rules import Step
+from dhcli.kinematics.inverse.derive_values import joint_values
+from dhcli.kinematics.inverse.derive_words import atom_text, condition_text, level_text, value_text
+from dhcli.kinematics.moves import names
+from dhcli.kinematics.robot import Robot, Value
+from dhcli.kinematics.values import numbers
+from dhcli.notation.angle import Angle
+from dhcli.notation.tree import ONE, ZERO, Call, Expr, Power, Product, Sum, add, multiply, negate, power
+from dhcli.notation.walk import children, substitute, symbols, walk
+from dhcli.notation.writer import write
+
+
+@dataclass(frozen=True, slots=True)
+class Slipped:
+    """A derivation with a slip in it.
+
+    Attributes:
+        slip: The slip.
+        derivation: The derivation that it leads to.
+        at: The joint whose formula is changed; empty where many are.
+    """
+
+    slip: Slip
+    derivation: Derivation
+    at: str = ""
+
+
+def derivation_of(case: Case, target: Target) -> Derivation | None:
+    """The derivation for the robot and the frames asked about; None where no textbook form is found."""
+    robot = needed(case.exercise.robot)
+    return _derived(robot, *target.ends(robot), "position" if target.task == "position" else "pose")
+
+
+@lru_cache(maxsize=64)
+def _derived(robot: Robot, start: str, end: str, task: str) -> Derivation | None:
+    """A derivation takes seconds where there are six joints, and every exercise on a robot asks for the same."""
+    try:
+        return derive(robot, start=start, end=end, task=task)
+    except (NoFormError, RobotError):
+        return None
+
+
+def steps_shown(derivation: Derivation, upto: str = "") -> Iterator[Shown]:
+    """The steps as a book has them, to the one that finds a joint."""
+    joints = derivation.robot.writing
+    yield Shown(f"{NAMES[derivation.robot.convention]}; T is the pose given, with the entries r11 to r33, px, py, pz")
+    for step in derivation.steps:
+        lines = [
+            f"{write(one.left, 'short', joints)} = {write(one.right, 'short', joints)}    {level_text(derivation, one)}"
+            for one in step.equations
+        ]
+        lines.append(f"{atom_text(step.atom)} = {value_text(step, 'short', joints_of=derivation)}")
+        lines += [said] if (said := condition_text(step, "short", derivation)) else []
+        yield Shown("\n".join(lines))
+        if upto and atom_text(step.atom) == upto:
+            return
+
+
+def moving_joints(robot: Robot, target: Target) -> tuple[str, ...]:
+    """The joints between the frames asked about, in order."""
+    there = names(between(robot, *target.ends(robot)))
+    return tuple(name for name in robot.variables if name in there)
+
+
+def values_at(
+    derivation: Derivation, robot: Robot, values: Mapping[str, Value], entries: Mapping[str, float]
+) -> list[dict[str, float]]:
+    """What a derivation gives for the entries of a pose, one for each combination of signs that is real."""
+    known: dict[str, Angle | float] = {**numbers(of_robot(robot, values)), **entries}
+    try:
+        return list(joint_values(derivation, known))
+    except (ZeroDivisionError, OverflowError, KeyError):
+        return []
+
+
+def slipped(derivation: Derivation, robot: Robot) -> Iterator[Slipped]:
+    """Every derivation with one slip in it."""
+    for k, step in enumerate(derivation.steps):
+        name = atom_text(step.atom)
+        for slip, changed in _in_step(step, name):
+            steps = (*derivation.steps[:k], changed, *derivation.steps[k + 1 :])
+            yield Slipped(slip, replace(derivation, steps=steps), name)
+    yield from _left_out(derivation, robot)
+    yield from _wrist_from_whole(derivation)
+
+
+def _in_step(step: Step, name: str) -> Iterator[tuple[Slip, Step]]:
+    """What may go wrong in one step."""
+    for call in _calls(step, "atan2"):
+        y, x = call.arguments
+        shown = f"atan2 in {name}"
+        if call == step.value or step.spread is None:
+            one = Call("atan", (multiply(y, power(x, -1)),)) if x != ZERO else None
+            if one is not None:
+                words = f"atan stands for {shown}: it loses the quadrants where its second argument is negative"
+                yield (
+                    Slip(f"atan-for-atan2 {name}", words, "which quadrants does atan know?"),
+                    replace(_with(step, call, one), two=step.two if step.two != "opposite" else ""),
+                )
+        words = f"the arguments of {shown} have changed places: the sine comes first"
+        yield (
+            Slip(f"atan2-swapped {name}", words, "which argument of atan2 belongs to the sine?"),
+            _with(step, call, Call("atan2", (x, y))),
+        )
+    if isinstance(step.spread, Call) and step.spread.function == "acos":
+        inside = step.spread.arguments[0]
+        words = f"the sign in the law of cosines is wrong in {name}: the inner angle of the triangle is 180° less it"
+        yield (
+            Slip(f"cosine-sign {name}", words, "is it the inner angle of the triangle or the outer one?"),
+            replace(step, spread=Call("acos", (negate(inside),))),
+        )
+        if step.value != ZERO:
+            words = f"{name} is computed without the offset: only the direction of the point was taken"
+            turned = Call("acos", (ZERO,)) if step.rule == "ONE" else ZERO
+            yield (
+                Slip(f"offset-left-out {name}", words, "does the arm lie in the plane through the first axis?"),
+                replace(step, spread=turned),
+            )
+    if step.two:
+        words = f"one branch of {name} is left out"
+        whole = step.value if step.spread is None else add(step.value, step.spread)
+        yield (
+            Slip(f"one-branch {name}", words, "how many angles have this cosine, or this tangent?"),
+            replace(step, value=whole, spread=None, two=""),
+        )
+    terms = step.value.terms if isinstance(step.value, Sum) else ()
+    for term in terms[1:]:
+        if any(isinstance(node, Call) for node in walk(term)):
+            other = add(*(negate(one) if one is term else one for one in terms))
+            words = f"an angle is added in {name} that has to be subtracted, or the other way round"
+            yield (
+                Slip(f"angle-sign {name}", words, "draw the triangle: which angle is the larger one?"),
+                replace(step, value=other),
+            )
+
+
+def _calls(step: Step, function: str) -> list[Call]:
+    exprs = [step.value, *([step.spread] if step.spread is not None else [])]
+    found = [node for expr in exprs for node in walk(expr) if isinstance(node, Call) and node.function == function]
+    return list(dict.fromkeys(found))
+
+
+def _with(step: Step, old: Expr, new: Expr) -> Step:
+    """A step with one expression in the place of another."""
+    spread = None if step.spread is None else put_for(step.spread, {old: new})
+    return replace(step, value=put_for(step.value, {old: new}), spread=spread)
+
+
+def put_for(expr: Expr, instead: Mapping[Expr, Expr]) -> Expr:
+    """An expression with others in the place of some that stand in it."""
+    if expr in instead:
+        return instead[expr]
+    if not children(expr):
+        return expr
+    if isinstance(expr, Call):
+        return Call(expr.function, tuple(put_for(one, instead) for one in expr.arguments))
+    parts = [put_for(one, instead) for one in children(expr)]
+    if all(new is old for new, old in zip(parts, children(expr), strict=True)):
+        return expr  # as it is written
+    if isinstance(expr, Power):
+        return power(parts[0], expr.exponent)
+    return add(*parts) if isinstance(expr, Sum) else multiply(*parts)
+
+
+def with_roots(expr: Expr) -> Expr:
+    """An expression with `1/sqrt(x)` for x to the power -1/2, which nobody writes."""
+    if not children(expr):
+        return expr
+    if isinstance(expr, Call):
+        return Call(expr.function, tuple(map(with_roots, expr.arguments)))
+    parts = tuple(map(with_roots, children(expr)))
+    if isinstance(expr, Power):
+        if expr.exponent.denominator == 2 and expr.exponent < 0:  # noqa: PLR2004
+            return Power(Power(parts[0], Fraction(1, 2)), Fraction(expr.exponent.numerator))
+        return Power(parts[0], expr.exponent)
+    return Sum(parts) if isinstance(expr, Sum) else Product(parts)
+
+
+def _left_out(derivation: Derivation, robot: Robot) -> Iterator[Slipped]:
+    """A length that was forgotten: that of the hand, or an offset."""
+    frames = robot.frames
+    last = [frame for frame in frames if frame.isdecimal()][-1]
+    end = frames.index(derivation.end)
+    hand = names(between(robot, frames[frames.index(last) - 1], frames[end])) if end >= frames.index(last) else set()
+    used = frozenset[str]().union(
+        *(symbols(expr) for step in derivation.steps for expr in (step.value, step.spread or ONE))
+    )
+    for length in sorted(used & robot.parameters.keys() - robot.angles):
+        is_hand = length in hand and len(derivation.steps) > 3  # noqa: PLR2004  an arm before the hand
+        if is_hand:
+            words = f"the wrist centre is not moved back by {length}: p is the origin of the hand"
+            slip = Slip(f"not-moved-back {length}", words, "where is the point at which the wrist axes meet?")
+        else:
+            slip = Slip(f"left-out {length}", f"{length} is left out", "follow the links from the base to the end")
+        zero = {length: ZERO}
+        try:
+            steps = tuple(
+                replace(
+                    step,
+                    value=substitute(step.value, zero, {}),
+                    spread=None if step.spread is None else substitute(step.spread, zero, {}),
+                )
+                for step in derivation.steps
+            )
+        except (ZeroDivisionError, ArithmeticError):
+            continue
+        yield Slipped(slip, replace(derivation, steps=steps))
+
+
+def _wrist_from_whole(derivation: Derivation) -> Iterator[Slipped]:
+    """The angles of the wrist from R as it is given, and not from what the arm leaves of it."""
+    if len(derivation.steps) <= 3:  # noqa: PLR2004
+        return
+    arm = frozenset(derivation.robot.variables[:3])
+    standing = {name: Angle() for name in arm & derivation.robot.angles}
+
+    def changed(step: Step) -> Step:
+        own = {name for name, _ in step.atom} if not isinstance(step.atom, str) else {step.atom}
+        entries = {name for name in symbols(step.value) if name.startswith("r")}
+        if own & arm or not entries or not symbols(step.value) & arm:
+            return step
+        spread = None if step.spread is None else substitute(step.spread, {}, standing)
+        return replace(step, value=substitute(step.value, {}, standing), spread=spread)
+
+    try:
+        steps = tuple(map(changed, derivation.steps))
+    except (ZeroDivisionError, ArithmeticError):
+        return
+    if steps != derivation.steps:
+        words = "the angles of the wrist are taken from R as given, not from what the first three joints leave of it"
+        slip = Slip("whole-rotation", words, "R_36 is inv(R_03) R")
+        yield Slipped(slip, replace(derivation, steps=steps))

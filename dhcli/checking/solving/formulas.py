@@ -1,0 +1,171 @@
+"""Formulas for a joint as they are typed: with ±, with several values, with names for what is long."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import product
+
+from dhcli.algebra.floats import Floats
+from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.solving.derived import put_for
+from dhcli.errors import DhcliError, Place
+from dhcli.notation.angle import Angle
+from dhcli.notation.dimensions import ANGLE_UNITS, LENGTH_UNITS
+from dhcli.notation.names import canonical
+from dhcli.notation.operators import OPENING
+from dhcli.notation.parser import parse
+from dhcli.notation.scope import Scope
+from dhcli.notation.tree import PI, Expr, Number, Sum, Symbol, Trig, Unit, add, multiply, number
+from dhcli.notation.walk import rebuild, symbols, walk
+
+MOST_SIGNS = 4
+"""Signs ± in one answer; each doubles its values."""
+
+MOST_STATEMENTS = 12
+_PLUS_MINUS = re.compile(r"\\pm|\+\s*/\s*-|\+-")
+_MINUS_PLUS = re.compile(r"\\mp|-\s*/\s*\+|-\+")
+_HALF_TURN_MORE = re.compile(r",?\s*or\s+180\s*°?\s*more\s*$")
+_OR = re.compile(r"\s+(?:or|and)\s+")
+_STATEMENT = re.compile(r"\s*(?P<name>[^\W\d][\w{}\\()+ ]*?)\s*=(?!=)\s*(?P<rest>.*)", re.DOTALL)
+_RIGHT_ANGLES = frozenset((90, 180, 270, 360))
+
+
+@dataclass(frozen=True, slots=True)
+class Formula:
+    """A formula as typed.
+
+    Attributes:
+        values: What it may come to, one for each combination of its signs.
+        text: As it was typed, without a label.
+        signs: How many ± stand in it.
+    """
+
+    values: tuple[Expr, ...]
+    text: str
+    signs: int
+
+    @property
+    def names(self) -> frozenset[str]:
+        """The names in it."""
+        return frozenset[str]().union(*map(symbols, self.values))
+
+    def at(self, point: Mapping[str, Angle | float]) -> list[float]:
+        """Its real values at a point, angles in radians."""
+        over = Floats(point)
+        return [value for value in map(over.value, self.values) if math.isfinite(value)]
+
+
+def read_formula(text: str, asked: Sequence[str], scope: Scope, place: Place) -> Formula:
+    """Read a formula: `theta2 = ±acos(D)`, with `D = ...` on a line before it.
+
+    Args:
+        text: What was typed.
+        asked: The names that what is asked for goes by, in canonical form.
+        scope: The names that may stand in it.
+        place: Where it stands, for errors.
+
+    Raises:
+        UnreadableError: There are too many signs or statements, or none is the answer.
+        NotationError: It cannot be read.
+    """
+    text = _MINUS_PLUS.sub("∓", _PLUS_MINUS.sub("±", text))
+    signs = sum(text.count(sign) for sign in "±∓")
+    if signs > MOST_SIGNS:
+        raise UnreadableError(f"{signs} signs ± make {2**signs} values; write at most {MOST_SIGNS}")
+    values = list[Expr]()
+    for chosen in product("+-", repeat=signs):
+        values += _values(_signed(text, chosen), asked, scope, place)
+    shown = text.strip().splitlines()[-1].strip()
+    match = _STATEMENT.fullmatch(shown)
+    return Formula(tuple(dict.fromkeys(values)), match["rest"] if match else shown, signs)
+
+
+def _signed(text: str, chosen: Sequence[str]) -> str:
+    """A text with a sign for each ±, so that columns stay; a plus in front of everything is a blank."""
+    signs = iter(chosen)
+    letters = list(text)
+    for at, letter in enumerate(letters):
+        if letter in "±∓":
+            sign = next(signs)
+            letters[at] = sign if letter == "±" else {"+": "-", "-": "+"}[sign]
+            before = text[:at].rstrip()
+            if letters[at] == "+" and (not before or before[-1] in "=(,[;{\n"):
+                letters[at] = " "
+    return "".join(letters)
+
+
+def _values(text: str, asked: Sequence[str], scope: Scope, place: Place) -> list[Expr]:
+    statements = [part for line in text.splitlines() for part in line.split(";") if part.strip()]
+    if len(statements) > MOST_STATEMENTS:
+        raise UnreadableError(f"{len(statements)} lines; the formula and names for what is long in it will do")
+    known: dict[Expr, Expr] = {}
+    found = list[Expr]()
+    for statement in statements:
+        match = _STATEMENT.fullmatch(statement)
+        name = match["name"] if match else ""
+        rest = match["rest"] if match else statement
+        names = Scope(scope.joints, scope.angles, (*scope.lengths, *_symbols(known)), scope.aliases)
+        if match and canonical(name.replace(" ", "")) not in asked:
+            known[_defined(name, names, place)] = put_for(_plain(_parsed(rest, names, place)), known)
+            continue
+        half = _HALF_TURN_MORE.search(rest)
+        rest = rest[: half.start()] if half else rest
+        for piece in _pieces(rest):
+            value = put_for(_plain(_parsed(piece, names, place)), known)
+            found += [value, add(value, PI)] if half else [value]
+    if not found:
+        raise UnreadableError(f"no line says what {asked[0]} is: write {asked[0]} = ...")
+    return found
+
+
+def _parsed(text: str, scope: Scope, place: Place) -> Expr:
+    return parse(text, scope, place)
+
+
+def _symbols(known: Mapping[Expr, Expr]) -> tuple[str, ...]:
+    return tuple(node.name for node in known if isinstance(node, Symbol))
+
+
+def _defined(name: str, scope: Scope, place: Place) -> Expr:
+    """What a name in front of `=` stands for: a new name, or the cosine or sine that `c2` is."""
+    try:
+        found = parse(name, scope, place)
+    except DhcliError:
+        found = Symbol(name)
+    if isinstance(found, Symbol | Trig):
+        return found
+    raise UnreadableError(f"{name} is no name for a part of the formula")
+
+
+def _pieces(text: str) -> Iterator[str]:
+    """Several values: between commas outside brackets, or with `or` between them."""
+    for piece in _OR.split(text.strip().strip("{}")):
+        depth, start = 0, 0
+        for at, letter in enumerate(piece):
+            depth += (letter in OPENING) - (letter in OPENING.values())
+            if letter == "," and depth == 0:
+                yield piece[start:at]
+                start = at + 1
+        if piece[start:].strip():
+            yield piece[start:]
+
+
+def _plain(expr: Expr) -> Expr:
+    """An expression with its units as numbers: radians and metres."""
+    for node in walk(expr):
+        for term in node.terms if isinstance(node, Sum) else ():
+            if isinstance(term, Number) and abs(term.value) in _RIGHT_ANGLES:
+                raise UnreadableError(f"what is {abs(term.value)}? write {abs(term.value)}° for degrees, or pi")
+
+    def leaf(node: Expr) -> Expr:
+        if not isinstance(node, Unit):
+            return node
+        if node.name in LENGTH_UNITS:
+            return Number(LENGTH_UNITS[node.name])
+        radians = node.name in ("rad", "radian", "radians")
+        return number(1) if radians or node.name not in ANGLE_UNITS else multiply(PI, Number(number(1).value / 180))
+
+    return rebuild(expr, leaf)

@@ -1,0 +1,193 @@
+"""The pose that a question about joint values gives, and every joint vector that reaches it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING, TypeAlias, cast
+
+from dhcli.algebra.floats import Floats
+from dhcli.checking.exercise import Case, Exercise
+from dhcli.checking.kinds.linked import needed
+from dhcli.errors import NotationError, Place, Problem, RobotError
+from dhcli.kinematics.fold import fold
+from dhcli.kinematics.frames import ends
+from dhcli.kinematics.moves import Chain, Fixed, names, read_chain
+from dhcli.kinematics.robot import Robot, Value
+from dhcli.kinematics.values import numbers
+from dhcli.notation.matrix import parse_matrix
+from dhcli.notation.quantity import DimensionError, to_length
+from dhcli.notation.scope import Scope
+from dhcli.notation.tree import Expr, number
+from dhcli.notation.walk import symbols
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.inverse.solutions import Solutions
+    from dhcli.kinematics.inverse.tasks import TaskName
+
+Rows: TypeAlias = tuple[tuple[float, ...], ...]
+
+TASKS = ("pose", "position", "orientation")
+"""What of a pose may be given."""
+
+_GOAL = re.compile(
+    r"(?:(?P<start>base|\d{1,4})\s*\.\.\s*(?P<end>tool|\d{1,4})\s+)?(?:of\s+|at\s+)?(?P<task>pose|position|orientation)"
+    r"\s*(?P<rest>.*)",
+    re.DOTALL,
+)
+_QUOTED = re.compile(r"(?P<mark>[\"'])(?P<text>.+?)(?P=mark)\s*(?P<rest>.*)", re.DOTALL)
+_BRACKET = re.compile(r"(?P<text>\(.*?\)|\[.*\])\s*(?P<rest>.*)", re.DOTALL)
+EXAMPLE = 'of position (0.5, 0.3, 0), or of pose "Trans(0.4, 0, 0.3) Rot(y, 90°)"'
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """A pose that is given.
+
+    Attributes:
+        task: What of it counts.
+        text: The moves or coordinates as the author wrote them.
+        chain: The moves, or none for a position.
+        point: The coordinates of a position [m]; else none.
+        frames: The frame it is seen from and the frame it describes, where they are named.
+    """
+
+    task: str
+    text: str
+    chain: Chain = ()
+    point: tuple[Expr, ...] = ()
+    frames: tuple[str, str] | None = None
+
+    @property
+    def names(self) -> frozenset[str]:
+        """The names that stand in it."""
+        return names(self.chain).union(*map(symbols, self.point))
+
+    def ends(self, robot: Robot | None) -> tuple[str, str]:
+        """The frame it is seen from and the frame it describes.
+
+        Raises:
+            DhcliError: There is no robot, or it has no such frame.
+        """
+        start, end = self.frames or (None, None)
+        return ends(needed(robot), start, end)
+
+    def rows(self, values: Mapping[str, Value]) -> Rows:
+        """The pose, shape (4, 4) [m]; the identity stands where nothing is asked.
+
+        Raises:
+            RobotError: A name has no value.
+        """
+        if missing := sorted(self.names - values.keys()):
+            raise RobotError(f"{missing[0]} has no value", f"given: {{{missing[0]}: 0.3 m}}")
+        over = Floats(numbers(values))
+        if self.chain:
+            return tuple(tuple(float(x) for x in row) for row in fold(self.chain, over))
+        place = [float(over.length(expr)) for expr in self.point]
+        turn = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+        return (*((*row, x) for row, x in zip(turn, place, strict=True)), (0.0, 0.0, 0.0, 1.0))
+
+    def words(self, exercise: Exercise) -> str:
+        """What is given, as a sheet says it: its numbers."""
+        start, end = self.ends(exercise.robot)
+        seen = f"frame {end} seen from frame {start}"
+        if self.names - exercise.values.keys():
+            return f"the {self.task} {self.text} of {seen}"
+        rows, per = self.rows(exercise.values), float(exercise.metres)
+        place = ", ".join(_short(row[3] / per) for row in rows[:3])
+        unit = "" if exercise.unit == "none" else f" {exercise.unit}"
+        if self.task == "position":
+            return f"the origin of frame {end} at ({place}){unit}, seen from frame {start}"
+        if self.task == "orientation":
+            return f"R = [{_matrix(row[:3] for row in rows[:3])}] of {seen}"
+        shown = [[*map(_short, row[:3]), _short(row[3] / per)] for row in rows[:3]]
+        matrix = "; ".join(" ".join(row) for row in (*shown, "0001"))
+        return f"T = [{matrix}] of {seen}{unit and f', lengths in{unit}'}"
+
+
+def _matrix(rows: Iterable[Sequence[float]]) -> str:
+    return "; ".join(" ".join(map(_short, row)) for row in rows)
+
+
+def _short(value: float) -> str:
+    return f"{round(value, 5) + 0.0:.5f}".rstrip("0").rstrip(".")
+
+
+def read_target(text: str, scope: Scope, place: Place | None) -> tuple[Target, str]:
+    """Read the pose that a question gives.
+
+    Args:
+        text: `0..3 of position (0.5, 0.3, 0) all`; the frames and what stands behind are optional.
+        scope: The names it may use.
+        place: Where it stands, for errors.
+
+    Returns:
+        The pose, and what stands behind it.
+
+    Raises:
+        NotationError: It gives no pose.
+    """
+    match = _GOAL.fullmatch(text.strip())
+    given = None if match is None else _QUOTED.fullmatch(match["rest"]) or _BRACKET.fullmatch(match["rest"])
+    if match is None or given is None:
+        raise NotationError(Problem(f"'{text.strip():.60}' gives no pose", place, f"write {EXAMPLE}"))
+    frames = (match["start"], match["end"]) if match["start"] else None
+    inner = given["text"]
+    if match["task"] == "position":
+        return Target("position", inner, point=_point(inner, scope, place), frames=frames), given["rest"].strip()
+    return Target(match["task"], inner, read_chain(inner, scope, place), frames=frames), given["rest"].strip()
+
+
+def given_target(task: str, rows: Sequence[Sequence[float]], frames: tuple[str, str]) -> Target:
+    """A pose in numbers as a target.
+
+    Args:
+        task: What of it counts.
+        rows: The matrix, shape (4, 4) [m].
+        frames: The frame it is seen from and the frame it describes.
+    """
+    exact = [[number(Fraction(value)) for value in row] for row in rows[:3]]
+    if task == "position":
+        return Target(task, "the place given", point=tuple(row[3] for row in exact), frames=frames)
+    a, b, c = ((row[0], row[1], row[2], row[3]) for row in exact)
+    return Target(task, "the pose given", (Fixed((a, b, c)),), frames=frames)
+
+
+def _point(text: str, scope: Scope, place: Place | None) -> tuple[Expr, ...]:
+    cells = [cell.expr for row in parse_matrix(f"[{text.strip('()[]')}]", scope, place) for cell in row]
+    if len(cells) != 3:  # noqa: PLR2004
+        raise NotationError(Problem(f"a position has three coordinates, not {len(cells)}", place))
+    try:
+        return tuple(to_length(cell) for cell in cells)
+    except DimensionError as error:
+        raise NotationError(Problem(error.message, place, error.hint)) from None
+
+
+def of_robot(robot: Robot, values: Mapping[str, Value]) -> dict[str, Value]:
+    """Those values that are lengths or constant angles of a robot."""
+    return {name: value for name, value in values.items() if name in robot.parameters}
+
+
+def solutions(case: Case, target: Target) -> Solutions:
+    """Every joint vector that reaches the pose.
+
+    Raises:
+        RobotError: A name has no value, or the robot has more joints than the pose needs.
+    """
+
+    def solved() -> Solutions:
+        exercise = case.exercise
+        return solve(needed(exercise.robot), target, exercise.values, target.rows(exercise.values))
+
+    return case.memo.of(("solutions", target), solved)
+
+
+def solve(robot: Robot, target: Target, values: Mapping[str, Value], rows: Rows) -> Solutions:
+    """Every joint vector that takes the frame asked about to a pose."""
+    from dhcli.kinematics.inverse.asked import inverse  # numpy: for these questions only
+
+    start, end = target.ends(robot)
+    task = cast("TaskName", target.task)
+    return inverse(robot, rows, task=task, start=start, end=end, parameters=of_robot(robot, values))

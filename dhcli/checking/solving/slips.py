@@ -1,0 +1,167 @@
+"""Slips on the way from a pose to joint values, each with the joint values that it leads to."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import TypeAlias
+
+from dhcli.checking.diagnosis.result import Slip
+from dhcli.checking.exercise import Case, Reading
+from dhcli.checking.orientations import transposed
+from dhcli.checking.solving.derived import derivation_of, slipped, values_at
+from dhcli.checking.solving.goal import Rows, solve
+from dhcli.checking.solving.vectors import FULL_TURN, Range, Vector, apart
+from dhcli.checking.solving.wanted_joints import WantedJoints
+from dhcli.checking.verdicts import Verdict
+from dhcli.errors import DhcliError
+from dhcli.kinematics.conventions import Convention
+from dhcli.kinematics.robot import Robot
+
+Joints: TypeAlias = tuple[float, ...]
+SAME = 2e-3
+"""Joint values that differ by less than this are typed the same [rad, m]."""
+
+OTHER_BRANCH = Slip("other-branch", "this is a solution of another branch", "which way does the arm bend?")
+OUTSIDE = Slip("out-of-limits", "a joint is outside its limits", "look at the limits of the joints")
+OTHERS = {Convention.STANDARD: Convention.MODIFIED, Convention.MODIFIED: Convention.STANDARD}
+
+
+@dataclass(frozen=True, slots=True)
+class Wrong:
+    """What a slip leads to.
+
+    Attributes:
+        slip: The slip.
+        rows: Every joint vector that it gives; one of them is the answer where one is asked for.
+        text: The answer as it would be typed.
+    """
+
+    slip: Slip
+    rows: tuple[Joints, ...]
+    text: str
+
+
+def showing(question: WantedJoints, case: Case) -> tuple[Wrong, ...]:
+    """Every slip whose answer is wrong here, with that answer."""
+    return case.memo.of(("slips", question), lambda: tuple(_showing(question, case)))
+
+
+def gives(question: WantedJoints, case: Case, wrong: Wrong, typed: Sequence[Vector]) -> bool:
+    """Whether a slip gives what was typed."""
+    field = question.range_of(case)
+    rows = [one.values for one in typed]
+    if question.which != "all":
+        return any(_same(field, rows[0], row) for row in wrong.rows)
+    if len(rows) != len(wrong.rows):
+        return False
+    return all(any(_same(field, one, other) for other in wrong.rows) for one in rows)
+
+
+def _same(field: Range, one: Sequence[float], other: Sequence[float]) -> bool:
+    return max(apart(field.robot, field.joints, one, other), default=0.0) <= SAME
+
+
+def _showing(question: WantedJoints, case: Case) -> Iterator[Wrong]:
+    field = question.range_of(case)
+    right = field.solutions
+    seen = set[str]()
+    for slip, rows in _mistakes(question, case, field):
+        kept = _different(field, rows)
+        if not kept or slip.name in seen:
+            continue
+        if question.which != "all":
+            if slip not in {OTHER_BRANCH, OUTSIDE}:  # what reaches the pose has another reason to be wrong
+                kept = tuple(row for row in kept if not any(_same(field, row, true) for true in right))
+            kept = tuple(row for row in kept if _is_wrong(question, case, (row,)))
+            if not kept or not right:
+                continue
+            goal = right[question.wanted(case)[0]] if question.wanted(case) else right[0]
+            kept = tuple(sorted(kept, key=lambda row: sum(apart(field.robot, field.joints, row, goal))))
+        elif not _is_wrong(question, case, kept):
+            continue
+        seen.add(slip.name)
+        yield Wrong(slip, kept, question.text_of(case, kept if question.which == "all" else kept[:1]))
+
+
+def _is_wrong(question: WantedJoints, case: Case, rows: Sequence[Joints]) -> bool:
+    typed = tuple(Vector(tuple(row), bare=False, shown="") for row in rows)
+    return question.mark(case, Reading("", typed)).verdict is Verdict.WRONG
+
+
+def _different(field: Range, rows: Sequence[Joints]) -> tuple[Joints, ...]:
+    kept = list[Joints]()
+    for row in rows:
+        if not any(_same(field, row, other) for other in kept):
+            kept.append(row)
+    return tuple(kept)
+
+
+def _mistakes(question: WantedJoints, case: Case, field: Range) -> Iterator[tuple[Slip, list[Joints]]]:
+    """Every slip with the joint vectors it leads to, right ones among them."""
+    yield from _of_formulas(question, case, field)
+    yield from _of_pose(case, field)
+    wanted = question.wanted(case)
+    others = [q for k, q in enumerate(field.solutions) if k not in wanted]
+    if question.which == "branch":
+        yield OTHER_BRANCH, others
+    elif question.within_limits:
+        yield OUTSIDE, others
+
+
+def _of_formulas(question: WantedJoints, case: Case, field: Range) -> Iterator[tuple[Slip, list[Joints]]]:
+    """Slips in a formula; what is computed from a wrong joint is wrong, too."""
+    derivation = derivation_of(case, question.target)
+    if derivation is None:
+        return
+    entries = {f"r{i + 1}{j + 1}": field.rows[i][j] for i in range(3) for j in range(3)}
+    entries |= {f"p{axis}": field.rows[i][3] for i, axis in enumerate("xyz")}
+
+    def vectors(one: object) -> list[Joints]:
+        found = values_at(one, field.robot, case.exercise.values, entries)  # type: ignore[arg-type]
+        rows = [[q[name] for name in field.joints] for q in found if all(n in q for n in field.joints)]
+        return [tuple(map(_wrapped, field.joints, row)) for row in rows]
+
+    def _wrapped(name: str, value: float) -> float:
+        return math.remainder(value, FULL_TURN) if name in field.robot.angles else value
+
+    true = _different(field, vectors(derivation))
+    if len(true) != len(field.solutions) or not all(any(_same(field, a, b) for b in field.solutions) for a in true):
+        return  # the formulas say nothing at this pose
+    for one in slipped(derivation, field.robot):
+        yield one.slip, vectors(one.derivation)
+
+
+def _of_pose(case: Case, field: Range) -> Iterator[tuple[Slip, list[Joints]]]:
+    """Slips before the first formula: another pose, another robot."""
+    robot, target, rows = field.robot, field.target, field.rows
+    at = [robot.variables.index(name) for name in field.joints]
+
+    def found(other: Robot, pose: Rows, **changes: object) -> list[Joints]:
+        try:
+            answer = solve(other, replace(target, **changes), case.exercise.values, pose)  # type: ignore[arg-type]
+        except DhcliError:
+            return []
+        return [tuple(float(row[k]) for k in at) for row in answer.q]
+
+    start, end = target.ends(robot)
+    if target.task != "position":
+        turn = transposed([row[:3] for row in rows[:3]])
+        back = tuple((*line, -sum(a * row[3] for a, row in zip(line, rows[:3], strict=True))) for line in turn)
+        slip = Slip("inverse", "the pose was read the other way round, as its inverse", "seen from which frame?")
+        yield slip, found(robot, (*back, rows[3]) if target.task == "pose" else (*((*t, 0.0) for t in turn), rows[3]))
+    if end == "tool" and robot.tool and target.task == "pose":
+        slip = Slip("tool-kept", "the tool was not taken off: T is where the tool stands", "T_06 is T inv(tool)")
+        yield slip, found(robot, rows, frames=(start, [f for f in robot.frames if f.isdecimal()][-1]))
+    if robot.convention in OTHERS:
+        try:
+            other = replace(robot, convention=OTHERS[robot.convention])
+        except DhcliError:
+            return
+        slip = Slip(
+            "convention",
+            f"the table was read in {OTHERS[robot.convention].value} DH",
+            "in which order do a row's four moves stand?",
+        )
+        yield slip, found(other, rows)

@@ -1,0 +1,73 @@
+"""`dhcli ik --in --follow`: a path of poses on one branch, with its jumps and singular passages told."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+
+from dhcli.cli.shell.console import say
+from dhcli.cli.shell.pose_wish import PoseWish, rotations
+from dhcli.cli.shell.rows import RowDelivery
+from dhcli.errors import FileError, Place, Problem, RobotError
+from dhcli.files.rows.poses import pose_blocks
+from dhcli.kinematics.inverse.path import follow, joined
+from dhcli.render.code.pose_rows import INDEX
+from dhcli.render.code.rows import Group, Layout
+from dhcli.render.paper import Paper
+from dhcli.render.text.problems import warning_line
+
+MOST_TOLD = 8
+"""Rows that a warning names; of more, it tells how many."""
+
+
+def follow_rows(wanted: PoseWish, path: str, delivery: RowDelivery, bad: list[Problem] | None = None) -> int:
+    """Follow the poses of a file, each by the joint values nearest to those before it.
+
+    Args:
+        wanted: What is wanted of each pose.
+        path: The file; `-` for standard input.
+        delivery: Where the joint values go.
+        bad: Where rows that are no pose are noted and left out; without it the first of them is an error.
+
+    Returns:
+        How many poses are out of reach.
+
+    Raises:
+        FileError: The file cannot be read, or a row is no pose.
+    """
+    blocks, places = [], list[int]()
+    for poses, where in pose_blocks(path, bad):
+        kept, at = (poses, where) if bad is None else rotations(poses, where, path, bad)
+        blocks.append(kept)
+        places += at
+    if not blocks:
+        raise FileError(Problem("holds no poses", Place(path)))
+    table = joined(blocks)
+    task = wanted.task or ("pose" if table.ndim == 3 else "position")  # noqa: PLR2004  matrices
+    try:
+        found = follow(
+            wanted.robot,
+            table,
+            None if wanted.near is None else list(wanted.near),
+            task=task,
+            hold=wanted.hold,
+            start=wanted.start,
+            end=wanted.end,
+            parameters=wanted.lengths,
+        )
+    except RobotError as error:
+        raise FileError([Problem(p.message, Place(path), p.hint) for p in error.problems]) from None
+    joints = Group.named("q", {name: name for name in wanted.robot.variables})
+    with delivery.open(Layout((INDEX, joints))) as sink:
+        sink.write(found.numbered(places))
+    _tell(places, found.jumps, "the arm jumps to another branch before")
+    _tell(places, found.singular, "the arm is singular, or nearly, at")
+    _tell(places, found.lost, "out of reach, and without a row:")
+    return len(found.lost)
+
+
+def _tell(places: Sequence[int], at: Sequence[int], words: str) -> None:
+    if at:
+        rows = ", ".join(str(places[k]) for k in at[:MOST_TOLD])
+        more = f" and {len(at) - MOST_TOLD} more" if len(at) > MOST_TOLD else ""
+        say(warning_line(f"{words} row {rows}{more}", Paper.of(sys.stderr)))

@@ -1,0 +1,202 @@
+"""Joint values for a pose: judged by where they take the arm, whole turns aside, then by the branch asked for."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from dhcli.checking.exercise import Exercise
+from dhcli.checking.judge import Judge
+from dhcli.checking.kinds.joint_formula import JointFormulaQuestion
+from dhcli.checking.kinds.joints import JointsQuestion
+from dhcli.checking.kinds.made import question_about
+from dhcli.checking.kinds.reaching import SolutionsQuestion
+from dhcli.checking.verdicts import Mark, Verdict
+from dhcli.errors import DhcliError, NotationError
+from dhcli.files.yaml.exercises import load_exercise
+from dhcli.files.yaml.robots import load_robot
+from tests.nightly import some
+
+PLACE = "joints of position (0.5, 0.3, 0)"
+FOLDER = Path(__file__).parents[3] / "exercises" / "inverse"
+BACK = (JointsQuestion, JointFormulaQuestion, SolutionsQuestion)
+NAMES = sorted(path.stem for path in FOLDER.glob("*.yaml"))
+
+
+def asked(ask: str, robot: str = "planar-2r") -> Exercise:
+    """A question about a robot, in numbers."""
+    return question_about(load_robot(robot), ask, numeric=True, given={})
+
+
+def judged(answer: str, ask: str = PLACE, robot: str = "planar-2r") -> Mark:
+    """An answer, explained where it is wrong."""
+    exercise = asked(ask, robot)
+    return Judge(exercise).check(exercise.parts[0], answer)
+
+
+@pytest.mark.parametrize(
+    "answer",
+    [
+        "2.4773°, 67.9757°",
+        "59.4502, -67.9757",
+        "[59.45° -67.98°]",
+        "theta2 = -67.98°, theta1 = 59.45°",
+        "theta1 = 2.4773°\ntheta2 = 67.9757°",
+        "q = [2.4773°, 67.9757°]",
+        "362.4773°, -292.0243°",
+        "0.0432371 rad, 1.1864 rad",
+        "acos(0.99906540), 67.9757°",
+    ],
+)
+def test_joint_values_are_read_as_people_type_them(answer: str) -> None:
+    """In rows and columns, with labels in any order, in degrees or radians, in any turn."""
+    assert judged(answer).verdict is Verdict.RIGHT
+
+
+def test_an_answer_is_judged_by_where_it_takes_the_arm() -> None:
+    """A wrong one is told where it leads; a near one is close."""
+    wrong = judged("10°, 20°")
+    assert wrong.verdict is Verdict.WRONG
+    x = 0.4 * math.cos(math.radians(10)) + 0.3 * math.cos(math.radians(30))
+    assert f"({x:.4f}, " in wrong.remarks[0]
+    assert judged("2.6°, 67.9757°").verdict is Verdict.CLOSE
+
+
+def test_radians_without_their_unit_are_told() -> None:
+    """They can be nothing else, so nothing is lost."""
+    mark = judged("0.0432371, 1.1864")
+    assert mark.verdict is Verdict.CANNOT_READ
+    assert "right in radians" in mark.remarks[0]
+
+
+@pytest.mark.parametrize(
+    ("answer", "said"),
+    [
+        ("1°, 2°, 3°", "3 values in a row, and there are 2 joints"),
+        ("theta1 = 1°, theta1 = 2°", "each joint is named once"),
+        ("theta9 = 1°, theta1 = 2°", "theta9"),
+        ("0.4 m, 10°", "theta1: "),
+        ("acos(3), 10°", "not a real number"),
+        ("2.4773°, 67.9757°; 59.4502°, -67.9757°", "one solution is asked for"),
+    ],
+)
+def test_what_cannot_be_judged_says_what_would_be(answer: str, said: str) -> None:
+    """Too many values, a joint twice or none, a length for an angle, two answers for one."""
+    mark = judged(answer)
+    assert mark.verdict is Verdict.CANNOT_READ
+    assert any(said in remark for remark in mark.remarks), mark.remarks
+
+
+def test_the_branch_asked_for_counts() -> None:
+    """The other one reaches the pose, which is said."""
+    ask = f"{PLACE} branch elbow up"
+    assert judged("59.4502°, -67.9757°", ask).verdict is Verdict.RIGHT
+    other = judged("2.4773°, 67.9757°", ask)
+    assert other.verdict is Verdict.WRONG
+    assert other.diagnosis is not None
+    assert other.diagnosis.ids == ("other-branch",)
+    assert "elbow down" in other.remarks[0]
+
+
+def test_a_set_earns_by_each_solution() -> None:
+    """What is missing, what is none, and what stands there twice is named."""
+    ask = f"{PLACE} all"
+    whole = judged("59.4502°, -67.9757°; 2.4773°, 67.9757°", ask)
+    assert (whole.verdict, whole.earned) == (Verdict.RIGHT, 1)
+    half = judged("59.4502°, -67.9757°", ask)
+    assert (half.verdict, half.earned) == (Verdict.WRONG, 0.5)
+    assert half.remarks[0] == "1 solution of 2: the branch elbow down is left out"
+    more = judged("59.4502°, -67.9757°; 2.4773°, 67.9757°; 362.4773°, 67.9757°; 5°, 6°", ask)
+    assert more.earned == pytest.approx(2 / 3)
+    assert any("row 3 repeats row 2" in remark for remark in more.remarks)
+    assert any("row 4 is no solution" in remark for remark in more.remarks)
+
+
+def test_a_repeat_alone_is_no_mistake() -> None:
+    """It is told, and costs nothing."""
+    mark = judged("59.4502°, -67.9757°; 2.4773°, 67.9757°; 362.4773°, 67.9757°", f"{PLACE} all")
+    assert (mark.verdict, mark.earned) == (Verdict.RIGHT, 1)
+    assert any("repeats" in remark for remark in mark.remarks)
+
+
+def test_a_singular_pose_takes_every_member_of_its_family() -> None:
+    """Only the sum of the two angles counts."""
+    ask = 'joints of orientation "Rot(z, 65°)"'
+    assert judged("100°, 0°, -35°", ask, "spherical-wrist").verdict is Verdict.RIGHT
+    assert judged("65°, 0°, 65°", ask, "spherical-wrist").verdict is Verdict.WRONG
+
+
+def test_limits_count_where_they_are_asked_for() -> None:
+    """Outside them a solution is wrong there, and told elsewhere."""
+    pose = 'joints of pose "Trans(0.5, 0.2, 0.3) Rot(z, 20°) Rot(y, 110°) Rot(z, 40°)"'
+    outside = "5.6226°, 16.1319°, -179.7386°, 193.5284°, -94.0837°, 35.9712°"
+    free = judged(outside, pose, "puma560")
+    assert free.verdict is Verdict.RIGHT
+    assert "theta4" in free.remarks[0]
+    kept = judged(outside, f"{pose} within limits", "puma560")
+    assert kept.verdict is Verdict.WRONG
+    assert kept.diagnosis is not None
+    assert kept.diagnosis.ids == ("out-of-limits",)
+
+
+def test_a_pose_out_of_reach_is_no_question() -> None:
+    """Why is said; so is a branch that no solution has."""
+    with pytest.raises(DhcliError, match="the links laid end to end"):
+        judged("1°, 2°", "joints of position (0.9, 0.3, 0)")
+    with pytest.raises(DhcliError, match="no solution is elbow left"):
+        judged("1°, 2°", f"{PLACE} branch elbow left")
+
+
+@pytest.mark.parametrize(
+    "ask", ["joints", "joints of pose", "joints of position (1, 2)", f"{PLACE} some", "joints of speed (1, 2, 3)"]
+)
+def test_a_question_that_gives_no_pose_is_refused(ask: str) -> None:
+    """With what would be read."""
+    with pytest.raises(NotationError):
+        asked(ask)
+
+
+@given(
+    st.sampled_from(["planar-2r", "articulated", "cylindrical", "scara-yim"]),
+    st.lists(st.floats(0.2, 1.2), min_size=4, max_size=4),
+    st.integers(-1, 1),
+)
+def test_the_joint_values_that_made_a_pose_are_right(name: str, values: list[float], turns: int) -> None:
+    """Whatever else leads there, and in whatever turn."""
+    robot = load_robot(name)
+    from dhcli.kinematics.forward import forward
+
+    q = values[: len(robot.variables)]
+    pose = forward(robot, q)
+    matrix = "; ".join(" ".join(repr(float(x)) for x in row) for row in pose.rows)
+    texts = [
+        f"{x + turns * math.tau!r} rad" if n in robot.angles else f"{x!r} m"
+        for n, x in zip(robot.variables, q, strict=True)
+    ]
+    exercise = question_about(robot, f'joints of pose "[{matrix}]"', numeric=True, given={})
+    assert Judge(exercise).mark(exercise.parts[0], ", ".join(texts)).verdict is Verdict.RIGHT
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_slip_on_the_way_back_has_its_name(name: str) -> None:
+    """At least nine in ten of those that show, and no answer with a slip is right."""
+    exercise = load_exercise(FOLDER / f"{name}.yaml")
+    judge = Judge(exercise)
+    named = total = 0
+    for part in (part for part in exercise.parts if isinstance(part.question, BACK)):
+        for slip in some([*judge.slips(part)], 6):
+            mark = judge.check(part, judge.answer_with(part, slip.name))
+            assert mark.verdict is not Verdict.RIGHT, (part.id, slip.name)
+            total += 1
+            named += mark.diagnosis is not None and slip.name in mark.diagnosis.ids
+    assert named >= 0.9 * total, (named, total)
+    assert total or name in {"planar-reach", "wrist-centre", "puma560-motor-angles"}
+
+
+def test_there_are_exercises_for_every_arm_of_the_documents() -> None:
+    """Sixteen at least."""
+    assert len(NAMES) >= 16
