@@ -8,11 +8,20 @@ from dhcli.checking.exercise import Question
 from dhcli.checking.kinds.cell import CellQuestion
 from dhcli.checking.kinds.choice import ChoiceQuestion
 from dhcli.checking.kinds.count import CountQuestion
+from dhcli.checking.kinds.determinant import DeterminantQuestion
+from dhcli.checking.kinds.differential import DifferentialQuestion
 from dhcli.checking.kinds.factors import FactorsQuestion
+from dhcli.checking.kinds.jacobian import JacobianQuestion
+from dhcli.checking.kinds.manipulability import ManipulabilityQuestion
 from dhcli.checking.kinds.matrix import MatrixQuestion
 from dhcli.checking.kinds.orientation import OrientationQuestion
+from dhcli.checking.kinds.rank import RankQuestion
+from dhcli.checking.kinds.rates import RatesQuestion
 from dhcli.checking.kinds.scalar import ScalarQuestion
+from dhcli.checking.kinds.singular import SingularQuestion
 from dhcli.checking.kinds.table import TableQuestion
+from dhcli.checking.kinds.torques import TorquesQuestion
+from dhcli.checking.kinds.velocity import VelocityQuestion
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import NotationError, Place, Problem, nearest
 from dhcli.notation.scope import Scope
@@ -29,6 +38,15 @@ KINDS: list[type[Question[Any]]] = [
     OrientationQuestion,
     CountQuestion,
     ChoiceQuestion,
+    JacobianQuestion,
+    DeterminantQuestion,
+    SingularQuestion,
+    RankQuestion,
+    ManipulabilityQuestion,
+    TorquesQuestion,
+    VelocityQuestion,
+    RatesQuestion,
+    DifferentialQuestion,
 ]
 """A new kind is a file beside these, and a line here."""
 
@@ -48,11 +66,13 @@ def read_question(text: str, scope: Scope, place: Place | None = None) -> Questi
     if len(text) > LONGEST:
         raise NotationError(Problem(f"a question of more than {LONGEST} characters is not read", place))
     word = text.split(None, 1)[0] if text else ""
-    kind = next((kind for kind in KINDS if word in kind.words), MatrixQuestion)  # `0..3` is a pose, too
-    try:
-        return kind.asked(text, scope, place)
-    except NotAskedError as error:
-        raise _unknown(error.text, place) from None
+    unknown = text
+    for kind in [kind for kind in KINDS if word in kind.words] or [MatrixQuestion]:  # `0..3` is a pose, too
+        try:
+            return kind.asked(text, scope, place)
+        except NotAskedError as error:  # `entry 1 2` may be of a pose, or of a Jacobian
+            unknown = error.text
+    raise _unknown(unknown, place)
 
 
 def examples() -> tuple[str, ...]:
@@ -66,7 +86,7 @@ def keys() -> tuple[str, ...]:
 
 
 def _unknown(text: str, place: Place | None) -> NotationError:
-    if text.startswith("entry 4"):
+    if text.startswith("entry 4") and "jacobian" not in text:
         return NotationError(Problem("the bottom row of a pose is 0 0 0 1 for everybody", place, "ask for rows 1 to 3"))
     known = {example.split()[0]: example for example in examples()}
     similar = nearest(text.split(None, 1)[0] if text else "", known)
