@@ -98,7 +98,8 @@ class TorquesQuestion(MotionQuestion):
         )
         for slip, changed in made(columns):
             yield slip, self._borne(changed)
-        kept, six = columns.moved, (*self.force, *self.moment)
+        six = (*self.force, *self.moment)
+        kept = [k for k in columns.moved if k < 3 or self.moment != ORIGIN]  # noqa: PLR2004  the rows of v
         rows = columns.cut(kept)
         if len(kept) != len(columns.each):
             return

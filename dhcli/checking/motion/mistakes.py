@@ -166,6 +166,33 @@ def cross_reversed(columns: Columns) -> Made:
 
 
 @_mistake(
+    "own-angle-only",
+    "a cosine or sine of a sum of angles is differentiated by its last angle alone",
+    "on which joint angles does c12 depend?",
+)
+def own_angle_only(columns: Columns) -> Made:
+    """c12 by theta2 alone."""
+    order = [one.joint for one in columns.each]
+
+    def slope(trig: Trig, name: str) -> Expr:
+        joints = [joint for joint in order if joint in trig.angle.names]
+        return derivative(trig, name) if joints and joints[-1] == name else number(0)
+
+    yield from _by_derivatives(columns, slope)
+
+
+@_mistake("cosine-sign", "the derivative of a cosine has the wrong sign", "what is the derivative of a cosine?")
+def cosine_sign(columns: Columns) -> Made:
+    """Plus sine for the derivative of a cosine."""
+
+    def slope(trig: Trig, name: str) -> Expr:
+        found = derivative(trig, name)
+        return negate(found) if trig.function == "cos" else found
+
+    yield from _by_derivatives(columns, slope)
+
+
+@_mistake(
     "origin-not-subtracted",
     "the origin of each joint is not subtracted: z x p for z x (p - o)",
     "from where does the arm of each joint reach?",
@@ -218,33 +245,6 @@ def columns_reversed(columns: Columns) -> Made:
     values = [(one.linear, one.angular) for one in reversed(columns.each)]
     pairs = zip(columns.each, values, strict=True)
     yield "", replace(columns, each=tuple(replace(one, linear=v, angular=w) for one, (v, w) in pairs))
-
-
-@_mistake(
-    "own-angle-only",
-    "a cosine or sine of a sum of angles is differentiated by its last angle alone",
-    "on which joint angles does c12 depend?",
-)
-def own_angle_only(columns: Columns) -> Made:
-    """c12 by theta2 alone."""
-    order = [one.joint for one in columns.each]
-
-    def slope(trig: Trig, name: str) -> Expr:
-        joints = [joint for joint in order if joint in trig.angle.names]
-        return derivative(trig, name) if joints and joints[-1] == name else number(0)
-
-    yield from _by_derivatives(columns, slope)
-
-
-@_mistake("cosine-sign", "the derivative of a cosine has the wrong sign", "what is the derivative of a cosine?")
-def cosine_sign(columns: Columns) -> Made:
-    """Plus sine for the derivative of a cosine."""
-
-    def slope(trig: Trig, name: str) -> Expr:
-        found = derivative(trig, name)
-        return negate(found) if trig.function == "cos" else found
-
-    yield from _by_derivatives(columns, slope)
 
 
 @_mistake("sin-cos", "sines and cosines have changed places", "from which axis are the angles measured?", Rank.SYMPTOM)

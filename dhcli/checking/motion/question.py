@@ -135,8 +135,12 @@ class MotionQuestion(Question[Entries]):
         return (one.slip for one in self._wrong(case) if not self._is_right(case, one))
 
     def answer_with(self, case: Case, name: str) -> str | None:
-        """The answer of a mistake."""
-        return next((self._text(case, one.grid) for one in self._wrong(case) if one.slip.name == name), None)
+        """The answer of a mistake, of those too that another one names."""
+        right = self._at_points(case.exercise, self._valued(case))
+        for slip, grid in self.wrong(case):
+            if slip.name == name and not _alike(self._at_points(case.exercise, grid), right):
+                return self._text(case, grid)
+        return None
 
     def hidden(self, case: Case) -> Iterable[Slip]:
         """Mistakes that the values given do not show."""
