@@ -55,7 +55,7 @@ def table(text: str) -> list[list[float]]:
 
 
 def differences(robot: str, q: tuple[float, ...]) -> list[list[float]]:
-    """v above ω of the end frame for each joint, from poses on both sides of q."""
+    """V above ω of the end frame for each joint, from poses on both sides of q."""
     arm = load_robot(robot)
     here = forward(arm, list(q)).rows
     columns = []
@@ -77,7 +77,7 @@ def test_the_jacobian_is_how_poses_differ(robot: str) -> None:
 
 @pytest.mark.parametrize("robot", Q)
 def test_torques_and_rates_do_the_same_work(robot: str) -> None:
-    """tau · q' = F · v, at any rates."""
+    """Tau · q' = F · v, at any rates."""
     end, q = len(Q[robot]), Q[robot]
     rates = [0.3, -0.5, 0.7, 0.2, -0.4, 0.6][:end]
     force = (3, -2, 5)
@@ -241,7 +241,7 @@ def test_at_a_singular_pose_there_are_no_rates() -> None:
 
 
 def test_only_one_of_two_angles_is_half_an_answer() -> None:
-    """sin theta2 = 0 has a second zero half a turn on."""
+    """Sin theta2 = 0 has a second zero half a turn on."""
     mark = told("planar-2r", "singular when linear of 0..2", "theta2 = 0")
     assert mark.verdict is Verdict.WRONG
     assert told("planar-2r", "singular when linear of 0..2", "theta2 = 0, theta2 = 180°").verdict is Verdict.RIGHT
