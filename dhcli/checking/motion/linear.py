@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from dhcli.algebra.equality import equal
 from dhcli.errors import RobotError
 from dhcli.notation.tree import ZERO, Expr, add, multiply, negate, number, power
 
@@ -44,7 +45,7 @@ def solved(rows: Sequence[Sequence[Expr]], right: Sequence[Expr], whole: Expr | 
         RobotError: The determinant is 0.
     """
     below = whole or determinant(rows)
-    if below == ZERO:
+    if equal(below, ZERO):
         raise RobotError("the equations have no single solution")
     found = []
     for k in range(len(rows)):

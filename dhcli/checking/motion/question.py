@@ -41,12 +41,14 @@ class Wrong:
         slip: The mistake.
         grid: The answer.
         seen: Its entries at the values given, where the answer is in numbers.
+        limits: How far from them an answer may be.
         general: Its entries at points that have nothing special about them.
     """
 
     slip: Slip
     grid: Grid
     seen: Numbers
+    limits: Numbers
     general: tuple[Numbers, ...]
 
 
@@ -161,12 +163,13 @@ class MotionQuestion(Question[Entries]):
         for slip, grid in self.wrong(case):
             try:
                 seen = grid.numbers(exercise) if exercise.numeric else ()
+                limits = self._limits(case, grid) if exercise.numeric else ()
                 points = self._at_points(exercise, grid)
             except (DhcliError, KeyError, ZeroDivisionError, OverflowError):
                 continue
             if not any(_alike(points, other) for other in known):
                 known.append(points)
-                yield Wrong(slip, grid, seen, points)
+                yield Wrong(slip, grid, seen, limits, points)
 
     def _at_points(self, exercise: Exercise, grid: Grid) -> tuple[Numbers, ...]:
         """Entries at general points; at the values given, in symbols."""
@@ -176,26 +179,33 @@ class MotionQuestion(Question[Entries]):
 
     def _is_right(self, case: Case, one: Wrong) -> bool:
         """Whether a mistake cannot be seen at the values given."""
-        return case.exercise.numeric and _within(one.seen, self.right(case).numbers(case.exercise), self._limits(case))
+        if not case.exercise.numeric:
+            return False
+        right, limits = case.memo.of(("motion numbers", self), lambda: self._right_numbers(case))
+        return _within(one.seen, right, limits)
 
-    def _limits(self, case: Case, grid: Grid | None = None) -> Numbers:
+    def _right_numbers(self, case: Case) -> tuple[Numbers, Numbers]:
+        right = self.right(case)
+        return right.numbers(case.exercise), self._limits(case, right)
+
+    @staticmethod
+    def _limits(case: Case, grid: Grid) -> Numbers:
         tolerance = case.tolerance
-        return (grid or self.right(case)).limits(case.exercise, tolerance.position, tolerance.rotation)
+        return grid.limits(case.exercise, tolerance.position, tolerance.rotation)
 
     def _gives(self, case: Case, one: Wrong, entries: Entries) -> bool:
         """Whether an answer is that of a mistake: near it in numbers, proved equal in symbols."""
         exercise = case.exercise
         if exercise.numeric:
-            return not self._is_right(case, one) and _within(
-                values_of(entries, exercise), one.seen, self._limits(case, one.grid)
-            )
-        typed = Grid(tuple(tuple(entry.expr for entry in row) for row in entries), one.grid.powers)
+            typed = values_of(entries, exercise)
+            return _within(typed, one.seen, one.limits) and not self._is_right(case, one)
+        given = Grid(tuple(tuple(entry.expr for entry in row) for row in entries), one.grid.powers)
         try:
-            if not _alike(self._at_points(exercise, typed), one.general):
+            if not _alike(self._at_points(exercise, given), one.general):
                 return False
         except (KeyError, UnreadableError):
             return False
-        pairs = zip(typed.rows, one.grid.rows, strict=True)
+        pairs = zip(given.rows, one.grid.rows, strict=True)
         return all(same(a, b, exercise.values) for row, other in pairs for a, b in zip(row, other, strict=True))
 
     # --- Solutions ----------------------------------------------------------------------------------------------
