@@ -12,12 +12,12 @@ from dhcli.checking.exercise import Case, Exercise, Shown
 from dhcli.checking.motion.asked import Motion
 from dhcli.checking.motion.columns import jacobian_grid
 from dhcli.checking.motion.grid import Grid
-from dhcli.checking.motion.linear import LARGEST, determinant
 from dhcli.checking.motion.mistakes import made
 from dhcli.checking.motion.question import MotionQuestion
 from dhcli.checking.motion.task import columns_for, found_for, kept_rows, read_task, square
 from dhcli.errors import Place
 from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.velocity.cramer import LARGEST, determinant
 from dhcli.kinematics.velocity.form import GEOMETRIC, Form
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import ZERO, Expr, multiply, negate, power

@@ -13,16 +13,18 @@ from dhcli.checking.exercise import Case, Exercise, Shown
 from dhcli.checking.motion.asked import Motion, read_motion, three
 from dhcli.checking.motion.columns import Columns, columns_of, combined, jacobian_grid, plain
 from dhcli.checking.motion.grid import Grid, over
-from dhcli.checking.motion.linear import LARGEST, solution, solved
+from dhcli.checking.motion.linear import solution
 from dhcli.checking.motion.mistakes import made
 from dhcli.checking.motion.question import MotionQuestion, axes_step
-from dhcli.checking.motion.task import columns_for, found_for
+from dhcli.checking.motion.task import columns_for
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import DhcliError, Place, RobotError
 from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.singular.neat import neat_determinant
 from dhcli.kinematics.values import numbers
+from dhcli.kinematics.velocity.cramer import LARGEST, solved
 from dhcli.kinematics.velocity.form import Form, Which
-from dhcli.kinematics.velocity.view import MotionView, joints_between
+from dhcli.kinematics.velocity.view import joints_between
 from dhcli.notation.names import natural_key
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import PI, Expr, multiply, number, power
@@ -123,8 +125,7 @@ class RatesQuestion(MotionQuestion):
             )
         if len(kept) > LARGEST:
             raise RobotError(f"rates of {len(kept)} joints are too long in symbols", "numeric: true")
-        view = columns.view
-        whole = found_for(case, self.motion, Form(self._part)).determinant if is_right and _plain(view) else None
+        whole = neat_determinant(columns.robot, columns.view, self._part, {}, rows) if is_right else None
         return self._column(columns, solved(rows, asked, whole))
 
     @staticmethod
@@ -163,8 +164,3 @@ class RatesQuestion(MotionQuestion):
         values = case.exercise.values if case.exercise.numeric else None
         yield self.shown(case, f"The Jacobian, rows {', '.join(form.labels)}", jacobian_grid(columns, form, values))
         yield Shown("Solve J q' = v for the rates q', leaving rows out that no joint moves")
-
-
-def _plain(view: MotionView) -> bool:
-    """Whether a determinant is that along the axes of the start."""
-    return view.axes == view.start

@@ -12,13 +12,13 @@ from dhcli.checking.exercise import Case, Exercise, Shown
 from dhcli.checking.motion.asked import Motion, read_motion, three
 from dhcli.checking.motion.columns import Columns, columns_in, combined, jacobian_grid
 from dhcli.checking.motion.grid import Grid
-from dhcli.checking.motion.linear import LARGEST, solved
 from dhcli.checking.motion.mistakes import made
 from dhcli.checking.motion.question import MotionQuestion, axes_step
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
 from dhcli.kinematics.frames import ORIGIN
 from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.velocity.cramer import LARGEST, solved
 from dhcli.kinematics.velocity.form import GEOMETRIC
 from dhcli.kinematics.velocity.view import joints_between
 from dhcli.notation.scope import Scope
