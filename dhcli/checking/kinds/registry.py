@@ -2,26 +2,18 @@
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import Any
 
 from dhcli.checking.exercise import Question
 from dhcli.checking.kinds.cell import CellQuestion
 from dhcli.checking.kinds.choice import ChoiceQuestion
 from dhcli.checking.kinds.count import CountQuestion
-from dhcli.checking.kinds.determinant import DeterminantQuestion
-from dhcli.checking.kinds.differential import DifferentialQuestion
 from dhcli.checking.kinds.factors import FactorsQuestion
-from dhcli.checking.kinds.jacobian import JacobianQuestion
-from dhcli.checking.kinds.manipulability import ManipulabilityQuestion
 from dhcli.checking.kinds.matrix import MatrixQuestion
 from dhcli.checking.kinds.orientation import OrientationQuestion
-from dhcli.checking.kinds.rank import RankQuestion
-from dhcli.checking.kinds.rates import RatesQuestion
 from dhcli.checking.kinds.scalar import ScalarQuestion
-from dhcli.checking.kinds.singular import SingularQuestion
 from dhcli.checking.kinds.table import TableQuestion
-from dhcli.checking.kinds.torques import TorquesQuestion
-from dhcli.checking.kinds.velocity import VelocityQuestion
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import NotationError, Place, Problem, nearest
 from dhcli.notation.scope import Scope
@@ -38,17 +30,24 @@ KINDS: list[type[Question[Any]]] = [
     OrientationQuestion,
     CountQuestion,
     ChoiceQuestion,
-    JacobianQuestion,
-    DeterminantQuestion,
-    SingularQuestion,
-    RankQuestion,
-    ManipulabilityQuestion,
-    TorquesQuestion,
-    VelocityQuestion,
-    RatesQuestion,
-    DifferentialQuestion,
 ]
 """A new kind is a file beside these, and a line here."""
+
+LATER = {
+    "jacobian": "jacobian.JacobianQuestion",
+    "column": "jacobian.JacobianQuestion",
+    "entry": "jacobian.JacobianQuestion",
+    "determinant": "determinant.DeterminantQuestion",
+    "singular": "singular.SingularQuestion",
+    "rank": "rank.RankQuestion",
+    "manipulability": "manipulability.ManipulabilityQuestion",
+    "torques": "torques.TorquesQuestion",
+    "velocity": "velocity.VelocityQuestion",
+    "angular": "velocity.VelocityQuestion",
+    "joint": "rates.RatesQuestion",
+    "differential": "differential.DifferentialQuestion",
+}
+"""Kinds by their first words that are imported when one is asked: those about motion, which need rooms of their own."""
 
 
 def read_question(text: str, scope: Scope, place: Place | None = None) -> Question[Any]:
@@ -67,7 +66,7 @@ def read_question(text: str, scope: Scope, place: Place | None = None) -> Questi
         raise NotationError(Problem(f"a question of more than {LONGEST} characters is not read", place))
     word = text.split(None, 1)[0] if text else ""
     unknown = text
-    for kind in [kind for kind in KINDS if word in kind.words] or [MatrixQuestion]:  # `0..3` is a pose, too
+    for kind in _kinds(word) or [MatrixQuestion]:  # `0..3` is a pose, too
         try:
             return kind.asked(text, scope, place)
         except NotAskedError as error:  # `entry 1 2` may be of a pose, or of a Jacobian
@@ -77,7 +76,24 @@ def read_question(text: str, scope: Scope, place: Place | None = None) -> Questi
 
 def examples() -> tuple[str, ...]:
     """How each kind is asked."""
-    return tuple(example for kind in KINDS for example in kind.examples)
+    return tuple(example for kind in every_kind() for example in kind.examples)
+
+
+def every_kind() -> tuple[type[Question[Any]], ...]:
+    """All kinds, those too that are imported only when they are asked."""
+    return (*KINDS, *map(_imported, dict.fromkeys(LATER.values())))
+
+
+def _kinds(word: str) -> list[type[Question[Any]]]:
+    """The kinds that a first word may mean."""
+    found = [kind for kind in KINDS if word in kind.words]
+    return [*found, _imported(LATER[word])] if word in LATER else found
+
+
+def _imported(name: str) -> type[Question[Any]]:
+    module, _, kind = name.partition(".")
+    found: type[Question[Any]] = getattr(import_module(f"dhcli.checking.kinds.{module}"), kind)
+    return found
 
 
 def keys() -> tuple[str, ...]:

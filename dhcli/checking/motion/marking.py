@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import partial
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.entries import Entries, Entry, entries_text
 from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.motion.grid import Grid, Numbers, scale_of, typed
+from dhcli.checking.motion.reading import as_read
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.symbolic import about_equal, counterexample, has_decimals, same
 from dhcli.checking.tolerance import is_rounding_of, judge, typed_decimals, without_unit
@@ -69,9 +71,10 @@ def _in_symbols(exercise: Exercise, right: Grid, entries: Entries) -> tuple[Cell
         truth, counted = right.rows[r][c], not right.is_same_for_all(r, c)
         expected, note = write(truth, "short", exercise.writing), ""
         verdict = Verdict.WRONG
-        if same(entry.expr, truth, exercise.values):
+        read = partial(as_read, exercise, right.powers[r][c])
+        if same(entry.expr, truth, exercise.values, exercise):
             verdict = Verdict.RIGHT
-        elif has_decimals(entry.expr) and about_equal(entry.expr, truth, exercise.values):
+        elif has_decimals(entry.typed) and about_equal(entry.typed, truth, exercise, read):
             verdict = Verdict.ROUNDED
         else:
             note = counterexample(entry.expr, truth, exercise)

@@ -8,11 +8,12 @@ from dhcli.checking.commas import comma_remark
 from dhcli.checking.entries import LARGEST, Entries, Entry, check_names
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, without_label
+from dhcli.checking.units import in_metres
 from dhcli.errors import NotationError, Place
 from dhcli.notation.matrix import Cell, parse_matrix
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_length
-from dhcli.notation.tree import Number, multiply
+from dhcli.notation.tree import Expr, Number, multiply
 from dhcli.notation.walk import symbols
 
 _NAMED = re.compile(r"(^|[,;\n])[ \t]{0,9}(?:\\?[^\W\d][\w'_{}]{0,12})[ \t]{0,9}=")
@@ -89,12 +90,24 @@ def _entry(exercise: Exercise, cell: Cell, power: int, place: tuple[int, int]) -
     """One entry in metres; without a unit it is in that of the sheet."""
     where = f"entry ({place[0] + 1},{place[1] + 1})"
     try:
-        expr = to_length(cell.expr)
+        if power != 1 and to_length(cell.expr) != cell.expr:
+            raise UnreadableError(f"{where} is no length: leave its unit out")
+        expr = as_read(exercise, power, cell.expr)
     except DimensionError as error:
         raise UnreadableError(f"{where}: {error.message}") from None
     check_names(exercise, symbols(expr))
-    if expr != cell.expr and power != 1:
-        raise UnreadableError(f"{where} is no length: leave its unit out")
-    if power and expr == cell.expr and not symbols(expr) and exercise.metres != 1:
-        expr = multiply(expr, Number(exercise.metres**power))
     return Entry(expr, cell.text, cell.expr)
+
+
+def as_read(exercise: Exercise, power: int, expr: Expr) -> Expr:
+    """What was typed for an entry that is a power of a length, in metres.
+
+    Raises:
+        DimensionError: It is neither a length nor a number.
+    """
+    if exercise.metres == 1 or not power:
+        return to_length(expr)
+    if power == 1:
+        return to_length(in_metres(expr, exercise.metres, exercise.scope))
+    found = to_length(expr)
+    return found if symbols(found) else multiply(found, Number(exercise.metres**power))

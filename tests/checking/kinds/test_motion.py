@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from dhcli.checking.judge import Judge
+from dhcli.checking.kinds import registry
 from dhcli.checking.kinds.made import question_about
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import DhcliError
@@ -252,3 +253,11 @@ def test_a_half_right_list_earns_a_part() -> None:
     ask = "singular when linear of 0..3"
     assert told("articulated", ask, "s3 = 0").earned == pytest.approx(0.5)
     assert told("articulated", ask, "s3 = 0, c2 = 0").earned == 0
+
+
+def test_kinds_that_are_imported_when_asked_are_known_by_all_their_words() -> None:
+    """A word of a kind that is missing in the table would never be asked."""
+    for kind in registry.every_kind():
+        known = registry.LATER if kind not in registry.KINDS else dict.fromkeys(kind.words)
+        assert set(kind.words) <= known.keys()
+        assert all(example.split()[0] in kind.words for example in kind.examples)
