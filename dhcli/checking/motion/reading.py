@@ -19,6 +19,11 @@ from dhcli.notation.walk import symbols
 _NAMED = re.compile(r"(^|[,;\n])[ \t]{0,9}(?:\\?[^\W\d][\w'_{}]{0,12})[ \t]{0,9}=")
 """What stands before a number of a list: `tau1 =`, `v_x =`."""
 
+_SPEED = re.compile(r"(?<![A-Za-z_])(mm|cm|m) ?/ ?s(?:ec)?(?![\w^])")
+_TURNING = re.compile(r"(?<![A-Za-z_])(rad|deg|°) ?/ ?s(?:ec)?(?![\w^])")
+_FORCE = re.compile(r"(?<=[\d.) ])N(?: ?[·*]? ?m)?(?![\w^])")
+"""Units of rates and forces, which no formula has."""
+
 
 def read_cells(
     exercise: Exercise, powers: tuple[tuple[int, ...], ...], text: str, place: Place | None = None
@@ -37,7 +42,7 @@ def read_cells(
     if len(text) > LARGEST:
         raise UnreadableError(f"the answer has {len(text)} characters, more than the {LARGEST} that are read")
     shape = len(powers), len(powers[0])
-    body = without_label(as_matrix(text, shape))
+    body = _without_units(without_label(as_matrix(text, shape)), powers, exercise)
     refuse_blanks(body)
     place = place or Place("answer")
     try:
@@ -55,6 +60,16 @@ def read_cells(
         tuple(_entry(exercise, cell, powers[r][c], (r, c)) for c, cell in enumerate(row))
         for r, row in enumerate(shaped)
     )
+
+
+def _without_units(body: str, powers: tuple[tuple[int, ...], ...], exercise: Exercise) -> str:
+    """`0.5 rad/s`, `10 N m` and `90 deg/s` as numbers, `40 mm/s` as a length."""
+    if any(1 in row for row in powers):
+        body = _SPEED.sub(r"\1", body)
+    if any(0 in row for row in powers):
+        body = _TURNING.sub(lambda match: "" if match[1] == "rad" else "*pi/180", body)
+        body = body if "N" in exercise.scope.names else _FORCE.sub("", body)
+    return body
 
 
 def _bracketed(body: str, shape: tuple[int, int]) -> str:
@@ -94,7 +109,8 @@ def _entry(exercise: Exercise, cell: Cell, power: int, place: tuple[int, int]) -
             raise UnreadableError(f"{where} is no length: leave its unit out")
         expr = as_read(exercise, power, cell.expr)
     except DimensionError as error:
-        raise UnreadableError(f"{where}: {error.message}") from None
+        wanted = "a length" if power == 1 else "a number"
+        raise UnreadableError(f"{where}: {error.message.replace('a length', wanted)}") from None
     check_names(exercise, symbols(expr))
     return Entry(expr, cell.text, cell.expr)
 

@@ -234,6 +234,21 @@ def parse_number(text: str) -> str:
     return text
 
 
+@pytest.mark.parametrize(
+    ("ask", "answer"),
+    [
+        ("velocity of 0..2 with rates (0.5, -1)", "v_x = 66.65 mm/s, v_y = 0.1441 m/s, 0"),
+        ("angular velocity of 0..2 with rates (0.5, -1)", "0, 0, -28.648 deg/s"),
+        ("angular velocity of 0..2 with rates (0.5, -1)", "0 rad/s, 0, -0.5 rad/s"),
+        ("torques for (0, 10, 0) of 0..2", "tau1 = 4.4867 N m, tau2 = 0.8025 N*m"),
+    ],
+)
+def test_units_of_rates_and_forces_may_stand_behind_numbers(ask: str, answer: str) -> None:
+    """As people write them; where none stands it is that of the sheet, radians and newtons."""
+    mark = told("planar-2r", ask, answer, Q["planar-2r"])
+    assert mark.verdict is Verdict.RIGHT, mark
+
+
 def test_at_a_singular_pose_there_are_no_rates() -> None:
     """An error that says so, and no infinite numbers."""
     judge, part = asked("planar-2r", "joint rates for (0.1, 0, 0) of 0..2", (0.3, 0.0))
