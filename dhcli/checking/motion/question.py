@@ -149,7 +149,9 @@ class MotionQuestion(Question[Entries]):
         return (one.slip for one in self._wrong(case) if case.exercise.numeric and self._is_right(case, one))
 
     def causes(self, case: Case, reading: Reading[Entries]) -> Causes:
-        """Mistakes that give just this answer, the plainest rank of them."""
+        """Mistakes that give just this answer, the plainest first; zeros in numbers have too many reasons."""
+        if case.exercise.numeric and not any(any(row) for row in values_of(reading.value, case.exercise)):
+            return ()
         found = [one for one in self._wrong(case) if self._gives(case, one, reading.value)]
         return tuple((one.slip,) for one in sorted(found, key=lambda one: one.slip.rank))
 
