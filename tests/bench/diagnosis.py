@@ -32,12 +32,19 @@ from dhcli.checking.judge import Judge
 from dhcli.checking.kinds.made import question_about
 from dhcli.checking.kinds.matrix import MatrixQuestion
 from dhcli.checking.kinds.table import TableQuestion
+from dhcli.checking.motion.marking import values_of
+from dhcli.checking.motion.question import MotionQuestion
+from dhcli.checking.symbolic import same as equal
 from dhcli.checking.verdicts import Verdict
+from dhcli.errors import DhcliError
 from dhcli.files.library.lookup import Kind, entries
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import joint_values
 
 UNSOLVED = (Verdict.WRONG, Verdict.CLOSE)
+
+NEAR = 2e-3
+"""Answers in numbers that differ by no more than this share of the largest entry are one, twice the tolerance."""
 
 
 @dataclass
@@ -86,6 +93,25 @@ def parts() -> Iterator[tuple[str, Judge, Part]]:
                 continue
             exercise = about(robot, numeric=numeric)
             yield ("robots, numbers" if numeric else "robots, symbols"), Judge(exercise), exercise.parts[0]
+            yield from motions(robot, exercise)
+
+
+def motions(robot: Robot, exercise: Exercise) -> Iterator[tuple[str, Judge, Part]]:
+    """The Jacobian of a robot, and the torques and rates of its joints, as exercises."""
+    span = f"of {robot.frames[1]}..{robot.frames[-2]}"
+    for ask in (
+        f"jacobian {span}",
+        f"torques for (3, -2, 5) moment (1, 2, -1) {span}",
+        f"joint rates for (0.1, 0.2, 0.3) {span}",
+    ):
+        kind = f"{ask.split()[0]}, {'numbers' if exercise.numeric else 'symbols'}"
+        try:
+            asked = question_about(robot, ask, numeric=exercise.numeric, given=exercise.given)
+            judge = Judge(asked)
+            judge.expected(asked.parts[0])
+        except DhcliError:  # no joint, or no square matrix
+            continue
+        yield kind, judge, asked.parts[0]
 
 
 def about(robot: Robot, *, numeric: bool) -> Exercise:
@@ -153,6 +179,8 @@ def in_terms(judge: Judge, part: Part, tally: Tally, draw: random.Random) -> Non
 
 def agree(judge: Judge, part: Part, answer: str, other: str) -> bool:
     """Whether two answers say the same: to the digits typed, or as expressions."""
+    if isinstance(part.question, MotionQuestion):
+        return same_grid(judge, part, answer, other)
     if answer == other or not isinstance(part.question, MatrixQuestion):
         return answer == other or judge.mark(part, answer).reading == judge.mark(part, other).reading
     case = Case(part, judge.memo)
@@ -161,6 +189,22 @@ def agree(judge: Judge, part: Part, answer: str, other: str) -> bool:
         return False
     slack = tuple(tuple(2 * limit for limit in row) for row in first.slacks[0])  # both have been rounded
     return all(matches(a, b, slack) for a, b in zip(first.values, second.values, strict=True))
+
+
+def same_grid(judge: Judge, part: Part, answer: str, other: str) -> bool:
+    """Whether two answers about motion say the same: within the tolerance, or as expressions."""
+    case = Case(part, judge.memo)
+    first, second = (part.question.read(case, text) for text in (answer, other))
+    exercise = judge.exercise
+    if not exercise.numeric:
+        return all(
+            equal(a.expr, b.expr, exercise.values)
+            for r, s in zip(first, second, strict=True)
+            for a, b in zip(r, s, strict=True)
+        )
+    one, two = values_of(first, exercise), values_of(second, exercise)
+    size = max(abs(value) for row in (*one, *two) for value in row)
+    return all(abs(a - b) <= NEAR * size for r, s in zip(one, two, strict=True) for a, b in zip(r, s, strict=True))
 
 
 def pairs(judge: Judge, part: Part, tally: Tally, count: int, draw: random.Random) -> None:

@@ -261,6 +261,19 @@ def test_velocities_in_letters_name_the_rates(dhcli: Run) -> None:
     assert "ω_z = dtheta1 + dtheta2 rad/s\n" in out
 
 
+def test_joint_rates_for_a_velocity_come_in_letters(dhcli: Run) -> None:
+    """Over the determinant in factors, along any axes; not where there are more joints, nor for what none can give."""
+    out = dhcli("rates", "planar-2r", "--symbolic", "--velocity", "v_x,v_y,0", "--in", "2").out
+    assert out.startswith("Joint rates of planar-2r")
+    assert "theta1' = v_x/(a1*s2) rad/s\n" in out
+    out = dhcli("rates", "articulated", "--symbolic", "--velocity", "v_x,0,0", "--in", "1").out
+    assert "theta3' = -v_x*(a2*c2 + a3*c23)/(a2*a3*s3) rad/s\n" in out
+    done = dhcli("rates", "planar-2r", "--symbolic", "--velocity", "1,0,1")
+    assert (done.code, "no joint gives v_z" in done.err) == (2, True)
+    done = dhcli("rates", "puma560", "--symbolic", "--velocity", "1,0,0")
+    assert (done.code, "in letters only square ones" in done.err) == (2, True)
+
+
 @pytest.mark.parametrize("command", ["torques", "rates"])
 @pytest.mark.parametrize("format_", ["latex", "matlab", "numpy", "sympy", "csv"])
 def test_torques_and_rates_come_in_every_format(dhcli: Run, command: str, format_: str) -> None:
@@ -312,7 +325,7 @@ def test_torques_and_rates_come_in_every_format(dhcli: Run, command: str, format
         ("rates planar-2r --pose zero --rates 1m/s,2", "1m/s is in m/s, and rad/s is wanted"),
         ("rates planar-2r --pose zero --velocity nan,0,0", "nan is no number"),
         ("rates planar-2r --pose zero --velocity 1,0,0 --rates 1,2", "--rates does not go with a velocity"),
-        ("rates planar-2r --pose zero --velocity 1,0,0 -s", "--symbolic does not go with a velocity"),
+        ("rates planar-2r --damped 0.1 --velocity 1,0,0 -s", "--symbolic does not go with --damped"),
         ("rates planar-2r --pose zero --rates 1,2 --damped 0.1", "--damped is about joint rates for a velocity"),
         ("rates planar-2r --pose zero --velocity 1,0,0 --damped nan", "damping is 0 or a positive number"),
         ("rates planar-2r --pose zero --velocity 1,0,0 --damped -1", "damping is 0 or a positive number"),

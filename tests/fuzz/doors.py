@@ -155,7 +155,7 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("ik", "scara", "--in", "poses.csv", "--each", "first"),
     ("ik", "scara", "--in", "poses.csv", "--skip-bad"),
     ("ik", "scara", "--in", "poses.csv", "--follow", "--near", "zero"),
-    ("check", "planar-2r", "--ik", "--target", "Trans(0.5,0.3,0)", "--answer", "10, 20"),
+    ("check", "planar-2r", "--ik", "--target", "Trans(0.7,0,0)", "--answer", "10, 20"),
     ("check", "planar-2r", "--ik", "--position", "0.5,0.3,0", "--branch", "elbow up", "--answer", "10, 20"),
     ("dof", "6-UPS", "--format", "json"),
     ("dof", "loop 4R", "--tol", "1e-3"),

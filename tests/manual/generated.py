@@ -53,6 +53,7 @@ def _help_of(*words: str) -> list[str]:
 def mistakes_page() -> str:
     """Every mistake that dhcli knows, by name."""
     from dhcli.checking.diagnosis.mistakes import EVERY
+    from dhcli.checking.motion.mistakes import IN_COLUMNS
 
     lines = [
         "# Mistakes by name",
@@ -64,6 +65,16 @@ def mistakes_page() -> str:
         "|---|---|",
     ]
     lines += [f"| `{one.id}` | {_words(one.words)} |" for one in EVERY]
+    lines += [
+        "",
+        "In the columns of a Jacobian, and so in its determinant, in torques, velocities and rates; the place behind",
+        "the name is a joint or a frame, `joint-kind d3`, `in-frame 2`. `dhcli lint` lists those of a part that a",
+        "misspelled name could mean.",
+        "",
+        "| name | what has happened |",
+        "|---|---|",
+    ]
+    lines += [f"| `{one.id}` | {_words(one.words)} |" for one in IN_COLUMNS]
     return "\n".join([*lines, ""])
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import Any
 
 from dhcli.checking.exercise import Question
@@ -39,6 +40,22 @@ KINDS: list[type[Question[Any]]] = [
 ]
 """A new kind is a file beside these, and a line here."""
 
+LATER = {
+    "jacobian": "jacobian.JacobianQuestion",
+    "column": "jacobian.JacobianQuestion",
+    "entry": "jacobian.JacobianQuestion",
+    "determinant": "determinant.DeterminantQuestion",
+    "singular": "singular.SingularQuestion",
+    "rank": "rank.RankQuestion",
+    "manipulability": "manipulability.ManipulabilityQuestion",
+    "torques": "torques.TorquesQuestion",
+    "velocity": "velocity.VelocityQuestion",
+    "angular": "velocity.VelocityQuestion",
+    "joint rates": "rates.RatesQuestion",
+    "differential": "differential.DifferentialQuestion",
+}
+"""Kinds by their first words that are imported when one is asked: those about motion, which need rooms of their own."""
+
 
 def read_question(text: str, scope: Scope, place: Place | None = None) -> Question[Any]:
     """Read the text that asks a question.
@@ -54,18 +71,39 @@ def read_question(text: str, scope: Scope, place: Place | None = None) -> Questi
     text = text.strip()
     if len(text) > LONGEST:
         raise NotationError(Problem(f"a question of more than {LONGEST} characters is not read", place))
-    first = text.split(None, 2)
-    words = (" ".join(first[:2]), first[0]) if first else ()  # `count solutions` comes before `count`
-    kind = next((kind for word in words for kind in KINDS if word in kind.words), MatrixQuestion)  # `0..3` is a pose
-    try:
-        return kind.asked(text, scope, place)
-    except NotAskedError as error:
-        raise _unknown(error.text, place) from None
+    unknown = text
+    for kind in _kinds(text.split(None, 2)) or [MatrixQuestion]:  # `0..3` is a pose, too
+        try:
+            return kind.asked(text, scope, place)
+        except NotAskedError as error:  # `entry 1 2` may be of a pose, or of a Jacobian
+            unknown = error.text
+    raise _unknown(unknown, place)
 
 
 def examples() -> tuple[str, ...]:
     """How each kind is asked."""
-    return tuple(example for kind in KINDS for example in kind.examples)
+    return tuple(example for kind in every_kind() for example in kind.examples)
+
+
+def every_kind() -> tuple[type[Question[Any]], ...]:
+    """All kinds, those too that are imported only when they are asked."""
+    return (*KINDS, *map(_imported, dict.fromkeys(LATER.values())))
+
+
+def _kinds(words: list[str]) -> list[type[Question[Any]]]:
+    """The kinds that the first words may mean: `count solutions` before `count`."""
+    starts = (" ".join(words[:2]), *words[:1])
+    found: list[type[Question[Any]]] = []
+    for start in starts:
+        found += [kind for kind in KINDS if start in kind.words]
+        found += [_imported(LATER[start])] if start in LATER else []
+    return found
+
+
+def _imported(name: str) -> type[Question[Any]]:
+    module, _, kind = name.partition(".")
+    found: type[Question[Any]] = getattr(import_module(f"dhcli.checking.kinds.{module}"), kind)
+    return found
 
 
 def keys() -> tuple[str, ...]:
@@ -74,7 +112,7 @@ def keys() -> tuple[str, ...]:
 
 
 def _unknown(text: str, place: Place | None) -> NotationError:
-    if text.startswith("entry 4"):
+    if text.startswith("entry 4") and "jacobian" not in text:
         return NotationError(Problem("the bottom row of a pose is 0 0 0 1 for everybody", place, "ask for rows 1 to 3"))
     known = {example.split()[0]: example for example in examples()}
     similar = nearest(text.split(None, 1)[0] if text else "", known)

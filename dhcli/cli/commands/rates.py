@@ -77,13 +77,14 @@ def rates(
     from dhcli.cli.shell.vectors import SPEED, TURNING, rates_of, vector_of
     from dhcli.errors import DhcliError
     from dhcli.files.yaml.robots import load_robot
-    from dhcli.kinematics.velocity.asked import answer_rates, answer_velocity
+    from dhcli.kinematics.velocity.asked import answer_rates, answer_symbolic_rates, answer_velocity
     from dhcli.kinematics.velocity.jacobian import moving_joints
 
     wanted = velocity is not None or angular is not None
-    if wanted and (rates_ is not None or symbolic):
-        other = "--rates" if rates_ is not None else "--symbolic"
-        raise DhcliError(f"{other} does not go with a velocity", "joint rates for a velocity are numbers: leave it out")
+    if wanted and rates_ is not None:
+        raise DhcliError("--rates does not go with a velocity", "it is the other way: leave it out")
+    if symbolic and damped is not None:
+        raise DhcliError("--symbolic does not go with --damped", "damped rates are numbers: leave one out")
     if damped is not None and not wanted:
         raise DhcliError("--damped is about joint rates for a velocity", "give --velocity VX,VY,VZ")
     delivery = Delivery("rates", format_, digits, style, output, force)
@@ -94,7 +95,10 @@ def rates(
     if wanted:
         linear = None if velocity is None else vector_of(velocity, "--velocity", SPEED, arm)
         turning = None if angular is None else vector_of(angular, "--angular", TURNING, arm)
-        result = answer_rates(arm, values, view, (linear, turning), damped or 0.0)
+        if symbolic:
+            result = answer_symbolic_rates(arm, values, view, linear, turning)
+        else:
+            result = answer_rates(arm, values, view, (linear, turning), damped or 0.0)
     else:
         given = None if rates_ is None else rates_of(rates_, arm, moving_joints(arm, view))
         result = answer_velocity(arm, values, view, given, symbolic=symbolic)

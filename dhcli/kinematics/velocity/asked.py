@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, TypeAlias
 from dhcli.errors import RobotError
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values, warnings
-from dhcli.kinematics.velocity.form import GEOMETRIC, Form
+from dhcli.kinematics.velocity.form import GEOMETRIC, Form, Which
 from dhcli.kinematics.velocity.jacobian import Jacobian, numeric_jacobian, textbook_jacobian
 from dhcli.kinematics.velocity.statics import Torques, Wrench, numeric_torques, product, textbook_torques
 from dhcli.kinematics.velocity.view import MotionView
@@ -104,6 +104,7 @@ class VelocityAnswer:
         velocity: The velocity that they give.
         solved: How the rates were found, if a velocity was given.
         warnings: What a person should know all the same.
+        for_velocity: Whether the velocity was given, and the rates are what was asked for.
     """
 
     robot: Robot
@@ -115,6 +116,7 @@ class VelocityAnswer:
     velocity: tuple[float, ...] | tuple[Expr, ...]
     solved: Rates | None = None
     warnings: tuple[str, ...] = ()
+    for_velocity: bool = False
 
 
 def answer_jacobian(
@@ -212,8 +214,49 @@ def answer_rates(
     solved = rates_at(robot, values, view, linear, angular, damping)
     said = (*warnings(robot, values), *solved.warnings)
     return VelocityAnswer(
-        robot, values, view, solved.joints, solved.values, solved.labels, solved.reached, solved, said
+        robot,
+        values,
+        view,
+        solved.joints,
+        solved.values,
+        solved.labels,
+        solved.reached,
+        solved,
+        said,
+        for_velocity=True,
     )
+
+
+def answer_symbolic_rates(
+    robot: Robot, values: Values, view: MotionView, linear: Sequence[Expr] | None, angular: Sequence[Expr] | None
+) -> VelocityAnswer:
+    """The joint rates for a velocity in symbols, of an arm with as many joints as rows that they can move.
+
+    Raises:
+        RobotError: It has more or fewer, or more than are written out, or is singular everywhere.
+    """
+    from dhcli.kinematics.singular.neat import neat_determinant
+    from dhcli.kinematics.velocity.cramer import LARGEST, solved
+
+    found = textbook_jacobian(robot, values, view)
+    wanted = (*(linear or ()), *(angular or ()))
+    rows = found.rows[: None if angular is not None else 3] if linear is not None else found.rows[3:]
+    labels = found.labels[: None if angular is not None else 3] if linear is not None else found.labels[3:]
+    kept = [k for k, row in enumerate(rows) if any(entry != ZERO for entry in row)]
+    joints = len(found.joints)
+    if len(kept) != joints or joints > LARGEST:
+        message = (
+            f"{joints} joints and {len(kept)} rows that they can move: in letters only square ones up to {LARGEST}"
+        )
+        raise RobotError(message, "leave --symbolic out")
+    for k in set(range(len(rows))) - set(kept):
+        if wanted[k] != ZERO:
+            raise RobotError(f"no joint gives {labels[k]}, which is to be {wanted[k]}", "write 0 for it")
+    part: Which = "angular" if linear is None else "linear" if angular is None else "all"
+    square = [rows[k] for k in kept]
+    rates = solved(square, [wanted[k] for k in kept], neat_determinant(robot, view, part, values, square))
+    said = tuple(warnings(robot, values))
+    return VelocityAnswer(robot, values, view, found.joints, rates, labels, wanted, None, said, for_velocity=True)
 
 
 def answer_singularities(

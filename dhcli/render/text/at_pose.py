@@ -29,6 +29,8 @@ def at_pose_table(result: MobilityAtPose, look: Look) -> str:
         lines.append(paper.spell(f"  {factor.text('short', result.robot.writing)}: {factor.words}"))
         if factor.lost:
             lines.append(paper.spell(f"    lost: {factor.lost}"))
+    if result.lost:
+        lines.append(f"  where else it loses freedoms: dhcli singularities {result.robot.name}")
     return mobility_table(result.mobility, look) + "\n" + "\n".join(lines) + "\n"
 
 

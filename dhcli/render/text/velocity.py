@@ -131,7 +131,7 @@ def velocity_table(result: VelocityAnswer, look: Look) -> str:
     paper, joints = look.paper, result.robot.writing
     view = result.view
     between = f"{frame_words(view.end)} against {frame_words(view.start)}"
-    head = f"{TITLES[result.solved is not None]} of {result.robot.name}: {between}"
+    head = f"{TITLES[result.for_velocity]} of {result.robot.name}: {between}"
     lines = [paper.ink(paper.spell(head), "bold")]
     said = [f"v of {point_words(view, joints, look.style or 'short')}", f"along the axes of {frame_words(view.axes)}"]
     lines += context(result.robot, result.values, said, look)

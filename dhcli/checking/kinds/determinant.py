@@ -1,0 +1,97 @@
+"""`determinant of jacobian`: where it is zero the arm loses a motion."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import ClassVar, Self
+
+from dhcli.algebra.equality import equal
+from dhcli.checking.diagnosis.result import Rank, Slip
+from dhcli.checking.exercise import Case, Exercise, Shown
+from dhcli.checking.motion.asked import Motion
+from dhcli.checking.motion.columns import jacobian_grid
+from dhcli.checking.motion.grid import Grid
+from dhcli.checking.motion.mistakes import made
+from dhcli.checking.motion.question import MotionQuestion
+from dhcli.checking.motion.task import columns_for, found_for, kept_rows, read_task, square
+from dhcli.errors import Place
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.velocity.cramer import LARGEST, determinant
+from dhcli.kinematics.velocity.form import GEOMETRIC, Form
+from dhcli.notation.scope import Scope
+from dhcli.notation.tree import ZERO, Expr, multiply, negate, power
+from dhcli.notation.writer import write
+
+
+@dataclass(frozen=True, slots=True)
+class DeterminantQuestion(MotionQuestion):
+    """The determinant of a Jacobian, of the rows that the joints can move.
+
+    Attributes:
+        motion: Of which frame and point.
+        form: All rows, or those of v or ω.
+    """
+
+    motion: Motion
+    form: Form = GEOMETRIC
+
+    words: ClassVar = ("determinant",)
+    examples: ClassVar = ("determinant of jacobian linear of 0..3",)
+
+    @classmethod
+    def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
+        """`determinant of jacobian linear of 0..3`."""
+        return cls(*read_task("determinant", text, scope, place))
+
+    def check(self, robot: Robot | None) -> None:
+        square(*self.motion.check(robot), self.form)
+
+    def size(self, _robot: Robot) -> tuple[int, int]:
+        return 1, 1
+
+    @property
+    def in_rows(self) -> bool:
+        return False
+
+    def describe(self, exercise: Exercise) -> str:
+        rows = ", ".join(square(*self.motion.check(exercise.robot), self.form).rows)
+        return f"the determinant of the Jacobian {self.motion.where}, rows {rows}"
+
+    def computed(self, case: Case) -> Grid:
+        return self._one(case, found_for(case, self.motion, self.form).determinant or ZERO)
+
+    def _one(self, case: Case, value: Expr) -> Grid:
+        columns, kept = columns_for(case, self.motion), kept_rows(found_for(case, self.motion, self.form))
+        slides = sum(not column.turns for column in columns.each)
+        lengths = sum(k < 3 for k in kept) - slides  # noqa: PLR2004  the rows of v
+        return Grid(((value,),), ((max(0, lengths),),))
+
+    def wrong(self, case: Case) -> Iterator[tuple[Slip, Grid]]:
+        found = found_for(case, self.motion, self.form)
+        right, kept = found.determinant or ZERO, kept_rows(found)
+        yield Slip("sign", "the sign is turned round", "look at the sign", Rank.WHOLE), self._one(case, negate(right))
+        for factor in found.factors:
+            text = write(factor.zeros[0], "short", found.writing)
+            slip = Slip(f"factor-forgotten {text}", f"the factor {text} is missing", "go through the factors")
+            yield slip, self._one(case, multiply(right, power(factor.zeros[0], -factor.exponent)))
+        if len(kept) > LARGEST:
+            return
+        columns = columns_for(case, self.motion)
+        words = "every second product is added instead of taken away"
+        slip = Slip("signs-of-minors", words, "which signs have the products of a determinant?", Rank.WHOLE)
+        yield slip, self._one(case, determinant(columns.cut(kept), signed=False))
+        for slip, changed in made(columns):
+            value = determinant(changed.cut(kept))
+            if not equal(value, ZERO):  # to which many mistakes lead
+                yield slip, self._one(case, value)
+
+    def steps(self, case: Case) -> Iterable[Shown]:
+        found, columns = found_for(case, self.motion, self.form), columns_for(case, self.motion)
+        values = case.exercise.values if case.exercise.numeric else None
+        form = Form(found.part)
+        yield self.shown(case, f"The Jacobian, rows {', '.join(form.labels)}", jacobian_grid(columns, form, values))
+        if len(found.rows) < len(form.labels):
+            yield Shown(f"No joint moves the other rows, so that {', '.join(found.rows)} are left")
+        if found.determinant is not None and case.exercise.numeric:
+            yield Shown(f"In symbols it is {write(found.determinant, 'short', found.writing)}")

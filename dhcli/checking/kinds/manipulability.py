@@ -1,0 +1,107 @@
+"""`manipulability of`: Yoshikawa's w = √det(J Jᵀ) where an arm stands."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import ClassVar, Self
+
+from dhcli.checking.diagnosis.result import Rank, Slip
+from dhcli.checking.exercise import Case, Exercise, Shown
+from dhcli.checking.motion.asked import Motion
+from dhcli.checking.motion.columns import Columns, jacobian_grid
+from dhcli.checking.motion.grid import Grid, exact
+from dhcli.checking.motion.linear import determinant_of
+from dhcli.checking.motion.mistakes import made
+from dhcli.checking.motion.question import MotionQuestion
+from dhcli.checking.motion.task import columns_for, found_for, kept_rows, read_task, values_in
+from dhcli.errors import Place, RobotError
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.velocity.form import GEOMETRIC, Form
+from dhcli.notation.scope import Scope
+
+LEAST = 1e-6
+"""A volume below this share of the right one is none."""
+
+
+@dataclass(frozen=True, slots=True)
+class ManipulabilityQuestion(MotionQuestion):
+    """The manipulability of an arm where it stands, in numbers.
+
+    Attributes:
+        motion: Of which frame and point.
+        form: All rows, or those of v or ω.
+    """
+
+    motion: Motion
+    form: Form = GEOMETRIC
+
+    words: ClassVar = ("manipulability",)
+    examples: ClassVar = ("manipulability of jacobian linear of 0..3",)
+
+    @classmethod
+    def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
+        """`manipulability of jacobian linear of 0..3`."""
+        return cls(*read_task("manipulability", text, scope, place))
+
+    def check(self, robot: Robot | None) -> None:
+        self.motion.check(robot)
+
+    def size(self, _robot: Robot) -> tuple[int, int]:
+        return 1, 1
+
+    @property
+    def in_rows(self) -> bool:
+        return False
+
+    def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
+        robot, _ = self.motion.check(exercise.robot)
+        return tuple(name for name in (*robot.variables, *robot.parameters) if name not in exercise.values)
+
+    def describe(self, _exercise: Exercise) -> str:
+        part = {"all": "", "linear": ", rows v", "angular": ", rows ω"}[self.form.part]
+        return f"the manipulability w = √det(J Jᵀ) {self.motion.where}{part}, a number"
+
+    def computed(self, case: Case) -> Grid:
+        if not case.exercise.numeric:
+            raise RobotError("manipulability is asked in numbers", "numeric: true")
+        return self._one(case, self._volume(case, columns_for(case, self.motion)))
+
+    def _kept(self, case: Case) -> tuple[int, ...]:
+        return kept_rows(found_for(case, self.motion, self.form))
+
+    def _one(self, case: Case, value: float, times: int = 1) -> Grid:
+        columns, kept = columns_for(case, self.motion), self._kept(case)
+        lengths = min(len(kept), len(columns.each)) - sum(not column.turns for column in columns.each)
+        lengths = 0 if kept[0] > 2 else min(lengths, sum(k < 3 for k in kept))  # noqa: PLR2004  the rows of v
+        return Grid(((exact(value),),), ((max(0, lengths) * times,),))
+
+    def _volume(self, case: Case, columns: Columns) -> float:
+        rows = values_in(case, columns, self._kept(case))
+        if len(rows) > len(rows[0]):
+            rows = tuple(zip(*rows, strict=True))
+        squares = [[sum(a * b for a, b in zip(one, other, strict=True)) for other in rows] for one in rows]
+        return math.sqrt(max(0.0, determinant_of(squares)))
+
+    def wrong(self, case: Case) -> Iterator[tuple[Slip, Grid]]:
+        columns = columns_for(case, self.motion)
+        right = self._volume(case, columns)
+        powers = self.right(case).powers
+        slip = Slip("root-forgotten", "this is det(J Jᵀ), without the root", "w is a root", Rank.WHOLE)
+        yield slip, Grid(((exact(right**2),),), powers)
+        slip = Slip("reciprocal", "this is 1/w", "is it large or small near a singular pose?", Rank.WHOLE)
+        if right:
+            yield slip, Grid(((exact(1 / right),),), powers)
+        for slip, changed in made(columns):
+            value = self._volume(case, changed)
+            if value > LEAST * right:  # 0 has many reasons
+                yield slip, self._one(case, value)
+
+    def steps(self, case: Case) -> Iterable[Shown]:
+        columns, found = columns_for(case, self.motion), found_for(case, self.motion, self.form)
+        form = Form(found.part)
+        text = f"The Jacobian, rows {', '.join(form.labels)}"
+        yield self.shown(case, text, jacobian_grid(columns, form, case.exercise.values))
+        if len(found.rows) == len(found.joints):
+            yield Shown("With as many joints as rows w is the size of the determinant")

@@ -1,0 +1,99 @@
+"""`rank of jacobian`: how many independent motions an arm has where it stands."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import ClassVar, Self
+
+from dhcli.checking.diagnosis.result import Rank, Slip
+from dhcli.checking.entries import Entries
+from dhcli.checking.exercise import Case, Exercise, Shown
+from dhcli.checking.motion.asked import Motion
+from dhcli.checking.motion.columns import jacobian_grid
+from dhcli.checking.motion.grid import Grid
+from dhcli.checking.motion.linear import rank
+from dhcli.checking.motion.question import MotionQuestion
+from dhcli.checking.motion.task import columns_for, read_task, values_in
+from dhcli.checking.pasted import UnreadableError
+from dhcli.errors import Place
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.velocity.form import GEOMETRIC, Form
+from dhcli.notation.scope import Scope
+from dhcli.notation.tree import Number, number
+
+ROWS = {"all": range(6), "linear": range(3), "angular": range(3, 6)}
+
+
+@dataclass(frozen=True, slots=True)
+class RankQuestion(MotionQuestion):
+    """The rank of a Jacobian, at the values given or at almost all.
+
+    Attributes:
+        motion: Of which frame and point.
+        form: All rows, or those of v or ω.
+    """
+
+    motion: Motion
+    form: Form = GEOMETRIC
+
+    words: ClassVar = ("rank",)
+    examples: ClassVar = ("rank of jacobian of 0..6",)
+    is_plain: ClassVar = True
+
+    @classmethod
+    def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
+        """`rank of jacobian linear of 0..3`."""
+        return cls(*read_task("rank", text, scope, place))
+
+    def check(self, robot: Robot | None) -> None:
+        self.motion.check(robot)
+
+    def size(self, _robot: Robot) -> tuple[int, int]:
+        return 1, 1
+
+    @property
+    def in_rows(self) -> bool:
+        return False
+
+    def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
+        robot, _ = self.motion.check(exercise.robot)
+        used = (*robot.variables, *robot.parameters)
+        return tuple(name for name in used if name not in exercise.values) if exercise.numeric else ()
+
+    def describe(self, exercise: Exercise) -> str:
+        where = "at the values given" if exercise.numeric else "at almost all joint values"
+        return (
+            f"the rank of the Jacobian {self.motion.where}, rows {', '.join(self.form.labels)}, {where}: a whole number"
+        )
+
+    def read(self, case: Case, text: str, place: Place | None = None) -> Entries:
+        entries = MotionQuestion.read(self, case, text, place)
+        typed = entries[0][0].expr
+        if not isinstance(typed, Number) or typed.value.denominator != 1:
+            raise UnreadableError("a rank is a whole number")
+        return entries
+
+    def computed(self, case: Case) -> Grid:
+        return _one(rank(values_in(case, columns_for(case, self.motion), ROWS[self.form.part])))
+
+    def wrong(self, case: Case) -> Iterator[tuple[Slip, Grid]]:
+        columns, rows = columns_for(case, self.motion), ROWS[self.form.part]
+        full = min(len(columns.each), sum(k in rows for k in columns.moved))
+        right = rank(values_in(case, columns, rows))
+        hint = "count the columns that cannot be made of the others"
+        yield Slip("full-rank", "this is the rank away from singular poses", hint, Rank.WHOLE), _one(full)
+        yield Slip("rows-counted", "this counts the rows", hint, Rank.WHOLE), _one(len(rows))
+        yield Slip("joints-counted", "this counts the joints", hint, Rank.WHOLE), _one(len(columns.each))
+        yield Slip("loss-counted", "this counts the motions that are lost", hint, Rank.WHOLE), _one(full - right)
+
+    def steps(self, case: Case) -> Iterable[Shown]:
+        columns = columns_for(case, self.motion)
+        values = case.exercise.values if case.exercise.numeric else None
+        form = Form(self.form.part)
+        yield self.shown(case, f"The Jacobian, rows {', '.join(form.labels)}", jacobian_grid(columns, form, values))
+        yield Shown("The rank is the number of columns of which none can be made of the others")
+
+
+def _one(value: int) -> Grid:
+    return Grid(((number(value),),), ((0,),))

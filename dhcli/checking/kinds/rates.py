@@ -1,0 +1,166 @@
+"""`joint rates for (0.1, 0, 0)`: how fast the joints must move for a velocity of the end."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import ClassVar, Self
+
+from dhcli.algebra.floats import Floats
+from dhcli.checking.diagnosis.result import Rank, Slip
+from dhcli.checking.exercise import Case, Exercise, Shown
+from dhcli.checking.motion.asked import Motion, read_motion, three
+from dhcli.checking.motion.columns import Columns, columns_of, combined, jacobian_grid, plain
+from dhcli.checking.motion.grid import Grid, over
+from dhcli.checking.motion.linear import solution
+from dhcli.checking.motion.mistakes import made
+from dhcli.checking.motion.question import MotionQuestion, axes_step
+from dhcli.checking.motion.task import columns_for
+from dhcli.checking.wanted import NotAskedError
+from dhcli.errors import DhcliError, Place, RobotError
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.singular.neat import neat_determinant
+from dhcli.kinematics.values import numbers
+from dhcli.kinematics.velocity.cramer import LARGEST, solved
+from dhcli.kinematics.velocity.form import Form, Which
+from dhcli.kinematics.velocity.view import joints_between
+from dhcli.notation.names import natural_key
+from dhcli.notation.scope import Scope
+from dhcli.notation.tree import PI, Expr, multiply, number, power
+from dhcli.notation.walk import symbols
+from dhcli.notation.writer import write
+
+_HEAD = re.compile(
+    r"joint\s+rates\s+for\s*(?P<linear>\([^()]*(?:\([^()]*\)[^()]*)*\))?(?:\s*angular\s*(?P<angular>\(.*\)))?"
+)
+
+
+@dataclass(frozen=True, slots=True)
+class RatesQuestion(MotionQuestion):
+    """The joint rates for a velocity, an angular velocity or both, of an arm with as many joints as they have rows.
+
+    Attributes:
+        motion: Of which frame and point, along which axes.
+        linear: The velocity [m/s]; None where any will do.
+        angular: The angular velocity [rad/s]; None where any will do.
+    """
+
+    motion: Motion
+    linear: tuple[Expr, Expr, Expr] | None
+    angular: tuple[Expr, Expr, Expr] | None = None
+
+    words: ClassVar = ("joint rates",)
+    examples: ClassVar = (
+        "joint rates for (0.1, 0, 0) of 0..3",
+        "joint rates for (v_x, v_y, 0) angular (0, 0, 1) of 0..6",
+    )
+
+    @classmethod
+    def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
+        """`joint rates for (0.1, 0, 0) of 0..3`."""
+        motion = read_motion(text, scope, place)
+        match = _HEAD.fullmatch(motion.head)
+        if match is None or motion.rates is not None or not (match["linear"] or match["angular"]):
+            raise NotAskedError(text)
+        linear, angular = (three(match[part], scope, place) if match[part] else None for part in ("linear", "angular"))
+        return cls(motion, linear, angular)
+
+    def check(self, robot: Robot | None) -> None:
+        robot, view = self.motion.check(robot)
+        kept, joints = self._kept(columns_of(robot, view)), joints_between(robot, view.start, view.end)
+        if len(kept) != len(joints):
+            raise RobotError(
+                f"{len(joints)} joints cannot make every velocity of {len(kept)} numbers, or in more than one way",
+                "ask for the velocity or the angular velocity alone",
+            )
+
+    @property
+    def _part(self) -> Which:
+        return "angular" if self.linear is None else "linear" if self.angular is None else "all"
+
+    def _kept(self, columns: Columns) -> tuple[int, ...]:
+        wanted = {"all": range(6), "linear": range(3), "angular": range(3, 6)}[self._part]
+        return tuple(k for k in columns.moved if k in wanted)
+
+    def _asked(self, kept: Sequence[int]) -> list[Expr]:
+        six = (*(self.linear or (number(0),) * 3), *(self.angular or (number(0),) * 3))
+        return [six[k] for k in kept]
+
+    def size(self, robot: Robot) -> tuple[int, int]:
+        view = self.motion.view(robot)
+        return len(joints_between(robot, view.start, view.end)), 1
+
+    @property
+    def names(self) -> frozenset[str]:
+        return frozenset().union(*map(symbols, (*(self.linear or ()), *(self.angular or ()))))
+
+    def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
+        robot, view = self.motion.check(exercise.robot)
+        named = Grid(columns_of(robot, view).cut(range(6)), ()).names | self.names
+        return tuple(sorted(named - exercise.values.keys(), key=natural_key))
+
+    def describe(self, _exercise: Exercise) -> str:
+        said = []
+        for name, vector in (("velocity", self.linear), ("angular velocity", self.angular)):
+            if vector is not None:
+                said.append(f"the {name} ({', '.join(map(write, vector))})")
+        return f"the joint rates for {' and '.join(said)} {self.motion.where}, one for each joint"
+
+    def computed(self, case: Case) -> Grid:
+        if missing := self.unvalued(case.exercise) if case.exercise.numeric else ():
+            raise RobotError(
+                f"{case.exercise.id} asks for numbers, and has no value for {', '.join(missing)}", "given:"
+            )
+        return self._solved(case, columns_for(case, self.motion), is_right=True)
+
+    def _solved(self, case: Case, columns: Columns, *, is_right: bool = False) -> Grid:
+        """The rates by which columns give the velocity."""
+        exercise, kept = case.exercise, self._kept(columns_for(case, self.motion))
+        rows, asked = columns.cut(kept), self._asked(kept)
+        if exercise.numeric:
+            arithmetic = Floats(numbers(exercise.values))
+            return self._column(
+                columns, plain(solution(over(rows, arithmetic), [arithmetic.value(one) for one in asked]))
+            )
+        if len(kept) > LARGEST:
+            raise RobotError(f"rates of {len(kept)} joints are too long in symbols", "numeric: true")
+        whole = neat_determinant(columns.robot, columns.view, self._part, {}, rows) if is_right else None
+        return self._column(columns, solved(rows, asked, whole))
+
+    @staticmethod
+    def _column(columns: Columns, entries: Iterable[Expr]) -> Grid:
+        return Grid(tuple((one,) for one in entries), tuple((int(not one.turns),) for one in columns.each))
+
+    def wrong(self, case: Case) -> Iterator[tuple[Slip, Grid]]:
+        columns = columns_for(case, self.motion)
+        kept = self._kept(columns)
+        rows, asked = columns.cut(kept), self._asked(kept)
+        hint = "does the matrix lead from rates to velocities, or back?"
+        transposed = (combined(column, asked) for column in zip(*rows, strict=True))
+        words = "this is Jᵀ v; the rates are J⁻¹ v"
+        yield Slip("transpose-for-inverse", words, hint, Rank.WHOLE), self._column(columns, transposed)
+        multiplied = (combined(row, asked) for row in rows)
+        words = "this is J v; the rates are J⁻¹ v"
+        yield Slip("inverse-forgotten", words, hint, Rank.WHOLE), self._column(columns, multiplied)
+        if case.exercise.numeric:
+            factor = multiply(number(180), power(PI, -1))
+            pairs = zip(columns.each, self.right(case).rows, strict=True)
+            degrees = (multiply(factor, row[0]) if one.turns else row[0] for one, row in pairs)
+            slip = Slip(
+                "degrees", "the rates are in degrees a second", "in which unit are angular rates asked for?", Rank.WHOLE
+            )
+            yield slip, self._column(columns, degrees)
+        for slip, changed in made(columns):
+            try:
+                yield slip, self._solved(case, changed)
+            except (DhcliError, ZeroDivisionError):  # no rates give the velocity then
+                continue
+
+    def steps(self, case: Case) -> Iterable[Shown]:
+        columns = columns_for(case, self.motion)
+        yield axes_step(case, columns)
+        form = Form(self._part)
+        values = case.exercise.values if case.exercise.numeric else None
+        yield self.shown(case, f"The Jacobian, rows {', '.join(form.labels)}", jacobian_grid(columns, form, values))
+        yield Shown("Solve J q' = v for the rates q', leaving rows out that no joint moves")

@@ -1,0 +1,126 @@
+"""`torques for (0, 0, 10)`: what the joints bear while the end presses with a force and a moment."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import ClassVar, Self
+
+from dhcli.checking.diagnosis.result import Rank, Slip
+from dhcli.checking.exercise import Case, Exercise, Shown
+from dhcli.checking.motion.asked import Motion, read_motion, three
+from dhcli.checking.motion.columns import Columns, columns_in, combined, jacobian_grid
+from dhcli.checking.motion.grid import Grid
+from dhcli.checking.motion.mistakes import made
+from dhcli.checking.motion.question import MotionQuestion, axes_step
+from dhcli.checking.wanted import NotAskedError
+from dhcli.errors import Place, RobotError
+from dhcli.kinematics.frames import ORIGIN
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.velocity.cramer import LARGEST, solved
+from dhcli.kinematics.velocity.form import GEOMETRIC
+from dhcli.kinematics.velocity.view import joints_between
+from dhcli.notation.scope import Scope
+from dhcli.notation.tree import Expr, negate
+from dhcli.notation.walk import symbols
+from dhcli.notation.writer import write
+
+_HEAD = re.compile(r"torques\s+for\s*(?P<force>\(.*?\))(?:\s+moment\s*(?P<moment>\(.*?\)))?")
+
+
+@dataclass(frozen=True, slots=True)
+class TorquesQuestion(MotionQuestion):
+    """Joint torques for a wrench that the end exerts: tau = Jᵀ F.
+
+    Attributes:
+        motion: At which point, along which axes.
+        force: The force [N].
+        moment: The moment [N m].
+    """
+
+    motion: Motion
+    force: tuple[Expr, Expr, Expr]
+    moment: tuple[Expr, Expr, Expr] = ORIGIN
+
+    words: ClassVar = ("torques",)
+    examples: ClassVar = ("torques for (f_x, f_y, 0) of 0..3", "torques for (0, 0, 10) moment (0, 1, 0) in frame 3")
+
+    @classmethod
+    def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
+        """`torques for (0, 0, 10) moment (0, 1, 0) of 0..3 in frame 3`."""
+        motion = read_motion(text, scope, place)
+        match = _HEAD.fullmatch(motion.head)
+        if match is None or motion.rates is not None:
+            raise NotAskedError(text)
+        moment = three(match["moment"], scope, place) if match["moment"] else ORIGIN
+        return cls(motion, three(match["force"], scope, place), moment)
+
+    def check(self, robot: Robot | None) -> None:
+        self.motion.check(robot)
+
+    def size(self, robot: Robot) -> tuple[int, int]:
+        view = self.motion.view(robot)
+        return len(joints_between(robot, view.start, view.end)), 1
+
+    @property
+    def names(self) -> frozenset[str]:
+        return frozenset().union(*map(symbols, (*self.force, *self.moment)))
+
+    def describe(self, exercise: Exercise) -> str:
+        wrench = f"({', '.join(map(write, self.force))}) N"
+        if self.moment != ORIGIN:
+            wrench += f" and the moment ({', '.join(map(write, self.moment))}) N m"
+        kinds = {joint.kind for joint in exercise.robot.joints} if exercise.robot else {"revolute"}
+        what = " and ".join(
+            name for kind, name in (("revolute", "torques [N m]"), ("prismatic", "forces [N]")) if kind in kinds
+        )
+        return f"the joint {what} with which the end exerts the force {wrench}, {self.motion.where}"
+
+    def _columns(self, case: Case) -> Columns:
+        robot, view = self.motion.check(case.exercise.robot)
+        return columns_in(case, robot, view)
+
+    def computed(self, case: Case) -> Grid:
+        return self._borne(self._columns(case))
+
+    def _borne(self, columns: Columns) -> Grid:
+        six = (*self.force, *self.moment)
+        return _column([combined((*one.linear, *one.angular), six) for one in columns.each])
+
+    def wrong(self, case: Case) -> Iterator[tuple[Slip, Grid]]:
+        columns = self._columns(case)
+        right = self._borne(columns)
+        hint = "who presses on whom: the end on the load, or the load on the end?"
+        yield (
+            Slip("sign", "all signs are turned round", hint, Rank.WHOLE),
+            _column([negate(row[0]) for row in right.rows]),
+        )
+        for slip, changed in made(columns):
+            yield slip, self._borne(changed)
+        six = (*self.force, *self.moment)
+        kept = [k for k in columns.moved if k < 3 or self.moment != ORIGIN]  # noqa: PLR2004  the rows of v
+        rows = columns.cut(kept)
+        if len(kept) != len(columns.each):
+            return
+        hint = "does the matrix lead from torques to forces, or back?"
+        slip = Slip("transpose-forgotten", "this is J F; the torques are Jᵀ F", hint, Rank.WHOLE)
+        yield slip, _column([combined(row, [six[k] for k in kept]) for row in rows])
+        if len(kept) <= LARGEST:
+            slip = Slip("inverse-for-transpose", "this is J⁻¹ F; the torques are Jᵀ F", hint, Rank.WHOLE)
+            try:
+                yield slip, _column(solved(rows, [six[k] for k in kept]))
+            except (RobotError, ZeroDivisionError):
+                return
+
+    def steps(self, case: Case) -> Iterable[Shown]:
+        columns = self._columns(case)
+        yield axes_step(case, columns)
+        values = case.exercise.values if case.exercise.numeric else None
+        yield self.shown(case, "The Jacobian, rows v above ω", jacobian_grid(columns, GEOMETRIC, values))
+        yield Shown("A joint bears its column times the force, its lower half times the moment: tau = Jᵀ F")
+
+
+def _column(entries: Iterable[Expr]) -> Grid:
+    rows = tuple((entry,) for entry in entries)
+    return Grid(rows, ((0,),) * len(rows))

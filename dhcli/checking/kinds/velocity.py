@@ -1,0 +1,125 @@
+"""`velocity of point`, `angular velocity`: how fast a frame moves for rates of its joints."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import ClassVar, Self
+
+from dhcli.checking.diagnosis.result import Rank, Slip
+from dhcli.checking.exercise import Case, Exercise, Shown
+from dhcli.checking.motion.asked import Motion, read_motion, three
+from dhcli.checking.motion.columns import Columns, columns_in, combined, jacobian_grid
+from dhcli.checking.motion.grid import Grid
+from dhcli.checking.motion.mistakes import made
+from dhcli.checking.motion.question import MotionQuestion, axes_step
+from dhcli.checking.wanted import NotAskedError
+from dhcli.errors import Place, RobotError
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.velocity.form import Form
+from dhcli.kinematics.velocity.view import joints_between
+from dhcli.notation.scope import Scope
+from dhcli.notation.tree import PI, Expr, Symbol, multiply, number, power
+from dhcli.notation.walk import symbols
+from dhcli.notation.writer import write
+
+_HEAD = re.compile(r"(?P<angular>angular\s+)?velocity(?:\s+of\s+point\s*(?P<point>\(.*\)))?(?:\s+of\s+point)?")
+
+
+@dataclass(frozen=True, slots=True)
+class VelocityQuestion(MotionQuestion):
+    """The velocity of a point of a frame, or the angular velocity of the frame.
+
+    Attributes:
+        motion: Of which frame and point, along which axes, at which joint rates.
+        angular: Whether the angular velocity is asked for.
+    """
+
+    motion: Motion
+    angular: bool = False
+
+    words: ClassVar = ("velocity", "angular")
+    examples: ClassVar = (
+        "velocity of point (0, 0, 0) of 0..3",
+        "velocity of 0..2 with rates (0.5, -1)",
+        "angular velocity of 0..3 in frame 3",
+    )
+
+    @classmethod
+    def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
+        """`velocity of point (0, 0, c) of 0..3 in frame 3 with rates (1, 0, 0.5)`."""
+        motion = read_motion(text, scope, place)
+        match = _HEAD.fullmatch(motion.head)
+        if match is None:
+            raise NotAskedError(text)
+        if match["point"]:
+            motion = replace(motion, point=three(match["point"], scope, place))
+        return cls(motion, bool(match["angular"]))
+
+    def check(self, robot: Robot | None) -> None:
+        robot, view = self.motion.check(robot)
+        joints = joints_between(robot, view.start, view.end)
+        if self.motion.rates is not None and len(self.motion.rates) != len(joints):
+            message = f"{len(self.motion.rates)} rates for {len(joints)} joints"
+            raise RobotError(message, f"one for each of {', '.join(joints)}")
+
+    def size(self, _robot: Robot) -> tuple[int, int]:
+        return 3, 1
+
+    @property
+    def names(self) -> frozenset[str]:
+        return frozenset().union(*map(symbols, self.motion.rates or ()))
+
+    def describe(self, exercise: Exercise) -> str:
+        what = "the angular velocity [rad/s]" if self.angular else f"the velocity [{exercise.unit}/s]"
+        if exercise.unit == "none" and not self.angular:
+            what = "the velocity"
+        at = "" if self.motion.rates is None else f", for the joint rates ({', '.join(map(write, self.motion.rates))})"
+        return f"{what} {self.motion.where}: three numbers{at}"
+
+    def _columns(self, case: Case) -> Columns:
+        robot, view = self.motion.check(case.exercise.robot)
+        return columns_in(case, robot, view)
+
+    def _rates(self, columns: Columns) -> tuple[Expr, ...]:
+        if self.motion.rates is not None:
+            return self.motion.rates
+        return tuple(Symbol(f"d{one.joint}") for one in columns.each)
+
+    def computed(self, case: Case) -> Grid:
+        columns = self._columns(case)
+        return self._moved(columns, self._rates(columns))
+
+    def _moved(self, columns: Columns, rates: tuple[Expr, ...]) -> Grid:
+        rows = columns.cut((3, 4, 5) if self.angular else (0, 1, 2))
+        return Grid(tuple((combined(row, rates),) for row in rows), ((int(not self.angular),),) * 3)
+
+    def wrong(self, case: Case) -> Iterator[tuple[Slip, Grid]]:
+        columns = self._columns(case)
+        rates = self._rates(columns)
+        for slip, changed in made(columns):
+            yield slip, self._moved(changed, rates)
+        if case.exercise.numeric:
+            hint = "in which unit is an angular rate multiplied?"
+            half = number(180)
+            for name, factor in (
+                ("", multiply(half, power(PI, -1))),
+                (" other", multiply(PI, number(Fraction(1, 180)))),
+            ):
+                turned = tuple(
+                    multiply(factor, rate) if one.turns else rate for one, rate in zip(columns.each, rates, strict=True)
+                )
+                words = "the rates are taken in degrees a second for radians a second, or the other way round"
+                yield Slip(f"degrees{name}", words, hint, Rank.WHOLE), self._moved(columns, turned)
+        hint = "which rate belongs to which joint?"
+        yield Slip("rates-reversed", "the rates stand in the reverse order", hint), self._moved(columns, rates[::-1])
+
+    def steps(self, case: Case) -> Iterable[Shown]:
+        columns = self._columns(case)
+        yield axes_step(case, columns)
+        form = Form("angular" if self.angular else "linear")
+        values = case.exercise.values if case.exercise.numeric else None
+        yield self.shown(case, f"The Jacobian, rows {', '.join(form.labels)}", jacobian_grid(columns, form, values))
+        yield Shown("Each column times the rate of its joint, added up")

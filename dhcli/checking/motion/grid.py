@@ -1,0 +1,120 @@
+"""A table of entries that is the answer to a question about motion, with what each entry measures."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TypeAlias
+
+from dhcli.algebra.floats import Floats
+from dhcli.checking.exercise import Exercise
+from dhcli.kinematics.pose import rounded
+from dhcli.kinematics.values import numbers
+from dhcli.notation.tree import Expr, Number
+from dhcli.notation.walk import symbols
+from dhcli.notation.writer import write
+
+Rows: TypeAlias = tuple[tuple[Expr, ...], ...]
+Numbers: TypeAlias = tuple[tuple[float, ...], ...]
+
+RELATIVE = 1e-3
+"""Tolerance of an entry where none is declared, as a share of the largest of its kind."""
+
+MOST_DIGITS = 9
+
+
+@dataclass(frozen=True, slots=True)
+class Grid:
+    """Entries, and what they measure.
+
+    Attributes:
+        rows: The entries.
+        powers: For each entry the power of a length that it is: 1 for a length, or a velocity.
+        cosines: Whether entries of power 0 are direction cosines, with a tolerance of their own.
+    """
+
+    rows: Rows
+    powers: tuple[tuple[int, ...], ...]
+    cosines: bool = False
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Rows and columns."""
+        return len(self.rows), len(self.rows[0])
+
+    @property
+    def names(self) -> frozenset[str]:
+        """Every name in it."""
+        return frozenset().union(*(symbols(entry) for row in self.rows for entry in row))
+
+    def numbers(self, exercise: Exercise) -> Numbers:
+        """The entries at the values of an exercise, lengths in metres."""
+        return over(self.rows, Floats(numbers(exercise.values)))
+
+    def is_same_for_all(self, row: int, column: int) -> bool:
+        """Whether an entry is 0, or a direction cosine of ±1, in symbols, so that it earns nothing."""
+        entry = self.rows[row][column]
+        if not self.names or not isinstance(entry, Number):
+            return False
+        return not entry.value or (self.cosines and abs(entry.value) == 1 and not self.powers[row][column])
+
+    def limits(self, exercise: Exercise, position: float | None, rotation: float) -> Numbers:
+        """The largest errors that count as right: declared ones, or a share of the largest entry of its power.
+
+        Args:
+            exercise: The exercise.
+            position: The tolerance declared for lengths [m], if one is.
+            rotation: That of a direction cosine.
+        """
+        found = self.numbers(exercise)
+        largest: dict[int, float] = {}
+        for powers, row in zip(self.powers, found, strict=True):
+            for power, value in zip(powers, row, strict=True):
+                largest[power] = max(largest.get(power, 0.0), abs(value))
+
+        def limit(power: int) -> float:
+            if power == 0 and self.cosines:
+                return rotation
+            if power == 1 and position is not None:
+                return position
+            return RELATIVE * (largest[power] or 1.0)
+
+        return tuple(tuple(map(limit, row)) for row in self.powers)
+
+    def text(self, exercise: Exercise, position: float | None, rotation: float, style: str = "short") -> Sequence[str]:
+        """The entries row by row as a person types them; numbers with as many digits as the tolerance needs."""
+        if not exercise.numeric:
+            return [write(entry, style, exercise.writing) for row in self.rows for entry in row]
+        limits = self.limits(exercise, position, rotation)
+        triples = zip(self.numbers(exercise), self.powers, limits, strict=True)
+        return [
+            typed(value, scale_of(exercise, power), limit)
+            for values, powers, bounds in triples
+            for value, power, limit in zip(values, powers, bounds, strict=True)
+        ]
+
+
+def over(rows: Iterable[Iterable[Expr]], arithmetic: Floats) -> Numbers:
+    """Entries in floats."""
+    return tuple(tuple(arithmetic.value(entry) for entry in row) for row in rows)
+
+
+def scale_of(exercise: Exercise, power: int) -> float:
+    """How many metres, to a power, the unit of the sheet is."""
+    return float(exercise.metres**power)
+
+
+def typed(value: float, scale: float, limit: float) -> str:
+    """A number in the unit of a sheet, with at least four decimals and an error far below its limit."""
+    shown = value / scale
+    for digits in range(4, MOST_DIGITS):
+        text = rounded(shown, digits)
+        if abs(float(text) - shown) * scale <= limit / 10:
+            return text
+    return repr(shown)
+
+
+def exact(value: float) -> Number:
+    """A float as a number of a tree."""
+    return Number(Fraction(value))

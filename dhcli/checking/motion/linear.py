@@ -1,0 +1,62 @@
+"""Ranks, determinants and solutions of a few equations in floats."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from dhcli.errors import RobotError
+
+SMALL = 1e-9
+"""A pivot below this share of the largest entry is nothing."""
+
+
+def reduced(rows: Sequence[Sequence[float]]) -> tuple[list[list[float]], list[float]]:
+    """Rows after elimination with pivots from the whole matrix, and the pivots with the sign of the exchanges."""
+    table, pivots = [list(row) for row in rows], []
+    largest = max((abs(value) for row in table for value in row), default=0.0)
+    width = len(table[0]) if table else 0
+    for k in range(min(len(table), width)):
+        r, c = max(
+            ((i, j) for i in range(k, len(table)) for j in range(k, width)), key=lambda at: abs(table[at[0]][at[1]])
+        )
+        if abs(table[r][c]) <= SMALL * largest:
+            break
+        sign = (-1.0) ** ((r != k) + (c != k))
+        table[k], table[r] = table[r], table[k]
+        for row in table:
+            row[k], row[c] = row[c], row[k]
+        pivots.append(sign * table[k][k])
+        for i in range(k + 1, len(table)):
+            factor = table[i][k] / table[k][k]
+            table[i] = [a - factor * b for a, b in zip(table[i], table[k], strict=True)]
+    return table, pivots
+
+
+def rank(rows: Sequence[Sequence[float]]) -> int:
+    """The rank of a matrix of floats."""
+    return len(reduced(rows)[1])
+
+
+def determinant_of(rows: Sequence[Sequence[float]]) -> float:
+    """The determinant of a square matrix of floats."""
+    product, pivots = 1.0, reduced(rows)[1]
+    if len(pivots) < len(rows):
+        return 0.0
+    for pivot in pivots:
+        product *= pivot
+    return product
+
+
+def solution(rows: Sequence[Sequence[float]], right: Sequence[float]) -> tuple[float, ...]:
+    """The solution of as many equations as unknowns, in floats.
+
+    Raises:
+        RobotError: There is none, or more than one.
+    """
+    whole = determinant_of(rows)
+    if not whole:
+        raise RobotError("the arm is singular at the values given: no joint rates give every velocity")
+    return tuple(
+        determinant_of([[*row[:k], value, *row[k + 1 :]] for row, value in zip(rows, right, strict=True)]) / whole
+        for k in range(len(rows))
+    )

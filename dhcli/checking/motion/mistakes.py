@@ -1,0 +1,291 @@
+"""Mistakes in the columns of a Jacobian, each beside what makes it.
+
+Whoever has made one goes on rightly with wrong columns; so the same mistakes serve the Jacobian, its determinant,
+torques, velocities and rates.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from typing import TypeAlias
+
+from dhcli.checking.diagnosis.result import Rank, Slip
+from dhcli.checking.motion.columns import NOTHING, Column, Columns, Vector, axis_z, cross, minus, position
+from dhcli.kinematics.conventions import Convention
+from dhcli.kinematics.frames import ORIGIN, between
+from dhcli.kinematics.moves import Trans
+from dhcli.notation.derivative import derivative
+from dhcli.notation.tree import Expr, Symbol, Trig, add, multiply, negate, number
+from dhcli.notation.trig import cosine, sine
+from dhcli.notation.walk import rebuild, walk
+
+Made: TypeAlias = Iterator[tuple[str, Columns]]
+Maker: TypeAlias = Callable[[Columns], Made]
+
+HELD = "held still"
+"""A name that no answer has, for a cosine that is not differentiated."""
+
+
+@dataclass(frozen=True, slots=True)
+class ColumnMistake:
+    """A kind of mistake in columns.
+
+    Attributes:
+        id: The name under which exercises ask for it.
+        words: What has happened, `{where}` for the joint or frame.
+        hint: Where to look, without the answer.
+        made: Every way to make it, each with its place.
+        rank: How soon it is named.
+    """
+
+    id: str
+    words: str
+    hint: str
+    made: Maker
+    rank: Rank = Rank.PLACE
+
+
+IN_COLUMNS: list[ColumnMistake] = []
+"""In the order in which they are tried and named."""
+
+
+def _mistake(name: str, words: str, hint: str, rank: Rank = Rank.WHOLE) -> Callable[[Maker], Maker]:
+    """The record of a mistake, beside what makes it."""
+
+    def taken(made: Maker) -> Maker:
+        IN_COLUMNS.append(ColumnMistake(name, words, hint, made, rank))
+        return made
+
+    return taken
+
+
+def made(columns: Columns, kind: str = "") -> Iterator[tuple[Slip, Columns]]:
+    """Every mistake, with the columns that it leads to.
+
+    Args:
+        columns: The right columns.
+        kind: Only mistakes of this name; all by default.
+    """
+    for mistake in IN_COLUMNS:
+        if kind in ("", mistake.id):
+            for where, changed in mistake.made(columns):
+                slip = Slip(
+                    f"{mistake.id} {where}".strip(), mistake.words.format(where=where), mistake.hint, mistake.rank
+                )
+                yield slip, changed
+
+
+def _each(columns: Columns, change: Callable[[Column], Column]) -> Columns:
+    return replace(columns, each=tuple(map(change, columns.each)))
+
+
+def _turned(columns: Columns, arm: Callable[[Column], Vector]) -> Columns:
+    """The velocity that each revolute joint gives, with another arm than from its axis to the point."""
+    return _each(columns, lambda one: replace(one, linear=cross(one.axis, arm(one))) if one.turns else one)
+
+
+@_mistake(
+    "in-frame",
+    "the vectors are written along the axes of frame {where}",
+    "along the axes of which frame are the vectors asked for?",
+)
+def in_frame(columns: Columns) -> Made:
+    """All vectors in another frame, such as the end frame for the base frame."""
+    for name in columns.robot.frames:
+        if name not in (columns.view.axes, *_elsewhere(columns)):
+            yield name, columns.along(name)
+
+
+def _elsewhere(columns: Columns) -> tuple[str, ...]:
+    """The frames of a base and a tool that are those next to them, or are not asked about."""
+    robot = columns.robot
+    return tuple(name for name, moves in (("base", robot.base), ("tool", robot.tool)) if not moves)
+
+
+@_mistake(
+    "joint-kind",
+    "the column of joint {where} is that of the other kind of joint, turning for sliding",
+    "which joints turn, and which slide?",
+    Rank.PLACE,
+)
+def joint_kind(columns: Columns) -> Made:
+    """For a slide z x (p - o) above z, for a turn z above 0."""
+    for k, one in enumerate(columns.each):
+        arm = minus(columns.point, one.origin)
+        changed = (
+            replace(one, linear=one.axis, angular=NOTHING)
+            if one.turns
+            else replace(one, linear=cross(one.axis, arm), angular=one.axis)
+        )
+        yield one.joint, replace(columns, each=(*columns.each[:k], changed, *columns.each[k + 1 :]))
+
+
+@_mistake(
+    "axis-shifted",
+    "each joint has the z axis of its neighbour's frame",
+    "about which z does joint 1 turn in this convention?",
+)
+def axis_shifted(columns: Columns) -> Made:
+    """z_i for z_{i-1} in a standard table, z_{i-1} for z_i in a modified one; o as it is."""
+    robot = columns.robot
+    if robot.convention is Convention.PRODUCT:
+        return
+    links = {joint.name: str(joint.link) for joint in robot.joints}
+
+    def shifted(one: Column) -> Column:
+        index = robot.frames.index(links[one.joint])
+        name = robot.frames[index if robot.convention is Convention.STANDARD else index - 1]
+        axis = axis_z(robot, columns.view.axes, name)
+        if one.turns:
+            return replace(one, linear=cross(axis, minus(columns.point, one.origin)), angular=axis)
+        return replace(one, linear=axis)
+
+    yield "", _each(columns, shifted)
+
+
+@_mistake("joint-left-out", "joint {where} is left out: its column is 0", "does every joint have a column?", Rank.PLACE)
+def joint_left_out(columns: Columns) -> Made:
+    """A column of zeros, such as where z_0 is forgotten."""
+    for k, one in enumerate(columns.each):
+        changed = replace(one, linear=NOTHING, angular=NOTHING)
+        yield one.joint, replace(columns, each=(*columns.each[:k], changed, *columns.each[k + 1 :]))
+
+
+@_mistake(
+    "cross-reversed", "the cross product is taken the wrong way round", "which vector comes first in z x (p - o)?"
+)
+def cross_reversed(columns: Columns) -> Made:
+    """(p - o) x z."""
+
+    def turned(one: Column) -> Column:
+        x, y, z = map(negate, one.linear)
+        return replace(one, linear=(x, y, z)) if one.turns else one
+
+    yield "", _each(columns, turned)
+
+
+@_mistake(
+    "own-angle-only",
+    "a cosine or sine of a sum of angles is differentiated by its last angle alone",
+    "on which joint angles does c12 depend?",
+)
+def own_angle_only(columns: Columns) -> Made:
+    """c12 by theta2 alone."""
+    order = [one.joint for one in columns.each]
+
+    def slope(trig: Trig, name: str) -> Expr:
+        joints = [joint for joint in order if joint in trig.angle.names]
+        return derivative(trig, name) if joints and joints[-1] == name else number(0)
+
+    yield from _by_derivatives(columns, slope)
+
+
+@_mistake("cosine-sign", "the derivative of a cosine has the wrong sign", "what is the derivative of a cosine?")
+def cosine_sign(columns: Columns) -> Made:
+    """Plus sine for the derivative of a cosine."""
+
+    def slope(trig: Trig, name: str) -> Expr:
+        found = derivative(trig, name)
+        return negate(found) if trig.function == "cos" else found
+
+    yield from _by_derivatives(columns, slope)
+
+
+@_mistake(
+    "origin-not-subtracted",
+    "the origin of each joint is not subtracted: z x p for z x (p - o)",
+    "from where does the arm of each joint reach?",
+)
+def origin_not_subtracted(columns: Columns) -> Made:
+    """Every joint turns the point about the base."""
+    yield "", _turned(columns, lambda _one: columns.point)
+
+
+@_mistake(
+    "sums-from-base",
+    "each column has the links before its joint, and not those behind",
+    "which part of the arm does a joint move?",
+)
+def sums_from_base(columns: Columns) -> Made:
+    """What stands before the joint instead of what it moves, from the first axis to the next."""
+    first, ends = columns.each[0].origin, [*(one.origin for one in columns.each[1:]), columns.point]
+    reached = {one.joint: minus(end, first) for one, end in zip(columns.each, ends, strict=True)}
+    yield "", _turned(columns, lambda one: reached[one.joint])
+
+
+@_mistake(
+    "reference",
+    "the velocity is that of the origin of frame {where}",
+    "whose velocity is asked for: which point moves?",
+)
+def reference(columns: Columns) -> Made:
+    """Another reference point, such as the origin one frame short of the end."""
+    view, robot = columns.view, columns.robot
+    if view.point != ORIGIN:
+        yield view.end, _about(columns, position(between(robot, view.axes, view.end)))
+    for name in robot.frames:
+        if name != view.place and name not in _elsewhere(columns):
+            yield name, _about(columns, position(between(robot, view.axes, name)))
+
+
+def _about(columns: Columns, point: Vector) -> Columns:
+    return replace(_turned(columns, lambda one: minus(point, one.origin)), point=point)
+
+
+@_mistake("angular-dropped", "the angular velocities are 0", "how does each joint turn the end frame?")
+def angular_dropped(columns: Columns) -> Made:
+    """Zeros in the place of ω."""
+    yield "", _each(columns, lambda one: replace(one, angular=NOTHING))
+
+
+@_mistake("columns-reversed", "the columns stand in the reverse order", "which joint has the first column?")
+def columns_reversed(columns: Columns) -> Made:
+    """The last joint first."""
+    values = [(one.linear, one.angular) for one in reversed(columns.each)]
+    pairs = zip(columns.each, values, strict=True)
+    yield "", replace(columns, each=tuple(replace(one, linear=v, angular=w) for one, (v, w) in pairs))
+
+
+@_mistake("sin-cos", "sines and cosines have changed places", "from which axis are the angles measured?", Rank.SYMPTOM)
+def sine_cosine(columns: Columns) -> Made:
+    """Sine for cosine and back, everywhere."""
+
+    def swapped(node: Expr) -> Expr:
+        if isinstance(node, Trig):
+            return sine(node.angle) if node.function == "cos" else cosine(node.angle)
+        return node
+
+    def changed(vector: Vector) -> Vector:
+        x, y, z = (rebuild(entry, swapped) for entry in vector)
+        return x, y, z
+
+    yield "", _each(columns, lambda one: replace(one, linear=changed(one.linear), angular=changed(one.angular)))
+
+
+def _by_derivatives(columns: Columns, slope: Callable[[Trig, str], Expr]) -> Made:
+    """The position differentiated by each joint, with another rule for cosines and sines."""
+    view, robot = columns.view, columns.robot
+    if view.axes != view.start or view.place != view.end:
+        return
+    chain = between(robot, view.start, view.end)
+    place = position(chain if view.point == ORIGIN else (*chain, Trans(*view.point)))
+
+    def differentiated(one: Column) -> Column:
+        x, y, z = (_by(entry, one.joint, slope) for entry in place)
+        return replace(one, linear=(x, y, z))
+
+    yield "", _each(columns, differentiated)
+
+
+def _by(expr: Expr, name: str, slope: Callable[[Trig, str], Expr]) -> Expr:
+    """A derivative by the chain rule: by each cosine and sine, and by the name itself."""
+    shares = []
+    trigs = list(dict.fromkeys(node for node in walk(expr) if isinstance(node, Trig)))
+    for trig in trigs:
+        outer = derivative(rebuild(expr, lambda node, t=trig: Symbol(HELD) if node == t else node), HELD)  # type: ignore[misc]
+        back = rebuild(outer, lambda node, t=trig: t if node == Symbol(HELD) else node)  # type: ignore[misc]
+        shares.append(multiply(back, slope(trig, name)))
+    if not any(name in trig.angle.names for trig in trigs):
+        shares.append(derivative(expr, name))
+    return add(*shares)

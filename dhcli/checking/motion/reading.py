@@ -1,0 +1,129 @@
+"""An answer about motion as typed: a table of entries, a column of them, or one."""
+
+from __future__ import annotations
+
+import re
+
+from dhcli.checking.commas import comma_remark
+from dhcli.checking.entries import LARGEST, Entries, Entry, check_names
+from dhcli.checking.exercise import Exercise
+from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, without_label
+from dhcli.checking.units import in_metres
+from dhcli.errors import NotationError, Place
+from dhcli.notation.matrix import Cell, parse_matrix
+from dhcli.notation.parser import parse
+from dhcli.notation.quantity import DimensionError, to_length
+from dhcli.notation.tree import Expr, Number, multiply
+from dhcli.notation.walk import symbols
+
+_NAMED = re.compile(r"(^|[,;\n])[ \t]{0,9}(?:\\?[^\W\d][\w'_{}]{0,12})[ \t]{0,9}=")
+"""What stands before a number of a list: `tau1 =`, `v_x =`."""
+
+_SPEED = re.compile(r"(?<![A-Za-z_])(mm|cm|m) ?/ ?s(?:ec)?(?![\w^])")
+_TURNING = re.compile(r"(?<![A-Za-z_])(rad|deg|°) ?/ ?s(?:ec)?(?![\w^])")
+_FORCE = re.compile(r"(?<=[\d.) ])N(?: ?[·*]? ?m)?(?![\w^])")
+"""Units of rates and forces, which no formula has."""
+
+
+def read_cells(
+    exercise: Exercise, powers: tuple[tuple[int, ...], ...], text: str, place: Place | None = None
+) -> Entries:
+    """Read an answer in the shape of the right one.
+
+    Args:
+        exercise: The exercise, for its names and the unit of its sheet.
+        powers: For each entry of the right answer the power of a length that it is.
+        text: What was typed.
+        place: Where it stands, for errors.
+
+    Raises:
+        UnreadableError: It has another shape, an unknown name, or cannot be read.
+    """
+    if len(text) > LARGEST:
+        raise UnreadableError(f"the answer has {len(text)} characters, more than the {LARGEST} that are read")
+    shape = len(powers), len(powers[0])
+    body = _without_units(without_label(as_matrix(text, shape)), powers, exercise)
+    refuse_blanks(body)
+    place = place or Place("answer")
+    try:
+        if shape == (1, 1) and not body.lstrip().startswith(("[", "{", "\\begin", "|")):
+            cells: tuple[tuple[Cell, ...], ...] = (
+                (Cell(parse(body.strip(), exercise.scope, place), body.strip(), 0),),
+            )
+        else:
+            cells = parse_matrix(_bracketed(body, shape), exercise.scope, place)
+    except NotationError as error:
+        remarks = (*(str(problem) for problem in error.problems), comma_remark(text))
+        raise UnreadableError(*filter(None, remarks)) from None
+    shaped = _shaped(cells, shape)
+    return tuple(
+        tuple(_entry(exercise, cell, powers[r][c], (r, c)) for c, cell in enumerate(row))
+        for r, row in enumerate(shaped)
+    )
+
+
+def _without_units(body: str, powers: tuple[tuple[int, ...], ...], exercise: Exercise) -> str:
+    """`0.5 rad/s`, `10 N m` and `90 deg/s` as numbers, `40 mm/s` as a length."""
+    if any(1 in row for row in powers):
+        body = _SPEED.sub(r"\1", body)
+    if any(0 in row for row in powers):
+        body = _TURNING.sub(lambda match: "" if match[1] == "rad" else "*pi/180", body)
+        body = body if "N" in exercise.scope.names else _FORCE.sub("", body)
+    return body
+
+
+def _bracketed(body: str, shape: tuple[int, int]) -> str:
+    """A list without brackets, or in round ones, as a matrix."""
+    if shape[1] == 1:
+        body = _NAMED.sub(r"\1", body).strip()
+        if body.startswith("(") and body.endswith(")") and "," in body and ")" not in body[:-1]:
+            body = body[1:-1]
+        if "," in body and ";" not in body:
+            body = body.replace("\n", " ")
+        return body if body.startswith(("[", "{", "\\", "|")) else f"[{body}]"
+    return body
+
+
+def _shaped(cells: tuple[tuple[Cell, ...], ...], wanted: tuple[int, int]) -> tuple[tuple[Cell, ...], ...]:
+    """The cells in the shape of the answer; a column may be typed as a row."""
+    shape = len(cells), len(cells[0])
+    if shape == wanted:
+        return cells
+    if 1 in wanted and 1 in shape and max(shape) == max(wanted):
+        flat = [cell for row in cells for cell in row]
+        return tuple((cell,) for cell in flat) if wanted[1] == 1 else (tuple(flat),)
+    if 1 in wanted:
+        raise UnreadableError(f"{max(wanted)} numbers were asked; the answer is {shape[0]}x{shape[1]}")
+    if shape == wanted[::-1]:
+        raise UnreadableError(
+            f"the answer is {shape[0]}x{shape[1]}; {wanted[0]} rows and {wanted[1]} columns were asked"
+        )
+    raise UnreadableError(f"the answer is {shape[0]}x{shape[1]}; a {wanted[0]}x{wanted[1]} matrix was asked")
+
+
+def _entry(exercise: Exercise, cell: Cell, power: int, place: tuple[int, int]) -> Entry:
+    """One entry in metres; without a unit it is in that of the sheet."""
+    where = f"entry ({place[0] + 1},{place[1] + 1})"
+    try:
+        if power != 1 and to_length(cell.expr) != cell.expr:
+            raise UnreadableError(f"{where} is no length: leave its unit out")
+        expr = as_read(exercise, power, cell.expr)
+    except DimensionError as error:
+        wanted = "a length" if power == 1 else "a number"
+        raise UnreadableError(f"{where}: {error.message.replace('a length', wanted)}") from None
+    check_names(exercise, symbols(expr))
+    return Entry(expr, cell.text, cell.expr)
+
+
+def as_read(exercise: Exercise, power: int, expr: Expr) -> Expr:
+    """What was typed for an entry that is a power of a length, in metres.
+
+    Raises:
+        DimensionError: It is neither a length nor a number.
+    """
+    if exercise.metres == 1 or not power:
+        return to_length(expr)
+    if power == 1:
+        return to_length(in_metres(expr, exercise.metres, exercise.scope))
+    found = to_length(expr)
+    return found if symbols(found) else multiply(found, Number(exercise.metres**power))

@@ -1,0 +1,90 @@
+"""The square or other piece of a Jacobian that is an arm's task: the rows that its joints can move."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from dhcli.algebra.floats import Floats
+from dhcli.checking.exercise import Case
+from dhcli.checking.motion.asked import Motion, form_of, read_motion
+from dhcli.checking.motion.columns import Columns, columns_in
+from dhcli.checking.motion.grid import Numbers, over
+from dhcli.checking.wanted import NotAskedError
+from dhcli.errors import Place, RobotError
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.singular.finding import find
+from dhcli.kinematics.singular.result import Singularities
+from dhcli.kinematics.values import numbers
+from dhcli.kinematics.velocity.form import GEOMETRIC, Form
+from dhcli.kinematics.velocity.view import MotionView
+from dhcli.notation.scope import Scope
+
+
+def read_task(word: str, text: str, scope: Scope, place: Place | None) -> tuple[Motion, Form]:
+    """Read what a question asks of a Jacobian, such as `determinant of jacobian linear of 0..3`.
+
+    Args:
+        word: What stands in front, `determinant`.
+        text: The question.
+        scope: The names that a point may use.
+        place: Where the text stands, for errors.
+
+    Raises:
+        NotAskedError: It asks something else.
+    """
+    motion = read_motion(text, scope, place)
+    rest = motion.head.removeprefix(word).strip()
+    match = re.fullmatch(r"(?:of\s+)?(?:jacobian)?\s*(?P<form>linear|angular)?", rest)
+    if match is None or motion.rates is not None or not motion.head.startswith(word):
+        raise NotAskedError(text)
+    return motion, form_of(match["form"] or "")[0]
+
+
+def columns_for(case: Case, motion: Motion) -> Columns:
+    """The columns that a question is about."""
+    robot, view = motion.check(case.exercise.robot)
+    return columns_in(case, robot, view)
+
+
+def found_for(case: Case, motion: Motion, form: Form) -> Singularities:
+    """Where that Jacobian is singular, worked out once."""
+    robot, view = motion.check(case.exercise.robot)
+    return case.memo.of(
+        ("singular", view, form), lambda: find(robot, view, None if form == GEOMETRIC else form.part, {})
+    )
+
+
+def kept_rows(found: Singularities) -> tuple[int, ...]:
+    """The rows of the six that the task has."""
+    return tuple(GEOMETRIC.labels.index(label) for label in found.rows)
+
+
+def square(robot: Robot, view: MotionView, form: Form) -> Singularities:
+    """What was found for a Jacobian with as many rows as joints.
+
+    Raises:
+        RobotError: It has not, or is singular everywhere.
+    """
+    found = find(robot, view, None if form == GEOMETRIC else form.part, {})
+    if found.determinant is None:
+        rows, joints = len(found.rows), len(found.joints)
+        if rows != joints:
+            hint = "ask for the linear or the angular part" if rows > joints else ""
+            raise RobotError(f"a Jacobian with {rows} rows and {joints} columns has no determinant", hint)
+        raise RobotError("this Jacobian is singular everywhere, or its determinant is too long to read")
+    if view.axes != view.start and len(found.rows) not in (3, 6):
+        raise RobotError("with rows left out the sign of a determinant depends on the axes", "leave in frame out")
+    return found
+
+
+def values_in(case: Case, columns: Columns, kept: Sequence[int]) -> Numbers:
+    """Rows of a Jacobian in floats at the values given; at values that have nothing special about them in symbols."""
+    from dhcli.algebra.points import general
+
+    rows, exercise = columns.cut(kept), case.exercise
+    if exercise.numeric:
+        return over(rows, Floats(numbers(exercise.values)))
+    known = numbers(exercise.values)
+    point = next(general(exercise.scope.names, 5))
+    return over(rows, Floats({**point, **known}))

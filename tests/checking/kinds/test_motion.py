@@ -1,0 +1,278 @@
+"""Questions about motion: right answers against differences of poses, every slip by its name, bad questions refused."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from dhcli.checking.judge import Judge
+from dhcli.checking.kinds import registry
+from dhcli.checking.kinds.made import question_about
+from dhcli.checking.verdicts import Mark, Verdict
+from dhcli.errors import DhcliError
+from dhcli.files.yaml.robots import load_robot
+from dhcli.kinematics.forward import forward
+from dhcli.kinematics.values import joint_values
+from dhcli.notation.matrix import parse_matrix
+from dhcli.notation.parser import parse
+
+if TYPE_CHECKING:
+    from dhcli.checking.exercise import Exercise, Part
+
+STEP = 1e-6
+Q = {
+    "planar-2r": (0.4, 0.9),
+    "scara": (0.4, 0.9, 0.12),
+    "cylindrical": (0.4, 0.2, 0.3),
+    "articulated": (0.4, 0.7, -1.1),
+    "stanford": (0.4, 0.7, 0.5, 0.3, 0.8, 0.2),
+    "puma560": (0.3, -0.5, 0.4, 0.7, 0.9, -0.4),
+    "ur5e": (0.3, -1.2, 1.1, -0.8, 1.3, 0.5),
+}
+
+
+def asked(robot: str, ask: str, q: tuple[float, ...] | None = None, **changes: object) -> tuple[Judge, Part]:
+    """A question about a robot, in numbers where joint values are given."""
+    arm = load_robot(robot)
+    values = joint_values(arm, list(q)) if q is not None else {}
+    exercise: Exercise = question_about(arm, ask, numeric=q is not None, given=values)
+    judge = Judge(replace(exercise, **changes))  # type: ignore[arg-type]
+    return judge, judge.exercise.parts[0]
+
+
+def told(robot: str, ask: str, answer: str, q: tuple[float, ...] | None = None, **changes: object) -> Mark:
+    """An answer judged and explained."""
+    judge, part = asked(robot, ask, q, **changes)
+    return judge.check(part, answer)
+
+
+def table(text: str) -> list[list[float]]:
+    """Numbers out of an answer."""
+    return [[float(cell.text) for cell in row] for row in parse_matrix(text)]
+
+
+def differences(robot: str, q: tuple[float, ...]) -> list[list[float]]:
+    """V above ω of the end frame for each joint, from poses on both sides of q."""
+    arm = load_robot(robot)
+    here = forward(arm, list(q)).rows
+    columns = []
+    for k in range(len(q)):
+        one, other = (forward(arm, [x + s * STEP * (i == k) for i, x in enumerate(q)]).rows for s in (1, -1))
+        change = [[(a - b) / (2 * STEP) for a, b in zip(r, s, strict=True)] for r, s in zip(one, other, strict=True)]
+        spin = [[sum(change[i][m] * here[j][m] for m in range(3)) for j in range(3)] for i in range(3)]
+        columns.append([change[0][3], change[1][3], change[2][3], spin[2][1], spin[0][2], spin[1][0]])
+    return [list(row) for row in zip(*columns, strict=True)]
+
+
+@pytest.mark.parametrize("robot", Q)
+def test_the_jacobian_is_how_poses_differ(robot: str) -> None:
+    """Central differences of the pose, for every kind of joint and convention."""
+    judge, part = asked(robot, f"jacobian of 0..{len(Q[robot])}", Q[robot])
+    shown, true = table(judge.expected(part)), differences(robot, Q[robot])
+    assert all(abs(a - b) < 2e-4 for r, s in zip(shown, true, strict=True) for a, b in zip(r, s, strict=True))
+
+
+@pytest.mark.parametrize("robot", Q)
+def test_torques_and_rates_do_the_same_work(robot: str) -> None:
+    """Tau · q' = F · v, at any rates."""
+    end, q = len(Q[robot]), Q[robot]
+    rates = [0.3, -0.5, 0.7, 0.2, -0.4, 0.6][:end]
+    force = (3, -2, 5)
+    judge, part = asked(robot, f"torques for {force} of 0..{end}", q)
+    borne = [value for row in table(judge.expected(part)) for value in row]
+    judge, part = asked(robot, f"velocity of 0..{end} with rates ({', '.join(map(str, rates))})", q)
+    moved = [value for row in table(judge.expected(part)) for value in row]
+    power = sum(a * b for a, b in zip(force, moved, strict=True))
+    assert abs(sum(a * b for a, b in zip(borne, rates, strict=True)) - power) < 5e-3
+
+
+@given(st.tuples(*[st.floats(0.2, 1.2)] * 3))
+def test_joint_rates_give_the_velocity_back(q: tuple[float, float, float]) -> None:
+    """J J⁻¹ v = v, where the arm is not singular."""
+    judge, part = asked("articulated", "joint rates for (0.1, -0.2, 0.05) of 0..3", q)
+    rates = [value for row in table(judge.expected(part)) for value in row]
+    rows = differences("articulated", q)[:3]
+    moved = [sum(a * b for a, b in zip(row, rates, strict=True)) for row in rows]
+    assert all(abs(a - b) < 1e-3 for a, b in zip(moved, (0.1, -0.2, 0.05), strict=True))
+
+
+@pytest.mark.parametrize(
+    ("robot", "ask", "answer"),
+    [
+        ("planar-2r", "jacobian linear of 0..2 in frame 2", "[a1 s2, 0; a1 c2 + a2, a2; 0 0]"),
+        ("planar-2r", "jacobian space of 0..2", "[0 0; 0 0; 1 1; 0 a1*s1; 0 -a1*c1; 0 0]"),
+        ("planar-2r", "jacobian body of 0..2", "[0 0; 0 0; 1 1; a1*s2 0; a1*c2+a2 a2; 0 0]"),
+        ("scara", "determinant of jacobian linear of 0..3", "-l2*l3*sin(theta2)"),
+        ("spherical-wrist", "determinant of jacobian angular of 3..6", "-s5"),
+        ("puma560", "entry 1 2 of jacobian of 0..4 in frame 3", "a2*s3 - d4"),
+        ("articulated", "singular when linear of 0..3", "a2 c2 + a3 c23 = 0 or theta3 = 0 or 180°"),
+        ("articulated", "singular when linear of 0..3", "a3*s3*(a2*c2 + a3*c23) = 0"),
+        ("ur5e", "singular when 0..6", "s5, s3, a2 c2 + a3 c23 + d5 s234"),
+        ("cylindrical", "singular when linear of 0..3", "d3 = 0"),
+        ("planar-2r", "angular velocity of 0..2", "0, 0, dtheta1 + dtheta2"),
+        ("planar-2r", "joint rates for (v, 0, 0) of 0..2 in frame 2", "v/(a1*s2), -v*(a1*c2 + a2)/(a1*a2*s2)"),
+        ("planar-2r", "rank of jacobian linear of 0..2", "2"),
+    ],
+)
+def test_any_form_of_the_right_answer_is_right(robot: str, ask: str, answer: str) -> None:
+    """As books print it, and as people type it."""
+    names = ("dtheta1", "dtheta2", "v")
+    arm = load_robot(robot)
+    from dhcli.checking.exercise import Exercise, Part
+    from dhcli.checking.kinds.registry import read_question
+    from dhcli.checking.written import answer_scope
+
+    part = Part("one", read_question(ask, answer_scope(arm, names)))
+    mark = Judge(Exercise("one", "", "", "", (part,), arm, names=names)).check(part, answer)
+    assert mark.verdict is Verdict.RIGHT, mark
+
+
+SLIPS = [
+    ("planar-2r", "jacobian of 0..2", "in-frame 2"),
+    ("cylindrical", "jacobian of 0..3", "joint-kind d3"),
+    ("cylindrical", "jacobian of 0..3", "joint-kind theta1"),
+    ("articulated", "jacobian of 0..3", "axis-shifted"),
+    ("puma560", "jacobian of 0..6", "axis-shifted"),
+    ("articulated", "jacobian of 0..3", "joint-left-out theta1"),
+    ("articulated", "jacobian of 0..3", "cross-reversed"),
+    ("articulated", "jacobian linear of 0..3", "origin-not-subtracted"),
+    ("puma560", "jacobian of 0..6 in frame 3", "reference 3"),
+    ("articulated", "jacobian of 0..3", "angular-dropped"),
+    ("articulated", "jacobian of 0..3", "columns-reversed"),
+    ("articulated", "jacobian of 0..3", "rows-swapped"),
+    ("planar-2r", "jacobian linear of 0..2", "own-angle-only"),
+    ("planar-2r", "jacobian linear of 0..2", "sums-from-base"),
+    ("articulated", "jacobian linear of 0..3", "cosine-sign"),
+    ("articulated", "torques for (1, 2, 3) of 0..3", "transpose-forgotten"),
+    ("articulated", "torques for (1, 2, 3) of 0..3", "inverse-for-transpose"),
+    ("articulated", "torques for (1, 2, 3) of 0..3", "in-frame 3"),
+    ("articulated", "torques for (1, 2, 3) of 0..3", "sign"),
+    ("articulated", "joint rates for (0.1, 0.2, 0.3) of 0..3", "degrees"),
+    ("articulated", "joint rates for (0.1, 0.2, 0.3) of 0..3", "transpose-for-inverse"),
+    ("articulated", "velocity of 0..3 with rates (1, 2, -1)", "degrees"),
+    ("articulated", "differential motion (0.1, 0.2, 0.3) turn (0.1, 0, 0.2) of 0..3", "other-side"),
+    ("planar-2r", "determinant of jacobian linear of 0..2", "signs-of-minors"),
+    ("planar-2r", "manipulability of jacobian linear of 0..2", "root-forgotten"),
+    ("articulated", "singular when linear of 0..3", "half s3"),
+    ("articulated", "singular when linear of 0..3", "factor-forgotten s3"),
+    ("puma560", "rank of jacobian of 0..6", "full-rank"),
+]
+
+
+@pytest.mark.parametrize(("robot", "ask", "slip"), SLIPS)
+def test_a_slip_is_named_by_the_answer_it_leads_to(robot: str, ask: str, slip: str) -> None:
+    """In numbers, and where the question has an answer in symbols there too; nothing else is named."""
+    q = (0.3, -0.5, 0.4, 0.7, 0.0, -0.4) if ask.startswith("rank") else Q[robot]
+    in_numbers = "degrees" in slip or ask.startswith(("manip", "rank"))
+    for values in (q,) if in_numbers else (q, None):
+        judge, part = asked(robot, ask, values)
+        mark = judge.check(part, judge.answer_with(part, slip))
+        assert mark.verdict is Verdict.WRONG
+        assert mark.diagnosis is not None
+        assert mark.diagnosis.ids == (slip,)
+
+
+@pytest.mark.parametrize(
+    ("ask", "problem"),
+    [
+        ("jacobian of 3..0", "frame 0 does not move against frame 3"),
+        ("jacobian of 0..7", "has no frame 7"),
+        ("column 4 of jacobian of 0..3", "6 rows and 3 columns"),
+        ("determinant of jacobian of 0..2", "columns has no determinant"),
+        ("determinant of jacobian angular of 0..3", "singular everywhere"),
+        ("torques for (1, 2) of 0..3", "2 numbers, not three"),
+        ("torques for (1, 2, 30°) of 0..3", ""),
+        ("velocity of 0..3 with rates (1, 2)", "2 rates for 3 joints"),
+        ("joint rates for (1, 0, 0) angular (0, 0, 1) of 0..3", "3 joints cannot make every velocity"),
+        ("jacobian analytic xxy of 0..3", ""),
+        ("jacobian sideways of 0..3", "asks nothing that is known"),
+        ("differential motion (1, 0, 0) of 0..3 in frame 1", "one of the two frames"),
+    ],
+)
+def test_a_question_that_cannot_be_asked_is_refused(ask: str, problem: str) -> None:
+    """With what is wrong, when the exercise is read."""
+    with pytest.raises(DhcliError) as error:
+        asked("articulated", ask)
+    assert problem in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("ask", "answer", "remark"),
+    [
+        ("jacobian linear of 0..2", "[1 2; 3 4]", "the answer is 2x2; a 3x2 matrix was asked"),
+        ("jacobian linear of 0..2", "[1 2 3; 4 5 6]", "3 rows and 2 columns were asked"),
+        ("velocity of 0..2 with rates (1, 1)", "1, 2", "3 numbers were asked"),
+        ("velocity of 0..2 with rates (1, 1)", "a1, 2, x", ""),
+        ("singular when linear of 0..2", "a1 = 0", "write what the joints make zero"),
+        ("singular when linear of 0..2", "theta2 = 1 rad", "write angles in degrees"),
+        ("rank of jacobian linear of 0..2", "1.5", "a rank is a whole number"),
+        ("manipulability of jacobian linear of 0..2", "_", ""),
+    ],
+)
+def test_what_is_no_answer_is_not_wrong_but_unread(ask: str, answer: str, remark: str) -> None:
+    """With what would be read."""
+    mark = told("planar-2r", ask, answer, Q["planar-2r"])
+    assert mark.verdict in (Verdict.CANNOT_READ, Verdict.SKIPPED)
+    assert remark in " ".join(mark.remarks)
+
+
+def test_a_sheet_in_millimetres_counts_lengths_and_their_powers_in_them() -> None:
+    """A determinant of two lengths is in mm²; one in m² is right in another unit."""
+    ask, q = "determinant of jacobian linear of 0..2", Q["planar-2r"]
+    judge, part = asked("planar-2r", ask, q, unit="mm")
+    assert abs(float(parse_number(judge.expected(part))) - 0.12e6 * 0.7833269) < 1
+    assert "right in m" in " ".join(told("planar-2r", ask, "0.0940", q, unit="mm").remarks)
+
+
+def parse_number(text: str) -> str:
+    """A number as it was typed, which must be one."""
+    parse(text)
+    return text
+
+
+@pytest.mark.parametrize(
+    ("ask", "answer"),
+    [
+        ("velocity of 0..2 with rates (0.5, -1)", "v_x = 66.65 mm/s, v_y = 0.1441 m/s, 0"),
+        ("angular velocity of 0..2 with rates (0.5, -1)", "0, 0, -28.648 deg/s"),
+        ("angular velocity of 0..2 with rates (0.5, -1)", "0 rad/s, 0, -0.5 rad/s"),
+        ("torques for (0, 10, 0) of 0..2", "tau1 = 4.4867 N m, tau2 = 0.8025 N*m"),
+    ],
+)
+def test_units_of_rates_and_forces_may_stand_behind_numbers(ask: str, answer: str) -> None:
+    """As people write them; where none stands it is that of the sheet, radians and newtons."""
+    mark = told("planar-2r", ask, answer, Q["planar-2r"])
+    assert mark.verdict is Verdict.RIGHT, mark
+
+
+def test_at_a_singular_pose_there_are_no_rates() -> None:
+    """An error that says so, and no infinite numbers."""
+    judge, part = asked("planar-2r", "joint rates for (0.1, 0, 0) of 0..2", (0.3, 0.0))
+    with pytest.raises(DhcliError, match="singular at the values given"):
+        judge.expected(part)
+
+
+def test_only_one_of_two_angles_is_half_an_answer() -> None:
+    """Sin theta2 = 0 has a second zero half a turn on."""
+    mark = told("planar-2r", "singular when linear of 0..2", "theta2 = 0")
+    assert mark.verdict is Verdict.WRONG
+    assert told("planar-2r", "singular when linear of 0..2", "theta2 = 0, theta2 = 180°").verdict is Verdict.RIGHT
+
+
+def test_a_half_right_list_earns_a_part() -> None:
+    """One of two factors; a wrong one beside it costs as much."""
+    ask = "singular when linear of 0..3"
+    assert told("articulated", ask, "s3 = 0").earned == pytest.approx(0.5)
+    assert told("articulated", ask, "s3 = 0, c2 = 0").earned == 0
+
+
+def test_kinds_that_are_imported_when_asked_are_known_by_all_their_words() -> None:
+    """A word of a kind that is missing in the table would never be asked."""
+    for kind in registry.every_kind():
+        known = registry.LATER if kind not in registry.KINDS else dict.fromkeys(kind.words)
+        assert set(kind.words) <= known.keys()
+        assert all(set(kind.words) & {example.split()[0], " ".join(example.split()[:2])} for example in kind.examples)
