@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from typer._click import Command, Context
 
 PANELS = {
-    "Compute": ("fk", "sweep", "transform", "dof"),
+    "Compute": ("fk", "sweep", "transform", "describe", "dof"),
     "Exercises": ("start", "check", "watch", "hint", "solution"),
     "Classes": ("grade",),
     "Library and authors": ("show", "list", "new", "lint"),

@@ -29,6 +29,7 @@ _NOUNS = {
     "library": "a list",
     "lint": "findings",
     "sweep": "a sweep",
+    "description": "a description",
 }
 """What each kind of result is called in messages."""
 
@@ -84,6 +85,8 @@ _RENDERERS = {
     ("library", "csv"): "dhcli.render.text.library:library_csv",
     ("sweep", "table"): "dhcli.render.text.sweep:sweep_table",
     ("sweep", "csv"): "dhcli.render.text.sweep:sweep_csv",
+    ("description", "table"): "dhcli.render.text.describe:description_table",
+    ("description", "yaml"): "dhcli.render.code.robots:description_yaml",
 }
 """Where the renderer of each kind of result and format stands; it is imported when it is needed."""
 
@@ -104,6 +107,7 @@ _CONTENTS = {
     "library": "dhcli.render.text.library:library_content",
     "lint": "dhcli.render.text.lint:lint_content",
     "sweep": "dhcli.render.text.sweep:sweep_content",
+    "description": "dhcli.render.text.describe:description_content",
 }
 """Where each kind of result becomes what stands under `data` in JSON."""
 

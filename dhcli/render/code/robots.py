@@ -1,0 +1,12 @@
+"""Robots as files that dhcli and others load."""
+
+from __future__ import annotations
+
+from dhcli.files.yaml.writing import described_text
+from dhcli.kinematics.describe.description import Described
+from dhcli.render.look import Look
+
+
+def description_yaml(result: Described, _look: Look) -> str:
+    """A robot file in the description that was asked for."""
+    return described_text(result)
