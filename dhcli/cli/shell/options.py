@@ -97,8 +97,9 @@ Settings: TypeAlias = Annotated[
 def complete_forms(incomplete: str) -> list[str]:
     """Ways to say a pose, behind those that are typed already."""
     before, comma, begun = incomplete.rpartition(",")
-    names = ("rpy", "axis-angle", "quaternion", "position", "matrix")
-    return [f"{before}{comma}{name}" for name in names if name.startswith(begun)]
+    from dhcli.kinematics.placement import FORMS
+
+    return [f"{before}{comma}{name}" for name in FORMS if name.startswith(begun)]
 
 
 Forms: TypeAlias = Annotated[
@@ -106,7 +107,8 @@ Forms: TypeAlias = Annotated[
     typer.Option(
         "--as",
         metavar="FORM",
-        help="rpy, axis-angle, quaternion, position or matrix; repeatable, or with commas.",
+        help="rpy, axis-angle, quaternion, rotation-vector, position, matrix, zyz or any order of axes, fixed-xyz; "
+        "repeatable, or with commas.",
         autocompletion=complete_forms,
     ),
 ]
