@@ -87,6 +87,7 @@ _RENDERERS = {
     ("sweep", "csv"): "dhcli.render.text.sweep:sweep_csv",
     ("description", "table"): "dhcli.render.text.describe:description_table",
     ("description", "yaml"): "dhcli.render.code.robots:description_yaml",
+    ("description", "urdf"): "dhcli.render.code.robots:description_urdf",
 }
 """Where the renderer of each kind of result and format stands; it is imported when it is needed."""
 

@@ -17,10 +17,24 @@ def complete_robot(incomplete: str) -> list[str]:
     return [entry.name for entry in entries(Kind.ROBOTS) if entry.name.startswith(incomplete)]
 
 
+_URDF = "URDF"
+Base: TypeAlias = Annotated[
+    str | None,
+    typer.Option("--base", metavar="LINK", help="Link of a URDF that is frame 0.", rich_help_panel=_URDF),
+]
+Tip: TypeAlias = Annotated[
+    str | None,
+    typer.Option("--tip", metavar="LINK", help="Link of a URDF that is the last frame.", rich_help_panel=_URDF),
+]
+AsTyped: TypeAlias = Annotated[
+    bool, typer.Option("--as-typed", help="1.5708 in a URDF stays what it is.", rich_help_panel=_URDF)
+]
 RobotName: TypeAlias = Annotated[
     str,
     typer.Argument(
-        metavar="ROBOT", help="A name of the library, a YAML file, or - for stdin.", autocompletion=complete_robot
+        metavar="ROBOT",
+        help="A name of the library, a YAML or URDF file, or - for stdin.",
+        autocompletion=complete_robot,
     ),
 ]
 

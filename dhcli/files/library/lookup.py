@@ -22,6 +22,8 @@ MOST_BEGUN = 4
 LEAST_TYPED = 3
 """Letters by which names are found that hold them anywhere."""
 _SUFFIXES = (".yaml", ".yml")
+_PATHS = (*_SUFFIXES, ".urdf", ".xml", ".xacro")
+"""What the name of a file ends in, where it is no name of the library."""
 _PACKAGE = Path(__file__).parents[2]
 
 
@@ -97,7 +99,7 @@ def find(kind: Kind, name: str) -> Path:
 
 def _is_path(kind: Kind, name: str) -> bool:
     """Whether a text is a path and not a name."""
-    if name == "-" or name.lower().endswith(_SUFFIXES):
+    if name == "-" or name.lower().endswith(_PATHS):
         return True
     separators = {"/", os.sep, os.altsep or os.sep}
     if not any(separator in name for separator in separators):

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from dhcli.errors import FileError, NotationError, Place, Problem, did_you_mean
 from dhcli.files.library.lookup import Kind, find
-from dhcli.files.reading import read_text, source_of
+from dhcli.files.reading import LIMIT, read_text, source_of
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, read_yaml
 from dhcli.files.yaml.typed import has_unit_of_angle, read_value, read_whole
@@ -37,23 +37,50 @@ KEYS = (
     "poses",
 )
 REQUIRED = ("title", "source", "convention", "variables", "links")
+XML = (".urdf", ".xml", ".xacro")
+XML_LIMIT = 20_000_000
+"""What the name of a URDF ends in, and the most bytes of one; meshes stand in files of their own."""
 DRAWN = re.compile(r"^convention:\s*['\"]?(axes|screws)['\"]?\s*(?:#.*)?$", re.MULTILINE)
 """How a file says that it gives axes or screws in the place of links."""
 
 
-def load_robot(name: str | Path) -> Robot:
-    """Load a robot by name or from a file.
+def load_robot(name: str | Path, *, base: str | None = None, tip: str | None = None, as_typed: bool = False) -> Robot:
+    """Load a robot by name or from a file, a YAML of dhcli's or a URDF.
 
     Args:
         name: A name of the library such as `puma560`, a path, or `-` for standard input.
+        base: The link of a URDF that is frame 0; by default its root.
+        tip: The link of a URDF that is the last frame; by default the only one at the end of a chain that moves.
+        as_typed: Whether 1.5708 in a URDF stays what it is, and is not taken as 90°.
 
     Raises:
-        UnknownNameError: No robot has this name; the nearest are listed.
+        UnknownNameError: No robot has this name, or the URDF has no such link; the nearest are listed.
         FileError: The file is no robot; every problem, each with file, line and column.
     """
+    return load_noted(name, base=base, tip=tip, as_typed=as_typed)[0]
+
+
+def load_noted(
+    name: str | Path, *, base: str | None = None, tip: str | None = None, as_typed: bool = False
+) -> tuple[Robot, tuple[str, ...]]:
+    """The same, and what a person should know of how it was read."""
     path = name if isinstance(name, Path) else find(Kind.ROBOTS, name)
-    text = read_text("-" if str(path) == "-" else path)
-    return read_robot(text, source_of(path), "stdin" if str(path) == "-" else path.stem)
+    called = "stdin" if str(path) == "-" else path.stem
+    text = read_text("-" if str(path) == "-" else path, limit=XML_LIMIT if path.suffix.lower() in XML else LIMIT)
+    if is_xml(text):
+        from dhcli.files.urdf.robots import read_urdf  # most robots are YAML
+
+        found = read_urdf(text, source_of(path), called, base=base, tip=tip, as_typed=as_typed)
+        return found.robot, found.remarks
+    if base is not None or tip is not None or as_typed:
+        hint = "frames of a robot file are named with --from and --to"
+        raise FileError(Problem("only a URDF has links to choose from", Place(source_of(path)), hint))
+    return read_robot(text, source_of(path), called), ()
+
+
+def is_xml(text: str) -> bool:
+    """Whether a text is XML."""
+    return text.lstrip().startswith("<")
 
 
 def read_robot(text: str, source: str, name: str) -> Robot:

@@ -12,7 +12,7 @@ from dhcli.kinematics.describe.drawn import Drawing, drawing_of
 from dhcli.kinematics.describe.linear import LettersError
 from dhcli.kinematics.describe.process import walk
 from dhcli.kinematics.describe.products import chains_of
-from dhcli.kinematics.describe.proof import Proof, proved
+from dhcli.kinematics.describe.proof import CLOSE, Proof, proved
 from dhcli.kinematics.describe.repairing import repaired, with_table
 from dhcli.kinematics.describe.screws import ScrewAxis, Side, lines_of, screws_of
 from dhcli.kinematics.describe.words import Speaker, Step
@@ -28,6 +28,15 @@ FORMS: tuple[Form, ...] = get_args(Form)
 
 DRAWN = "drawn"
 """The named pose in which a robot was drawn."""
+
+
+_MISSED = 2e-12
+"""What it costs that axes count as meeting or parallel which miss that by less than 1e-12 of the size."""
+
+_ROUGH = (
+    "the table differs by {:.1g} of the reach: axes that meet, or are parallel, to 1e-12 of the size count as such, "
+    "or a normal lies far away"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -175,8 +184,8 @@ def _table(robot: Robot, convention: Convention, rows: tuple[Row, ...], base: Ch
     return replace(named, convention=convention, links=links, base=base, tool=tool, columns=columns)
 
 
-def _proof(robot: Robot, found: Robot) -> Proof:
-    return proved(robot.chain, found.chain, known_values(robot))
+def _proof(robot: Robot, found: Robot, close: float = CLOSE) -> Proof:
+    return proved(robot.chain, found.chain, known_values(robot), close)
 
 
 def known_values(robot: Robot) -> dict[str, Angle | float]:
@@ -204,18 +213,18 @@ def _by_process(robot: Robot, convention: Convention, asked: Asked, drawing: Dra
     names = tuple(line.name for line in drawing.lines)
     found = replace(found, variables=names, poses=_sorted(robot, names))
     speaker = Speaker(walked, convention, robot.first, found.writing)
-    notes = _left_over(robot, found)
+    most = max(CLOSE * walked.farthest, _MISSED) + len(names) * walked.bent
+    proof = _proof(robot, found, most)
     return Described(
         robot,
         asked.form,
         found,
-        _proof(robot, found),
+        proof,
         drawing,
-        (),
-        tuple(speaker.steps()),
-        notes,
-        walked.warnings,
-        asked.steps,
+        steps=tuple(speaker.steps()),
+        notes=_left_over(robot, found),
+        warnings=(*walked.warnings, *(_ROUGH.format(proof.error) for _ in range(proof.error > CLOSE))),
+        told=asked.steps,
     )
 
 

@@ -6,19 +6,20 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from typing import TypeAlias
 
-from dhcli.algebra.terms import TERMS
+from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
-from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, cross, dot, length, scaled
-from dhcli.kinematics.describe.linear import LettersError, Point, Ruler, form_of, point_of
-from dhcli.kinematics.fold import fold
-from dhcli.kinematics.merge import merge
-from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans, angle_names, expressions, names, substituted
+from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, cross, dot, length, plus, scaled
+from dhcli.kinematics.describe.linear import LettersError, Point, Ruler, form_of, shifted
+from dhcli.kinematics.moves import PLANES, Chain, Fixed, Move, Rot, Trans, angle_names, expressions, names, substituted
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ONE, ZERO, Expr, Number
 from dhcli.notation.walk import substitute, symbols
 
-Value = Angle | Expr
+Value: TypeAlias = Angle | Expr
+Placed: TypeAlias = tuple[tuple[Vector, Vector, Vector], Point]
+"""The three axes of a frame, and its origin."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,33 +103,50 @@ def drawing_of(
     angles = {name: Angle() for name in variables}
     angles |= {name: value for name, value in drawn.items() if isinstance(value, Angle)}
     lines: list[Line] = []
-    passed: list[Move] = []
+    here: Placed = (UNITS, {})
     for move in chain:
         moving = [name for name in variables if name in names((move,))]
         if len(moving) > 1 or any(line.name in moving for line in lines):
             raise RobotError(f"{moving[0]} does not move one joint about or along one axis")
         if moving:
-            here = _frame_at(substituted(tuple(passed), lengths, angles))
             lines.append(replace(_line(moving[0], move, here), drawn=drawn.get(moving[0], ZERO)))
-        passed.append(move)
-    end = _frame_at(substituted(chain, lengths, angles))
-    return Drawing(tuple(lines), Frame(end[0][0], end[0][2], end[1]), values)
+        (still,) = substituted((move,), lengths, angles)
+        here = _after(here, still)
+    (x, _, z), origin = here
+    return Drawing(tuple(lines), Frame(x, z, origin), values)
 
 
-def _frame_at(chain: Chain) -> tuple[tuple[Vector, Vector, Vector], Point]:
-    """Axes and origin of the frame that a chain without variables leads to."""
-    rows = fold(merge(chain), TERMS)
-    columns = []
+def _after(here: Placed, move: Move) -> Placed:
+    """Axes and origin of the frame behind a move without variables."""
+    axes, origin = here
+    if isinstance(move, Rot):
+        if move.angle.names:
+            raise LettersError(f"directions depend on {', '.join(sorted(move.angle.names))}", "give it a value")
+        cos, sin = Floats().cos_sin(move.angle)
+        i, j = PLANES[move.axis]
+        turned = list(axes)
+        turned[i] = plus(scaled(axes[i], cos), axes[j], sin)
+        turned[j] = plus(scaled(axes[j], cos), axes[i], -sin)
+        return (turned[0], turned[1], turned[2]), origin
+    rows = move.rows if isinstance(move, Fixed) else None
+    offset = tuple(row[3] for row in rows) if rows else move.offset  # type: ignore[union-attr]
+    for axis, expr in zip(axes, offset, strict=True):
+        origin = shifted(origin, axis, form_of(expr))
+    if rows is None:
+        return axes, origin
+    found = []
     for k in range(3):
-        entries = [rows[i][k] for i in range(3)]
+        entries = [row[k] for row in rows]
         if free := sorted(frozenset().union(*map(symbols, entries))):
             raise LettersError(f"directions depend on {', '.join(free)}", "give it a value")
-        x, y, z = (form_of(entry).get(ONE, 0.0) for entry in entries)
-        columns.append((x, y, z))
-    return (columns[0], columns[1], columns[2]), point_of(row[3] for row in rows[:3])
+        column = ORIGIN
+        for axis, entry in zip(axes, entries, strict=True):
+            column = plus(column, axis, Floats().value(entry))
+        found.append(column)
+    return (found[0], found[1], found[2]), origin
 
 
-def _line(name: str, move: Move, here: tuple[tuple[Vector, Vector, Vector], Point]) -> Line:
+def _line(name: str, move: Move, here: Placed) -> Line:
     axes, origin = here
     if isinstance(move, Rot):
         rate = dict(move.angle.terms)[name]

@@ -173,16 +173,19 @@ def _through(line: Line) -> Point:
     return line.through
 
 
+def how_far(found: Normal, ruler: Ruler) -> float:
+    """How far the feet of a normal are from the base, in sizes of the robot; letters do not count."""
+    feet = (vector for point in (found.start, found.end) for letter, vector in point.items() if letter == ONE)
+    return max(map(length, feet), default=0.0) / ruler.size
+
+
 def far_feet(found: Normal, first: Line, second: Line, ruler: Ruler, most: float = 450.0) -> str:
     """A warning where two axes are nearly parallel, so that their normal lies far away; empty where they are not."""
-    foot = max(
-        (length(vector) for point in (found.start, found.end) for letter, vector in point.items() if letter == ONE),
-        default=0.0,
-    )
-    if foot <= most * ruler.size or found.same:
+    far = how_far(found, ruler)
+    if far <= most or found.same:
         return ""
     angle = math.degrees(math.asin(min(1.0, length(cross(first.direction, second.direction)))))
     return (
-        f"the axes {first.name} and {second.name} are {angle:.2g}° from parallel: their common normal is {foot:.4g} m "
-        f"away, {foot / ruler.size:.0f} times the size of the robot"
+        f"the axes {first.name} and {second.name} are {angle:.2g}° from parallel: their common normal is "
+        f"{far * ruler.size:.4g} m away, {far:.0f} times the size of the robot"
     )

@@ -12,12 +12,12 @@ from fractions import Fraction
 from itertools import pairwise
 from math import pi
 
-from dhcli.geometry.vectors import UNITS, Vector, angle_about, cross
+from dhcli.geometry.vectors import UNITS, Vector, angle_about, cross, length, plus
 from dhcli.kinematics.conventions import Convention, Row
 from dhcli.kinematics.describe.drawn import Drawing, Frame, Line
 from dhcli.kinematics.describe.exact import exact_angle
 from dhcli.kinematics.describe.linear import Form, along, length_of, moved
-from dhcli.kinematics.describe.normals import Lie, Normal, far_feet, normal, placed, through_end
+from dhcli.kinematics.describe.normals import Lie, Normal, far_feet, how_far, normal, placed, through_end
 from dhcli.kinematics.moves import Chain, Rot
 from dhcli.kinematics.moves import along as shift
 from dhcli.notation.angle import Angle
@@ -71,12 +71,16 @@ class Walk:
         legs: One for each line but the last.
         last: The way along the end's own z axis.
         warnings: What a person should know.
+        farthest: How far the farthest foot is, in sizes of the robot: by so much roundings grow.
+        bent: By how much axes that are parallel but for roundings were turned [rad].
     """
 
     lines: tuple[Line, ...]
     legs: tuple[Leg, ...]
     last: Along
     warnings: tuple[str, ...]
+    farthest: float = 1.0
+    bent: float = 0.0
 
     def base(self, convention: Convention) -> Chain:
         """What stands before the first row."""
@@ -128,7 +132,10 @@ def walk(drawing: Drawing) -> Walk:
     end = drawing.end
     rest = ruler.cleaned(along(moved(end.origin, here.origin, -1), here.z))
     last = Along(exact_angle(angle_about(here.z, here.x, end.x)), length_of(rest))
-    return Walk(lines, tuple(legs), last, tuple(warnings))
+    farthest = max(1.0, *(how_far(leg.normal, ruler) for leg in legs))
+    given = (*(line.direction for line in drawing.lines), end.z)
+    bent = max(length(plus(line.direction, was, -1)) for line, was in zip(lines[1:], given, strict=True))
+    return Walk(lines, tuple(legs), last, tuple(warnings), farthest, bent)
 
 
 def _angle(found: Normal, u: Vector, v: Vector) -> float:
@@ -137,15 +144,15 @@ def _angle(found: Normal, u: Vector, v: Vector) -> float:
 
 def _joint(line: Line, turn: float, way: Form) -> Along:
     """The way along a line, with the variable of its joint: in the pose drawn it is as drawn."""
-    turned, length = exact_angle(turn), length_of(way)
+    turned, offset = exact_angle(turn), length_of(way)
     if line.name in ("base", "end"):
-        return Along(turned, length)
+        return Along(turned, offset)
     if line.turns:
         drawn = line.drawn if isinstance(line.drawn, Angle) else Angle()
-        return Along(Angle(((line.name, line.rate),)) + _rounded(turned - drawn * line.rate), length)
+        return Along(Angle(((line.name, line.rate),)) + _rounded(turned - drawn * line.rate), offset)
     drawn_length = line.drawn if isinstance(line.drawn, Expr) else ZERO
     moving = multiply(Number(line.rate), Symbol(line.name))
-    return Along(turned, moving + (length - multiply(Number(line.rate), drawn_length)))
+    return Along(turned, moving + (offset - multiply(Number(line.rate), drawn_length)))
 
 
 def _rounded(angle: Angle) -> Angle:
