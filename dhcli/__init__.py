@@ -27,43 +27,94 @@ if TYPE_CHECKING:
     from dhcli.kinematics.batch import forward_batch as forward_batch
     from dhcli.kinematics.forward import forward as forward
     from dhcli.kinematics.forward import symbolic as symbolic
+    from dhcli.kinematics.inverse.asked import inverse as inverse
+    from dhcli.kinematics.inverse.batch import inverse_batch as inverse_batch
+    from dhcli.kinematics.inverse.path import follow as follow
+    from dhcli.kinematics.inverse.solutions import Solutions as Solutions
     from dhcli.kinematics.pose import Pose as Pose
     from dhcli.kinematics.robot import Robot as Robot
+    from dhcli.kinematics.singular.finding import singularities as singularities
+    from dhcli.kinematics.singular.result import Singularities as Singularities
     from dhcli.kinematics.sweep.asked import sweep as sweep
+    from dhcli.kinematics.velocity.jacobian import Jacobian as Jacobian
+    from dhcli.kinematics.velocity.many import jacobian as jacobian
+    from dhcli.kinematics.velocity.many import symbolic_jacobian as symbolic_jacobian
+    from dhcli.kinematics.velocity.measures import manipulability as manipulability
+    from dhcli.kinematics.velocity.rates import Rates as Rates
+    from dhcli.kinematics.velocity.rates import joint_rates as joint_rates
+    from dhcli.kinematics.velocity.rates import velocity_of as velocity_of
+    from dhcli.kinematics.velocity.statics import symbolic_torques as symbolic_torques
+    from dhcli.kinematics.velocity.statics import torques as torques
+    from dhcli.render.pictures.picture import Picture as Picture
+    from dhcli.render.pictures.picture import draw as draw
 
 __version__ = "0.1.0"
 
 _HOMES = {
     "DhcliError": "dhcli.errors",
+    "Jacobian": "dhcli.kinematics.velocity.jacobian",
+    "Picture": "dhcli.render.pictures.picture",
     "Pose": "dhcli.kinematics.pose",
+    "Rates": "dhcli.kinematics.velocity.rates",
     "Robot": "dhcli.kinematics.robot",
+    "Singularities": "dhcli.kinematics.singular.result",
+    "Solutions": "dhcli.kinematics.inverse.solutions",
     "axis_angles": "dhcli.geometry.many",
     "check": "dhcli.checking.judge",
+    "draw": "dhcli.render.pictures.picture",
+    "follow": "dhcli.kinematics.inverse.path",
     "forward": "dhcli.kinematics.forward",
     "forward_batch": "dhcli.kinematics.batch",
+    "inverse": "dhcli.kinematics.inverse.asked",
+    "inverse_batch": "dhcli.kinematics.inverse.batch",
+    "jacobian": "dhcli.kinematics.velocity.many",
+    "joint_rates": "dhcli.kinematics.velocity.rates",
     "load_exercise": "dhcli.files.yaml.exercises",
     "load_robot": "dhcli.files.yaml.robots",
+    "manipulability": "dhcli.kinematics.velocity.measures",
     "quaternions": "dhcli.geometry.many",
     "roll_pitch_yaw": "dhcli.geometry.many",
+    "singularities": "dhcli.kinematics.singular.finding",
     "sweep": "dhcli.kinematics.sweep.asked",
     "symbolic": "dhcli.kinematics.forward",
+    "symbolic_jacobian": "dhcli.kinematics.velocity.many",
+    "symbolic_torques": "dhcli.kinematics.velocity.statics",
+    "torques": "dhcli.kinematics.velocity.statics",
+    "velocity_of": "dhcli.kinematics.velocity.rates",
 }
 
 __all__ = [
     "DhcliError",
+    "Jacobian",
+    "Picture",
     "Pose",
+    "Rates",
     "Robot",
+    "Singularities",
+    "Solutions",
     "__version__",
     "axis_angles",
     "check",
+    "draw",
+    "follow",
     "forward",
     "forward_batch",
+    "inverse",
+    "inverse_batch",
+    "jacobian",
+    "joint_rates",
     "load_exercise",
     "load_robot",
+    "manipulability",
     "quaternions",
     "roll_pitch_yaw",
+    "singularities",
     "sweep",
     "symbolic",
+    "symbolic_jacobian",
+    "symbolic_torques",
+    "torques",
+    "velocity_of",
 ]
 
 

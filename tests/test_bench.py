@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from dhcli import forward, load_robot
+from dhcli import forward, jacobian, load_robot
 from dhcli.cli.app import COMMANDS
 
 BENCH = Path(__file__).parent / "bench"
@@ -48,6 +48,33 @@ def test_every_peer_at_hand_says_what_forward_says(name: str) -> None:
         if peer.version:
             assert poses.equal(peer.many(robot)(q), expected)
             assert poses.equal(peer.build(robot)(q[0]), expected[0])
+
+
+@pytest.mark.parametrize("name", ["planar-2r", "puma560", "stanford", "panda", "ur5e"])
+def test_every_peer_at_hand_says_what_jacobian_says(name: str) -> None:
+    """Columns of z × (p - o), of both conventions and a slide."""
+    import motion
+    import poses
+
+    robot = load_robot(name)
+    q = poses.joint_values(robot, 3)
+    for peer in motion.PEERS:
+        if peer.version:
+            assert poses.equal(peer.many(robot)(q), jacobian(robot, q))
+
+
+def test_jacobians_are_measured_beside_poses_and_sympy(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The smallest robot: the rows of each group."""
+    import motion
+
+    monkeypatch.setattr(motion, "PEERS", motion.PEERS[:1])
+    rows = [*motion.batch(1, ("planar-2r",), 50), *motion.one(1, ("planar-2r",)), *motion.symbols(1, ("planar-2r",))]
+    assert [row.work for row in rows] == [
+        *["50 Jacobians of planar-2r"] * 2,
+        "one Jacobian of planar-2r",
+        "Jacobian of planar-2r",
+    ]
+    assert all(row.pairs for row in rows)
 
 
 def test_a_peer_that_says_something_else_stops_the_program(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -19,6 +19,7 @@ from dhcli.checking.verdicts import Mark
 from dhcli.checking.written import Printed, Range, Trial, answer_scope
 from dhcli.errors import DhcliError, Place, UnknownNameError, did_you_mean
 from dhcli.kinematics.conventions import Row
+from dhcli.kinematics.derived import replaced
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.validity import Finding
 from dhcli.notation.operators import OPENING
@@ -127,6 +128,7 @@ class Question(ABC, Generic[T]):
         is_explained: Whether a slip is looked for behind a wrong answer.
         is_in_table: Whether the robot's table would give the answer away.
         is_plain: Whether an answer is neither a formula nor a measure, so that a sheet need not say how to write them.
+        may_show_frames: Whether frames and lengths in a picture would not give the answer away.
     """
 
     __slots__ = ()
@@ -137,6 +139,7 @@ class Question(ABC, Generic[T]):
     is_explained: ClassVar[bool] = True
     is_in_table: ClassVar[bool] = False
     is_plain: ClassVar[bool] = False
+    may_show_frames: ClassVar[bool] = False
 
     @classmethod
     @abstractmethod
@@ -168,6 +171,10 @@ class Question(ABC, Generic[T]):
     @abstractmethod
     def describe(self, exercise: Exercise) -> str:
         """What is asked for, in a few words."""
+
+    def describe_form(self, exercise: Exercise) -> str:
+        """The same where a task says in its own words what is asked for, and how it is found would give it away."""
+        return self.describe(exercise)
 
     @property
     def statements(self) -> tuple[str, ...]:
@@ -330,6 +337,10 @@ class Part:
     compare: str = "same-robot"
     printed: Printed | None = None
 
+    def heading(self, exercise: Exercise) -> str:
+        """What is asked for, in a few words that do not tell more than the task does."""
+        return self.question.describe_form(exercise) if self.prompt else self.question.describe(exercise)
+
 
 @dataclass(frozen=True, slots=True)
 class Exercise:
@@ -377,8 +388,9 @@ class Exercise:
 
     def __post_init__(self) -> None:
         """Work out what follows from the rest."""
-        own = self.robot.parameters if self.robot and self.numeric else {}
-        values = {**{name: value for name, value in own.items() if value is not None}, **self.given}
+        values: Mapping[str, Value] = self.given
+        if self.robot and self.numeric:
+            values = replaced(self.robot.derived, self.robot.parameters, self.given)
         object.__setattr__(self, "scope", answer_scope(self.robot, (*self.given, *self.names)))
         object.__setattr__(self, "values", values)
 

@@ -18,6 +18,8 @@ _NAMED = re.compile(r"(^|[,;\n])[ \t]{0,9}(?:[xyz]|[pd]_?\{?[xyz]\}?)[ \t]{0,9}=
 _LATEX_ENDS = re.compile(
     r"^(?:\\left ?[\[(])? ?\\begin ?\{\w{1,20}\}(?:\{[clr|]{1,20}\})?|\\end ?\{\w{1,20}\} ?(?:\\right ?[\])])?$"
 )
+_NAME_PARTS = re.compile(r"_\{[^{}\n]{0,20}\}|\\\\|\\[A-Za-z]{1,20}")
+"""What of a name or of LaTeX has braces and backslashes, `c_{12}` and `\\theta`."""
 _WIDE = re.compile(r"[^\s+*/^-][ \t]+-?[\w.]+[ \t]+-?[\w.]+[ \t]+-?[\w.]")
 """Four cells or more in a row: a whole matrix, not a coordinate."""
 _UNIT_VECTORS = ("i", "j", "k")
@@ -53,10 +55,10 @@ def as_column(text: str, scope: Scope, *, is_axis: bool) -> str:
 def _one_a_row(text: str) -> str:
     """A column with a coordinate in each row, where blanks cannot separate: `[a1 c1; a1 s1; 0]`; else empty."""
     inside = text.removeprefix("[").removesuffix("]").strip(" \n;")
-    for separator in (";", "\n"):
+    plain = not set(_NAME_PARTS.sub("", inside)) & set("[]{}|&,\\")
+    for separator in (";", "\\\\", "\n"):
         if separator in inside:
-            rows = inside.split(separator)
-            plain = not set(inside) & set("[]{}|&,\\")
+            rows = [row for row in inside.split(separator) if row.strip()]
             wide = all(_WIDE.search(row) for row in rows)
             return "[" + ", ".join(rows) + "]" if plain and len(rows) <= max(LENGTHS) and not wide else ""
     return ""

@@ -85,12 +85,12 @@ class Wanted:
 
 
 _PIECE = re.compile(
-    r"(?P<piece>rotation|position|entry\s+(?P<row>[1-4])\s+(?P<column>[1-4])|axis\s+(?P<axis>[xyz])"
+    r"(?P<piece>rotation|position|entry\s+(?P<row>[1-3])\s+(?P<column>[1-4])|axis\s+(?P<axis>[xyz])"
     r"|(?P<kind>point|vector)\s*(?P<point>\(.*\)))\s+(?:of\s+)?(?P<rest>.+)",
     re.DOTALL,
 )
-_POSE = re.compile(r"(?:pose\s+)?(?P<start>base|\d+)\s*\.\.\s*(?P<end>tool|base|\d+)")
-_LINK = re.compile(r"link\s+(?P<link>\d+)")
+_POSE = re.compile(r"(?:pose\s+)?(?P<start>base|\d{1,4})\s*\.\.\s*(?P<end>tool|base|\d{1,4})")
+_LINK = re.compile(r"link\s+(?P<link>\d{1,4})")
 _PRODUCT = re.compile(r"product\s+[\"“'](?P<text>.+)[\"”']", re.DOTALL)
 _INVERSE = re.compile(r"inverse\s+of\s+(?P<rest>.+)", re.DOTALL)
 
@@ -128,14 +128,15 @@ def _length(expr: Expr, place: Place | None) -> Expr:
 
 
 def _source(text: str, scope: Scope, place: Place | None) -> tuple[Source, bool]:
-    text = text.strip()
-    if match := _INVERSE.fullmatch(text):
-        source, inverse = _source(match["rest"], scope, place)
-        return source, not inverse
+    text, inverse = text.strip(), False
+    while match := _INVERSE.fullmatch(text):
+        text, inverse = match["rest"].strip(), not inverse
     if match := _LINK.fullmatch(text):
-        return Span(str(int(match["link"]) - 1), match["link"], link=True), False
+        return Span(str(int(match["link"]) - 1), match["link"], link=True), inverse
     if match := _POSE.fullmatch(text):
-        return Span(match["start"], match["end"]), False
+        if match["start"] == match["end"]:
+            raise NotationError(Problem("a frame seen from itself is no question", place, "write pose 0..1"))
+        return Span(match["start"], match["end"]), inverse
     if match := _PRODUCT.fullmatch(text):
-        return Composed(read_chain(match["text"], scope, place), match["text"]), False
+        return Composed(read_chain(match["text"], scope, place), match["text"]), inverse
     raise NotAskedError(text)

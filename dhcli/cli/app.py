@@ -14,7 +14,8 @@ if TYPE_CHECKING:
     from typer._click import Command, Context
 
 PANELS = {
-    "Compute": ("fk", "sweep", "transform", "describe", "dof"),
+    "Compute": ("fk", "ik", "sweep", "jacobian", "singularities", "rates", "torques", "transform", "describe", "dof"),
+    "See": ("draw",),
     "Exercises": ("start", "check", "watch", "hint", "solution"),
     "Classes": ("grade",),
     "Library and authors": ("show", "list", "new", "lint"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import stat
 import sys
 from pathlib import Path
 from typing import BinaryIO
@@ -38,11 +39,25 @@ def read_text(path: Path | str, *, limit: int = LIMIT) -> str:
         if str(path) == "-":
             content = _read_standard_input(limit)
         else:
-            with open(path, "rb") as stream:
+            with _opened(path) as stream:
                 content = _read_limited(stream, source, limit)
+                if not content and stat.S_ISFIFO(os.fstat(stream.fileno()).st_mode):
+                    raise FileError(Problem("is a pipe that nobody writes to", Place(source), "name a file"))
     except OSError as error:
         raise FileError(explain(error, source, path)) from None
     return decode(content, source)
+
+
+def _opened(path: Path | str) -> BinaryIO:
+    """A file, opened without waiting for somebody to open the other end of a pipe; reading it waits as ever."""
+    descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
+    try:
+        if hasattr(os, "set_blocking"):
+            os.set_blocking(descriptor, True)
+        return open(descriptor, "rb")
+    except BaseException:
+        os.close(descriptor)
+        raise
 
 
 def explain(error: OSError, source: str, path: Path | str) -> Problem:

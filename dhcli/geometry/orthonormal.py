@@ -9,13 +9,14 @@ from dhcli.algebra.arithmetic import times
 from dhcli.algebra.equality import equal
 from dhcli.algebra.floats import Floats
 from dhcli.geometry.motion import dot
+from dhcli.geometry.printed import digit_slack
 from dhcli.notation.tree import ZERO, Expr
 from dhcli.notation.walk import symbols
 
 N = TypeVar("N")
 
-LOOSE = 1e-3
-"""How far the cosines of a matrix typed with decimals may be from a rotation."""
+LOOSE = 1e-6
+"""How far numbers may be from a rotation beyond what their digits allow."""
 
 
 def faults(rotation: Sequence[Sequence[N]], agree: Callable[[N | int, N | int], bool]) -> Iterator[tuple[int, ...]]:
@@ -45,7 +46,16 @@ def faults(rotation: Sequence[Sequence[N]], agree: Callable[[N | int, N | int], 
 
 def not_a_rotation(rows: Sequence[Sequence[Expr]]) -> str:
     """What keeps a matrix that somebody typed from being a pose, in words; empty if nothing does."""
-    match next(faults(rows, _agree), ()):
+    slack = _slack(rows)
+
+    def agree(first: Expr | int, second: Expr | int) -> bool:
+        """Exactly for symbols; numbers may be rounded."""
+        one, other = (ZERO + each for each in (first, second))
+        if symbols(one) or symbols(other):
+            return equal(one, other)
+        return abs(Floats().value(one) - Floats().value(other)) <= slack
+
+    match next(faults(rows, agree), ()):
         case (i,):
             return f"column {i + 1} is not a unit vector"
         case (i, j):
@@ -55,9 +65,10 @@ def not_a_rotation(rows: Sequence[Sequence[Expr]]) -> str:
     return ""
 
 
-def _agree(first: Expr | int, second: Expr | int) -> bool:
-    """Exactly for symbols; numbers may be rounded."""
-    one, other = (ZERO + each for each in (first, second))
-    if symbols(one) or symbols(other):
-        return equal(one, other)
-    return abs(Floats().value(one) - Floats().value(other)) <= LOOSE
+def _slack(rows: Sequence[Sequence[Expr]]) -> float:
+    """How far a product of two columns may be off, where each decimal may be off by half a unit of its last digit."""
+    half = digit_slack(rows)
+    if not half or any(symbols(entry) for row in rows for entry in row[:3]):
+        return LOOSE
+    largest = max(sum(abs(Floats().value(row[i])) for row in rows[:3]) for i in range(3))
+    return 2 * half * largest + 3 * half * half + LOOSE

@@ -64,15 +64,7 @@ def forward_batch(
         UnknownNameError: The robot has no such frame or length.
     """
     check_robot(robot)
-    wanted = len(robot.variables)
-    try:
-        if np.iscomplexobj(Q):
-            raise RobotError("Q holds complex numbers", "joint values are real: Q.real, if that is what is meant")
-        q = np.asarray(Q, dtype=np.float64)
-    except (ValueError, TypeError):
-        raise RobotError("Q is no array of numbers", f"wanted: rows of {wanted} numbers, all as long") from None
-    if q.ndim != 2 or q.shape[1] != wanted:  # noqa: PLR2004  rows and columns
-        raise RobotError(f"{robot.name} has {wanted} joints; Q has the shape {q.shape}, not (N, {wanted})")
+    q = joint_rows(robot, Q)
     poses = np.empty((len(q), 4, 4)) if out is None else _checked(out, (len(q), 4, 4))
     chain = between(robot, *ends(robot, start, end))
     lengths = parameter_values(robot, parameters or {})
@@ -86,6 +78,24 @@ def forward_batch(
             columns[kind] = Columns(recorded(chain, robot.variables, values, merged=kind[0]), len(block))
         poses[first : first + BLOCK] = columns[kind].play(block.T).reshape(4, 4, -1).transpose(2, 0, 1)
     return poses
+
+
+def joint_rows(robot: Robot, Q: ArrayLike) -> NDArray[np.float64]:  # noqa: N803
+    """Joint values of many poses as an array, shape (N, n).
+
+    Raises:
+        RobotError: They have another shape, or something is no real number.
+    """
+    wanted = len(robot.variables)
+    try:
+        if np.iscomplexobj(Q):
+            raise RobotError("Q holds complex numbers", "joint values are real: Q.real, if that is what is meant")
+        q = np.asarray(Q, dtype=np.float64)
+    except (ValueError, TypeError):
+        raise RobotError("Q is no array of numbers", f"wanted: rows of {wanted} numbers, all as long") from None
+    if q.ndim != 2 or q.shape[1] != wanted:  # noqa: PLR2004  rows and columns
+        raise RobotError(f"{robot.name} has {wanted} joints; Q has the shape {q.shape}, not (N, {wanted})")
+    return q
 
 
 @lru_cache(maxsize=32)

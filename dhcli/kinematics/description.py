@@ -6,18 +6,16 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from types import MappingProxyType
-from typing import Literal, TypeAlias
+from typing import Literal
 
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row
+from dhcli.kinematics.derived import Formula, Value
 from dhcli.kinematics.moves import Chain, angle_names, expressions
 from dhcli.notation.angle import Angle
 from dhcli.notation.scope import Scope
 from dhcli.notation.styles import Joints
-from dhcli.notation.tree import Expr, Trig
+from dhcli.notation.tree import Trig
 from dhcli.notation.walk import symbols, walk
-
-Value: TypeAlias = Angle | Expr
-"""The value of a name: an exact angle, or an expression of lengths in metres."""
 
 Kind = Literal["revolute", "prismatic"]
 
@@ -72,10 +70,12 @@ class Description:
     poses: Mapping[str, tuple[Value, ...]] = field(default_factory=dict)
     columns: tuple[str, ...] = COLUMNS
     notes: str = ""
+    derived: Mapping[str, Formula] = field(default_factory=dict)
+    remarks: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         """Let nobody change a mapping in place."""
-        for attribute in ("parameters", "limits", "poses"):
+        for attribute in ("parameters", "limits", "poses", "derived"):
             object.__setattr__(self, attribute, MappingProxyType(dict(getattr(self, attribute))))
 
     @cached_property

@@ -110,14 +110,17 @@ def textbook_form(chain: Chain) -> tuple[tuple[Expr, ...], ...]:
     """The product of a chain in terms, shape (4, 4): parallel rotations merged, no bracket expanded.
 
     Raises:
-        RobotError: It would be longer than anybody can read.
+        RobotError: It would be longer than anybody can read, or an exact number in it.
     """
-    merged = merge(chain)
-    size = sum(entry.count for row in fold(merged, SIZES) for entry in row)
-    if size > LONGEST:
-        message = f"the result would be {size} symbols long, more than the {LONGEST} that are written"
-        raise RobotError(message, "ask for fewer frames with --from and --to, or put values in")
-    return fold(merged, TERMS)
+    try:
+        merged = merge(chain)
+        size = sum(entry.count for row in fold(merged, SIZES) for entry in row)
+        if size > LONGEST:
+            message = f"the result would be {size} symbols long, more than the {LONGEST} that are written"
+            raise RobotError(message, "ask for fewer frames with --from and --to, or put values in")
+        return fold(merged, TERMS)
+    except OverflowError:
+        raise RobotError("an exact number has too many digits", "compute in numbers, or put in simpler ones") from None
 
 
 def in_numbers(chain: Chain, values: Values) -> tuple[tuple[float, ...], ...]:

@@ -58,13 +58,19 @@ def along(axis: Axis, length: Expr) -> Trans:
     return Trans(x, y, z)
 
 
-def read_chain(text: str, scope: Scope = OPEN, place: Place | None = None) -> Chain:
+def read_chain(text: str, scope: Scope = OPEN, place: Place | None = None, remarks: list[str] | None = None) -> Chain:
     """Read a product of moves such as `Trans(0, 0, l1) * Rot(z, theta1)`.
+
+    Args:
+        text: What a person wrote.
+        scope: The names it may use.
+        place: Where the text stands, for errors.
+        remarks: Where to say that 1.5708 rad was taken as 90°; without it such angles are taken as they stand.
 
     Raises:
         NotationError: With the column and what would be read.
     """
-    return tuple(from_factor(factor) for factor in in_order_of_motion(parse_factors(text, scope, place)))
+    return tuple(from_factor(factor) for factor in in_order_of_motion(parse_factors(text, scope, place, remarks)))
 
 
 def from_factor(factor: Factor) -> Move:

@@ -14,6 +14,7 @@ from dhcli.kinematics.moves import Chain, Trans, inverse
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.robot import Link, Robot
 from dhcli.kinematics.values import Values, require, warnings
+from dhcli.notation.quarters import right_angles_among
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
 
@@ -105,6 +106,9 @@ def answer(robot: Robot, values: Values, question: Question) -> ForwardKinematic
         UnknownNameError: The robot has no such frame or link.
     """
     view = question.view
+    taken: list[str] = []
+    if question.symbolic:
+        values = right_angles_among(values, taken)
     links = _links(robot, view, question.link)
     if question.listing == "factors" and question.link is not None:
         view = replace(view, start=str(links[0].number - 1), end=str(links[0].number))
@@ -122,7 +126,7 @@ def answer(robot: Robot, values: Values, question: Question) -> ForwardKinematic
         placements=said,
         definitions=definitions,
         words=() if question.symbolic else in_words(cast("Pose[float]", pose).rotation),
-        warnings=(*warnings(robot, values), *locked),
+        warnings=(*warnings(robot, values), *taken, *locked),
     )
 
 

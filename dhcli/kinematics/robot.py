@@ -6,7 +6,8 @@ from dataclasses import fields
 from types import MappingProxyType
 
 from dhcli.errors import RobotError, plural
-from dhcli.kinematics.description import Description, Joint, Kind, Link, Value
+from dhcli.kinematics.derived import Value
+from dhcli.kinematics.description import Description, Joint, Kind, Link
 from dhcli.kinematics.validity import check
 
 __all__ = ["Joint", "Kind", "Link", "Robot", "Value", "check_robot"]
@@ -30,6 +31,8 @@ class Robot(Description):
         poses: Named poses, a value for each variable.
         columns: Order of the columns in which the table was written.
         notes: What else a reader should know.
+        derived: Formulas of those parameters that follow from others; their values stand among the parameters.
+        remarks: What was taken for something else when it was read, such as 1.5708 rad for 90°.
 
     Raises:
         InvalidRobotError: With every finding, if it is not a robot.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Literal, TypeAlias, cast
 
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean
@@ -16,12 +17,13 @@ from dhcli.kinematics.placement import Placement, locked_warnings, placements
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.question import AnyPose, SeenPoint, folded
 from dhcli.kinematics.robot import Value
+from dhcli.kinematics.sharpened import sharpened
 from dhcli.notation.factors import Factor, moves_of, parse_factors
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
 from dhcli.notation.pasted import pose_matrix
-from dhcli.notation.quantity import DimensionError, to_angle, to_length
-from dhcli.notation.scope import OPEN, Scope
+from dhcli.notation.quantity import DimensionError, to_angle, to_plain_length
+from dhcli.notation.scope import Scope, usual
 from dhcli.notation.tree import ZERO, Trig
 from dhcli.notation.walk import walk
 
@@ -31,19 +33,28 @@ _SHORT = 60
 Order: TypeAlias = Literal["current", "fixed"]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Stage:
     """One move of a product.
 
     Attributes:
         text: The move as it was typed.
-        pose: The frame that it and the moves before it reach.
+        chain: It and the moves before it, in the order in which they are multiplied.
+        end: The frame that they reach.
+        symbolic: Whether they are multiplied in terms; else in floats.
         about: Whether the move is about the current frame or about the fixed one.
     """
 
     text: str
-    pose: AnyPose
+    chain: Chain
+    end: str
+    symbolic: bool
     about: Order = "current"
+
+    @cached_property
+    def pose(self) -> AnyPose:
+        """The frame that the move and those before it reach; most questions want the last one only."""
+        return folded(self.chain, "0", self.end, symbolic=self.symbolic)
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,11 +112,13 @@ class Product:
         groups: The moves; a rotation about any axis is three in a group.
         texts: How each was typed.
         abouts: Whether each is about the fixed or the current frame, where that is said with it.
+        remarks: What was taken for something else, such as 1.5708 rad for 90°.
     """
 
     groups: tuple[Chain, ...]
     texts: tuple[str, ...]
     abouts: tuple[Order | Literal[""], ...]
+    remarks: tuple[str, ...] = ()
 
     @property
     def moves(self) -> Chain:
@@ -113,8 +126,13 @@ class Product:
         return tuple(move for group in self.groups for move in group)
 
 
-def read_product(text: str, place: Place) -> Product:
+def read_product(text: str, place: Place, symbols: Sequence[str] = ()) -> Product:
     """Read a product of moves and matrices, or one matrix as dhcli or another program has printed it.
+
+    Args:
+        text: What a person wrote.
+        place: Where the text stands, for errors.
+        symbols: Names that may stand in it besides those that look like names, a letter with an index.
 
     Raises:
         NotationError: It cannot be read, or a matrix in it is no pose.
@@ -122,13 +140,14 @@ def read_product(text: str, place: Place) -> Product:
     groups: list[Chain] = []
     texts: list[str] = []
     abouts: list[Order | Literal[""]] = []
-    for factors in moves_of(_factors(text, place)):
-        moves = tuple(_checked(factor, text, place) for factor in factors)
+    remarks: list[str] = []
+    for factors in moves_of(_factors(text, place, usual(symbols), remarks)):
+        moves = sharpened(tuple(_checked(factor, text, place) for factor in factors), remarks)
         alone = moves[0] if len(moves) == 1 else None
         groups.append(moves)
         texts.append(spelled(alone) if isinstance(alone, Rot | Trans) else _title(factors))
         abouts.append(factors[0].about)
-    return Product(tuple(groups), tuple(texts), tuple(abouts))
+    return Product(tuple(groups), tuple(texts), tuple(abouts), tuple(dict.fromkeys(remarks)))
 
 
 def _checked(factor: Factor, text: str, place: Place) -> Move:
@@ -139,15 +158,15 @@ def _checked(factor: Factor, text: str, place: Place) -> Move:
     return move
 
 
-def _factors(text: str, place: Place) -> tuple[Factor, ...]:
+def _factors(text: str, place: Place, scope: Scope, remarks: list[str]) -> tuple[Factor, ...]:
     """The factors of a product; a text that is none may be one matrix, with what a program writes around it."""
     try:
-        return parse_factors(text, OPEN, place)
+        return parse_factors(text, scope, place, remarks)
     except NotationError:
         matrix = pose_matrix(text)
         if matrix is None:
             raise
-    return parse_factors(matrix, OPEN, place)
+    return parse_factors(matrix, scope, place, remarks)
 
 
 def _title(factors: Sequence[Factor]) -> str:
@@ -178,7 +197,7 @@ def values_for(product: Product, settings: Mapping[str, str], place: Place) -> d
             raise RobotError(Problem(f"{written} does not stand in the product", place, hint))
         expr = parse(text, Scope(), place)
         try:
-            values[name] = to_angle(expr, bare="refuse") if name in angles else to_length(expr)
+            values[name] = to_angle(expr, bare="refuse") if name in angles else to_plain_length(expr)
         except DimensionError as error:
             raise NotationError(Problem(f"{error.message}, for {name}", place, error.hint)) from None
     return values
@@ -203,7 +222,7 @@ def compose(product: Product, values: Mapping[str, Value], wanted: Wanted) -> Tr
     steps = []
     for i, (text, group, about) in enumerate(zip(product.texts, groups, product.abouts, strict=True), 1):
         chain = (*group, *chain) if (about or wanted.order) == "fixed" else (*chain, *group)
-        steps.append(Stage(text, folded(chain, "0", str(i), symbolic=exact), about or wanted.order))
+        steps.append(Stage(text, chain, str(i), exact, about or wanted.order))
     turning = tuple(turned for move in chain if (turned := _turning(move)) is not None)
 
     def seen(triple: Point, end: Move, before: Chain) -> SeenPoint:
@@ -218,7 +237,7 @@ def compose(product: Product, values: Mapping[str, Value], wanted: Wanted) -> Tr
         vectors=tuple(seen(vector, end, turning) for vector, end in zip(wanted.vectors, vectors, strict=True)),
         placements=said,
         words=() if exact else in_words(cast("Pose[float]", steps[-1].pose).rotation),
-        warnings=locked_warnings(said),
+        warnings=(*product.remarks, *locked_warnings(said)),
     )
 
 

@@ -7,13 +7,15 @@ from dataclasses import dataclass
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import Problem, RobotError, did_you_mean
-from dhcli.kinematics.description import Description, Link, Value
+from dhcli.kinematics.derived import Value
+from dhcli.kinematics.description import Description, Link
 from dhcli.kinematics.moves import Chain, Fixed, Trans, angle_names, expressions, names
 from dhcli.notation.angle import Angle
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import RESERVED
 from dhcli.notation.quantity import UNITS, is_affine
 from dhcli.notation.scope import trig_name
+from dhcli.notation.tokens import is_name
 from dhcli.notation.tree import Expr, Number, Trig
 from dhcli.notation.walk import symbols, walk
 
@@ -67,7 +69,11 @@ def _names(robot: Description) -> Iterator[Finding]:
     for section, listed in (("variables", robot.variables), ("parameters", tuple(robot.parameters))):
         for index, name in enumerate(listed):
             where = (section, index if section == "variables" else name)
-            if name in RESERVED or name in UNITS:
+            if not is_name(name):
+                yield Finding(
+                    where, f"{name!r:.60} is not a name", "write letters, with digits or an index: elbow_1, l_x"
+                )
+            elif name in RESERVED or name in UNITS:
                 yield Finding(where, f"{name} has a meaning of its own", "choose another name")
             if canonical(name) in seen:
                 yield Finding(where, f"{name} is used twice", f"{seen[canonical(name)]} is declared already")

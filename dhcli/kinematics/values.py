@@ -9,13 +9,14 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean, plural
+from dhcli.kinematics.derived import replaced
 from dhcli.kinematics.moves import Chain, names
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.validity import in_floats
 from dhcli.notation.angle import Angle
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
-from dhcli.notation.quantity import Bare, DimensionError, to_angle, to_length
+from dhcli.notation.quantity import Bare, DimensionError, to_angle, to_plain_length
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr, Number
 from dhcli.notation.walk import symbols
@@ -82,9 +83,15 @@ def given_parameters(
 def parameter_values(
     robot: Robot, given: Mapping[str, float | str | Value], place: Place | None = None
 ) -> dict[str, Value]:
-    """Values of all lengths and constant angles that have one: the robot's own, and those given instead."""
-    own = {name: value for name, value in robot.parameters.items() if value is not None}
-    return {**own, **given_parameters(robot, given, place)}
+    """Values of all lengths and constant angles that have one: the robot's own, and those given instead.
+
+    What follows from those given follows; see `derived`.
+    """
+    instead = given_parameters(robot, given, place)
+    try:
+        return replaced(robot.derived, robot.parameters, instead)
+    except DimensionError as error:
+        raise RobotError(Problem(f"with these values: {error.message}", place, error.hint)) from None
 
 
 def require(robot: Robot, chain: Chain, values: Values) -> None:
@@ -110,7 +117,8 @@ def require(robot: Robot, chain: Chain, values: Values) -> None:
 
 
 def warnings(robot: Robot, values: Values) -> Iterator[str]:
-    """What a person should know of joint values that can be computed all the same."""
+    """What a person should know of a robot and of joint values that can be computed all the same."""
+    yield from robot.remarks
     for joint in robot.joints:
         value = values.get(joint.name)
         if value is None:
@@ -150,7 +158,7 @@ def read_value(robot: Robot, name: str, text: str, *, bare: Bare, place: Place) 
     try:
         if name in robot.angles:
             return to_angle(expr, bare=bare)
-        return to_length(expr)
+        return to_plain_length(expr)
     except DimensionError as error:
         joint = next((j for j in robot.joints if j.name == name), None)
         kind = f", and {name} {'turns' if joint.kind == 'revolute' else 'slides'}" if joint else f", for {name}"
@@ -167,7 +175,7 @@ def joint_called(robot: Robot, name: str, place: Place | None = None) -> str:
         for variable in robot.variables:
             if canonical(variable) == canonical(candidate):
                 return variable
-    raise RobotError(Problem(f"{robot.name} has no joint {name}", place, did_you_mean(name, robot.variables)))
+    raise RobotError(Problem(f"{robot.name} has no joint {name:.60}", place, did_you_mean(name, robot.variables)))
 
 
 def _from_text(robot: Robot, text: str, bare: Bare, place: Place) -> dict[str, Value]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from dhcli.algebra.floats import Floats
@@ -18,6 +19,8 @@ from dhcli.lint.wording import unfinished
 from dhcli.notation.quantity import value_text
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
+
+_IN_BRACKETS = re.compile(r"\(([^()]*(?:\([^()]*\)[^()]*)*)\)")
 
 LARGEST_ROTATION = 0.1
 """A direction cosine that may be off by more says nothing: 6° and more."""
@@ -46,9 +49,20 @@ def findings(judge: Judge) -> Iterator[Finding]:
         return
     for index, part in enumerate(exercise.parts):
         yield from _solution(judge, part, ("parts", index))
+        yield from _given_away(judge, part, ("parts", index))
         yield from _printed(judge, part)
     if not tolerances:  # else tests fail that are right
         yield from _trials(judge)
+
+
+def _given_away(judge: Judge, part: Part, where: tuple[str | int, ...]) -> Iterator[Finding]:
+    """A question whose words, or what stands in brackets in them, are the answer."""
+    heading = part.heading(judge.exercise)
+    for text in (heading.rpartition(":")[0], *_IN_BRACKETS.findall(heading)):
+        if text and _judged(judge, part, text).verdict.passed:
+            message = f"{part.id}: the question shows its answer: {heading}"
+            yield Finding(where, message, "prompt: says in words what is asked; how it is found is not shown then")
+            return
 
 
 def _texts(exercise: Exercise) -> Iterator[Finding]:

@@ -31,13 +31,15 @@ def findings(robot: Robot) -> Iterator[Finding]:
     if not _NAME.fullmatch(robot.name):
         hint = "letters, digits, - and _, such as my-arm.yaml"
         yield Finding((), f"the file name '{robot.name}' is the name of the robot, and cannot be typed", hint)
+    for remark in robot.remarks:
+        yield Finding((), remark, "write the exact value, or `exact: false` to keep the digits", is_warning=True)
     yield from _parameters(robot)
     yield from _rows(robot)
     yield from _poses(robot)
 
 
 def _parameters(robot: Robot) -> Iterator[Finding]:
-    used = names(robot.chain)
+    used = names(robot.chain).union(*(symbols(formula.expr) for formula in robot.derived.values()))
     for name, value in robot.parameters.items():
         where = ("parameters", name)
         if name not in used:

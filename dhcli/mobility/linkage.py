@@ -62,6 +62,21 @@ class Joint:
         return all(getattr(self, name) is not None for name in self.needs(space))
 
 
+@dataclass(frozen=True, slots=True)
+class NamedPoint:
+    """A point that the description gives a name.
+
+    Attributes:
+        name: Its name, such as that of a pin.
+        at: Where it is [m].
+        link: The link that holds it where no joint does, such as the free end of a bar; else empty.
+    """
+
+    name: str
+    at: Vector
+    link: str = ""
+
+
 class InvalidLinkageError(LinkageError):
     """A description that is no linkage.
 
@@ -89,6 +104,7 @@ class Linkage:
         source: Where it comes from.
         notes: What else a reader should know.
         reading: How a short pattern was read, such as `open chain with the ground`.
+        points: The points that have a name, with those that no joint holds; for pictures.
 
     Raises:
         InvalidLinkageError: With every finding, if it is not a linkage.
@@ -103,6 +119,7 @@ class Linkage:
     source: str = ""
     notes: str = ""
     reading: str = ""
+    points: tuple[NamedPoint, ...] = ()
 
     def __post_init__(self) -> None:
         """Refuse to exist with anything wrong."""

@@ -14,6 +14,12 @@ from dhcli.notation.names import natural_key
 
 ZERO = Fraction(0)
 FULL_TURN = Fraction(360)
+FULL_TURN_IN_RADIANS = Fraction(44, 7)
+"""A number beyond this beside a joint angle is meant in degrees, or `rad` would stand behind it."""
+
+
+FINEST = 1 << 1000
+"""Largest denominator in a sum of angles; fractions beyond it make every step of the work a long one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,13 +62,18 @@ class Angle:
         return not self.terms and not self.degrees and not self.radians
 
     def __add__(self, other: Angle) -> Angle:
+        """The sum.
+
+        Raises:
+            OverflowError: A fraction in it has more digits than anything that is measured.
+        """
         if not other.terms:
             terms = self.terms
         elif not self.terms:
             terms = other.terms
         else:
             terms = _collect((*self.terms, *other.terms))
-        return Angle(terms, self.degrees + other.degrees, self.radians + other.radians)
+        return Angle(terms, _plus(self.degrees, other.degrees), _plus(self.radians, other.radians))
 
     def __neg__(self) -> Angle:
         return Angle(tuple((name, -factor) for name, factor in self.terms), -self.degrees, -self.radians)
@@ -103,8 +114,20 @@ class Angle:
         return math.radians(self.degrees) + float(self.radians)
 
 
+def _plus(first: Fraction, second: Fraction) -> Fraction:
+    """The sum of two constant parts, most of which are 0."""
+    if second is ZERO:
+        return first
+    if first is ZERO:
+        return second
+    total = first + second
+    if total.denominator > FINEST:
+        raise OverflowError
+    return total
+
+
 def _collect(terms: Iterable[tuple[str, Fraction]]) -> tuple[tuple[str, Fraction], ...]:
     total: dict[str, Fraction] = {}
     for name, factor in terms:
-        total[name] = total.get(name, ZERO) + factor
+        total[name] = _plus(total.get(name, ZERO), factor)
     return tuple(sorted(((n, f) for n, f in total.items() if f), key=lambda term: natural_key(term[0])))

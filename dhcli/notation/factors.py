@@ -13,10 +13,12 @@ from typing import Literal
 
 from dhcli.errors import Place
 from dhcli.notation.angle import Angle
-from dhcli.notation.matrix import matching, read_matrix
+from dhcli.notation.cells import matching
+from dhcli.notation.matrix import read_matrix
 from dhcli.notation.operators import DEEPEST
 from dhcli.notation.parser import Parser
-from dhcli.notation.quantity import DimensionError, to_angle, to_length
+from dhcli.notation.quantity import DimensionError, to_angle, to_plain_length
+from dhcli.notation.quarters import with_right_angles
 from dhcli.notation.scope import OPEN, Scope
 from dhcli.notation.tokens import Source, Token, tokenize
 from dhcli.notation.tree import ONE, ZERO, Expr
@@ -77,20 +79,35 @@ def in_order_of_motion(factors: Sequence[Factor]) -> list[Factor]:
     return ordered
 
 
-def parse_factors(text: str, scope: Scope = OPEN, place: Place | None = None) -> tuple[Factor, ...]:
+@dataclass(frozen=True, slots=True)
+class _Reading:
+    """What the readers of one product share: its text, the names it may use, and where to say what was taken for what.
+
+    Without a place for remarks, angles are taken as they stand.
+    """
+
+    source: Source
+    scope: Scope
+    remarks: list[str] | None
+
+
+def parse_factors(
+    text: str, scope: Scope = OPEN, place: Place | None = None, remarks: list[str] | None = None
+) -> tuple[Factor, ...]:
     """Read a product of moves and matrices, from left to right.
 
     Args:
         text: What a person wrote.
         scope: The names it may use.
         place: Where the text stands, for errors.
+        remarks: Where to say that 1.5708 rad was taken as 90°; without it such angles are taken as they stand.
 
     Raises:
         NotationError: With the column, what is wrong there, and what would be read.
     """
     source = Source(text, place or Place("product"))
     tokens = [token for token in tokenize(source, most=LONGEST) if token.kind != "end"]
-    factors = tuple(_product(source, tokens, scope, inverse=False))
+    factors = tuple(_product(_Reading(source, scope, remarks), tokens, inverse=False))
     if not factors:
         raise source.error(0, "no move is written here", EXAMPLE)
     if len(factors) > MOST_FACTORS:
@@ -98,7 +115,8 @@ def parse_factors(text: str, scope: Scope = OPEN, place: Place | None = None) ->
     return factors
 
 
-def _product(source: Source, tokens: Sequence[Token], scope: Scope, *, inverse: bool, depth: int = 0) -> list[Factor]:
+def _product(reading: _Reading, tokens: Sequence[Token], *, inverse: bool, depth: int = 0) -> list[Factor]:
+    source = reading.source
     if depth > DEEPEST:
         raise source.error(tokens[0].start if tokens else 0, f"brackets nested deeper than {DEEPEST} are not read")
     factors: list[Factor] = []
@@ -118,22 +136,22 @@ def _product(source: Source, tokens: Sequence[Token], scope: Scope, *, inverse: 
         end = _inverse_mark(tokens, closing)
         turned = inverse != (end > closing)
         if token.kind == "word" and token.text in _INVERSE:
-            part = _product(source, inside, scope, inverse=not turned, depth=depth + 1)
+            part = _product(reading, inside, inverse=not turned, depth=depth + 1)
             factors.extend(part[::-1] if inverse else part)
         elif token.text == "(":
-            part = _product(source, inside, scope, inverse=turned, depth=depth + 1)
+            part = _product(reading, inside, inverse=turned, depth=depth + 1)
             factors.extend(part[::-1] if inverse else part)
         elif token.kind == "word" and token.text in _WHERE:
             if depth or turned:
                 raise source.error(token.start, f"{token.text}(...) stands by itself", "not in brackets, nor inverted")
-            part = _product(source, inside, scope, inverse=False, depth=depth + 1)
+            part = _product(reading, inside, inverse=False, depth=depth + 1)
             about: Literal["fixed", "current"] = "fixed" if token.text == "fixed" else "current"
             text = source.text[inside[0].start : inside[-1].end] if inside else ""
             factors.extend(replace(factor, about=about, start=token.start, text=text) for factor in part)
         elif token.kind == "sign" or token.text in ("begin", "array", "matrix", "Matrix"):
-            factors.append(_matrix(source, tokens[i : closing + 1], scope, inverse=turned))
+            factors.append(_matrix(reading, tokens[i : closing + 1], inverse=turned))
         else:
-            part = _moves(source, token, inside, tokens[closing], scope, inverse=turned)
+            part = _moves(reading, token, inside, tokens[closing], inverse=turned)
             factors.extend(part[::-1] if turned != inverse else part)
         i = end + 1
     return factors[::-1] if inverse else factors
@@ -155,8 +173,9 @@ def _inverse_mark(tokens: Sequence[Token], closing: int) -> int:
     return closing
 
 
-def _matrix(source: Source, tokens: Sequence[Token], scope: Scope, *, inverse: bool) -> Factor:
-    cells = read_matrix(source, tokens, scope)
+def _matrix(reading: _Reading, tokens: Sequence[Token], *, inverse: bool) -> Factor:
+    source = reading.source
+    cells = read_matrix(source, tokens, reading.scope)
     start, text = tokens[0].start, source.text[tokens[0].start : tokens[-1].end]
     if [len(row) for row in cells] != [4] * 4:
         shape = f"{len(cells)}x{len(cells[0])}"
@@ -168,21 +187,20 @@ def _matrix(source: Source, tokens: Sequence[Token], scope: Scope, *, inverse: b
     return Factor("matrix", text, rows=rows, inverse=inverse, start=start)
 
 
-def _moves(
-    source: Source, word: Token, inside: Sequence[Token], close: Token, scope: Scope, *, inverse: bool
-) -> list[Factor]:
+def _moves(reading: _Reading, word: Token, inside: Sequence[Token], close: Token, *, inverse: bool) -> list[Factor]:
     """A move, which several factors may stand for: a rotation about any axis, or by several numbers."""
+    source, scope = reading.source, reading.scope
     arguments = _arguments(inside)
     name = word.text if word.text in _TURNS else ""
     any_axis = word.text in ("Rot", "rot") and len(arguments) == 2 and arguments[0][0].text in ("[", "(")  # noqa: PLR2004
     if not name and not any_axis:
-        return [_move(source, word, inside, close, scope, inverse=inverse)]
+        return [_move(reading, word, inside, close, inverse=inverse)]
     from dhcli.notation import turns  # few products have one
 
     text = source.text[word.start : close.end]
 
     def angles(parts: list[list[Token]]) -> list[Angle]:
-        return [_angle(source, _parse(source, part, scope, close), part[0].start) for part in parts]
+        return [_angle(reading, _parse(source, part, scope, close), part[0].start) for part in parts]
 
     def numbers(parts: list[list[Token]]) -> list[Expr]:
         return [_length(source, _parse(source, part, scope, close), part[0].start) for part in parts]
@@ -214,12 +232,13 @@ def _moves(
     ]
 
 
-def _move(source: Source, word: Token, inside: Sequence[Token], close: Token, scope: Scope, *, inverse: bool) -> Factor:
+def _move(reading: _Reading, word: Token, inside: Sequence[Token], close: Token, *, inverse: bool) -> Factor:
+    source, scope = reading.source, reading.scope
     text = source.text[word.start : close.end]
     arguments = _arguments(inside)
     if match := _ROTATION.fullmatch(word.text):
         axis, rest = _axis(source, match[1], arguments, word, close, "Rot(z, 90°)")
-        angle = _angle(source, _parse(source, rest[0], scope, close), rest[0][0].start)
+        angle = _angle(reading, _parse(source, rest[0], scope, close), rest[0][0].start)
         return Factor("rot", text, axis=axis, angle=angle, inverse=inverse, start=word.start)
     if match := _TRANSLATION.fullmatch(word.text):
         if match[1] or len(arguments) == 2:  # noqa: PLR2004  Trans(z, d1) and Trans_z(d1)
@@ -269,15 +288,17 @@ def _parse(source: Source, tokens: list[Token], scope: Scope, close: Token) -> E
     return expr
 
 
-def _angle(source: Source, expr: Expr, start: int) -> Angle:
+def _angle(reading: _Reading, expr: Expr, start: int) -> Angle:
+    if reading.remarks is not None:
+        expr = with_right_angles(expr, reading.remarks)
     try:
         return to_angle(expr, bare="refuse")
     except DimensionError as error:
-        raise source.error(start, error.message, error.hint) from None
+        raise reading.source.error(start, error.message, error.hint) from None
 
 
 def _length(source: Source, expr: Expr, start: int) -> Expr:
     try:
-        return to_length(expr)
+        return to_plain_length(expr)
     except DimensionError as error:
         raise source.error(start, error.message, error.hint) from None

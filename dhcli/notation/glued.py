@@ -15,16 +15,24 @@ _NAMES = re.compile(r"[^\W\d_]|(?:[^\W\d_](?:[0-9]+|_\{[^{}]*\}|_[0-9]+))+")
 """What nobody doubts where any name stands for itself: a letter, or letters each with an index."""
 
 
-def unglued(tokens: Sequence[Token], at: int, scope: Scope) -> tuple[tuple[Token, ...], int]:
+def unglued(
+    tokens: Sequence[Token], at: int, scope: Scope, *, angle_follows: bool = False
+) -> tuple[tuple[Token, ...], int]:
     """The tokens that a word of several is meant as, and how many it replaces; none if it is no such word.
 
     Args:
         tokens: The tokens of the text.
         at: Index of the word.
         scope: The names it may use; a factor before the function must be one, or a product of some.
+        angle_follows: Whether an angle stands behind the word, so that its last letter may be a cosine or a sine.
     """
     word = tokens[at]
     match = _GLUED.fullmatch(word.text)
+    short = len(word.text) > 1 and word.text[-1] in "csCS"
+    if match is None and angle_follows and short and is_factor(word.text[:-1], scope):
+        middle = word.end - 1  # as in `a_{i}c\theta_{i}`
+        factor = Token("word", word.text[:-1], word.start, middle, word.spaced)
+        return (factor, Token("word", word.text[-1], middle, word.end, spaced=False)), 1
     if match is None:
         return (), 0
     head, function, digits = match["head"], match["function"], match["digits"]

@@ -14,7 +14,7 @@ from dhcli.notation.cursor import Cursor
 from dhcli.notation.quantity import UNITS
 from dhcli.notation.scope import Scope
 from dhcli.notation.tokens import Source, Token
-from dhcli.notation.tree import HALF, Expr, Number, Unit, add, multiply, negate, power
+from dhcli.notation.tree import HALF, Expr, Number, Power, Product, Unit, add, multiply, negate, power
 
 MOST_NODES = 500
 DEEPEST = 60
@@ -48,20 +48,31 @@ class Operators(Cursor, ABC):
         while True:
             token = self.token
             self._count()
-            if token.kind == "sign" and token.text in "+-" and binding < _SUM:
-                self.advance()
-                right = self.expression(_SUM)
-                left = self._build(token, add, left, right if token.text == "+" else negate(right))
-            elif token.kind == "sign" and token.text in "*/" and binding < _PRODUCT:
-                left = self._multiplied(left)
-            elif token.kind == "sign" and token.text == "^" and binding < _POWER:
-                self.advance()
-                left = self._power(left, token)
-            elif self._starts_operand() and binding < _PRODUCT:
-                left = self._build(token, multiply, left, self._implicit())
-            else:
+            if token.kind == "sign":
+                if token.text in "+-" and binding < _SUM:
+                    left = self._sum(left, token)
+                    continue
+                if token.text in "*/" and binding < _PRODUCT:
+                    left = self._multiplied(left)
+                    continue
+                if token.text == "^" and binding < _POWER:
+                    self.advance()
+                    left = self._power(left, token)
+                    continue
+            if binding >= _PRODUCT or token.kind == "end" or not self._starts_operand():
                 self._depth -= 1
                 return left
+            left = self._build(token, multiply, left, self._implicit(left))
+
+    def _sum(self, first: Expr, token: Token) -> Expr:
+        """All terms of a sum at once, for one by one each would be compared with those before it again and again."""
+        terms, sign = [first], token
+        while sign.kind == "sign" and sign.text in "+-":
+            self.position += 1
+            right = self.expression(_SUM)
+            terms.append(right if sign.text == "+" else negate(right))
+            sign = self.token
+        return self._build(token, add, *terms)
 
     def go_deeper(self) -> None:
         """Count one more level of nesting, and stop at the cap."""
@@ -89,19 +100,37 @@ class Operators(Cursor, ABC):
     def _is_unit(self) -> bool:
         return self.at("°") or (self.token.kind == "word" and self.token.text in UNITS)
 
-    def _implicit(self) -> Expr:
+    def _implicit(self, left: Expr) -> Expr:
         """A factor without a sign before it; a unit if the word is one and no name."""
-        token = self.token
+        token, before = self.token, self.tokens[self.position - 1]
         if self._is_unit():
+            self._check_unit(left)
             if self.scope.has(token.text) and token.text != "°":
                 question = f"write *{token.text} for the name, or give the length in another unit"
                 raise self.error(f"{token.text} could be the unit or the name {token.text}", question)
             self.advance()
             unit = Unit("deg" if token.text == "°" else token.text)
             return self._power(unit, self.advance()) if self.at("^") else unit
-        if token.kind == "number" and self.tokens[self.position - 1].kind == "number":
-            raise self.error("two numbers side by side", "write * between them, or a comma if they are two values")
+        if token.kind == "number":
+            self._check_number(before)
+        elif token.kind == "word" and before.kind == "number" and before.text == "0" and not token.spaced:
+            raise self.error(f"0{token.text} is not a number that is read", "write it in decimal digits", before)
         return self.expression(_PRODUCT)
+
+    def _check_unit(self, left: Expr) -> None:
+        """Refuse a unit behind what has one: `1 m m`, and `400mm/2mm`, which could be a ratio or an area."""
+        factors = left.factors if isinstance(left, Product) else (left,)
+        if any(isinstance(f.base if isinstance(f, Power) else f, Unit) for f in factors):
+            hint = "write a sign and a bracket, 400 mm/(2 mm) for a ratio" if self.token.text != "°" else ""
+            raise self.error(f"a second unit, {self.token.text}, stands in one product", hint)
+
+    def _check_number(self, before: Token) -> None:
+        """Refuse a number behind a number, and behind a unit: `2 3`, `2 m 3`, `30° 15`."""
+        if before.kind == "number":
+            raise self.error("two numbers side by side", "write * between them, or a comma if they are two values")
+        if before.text == "°" or before.text in UNITS:
+            hint = "write 30.25° for 30°15'" if before.text == "°" else "write * between them, or + for a sum"
+            raise self.error(f"a number stands behind the unit {before.text}", hint)
 
     def _operand(self) -> Expr:
         token = self.advance()

@@ -8,30 +8,20 @@ bounded: characters, nodes, depth and exponents are capped.
 from __future__ import annotations
 
 import re
-from fractions import Fraction
 
 from dhcli.errors import NotationError, Place
+from dhcli.notation.calls import Calls
+from dhcli.notation.functions import FUNCTIONS, is_usual, nearest_meaning, refusal
 from dhcli.notation.glued import in_degrees, is_factor, unglued
 from dhcli.notation.names import GREEK_NAMES, canonical, parts, suggestion
-from dhcli.notation.operators import OPENING, Operators
-from dhcli.notation.quantity import ANGLE_UNITS, DimensionError, to_angle
+from dhcli.notation.operators import OPENING
+from dhcli.notation.quantity import ANGLE_UNITS, UNITS, DimensionError, is_inverse, to_angle, to_length
 from dhcli.notation.scope import OPEN, Scope, trig_name
 from dhcli.notation.tokens import Source, Token, tokenize
-from dhcli.notation.tree import HALF, PI, Call, Expr, Number, Symbol, Trig, Unit, add, multiply, power
-from dhcli.notation.trig import cosine, sine
-from dhcli.notation.walk import walk
+from dhcli.notation.tree import PI, Expr, Symbol, Trig, Unit, add, multiply
+from dhcli.notation.walk import symbols, walk
 
-FUNCTIONS = {name: name for name in ("cos", "sin", "tan", "sqrt", "acos", "asin", "atan", "atan2", "cosd", "sind")} | {
-    "arccos": "acos",
-    "arcsin": "asin",
-    "arctan": "atan",
-    "arctan2": "atan2",
-    "Cos": "cos",
-    "Sin": "sin",
-}
-"""Functions by the names people write."""
-
-RESERVED = frozenset(FUNCTIONS) | {"pi", "frac", "inv", "Rot", "Trans"}
+RESERVED = frozenset(FUNCTIONS) | {"pi", "frac", "inv", "Rot", "Trans", "nan", "inf", "infinity"}
 """Words that cannot name a joint or a length."""
 
 _FUNCTION = re.compile("(cos|sin)")
@@ -59,7 +49,28 @@ def parse(text: str, scope: Scope = OPEN, place: Place | None = None, *, decimal
     return expr
 
 
-class Parser(Operators):
+def parse_quantity(text: str, scope: Scope = OPEN, place: Place | None = None) -> Expr:
+    """Read one expression that must be an angle, a length or a number; its units are still in it.
+
+    Raises:
+        NotationError: It cannot be read, or is none of them, such as `a1*90°` or `400 mm/(2 mm) + 1 mm`.
+    """
+    expr = parse(text, scope, place)
+    by_inverse = is_inverse(expr)
+    if by_inverse and symbols(expr):
+        return expr  # what it is worth is known when its names are
+    try:
+        if by_inverse or any(isinstance(n, Unit) and n.name in ANGLE_UNITS for n in walk(expr)):
+            to_angle(expr)
+        else:
+            to_length(expr)
+    except DimensionError as error:
+        source = Source(text, place or Place("expression"))
+        raise source.error(len(text) - len(text.lstrip()), error.message, error.hint) from None
+    return expr
+
+
+class Parser(Calls):
     """Reads expressions from tokens; the readers of matrices and of moves share it."""
 
     def _word(self, token: Token) -> Expr:
@@ -91,15 +102,46 @@ class Parser(Operators):
             return self._names_angle(self.token.text)
         if not (self.token.kind == "sign" and self.token.text in OPENING):
             return False
-        depth = 0
-        for token in self.tokens[self.position :]:
-            depth += token.kind == "sign" and token.text in OPENING
-            depth -= token.kind == "sign" and token.text in OPENING.values()
-            if token.text == "°" or (token.kind == "word" and self._names_angle(token.text)):
+        return self._bracket_names_angle()
+
+    def _bracket_names_angle(self) -> bool:
+        """Whether an angle is named in the bracket that comes next, outside the functions in it."""
+        depth, at = 0, self.position
+        while self.tokens[at].kind != "end":
+            token = self.tokens[at]
+            if token.kind == "sign":
+                depth += (token.text in OPENING) - (token.text in OPENING.values())
+                if token.text == "°":
+                    return True
+                if depth == 0:
+                    return False
+            elif token.kind == "word" and self._names_angle(token.text):
                 return True
-            if depth == 0:
-                return False
+            elif token.kind == "word" and (token.text in FUNCTIONS or token.text in "csCS"):
+                at = self._behind_argument(at)
+            at += 1
         return False
+
+    def _behind_argument(self, at: int) -> int:
+        """The last token of the argument of a function that stands at a token: a bracket, or `2θ1` without one."""
+        tokens, last = self.tokens, at
+        if tokens[last + 1].text == "^" and tokens[last + 2].kind == "number":
+            last += 2
+        if tokens[last + 1].text in OPENING and tokens[last + 1].kind == "sign":
+            depth = 0
+            for i in range(last + 1, len(tokens) - 1):
+                if tokens[i].kind == "sign":
+                    depth += (tokens[i].text in OPENING) - (tokens[i].text in OPENING.values())
+                if depth == 0:
+                    return i
+            return len(tokens) - 2
+        if tokens[last + 1].kind == "number":
+            last += 1
+            return last + (tokens[last + 1].text == "°" or self._is_angle_word(tokens[last + 1]))
+        return last + self._is_angle_word(tokens[last + 1])
+
+    def _is_angle_word(self, token: Token) -> bool:
+        return token.kind == "word" and self._names_angle(token.text)
 
     def _names_angle(self, word: str) -> bool:
         if word in ("deg", "rad", "pi", "π"):
@@ -113,6 +155,9 @@ class Parser(Operators):
 
     def _joined(self, token: Token) -> Expr:
         """A word that is no single name: `cosθ1`, `cos30` before its degrees, `a1c1`, or unknown."""
+        if token.text in UNITS and not self.scope.has(token.text) and (unit := self._unit(token)):
+            return unit
+        self._check_meaning(token.text, token)
         if self._unglue():
             return self._operand()
         with_functions = self._with_functions(token)
@@ -125,10 +170,29 @@ class Parser(Operators):
             raise self._question(token, [" * ".join(map(trig_name, way)) for way in ways])
         return self._resolve(token.text, token)
 
+    def _unit(self, token: Token) -> Expr | None:
+        """A unit behind a sign, as in `30*deg`; none where `m` may be a name, and an error where no number stands."""
+        may_be_name = len(token.text) == 1 and self.scope.is_open
+        before = [each.text for each in self.tokens[max(self.position - 3, 0) : self.position - 1]]
+        behind_sign = len(before) == 2 and before[1] == "*" and (before[0] == ")" or before[0][:1].isdecimal())  # noqa: PLR2004
+        if may_be_name:
+            return None
+        if not behind_sign:
+            raise self.error(f"{token.text} is a unit, and no number stands before it", f"write 1 {token.text}", token)
+        return Unit(token.text)
+
+    def _check_meaning(self, word: str, token: Token, *, is_last: bool = False) -> None:
+        """Refuse a word that is a function or a unit that is not read, or no number."""
+        before = self.tokens[self.position - 2] if self.position > 1 else token
+        called = is_last and self.token.kind == "sign" and self.token.text in OPENING
+        message, hint = refusal(word, self.scope.names, called=called, measured=before.kind == "number")
+        if message:
+            raise self.error(message, hint, token)
+
     def _unglue(self) -> bool:
         """Put the tokens of `cos30°`, `sqrt3` or `a2cos(...)` in the place of the word that was just taken."""
         start = self.position - 1
-        pieces, replaced = unglued(self.tokens, start, self.scope)
+        pieces, replaced = unglued(self.tokens, start, self.scope, angle_follows=self._angle_follows())
         if not pieces:
             return False
         name, number = pieces[-2].text, pieces[-1].text
@@ -173,83 +237,20 @@ class Parser(Operators):
             pieces = _PIECES.findall(word)
             if len(pieces) > 1 and "".join(pieces) == word:
                 return self._build(token, multiply, *(self._resolve(piece, token) for piece in pieces))
+            self._check_meaning(word, token, is_last=token.text.endswith(word))
+            if self.scope.is_usual and not is_usual(word):
+                raise self._unusual(word, token)
             return Symbol(canonical(word))
-        if word.lower() in ("nan", "inf", "infinity"):
-            raise self.error(f"{word} is no number that a robot can have", "", token)
+        if not self.scope.split(word):
+            self._check_meaning(word, token, is_last=token.text.endswith(word))
         hint = suggestion(word, self.scope.names)
         raise self.error(f"{word} is not a name that is known here", hint, token)
 
+    def _unusual(self, word: str, token: Token) -> NotationError:
+        hint = nearest_meaning(word, self.scope.names)
+        hint = f"{hint} " if hint.startswith("did") else ""
+        hint += f"a name is a letter with an index, such as l1; declare others: --symbols {canonical(word)}"
+        return self.error(f"{word} is not a name, a function or a unit that is known here", hint, token)
+
     def _question(self, token: Token, readings: list[str]) -> NotationError:
         return self.error(f"{token.text} could be " + " or ".join(readings), "write it out", token)
-
-    def _fraction(self, token: Token) -> Expr:
-        if self.token.kind == "number" and len(self.token.text) == 2 and self.token.text.isdecimal():  # noqa: PLR2004
-            over, under = map(Fraction, self.advance().text)  # \frac12 as TeX reads it
-            return self._build(token, lambda: Number(over / under))
-        self.expect("{", "after \\frac")
-        above = self.expression()
-        self.expect("}", "after the numerator")
-        self.expect("{", "after the numerator")
-        below = self.expression()
-        self.expect("}", "after the denominator")
-        return self._build(token, lambda: multiply(above, power(below, -1)))
-
-    def _function(self, name: str, token: Token) -> Expr:
-        """A function with its argument: `cos(theta1)`, `cos θ1`, `sin^2 θ1`, `sqrt 3`."""
-        exponent = None
-        if self.take("^"):
-            if self.at("-"):
-                hint = f"write a{name}(0.5) for the angle, or 1/{name}(theta1)"
-                raise self.error(f"{name} to a negative power can be read in two ways", hint, token)
-            exponent = self._operand()
-        if self.token.kind == "sign" and self.token.text in OPENING:
-            closing = OPENING[self.advance().text]
-            arguments = [self.expression()]
-            while self.take(","):
-                arguments.append(self.expression())
-            self.expect(closing, f"after the argument of {name}")
-        elif self.token.kind in ("number", "word"):
-            arguments = [self._bare_argument()]
-        else:
-            raise self.error(f"{self.shown()} where the argument of {name} was expected", f"write {name}(theta1)")
-        value = self._apply(name, arguments, token)
-        return value if exponent is None else self._raised(value, exponent, token)
-
-    def _bare_argument(self) -> Expr:
-        """What `cos` without brackets applies to: a number with its unit and name, or one name."""
-        self.go_deeper()
-        operand = self._operand()
-        self._depth -= 1
-        if isinstance(operand, Number):
-            if self.at("^") and in_degrees(self.tokens, self.position):  # LaTeX writes \cos 30^\circ
-                return self._power(operand, self.advance())
-            if self._is_unit():
-                return multiply(operand, self._implicit())
-            if self.token.kind == "word" and self._names_angle(self.token.text):
-                return multiply(operand, self._operand())
-        return operand
-
-    def _apply(self, name: str, arguments: list[Expr], token: Token) -> Expr:
-        wanted = 2 if name == "atan2" else 1
-        if len(arguments) != wanted:
-            raise self.error(f"{name} takes {wanted} argument{'s'[: wanted - 1]}, not {len(arguments)}", "", token)
-        argument = arguments[0]
-        if name == "sqrt":
-            return self._build(token, power, argument, HALF)
-        if name in ("cos", "sin", "tan", "cosd", "sind"):
-            return self._trigonometry(name, argument, token)
-        if any(isinstance(node, Unit) and node.name in ANGLE_UNITS for each in arguments for node in walk(each)):
-            raise self.error(f"{name} takes numbers, and a unit of angle stands in it", "", token)
-        return Call(name, tuple(arguments))
-
-    def _trigonometry(self, name: str, argument: Expr, token: Token) -> Expr:
-        """Cosine, sine or tangent, of an exact angle if the argument is one."""
-        try:
-            angle = to_angle(argument, bare="deg" if name.endswith("d") else "rad")
-        except DimensionError as error:
-            if any(isinstance(node, Unit) for node in walk(argument)):
-                raise self.error(error.message, error.hint, token) from None
-            return Call(name.removesuffix("d"), (argument,))
-        if name == "tan":
-            return self._build(token, lambda: multiply(sine(angle), power(cosine(angle), -1)))
-        return cosine(angle) if name.startswith("cos") else sine(angle)

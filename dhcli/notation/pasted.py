@@ -7,13 +7,20 @@ import re
 
 from dhcli.errors import NotationError
 from dhcli.notation.matrix import bracketed, parse_matrix
+from dhcli.notation.screens import equations, plain, with_factor, with_points
 
-_LABEL = re.compile(r"\s*[^\s=\[\](){},;]{1,30}\s*=\s*(?=[^\s=])")
-_NAMED_MATRIX = re.compile(r"[^=\n]{1,60}=\s*(?=\[|\\begin|\\left|array|np\.|Matrix|matrix)")
+_LABEL = re.compile(r"\s*(?:[^=+*/\[\](){},;|<>\n-]|\{[^{}=\n]{0,20}\}|\([^()=\n]{0,20}\)){1,40}=\s*&?\s*(?=[^\s=])")
+"""`T_03 =`, `{}^{0}_{3}T =`, `p_{x} &=`: names with indices, nothing that computes."""
+_NAMED_MATRIX = re.compile(
+    r"\s*(?:[^=\n]{0,200}=){1,4}[\s&]*(?=[^=\n&;,]{0,60}(?:\[|\\begin|\\left|array|np\.|Matrix|matrix))"
+)
+"""`A B = C D =` before a matrix, with a factor or without."""
 _CONTINUED = re.compile(r"\.\.\.[^\S\n]*(?=\n)")
 _SCREEN = re.compile(r"[⎡⎢⎣][^\n⎡⎢⎣⎤⎥⎦]*[⎤⎥⎦]")
 _DECLARED = re.compile(r"^[^\S\n]*syms\b[^\n]*$", re.MULTILINE)
-_ENTRY = re.compile(r"(?:^|[\n,;])[^\S\n]*([rRnoapP])_?\{?([1-3]{2}|[xyz])\}?\s*=\s*")
+_ENTRY = re.compile(
+    r"(?:^|[\n,;])[^\S\n]*(?:\{\})?(?:\^\{?[0-9]\}?)?(?:_\{?[0-9]\}?)?([rRnoapPT])_?\{?([1-3]{2}|[xyz])\}?[^\S\n]*&?=\s*&?"
+)
 """What stands before an entry in a list of them; no blank lines, or each would be gone through from all before it."""
 _POSE, _ROTATION, _VECTOR = (4, 4), (3, 3), (3, 1)
 
@@ -24,12 +31,13 @@ class EntriesError(ValueError):
 
 def without_label(text: str) -> str:
     """A text without `T_03 =` in front, and without what a screen shows around a matrix."""
+    text = plain(text)
     lines = _SCREEN.findall(text)
     if lines:
         return "\n".join(lines)
     text = _DECLARED.sub("", _CONTINUED.sub("", text))
-    match = _LABEL.match(text) or _NAMED_MATRIX.match(text)
-    return text[match.end() :] if match else text
+    match = _NAMED_MATRIX.match(text) or _LABEL.match(text)
+    return with_points(with_factor(text[match.end() :] if match else text))
 
 
 def rows_of(text: str, shape: tuple[int, int]) -> str:
@@ -40,6 +48,7 @@ def rows_of(text: str, shape: tuple[int, int]) -> str:
     """
     if text.lstrip().startswith("{") and '"matrix"' in text:
         return _from_json(text)
+    text = equations(plain(text))
     found = list(_ENTRY.finditer(text))
     if len(found) < 2 or text[: found[0].start()].strip():  # noqa: PLR2004  one name is the label of the whole answer
         return text
@@ -49,7 +58,7 @@ def rows_of(text: str, shape: tuple[int, int]) -> str:
         name = _place(match[1].lower(), match[2])
         if name in entries:
             raise EntriesError(f"{name} stands there twice")
-        entries[name] = text[match.end() : end].strip().rstrip(",;").replace("\n", " ")
+        entries[name] = plain(text[match.end() : end].strip()).replace("\n", " ")
     rows = [[f"r{row}{column}" for column in "123"] + [f"p{axis}"] for row, axis in zip("123", "xyz", strict=True)]
     wanted = {_POSE: rows, _ROTATION: [row[:3] for row in rows], _VECTOR: [row[3:] for row in rows]}.get(shape)
     if wanted is None:
@@ -57,6 +66,8 @@ def rows_of(text: str, shape: tuple[int, int]) -> str:
     missing = [name for row in wanted for name in row if name not in entries]
     if missing:
         raise EntriesError(f"{', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing")
+    if shape == _VECTOR:  # in a row, where commas keep `a1 c1` one coordinate
+        return "[" + ", ".join(entries[row[0]] for row in wanted) + "]"
     bottom = [["0", "0", "0", "1"]] if shape == _POSE else []
     return bracketed([*([entries[name] for name in row] for row in wanted), *bottom])
 

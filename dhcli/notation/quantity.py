@@ -5,38 +5,50 @@ Inside dhcli lengths are metres and constant angles exact degrees or radians; un
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 from typing import Literal
 
-from dhcli.notation.angle import Angle
-from dhcli.notation.tree import Constant, Expr, Number, Product, Sum, Symbol, Unit
-from dhcli.notation.walk import rebuild, symbols, walk
+from dhcli.notation.angle import ZERO, Angle
+from dhcli.notation.dimensions import (
+    ANGLE_UNITS,
+    INVERSE,
+    LENGTH_UNITS,
+    UNITS,
+    DimensionError,
+    check_length,
+    in_metres,
+    is_inverse,
+)
+from dhcli.notation.tree import MOST_BITS, Call, Constant, Expr, Number, Power, Product, Sum, Symbol, Unit
+from dhcli.notation.walk import symbols, walk
 from dhcli.notation.writer import write, write_angle
 
-LENGTH_UNITS = {
-    "mm": Fraction(1, 1000),
-    "cm": Fraction(1, 100),
-    "m": Fraction(1),
-    "in": Fraction(254, 10000),
-    "inch": Fraction(254, 10000),
-}
-"""Metres in each unit of length."""
+__all__ = [
+    "ANGLE_UNITS",
+    "LENGTH_UNITS",
+    "UNITS",
+    "Bare",
+    "DimensionError",
+    "has_angle_unit",
+    "is_affine",
+    "is_inverse",
+    "to_angle",
+    "to_length",
+    "to_plain_length",
+    "value_text",
+]
 
-ANGLE_UNITS = frozenset(("deg", "degree", "degrees", "°", "rad", "radian", "radians"))
-UNITS = ANGLE_UNITS | LENGTH_UNITS.keys()
+LARGEST_DEGREES = 1_000_000
+"""Largest constant part of an angle [deg]: nearly three thousand turns, more than any joint makes."""
+
+LARGEST_RADIANS = 17_453
+
+LARGEST = 100_000_000
+"""Largest number in a length [m] or a plain number."""
 
 Bare = Literal["rad", "deg", "refuse"]
 """What a bare number means where an angle is wanted."""
-
-
-class DimensionError(ValueError):
-    """An expression that is not the kind of quantity wanted; carries a message and a hint."""
-
-    def __init__(self, message: str, hint: str = "") -> None:
-        """Say what is wrong, and what would be right."""
-        super().__init__(message)
-        self.message = message
-        self.hint = hint
 
 
 def to_angle(expr: Expr, *, bare: Bare = "rad") -> Angle:
@@ -49,48 +61,56 @@ def to_angle(expr: Expr, *, bare: Bare = "rad") -> Angle:
     Raises:
         DimensionError: A length, a product of angles, or a bare number where `bare` is `refuse`.
     """
-    if isinstance(expr, Sum):
-        return sum((to_angle(term, bare=bare) for term in expr.terms), Angle())
-    factors = expr.factors if isinstance(expr, Product) else (expr,)
-    scale, name, unit = Fraction(1), "", ""
-    for factor in factors:
-        match factor:
-            case Number(value):
-                scale *= value
-            case Symbol() if not name and not unit:
-                name = factor.name
-            case Unit() if factor.name in ANGLE_UNITS and not unit and not name:
-                unit = factor.name
-            case Constant() if not name and unit in ("", "rad", "radian", "radians"):
-                unit = "pi"
-            case Unit() if factor.name in LENGTH_UNITS:
-                raise DimensionError(f"{factor.name} is a unit of length, an angle is wanted", "write 30° or 0.5 rad")
-            case Unit() if unit == "pi" and factor.name in ("rad", "radian", "radians"):
-                pass
-            case _:
-                raise DimensionError("an angle is a sum of joint angles and constants", "write theta1 + 90° or pi/2")
-    if name:
-        return Angle(((name, scale),)) if scale else Angle()
-    return _constant(scale, unit or "bare", bare)
+    try:
+        angle = _angle(expr, bare)
+    except OverflowError:
+        raise DimensionError("the angle has a number of too many digits", "write it with fewer digits") from None
+    for name, part in (*angle.terms, ("°", angle.degrees), ("rad", angle.radians)):
+        if part is not ZERO:
+            _check_size(name, part.numerator, part.denominator)
+    return angle
 
 
 def to_length(expr: Expr) -> Expr:
     """Read an expression as a length or plain number: units become metres, angle units are refused.
 
     Raises:
-        DimensionError: A unit of angle where a length is wanted, or a unit that stands alone.
+        DimensionError: A unit of angle where a length is wanted, an area, units that cancel, or no length at all.
     """
-    for node in walk(expr):
-        if isinstance(node, Unit) and node.name in ANGLE_UNITS:
-            raise DimensionError(f"{node.name} is a unit of angle, a length is wanted", "write 0.4 m or 400 mm")
-    if not any(isinstance(node, Unit) for node in walk(expr)):
+    if type(expr) is Symbol or (type(expr) is Number and -LARGEST <= expr.value.numerator <= LARGEST):
         return expr
-    return rebuild(expr, _metres)
+    measured = False
+    for node in walk(expr):
+        if type(node) is Number and abs(node.value) > LARGEST:
+            raise DimensionError(f"a length or number beyond {LARGEST:,} is not read", "is the unit right?")
+        if type(node) is Call or (type(node) is Power and node.exponent.denominator != 1):
+            _check_real(node)
+        if type(node) is Unit:
+            measured = True
+            if node.name in ANGLE_UNITS:
+                raise DimensionError(f"{node.name} is a unit of angle, a length is wanted", "write 0.4 m or 400 mm")
+    if not measured:
+        return expr
+    check_length(expr)
+    return in_metres(expr)
+
+
+def to_plain_length(expr: Expr) -> Expr:
+    """Read an expression as a length or number that is no angle: `to_length` but for `atan2(1, 2)` and its like.
+
+    Raises:
+        DimensionError: As `to_length`, or it is an angle by an inverse function.
+    """
+    if is_inverse(expr):
+        raise DimensionError("an inverse function is an angle, a length is wanted", "write 0.4 m or 400 mm")
+    return to_length(expr)
 
 
 def has_angle_unit(expr: Expr) -> bool:
-    """Whether a unit of angle, or π, stands anywhere in the expression."""
-    return any(isinstance(n, Constant) or (isinstance(n, Unit) and n.name in ANGLE_UNITS) for n in walk(expr))
+    """Whether a unit of angle, or π, stands anywhere in an expression, or it is an angle by an inverse function."""
+    return is_inverse(expr) or any(
+        isinstance(n, Constant) or (isinstance(n, Unit) and n.name in ANGLE_UNITS) for n in walk(expr)
+    )
 
 
 def is_affine(expr: Expr, name: str) -> bool:
@@ -121,6 +141,73 @@ def value_text(value: Angle | Expr, unit: str = "m") -> str:
     return f"{float(value.value / LENGTH_UNITS.get(unit, 1)):.10g} {unit}".rstrip()
 
 
+def _check_size(name: str, above: int, below: int) -> None:
+    """Refuse a part of an angle, above/below, that no joint has: thousands of turns, or hundreds of digits."""
+    if below.bit_length() > MOST_BITS or above.bit_length() > MOST_BITS:
+        raise DimensionError("the angle has a number of too many digits", "write it with fewer digits")
+    if (name == "°" and abs(above) > LARGEST_DEGREES * below) or (
+        name == "rad" and abs(above) > LARGEST_RADIANS * below
+    ):
+        raise DimensionError(f"an angle beyond {LARGEST_DEGREES:,}° is not read", "write an angle within a few turns")
+
+
+def _angle(expr: Expr, bare: Bare) -> Angle:
+    """An angle as it stands, whatever its size."""
+    if isinstance(expr, Sum):
+        return sum((_angle(term, bare) for term in expr.terms), Angle())
+    factors = expr.factors if isinstance(expr, Product) else (expr,)
+    scale, name, unit = Fraction(1), "", ""
+    others: list[Expr] = []
+    for factor in factors:
+        match factor:
+            case Number(value):
+                scale *= value
+            case Sum() | Call() if not others:
+                others.append(factor)
+            case Symbol() if not name and not unit:
+                name = factor.name
+            case Unit() if factor.name in ANGLE_UNITS and not unit and not name:
+                unit = factor.name
+            case Constant() if not name and unit in ("", *_RADIANS):
+                unit = "pi"
+            case Unit() if factor.name in LENGTH_UNITS:
+                raise DimensionError(f"{factor.name} is a unit of length, an angle is wanted", "write 30° or 0.5 rad")
+            case Unit() if unit == "pi" and factor.name in _RADIANS:
+                pass
+            case _:
+                raise DimensionError(*_NO_ANGLE)
+    if others:
+        return _of_bracket(others[0], name, unit, bare) * scale
+    if name:
+        return Angle(((name, scale),)) if scale else Angle()
+    return _constant(scale, unit or "bare", bare)
+
+
+_RADIANS = ("rad", "radian", "radians")
+_NO_ANGLE = ("an angle is a sum of joint angles and constants", "write theta1 + 90° or pi/2")
+
+
+def _of_bracket(expr: Expr, name: str, unit: str, bare: Bare) -> Angle:
+    """A bracket of angles, or an inverse function; radians may be written behind the latter, for that is what it is."""
+    if isinstance(expr, Sum) and not name and not unit:
+        return _angle(expr, bare)
+    if isinstance(expr, Call) and expr.function in INVERSE and not name and unit in ("", *_RADIANS):
+        from dhcli.notation.arcs import arc  # few angles are written so
+
+        return arc(expr)
+    raise DimensionError(*_NO_ANGLE)
+
+
+def _check_real(node: Call | Power) -> None:
+    """Refuse a root or a function of a constant that is not a real number, such as sqrt(-1) and acos(2)."""
+    if type(node) is Power and type(node.base) is Number and node.base.value >= 0:
+        return
+    from dhcli.notation.arcs import constant
+
+    if not symbols(node) and not math.isfinite(constant(in_metres(node))):
+        raise DimensionError(f"{write(node)} is not a real number", "write a number, 0.4 m or 400 mm")
+
+
 def _constant(scale: Fraction, unit: str, bare: Bare) -> Angle:
     if unit == "pi":
         return Angle(degrees=scale * 180)
@@ -129,12 +216,4 @@ def _constant(scale: Fraction, unit: str, bare: Bare) -> Angle:
             shown = float(scale)
             raise DimensionError(f"the angle {shown:g} has no unit", f"write {shown:g}° or {shown:g} rad")
         unit = bare
-    return Angle(radians=scale) if unit in ("rad", "radian", "radians") else Angle(degrees=scale)
-
-
-def _metres(node: Expr) -> Expr:
-    if not isinstance(node, Unit):
-        return node
-    factor = LENGTH_UNITS[node.name]
-    places = {"mm": 3, "cm": 2, "m": 0}.get(node.name, 4)
-    return Number(factor, places)
+    return Angle(radians=scale) if unit in _RADIANS else Angle(degrees=scale)

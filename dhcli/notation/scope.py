@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from dhcli.notation.angle import Angle
@@ -26,6 +26,7 @@ class Scope:
         lengths: Everything else: lengths, joint displacements, plain numbers.
         aliases: Other spellings in canonical form, such as q1 for theta1.
         is_open: Whether any other name stands for itself.
+        is_usual: Whether such a name must look like one in a formula, a letter with an index; others are asked about.
     """
 
     joints: tuple[str, ...] = ()
@@ -33,6 +34,7 @@ class Scope:
     lengths: tuple[str, ...] = ()
     aliases: Mapping[str, str] = field(default_factory=dict)
     is_open: bool = False
+    is_usual: bool = False
     _known: dict[str, str] = field(default_factory=dict, init=False, repr=False, compare=False)
     _read: dict[str, tuple[Expr, ...]] = field(default_factory=dict, init=False, repr=False, compare=False)
 
@@ -66,7 +68,7 @@ class Scope:
     def _readings(self, word: str) -> tuple[Expr, ...]:
         known = self._known.get(canonical(word))
         found: list[Expr] = [Symbol(known)] if known else []
-        if word[0] in "cCsS" and len(word) > 1:
+        if len(word) > 1 and word[0] in "cCsS":
             function = cosine if word[0] in "cC" else sine
             for angle in self._angles(word[1:]):
                 trig = function(angle)
@@ -103,6 +105,8 @@ class Scope:
         if digits.isdecimal() and digits.isascii():
             yield from self._indexed(digits)
             return
+        if text.startswith("_{") and not text[2:3].isalnum():
+            text = text[2:-1]  # c_{\\theta_i}, as some write the cosine of theta_i
         name = self._known.get(canonical(text.lstrip("_")))
         if name is not None and self.is_angle(name):
             yield Angle.of(name)
@@ -134,6 +138,17 @@ class Scope:
 
 OPEN = Scope(is_open=True)
 """A scope in which every name stands for itself, and `c12` for cos(theta1 + theta2)."""
+
+
+def usual(declared: Iterable[str] = ()) -> Scope:
+    """A scope for a text typed without any robot: names declared, and those that look like names in a formula.
+
+    Args:
+        declared: Names that may look like words, such as shoulder; the Greek ones are angles.
+    """
+    names = tuple(declared)
+    angles = tuple(name for name in names if parts(name)[0] in GREEK_NAMES | {"q"})
+    return Scope(angles=angles, lengths=tuple(n for n in names if n not in angles), is_open=True, is_usual=True)
 
 
 def _ends(word: str, start: int) -> Iterator[int]:

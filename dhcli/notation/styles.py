@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import keyword
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
@@ -36,10 +37,35 @@ class Style:
     prefix: str = ""
 
 
-def identifier(name: str) -> str:
-    """A name that programming languages accept: `alpha_{i-1}` is `alpha_im1`, `lambda` is `lambda_`."""
+_PYTHON = frozenset(keyword.kwlist)
+RESERVED: Mapping[str, frozenset[str]] = {
+    "numpy": _PYTHON | {"np"},
+    "sympy": _PYTHON | {"E", "I", "N", "O", "Q", "S", "Matrix", "nan", "oo", "zoo"},
+    "matlab": frozenset(
+        (
+            *("break", "case", "catch", "classdef", "continue", "else", "elseif", "end", "for", "function", "global"),
+            *("if", "otherwise", "parfor", "persistent", "return", "spmd", "switch", "try", "while"),
+            *("i", "j", "eps", "ans", "inf", "nan", "Inf", "NaN", "syms", "true", "false"),
+        )
+    ),
+}
+"""Keywords and constants of each language; a name that is one gets an underscore behind it."""
+
+SPOKEN_FOR = frozenset().union(*RESERVED.values())
+
+
+def identifier(name: str, language: str = "sympy") -> str:
+    """A name that a programming language accepts: `alpha_{i-1}` is `alpha_im1`, `lambda` is `lambda_`, `E` is `E_`."""
     plain = name.replace("{", "").replace("}", "").replace("-", "m").replace("+", "p").replace(",", "_")
-    return plain + "_" if plain == "lambda" else plain
+    return plain + "_" if plain in RESERVED[language] else plain
+
+
+def _in_matlab(name: str) -> str:
+    return identifier(name, "matlab")
+
+
+def _in_numpy(name: str) -> str:
+    return identifier(name, "numpy")
 
 
 def latex_name(name: str) -> str:
@@ -67,8 +93,8 @@ STYLES: Mapping[str, Style] = {
             degrees="{}^{{\\circ}}",
             latex=True,
         ),
-        Style("matlab", symbol=identifier, degrees=None),
-        Style("numpy", caret="**", pi="np.pi", symbol=identifier, degrees=None, prefix="np."),
+        Style("matlab", symbol=_in_matlab, degrees=None),
+        Style("numpy", caret="**", pi="np.pi", symbol=_in_numpy, degrees=None, prefix="np."),
         Style("sympy", caret="**", symbol=identifier, degrees=None),
     )
 }

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Literal
 
 from dhcli.errors import NotationError, Place, Problem
-from dhcli.notation.names import GREEK, describe, foreign_letter
+from dhcli.notation.names import GREEK, GREEK_NAMES, describe, foreign_letter
+from dhcli.notation.styles import SPOKEN_FOR
 
 MOST_CHARACTERS = 2000
 """Longest expression that is read; nobody types more into a cell."""
@@ -35,10 +37,12 @@ _LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _NOISE = "─━═┄┈╌┌┬┐├┼┤└┴┘┏┳┓┡╇┩┢┣╋┫┗┻┛╔╦╗╠╬╣╚╩╝╭╮╯╰⎡⎢⎣⎤⎥⎦⎛⎜⎝⎞⎟⎠$"
 """What frames a table or a formula on a screen and means nothing."""
 _GREEK_LETTERS = "".join(GREEK)
+_LONGEST_WORD = 12
 _DECIMAL_COMMA = re.compile(r"\d+,\d+(?![\d,.])", re.ASCII)
 _WORD = rf"π|[A-Za-z{_GREEK_LETTERS}](?:[A-Za-z0-9{_GREEK_LETTERS}₀-₉]|_\{{[^{{}}]*\}}|_(?=[A-Za-z0-9]))*"
+_NAME = re.compile(_WORD)
 _PIECE = re.compile(
-    rf"(?P<blank>[ \t\u00a0\u2009\u202f{_NOISE}]+)"
+    rf"(?P<blank>[ \t\u00a0\u2009\u202f{_NOISE}]+|\.(?=[*/^]))"
     r"|(?P<module>(?:np|numpy|math|sp|sympy|sym)\.(?=[A-Za-z]))"
     rf"|(?P<word>{_WORD})"
     r"|(?P<number>(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
@@ -60,6 +64,24 @@ _LATEX_SIGNS = {
     "degree": "°",
 }
 _LATEX_WRAPPERS = frozenset(("mathrm", "text", "operatorname", "mathbf", "mathit", "rm", "boldsymbol"))
+
+
+@lru_cache(maxsize=1)
+def _escaped() -> re.Pattern[str]:
+    """A keyword before the underscore that makes it a name in a program; compiled when an underscore stands alone."""
+    return re.compile(rf"(?<![A-Za-z0-9_])(?:{'|'.join(sorted(SPOKEN_FOR))})$")
+
+
+@lru_cache(maxsize=1)
+def _row_room() -> re.Pattern[str]:
+    r"""The room below a row of LaTeX, `\\[2pt]`."""
+    return re.compile(r"\s{0,9}\[\s{0,9}-?[0-9.]{1,9}\s{0,9}(?:pt|ex|em|mm|cm|in)\s{0,9}\]")
+
+
+@lru_cache(maxsize=1)
+def _index() -> re.Pattern[str]:
+    r"""The index of `\theta 1`, which TeX sets on the line."""
+    return re.compile(r" ?([0-9]{1,2})(?![0-9.,])")
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,6 +131,11 @@ class Source:
                 self.place.text if line == 0 else self.text.split("\n")[line],
             )
         return NotationError(Problem(message, place, hint))
+
+
+def is_name(text: str) -> bool:
+    """Whether a text is one name: letters and digits, with an index behind it if need be."""
+    return _NAME.fullmatch(text.removeprefix("\\")) is not None
 
 
 def tokenize(source: Source, *, decimal_comma: bool = False, most: int = MOST_CHARACTERS) -> list[Token]:
@@ -166,6 +193,8 @@ def _rare(source: Source, start: int, *, spaced: bool) -> tuple[tuple[Token, ...
         minus = (Token("sign", "-", start, start + 1, spaced=False),) if match[1] else ()
         number = Token("number", match[2].translate(_RAISED), match.start(2), match.end(), spaced=False)
         return (power, *minus, number), match.end()
+    if text[start] == "_" and _escaped().search(text, max(start - _LONGEST_WORD, 0), start):
+        return (), start + 1  # `lambda_` and `E_` in code that dhcli has written
     raise _strange(source, start)
 
 
@@ -179,6 +208,8 @@ def _latex(source: Source, start: int, *, spaced: bool) -> tuple[tuple[Token, ..
     if command in _LATEX_SPACES:
         return (), end
     if command in _LATEX_SIGNS:
+        if command == "\\" and (room := _row_room().match(text, end)):
+            end = room.end()
         return (Token("sign", _LATEX_SIGNS[command], start, end, spaced),), end
     if command in _LATEX_WRAPPERS:
         inner = _WRAPPED.match(text, end)
@@ -187,7 +218,7 @@ def _latex(source: Source, start: int, *, spaced: bool) -> tuple[tuple[Token, ..
         return (Token("word", inner[1] + inner[2], start, inner.end(), spaced),), inner.end()
     if not command.isalpha():
         raise source.error(start, f"\\{command} is not understood")
-    if tail := _SUBSCRIPT.match(text, end):
+    if (tail := _SUBSCRIPT.match(text, end)) or (command in GREEK_NAMES and (tail := _index().match(text, end))):
         command, end = command + tail[1], tail.end()
     return (Token("word", command, start, end, spaced),), end
 

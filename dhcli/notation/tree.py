@@ -191,7 +191,11 @@ def negate(expr: Expr) -> Expr:
 
 
 def add(*terms: Expr) -> Expr:
-    """The sum, flat, with like terms gathered where the first of them stands."""
+    """The sum, flat, with like terms gathered where the first of them stands.
+
+    Raises:
+        OverflowError: A number in it has more than 1000 bits.
+    """
     gathered: dict[Expr, Number] = {}
     for term in _flat(terms, Sum):
         factor, rest = split(term)
@@ -227,7 +231,11 @@ def multiply(*factors: Expr) -> Expr:
         number_part = _multiply_numbers(number_part, Number(outside))
         if root != 1:
             powers[Power(Number(Fraction(root)), HALF)] = Fraction(1)
-    kept = [base if exponent == 1 else Power(base, exponent) for base, exponent in powers.items() if exponent]
+    kept = [
+        base if exponent == 1 else Power(base, exponent)
+        for base, exponent in powers.items()
+        if exponent or type(base) is Unit
+    ]
     return _scale(number_part, *sorted(kept, key=factor_key))
 
 
@@ -241,7 +249,7 @@ def power(base: Expr, exponent: Fraction | int) -> Expr:
     exponent = Fraction(exponent)
     if exponent == 1:
         return base
-    if exponent == 0:
+    if exponent == 0 and type(base) is not Unit:  # units that cancel stay, so that a ratio is known for one
         return ONE
     if type(base) is Number:
         return _power_of_number(base, exponent)
@@ -297,7 +305,10 @@ def _scale(factor: Number, *rest: Expr) -> Expr:
 
 def _add_numbers(first: Number, second: Number) -> Number:
     places = [n.places for n in (first, second) if n.places is not None]
-    return Number(first.value + second.value, max(places) if places else None)
+    value = first.value + second.value
+    if value.denominator != 1:
+        _check_size(value)
+    return Number(value, max(places) if places else None)
 
 
 def _multiply_numbers(first: Number, second: Number) -> Number:

@@ -9,11 +9,14 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from dhcli.notation.angle import Angle
+from dhcli.errors import NotationError
+from dhcli.notation.angle import FULL_TURN_IN_RADIANS, Angle
 from dhcli.notation.styles import STYLES, THETAS, Joints, Style
 from dhcli.notation.tree import HALF, Call, Constant, Expr, Number, Power, Product, Sum, Symbol, Trig, Unit, split
 
 SUM, PRODUCT, ATOM = 1, 2, 3
+MOST_BITS_WRITTEN = 14_000
+"""Some 4,200 digits; Python refuses to write more than 4,300."""
 
 
 def write(expr: Expr, style: str = "short", joints: Joints = THETAS) -> str:
@@ -33,7 +36,13 @@ def write_angle(angle: Angle, style: str = "short", joints: Joints = THETAS) -> 
 
 
 def write_number(value: Fraction, places: int | None = None) -> str:
-    """Write an exact number: with decimals if it has that many places, else as a fraction."""
+    """Write an exact number: with decimals if it has that many places, else as a fraction.
+
+    Raises:
+        NotationError: It has more digits than Python writes.
+    """
+    if max(value.numerator.bit_length(), value.denominator.bit_length()) > MOST_BITS_WRITTEN:
+        raise NotationError("a number of thousands of digits is not written", "put in values with fewer digits")
     if value.denominator == 1:
         return str(value.numerator)
     if places is not None:
@@ -88,7 +97,8 @@ class _Writer:
             return text, ATOM
         if self.style.latex:
             sign = "-" if value < 0 else ""
-            return rf"{sign}\frac{{{abs(value.numerator)}}}{{{value.denominator}}}", PRODUCT
+            above, below = text.removeprefix("-").split("/")
+            return rf"{sign}\frac{{{above}}}{{{below}}}", PRODUCT
         return text, PRODUCT
 
     def sum(self, terms: tuple[Expr, ...]) -> str:
@@ -173,7 +183,8 @@ class _Writer:
         if angle.degrees:
             pieces.append(self.degrees(angle.degrees))
         if angle.radians:
-            unit = " rad" if spaced and self.style.degrees is not None and not self.style.latex else ""
+            must = spaced or (angle.terms and abs(angle.radians) > FULL_TURN_IN_RADIANS)  # 90 would be a question
+            unit = " rad" if must and self.style.degrees is not None and not self.style.latex else ""
             pieces.append(write_number(angle.radians, 20) + unit)
         if not pieces:
             return "0"
@@ -183,8 +194,9 @@ class _Writer:
 
     def scaled(self, factor: Fraction, text: str) -> str:
         sign = "-" if factor < 0 else ""
-        upper = "" if abs(factor.numerator) == 1 else f"{abs(factor.numerator)}{self.style.times}"
-        lower = "" if factor.denominator == 1 else f"/{factor.denominator}"
+        above, _, below = write_number(abs(factor)).partition("/")
+        upper = "" if above == "1" else f"{above}{self.style.times}"
+        lower = f"/{below}" if below else ""
         return f"{sign}{upper}{text}{lower}"
 
     def degrees(self, degrees: Fraction) -> str:

@@ -22,6 +22,8 @@ os.environ.update(dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL
 import classes
 import freedoms
 import marking
+import motion
+import pictures
 import poses
 import rows
 import startup
@@ -36,9 +38,14 @@ GROUPS: dict[str, Callable[[int], Iterator[Row]]] = {
     "growth": poses.growth,
     "rows": rows.rows,
     "symbols": symbols.rows,
+    "jacobian": motion.one,
+    "jacobians": motion.batch,
+    "jacobian-symbols": motion.symbols,
+    "singularities": motion.factors,
     "parsing": marking.parsing,
     "marking": marking.rows,
     "freedoms": freedoms.rows,
+    "pictures": pictures.rows,
     "classes": classes.rows,
 }
 

@@ -89,7 +89,7 @@ def about(robot: Robot, *, numeric: bool) -> Exercise:
     """The pose of a robot as an exercise."""
     typed = [f"{23 + 14 * k}°" if j.kind == "revolute" else f"{0.1 + k / 20}" for k, j in enumerate(robot.joints)]
     given = joint_values(robot, ",".join(typed)) if numeric else {}
-    return question_about(robot, robot.frames[1], robot.frames[-2], numeric=numeric, given=given)
+    return question_about(robot, f"pose {robot.frames[1]}..{robot.frames[-2]}", numeric=numeric, given=given)
 
 
 def singles(judge: Judge, part: Part, tally: Tally) -> None:

@@ -24,7 +24,7 @@ SYMPY = [sys.executable, "-c", "import sympy"]
 
 def question() -> tuple[Exercise, str]:
     """The pose of PUMA 560 as an exercise, and the right answer in full spelling, which sympy reads, too."""
-    exercise = question_about(load_robot("puma560"), "0", "6", numeric=False, given={})
+    exercise = question_about(load_robot("puma560"), "pose 0..6", numeric=False, given={})
     return exercise, Judge(exercise).expected(exercise.parts[0], "full")
 
 

@@ -18,8 +18,13 @@ COMMANDS = (
     "fk puma560 --symbolic",
     "fk puma560 --in q.csv",
     "sweep puma560 --over q1",
+    "jacobian puma560 --symbolic",
+    "singularities puma560",
+    "rates planar-2r --q 0.3,0.5 --velocity 0.1,0,0",
+    "torques planar-2r --q 0.3,0.5 --force 0,10,0",
     "transform Trans(8,-6,14)Rot(y,90°)",
     "show puma560",
+    "draw puma560",
     "list",
     "check planar-two-links --part d02 --answer a1*c1+a2*c12,a1*s1+a2*s12,0",
     "start planar-two-links -o -",
@@ -31,6 +36,7 @@ COMMANDS = (
     "lint exercise.yaml",
     "new robot my-arm --force",
     "help fk",
+    "ik puma560 --pose nominal",
 )
 """What is typed for each command but `watch`, which does not end; run in a folder of its own."""
 

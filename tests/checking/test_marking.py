@@ -120,7 +120,7 @@ def test_a_wrong_orientation_is_as_wrong_on_a_long_arm(size: float, degrees: flo
     robot = load_robot("planar-2r")
     values = {"theta1": Angle.in_degrees(75), "theta2": Angle()}
     lengths = {"a1": Number(parse(f"{size:.9f}").value), "a2": number(0)}  # type: ignore[union-attr]
-    exercise = question_about(robot, "0", "2", numeric=True, given={**values, **lengths})
+    exercise = question_about(robot, "pose 0..2", numeric=True, given={**values, **lengths})
     long = float(lengths["a1"].value)
     answer = pose(math.radians(75 + degrees), long * COSINE, long * SINE)
     rotation = check(
@@ -138,7 +138,7 @@ def test_a_pose_of_an_arm_without_lengths_must_stay_at_the_origin() -> None:
     robot = load_robot("planar-2r")
     nothing = {name: number(0) for name in ("a1", "a2")}
     given_ = {"theta1": Angle.in_degrees(30), "theta2": Angle(), **nothing}
-    exercise = question_about(robot, "0", "2", numeric=True, given=given_)
+    exercise = question_about(robot, "pose 0..2", numeric=True, given=given_)
     c, s = math.cos(math.pi / 6), math.sin(math.pi / 6)
     right = f"[{c} {-s} 0 6e-17; {s} {c} 0 -0; 0 0 1 0; 0 0 0 1]"
     assert check(exercise, "pose", right).verdict is Verdict.RIGHT
@@ -330,7 +330,7 @@ def test_an_unknown_part_is_refused_with_the_nearest(wrong: dict[str, object]) -
 def test_an_exercise_whose_robot_lacks_lengths_says_so() -> None:
     """That is the author's fault and no verdict on the student."""
     robot = load_robot("dh-link")
-    exercise = question_about(robot, "0", "1", numeric=True, given={"theta_i": Angle()})
+    exercise = question_about(robot, "pose 0..1", numeric=True, given={"theta_i": Angle()})
     with pytest.raises(DhcliError, match="has no value for a_i"):
         check(exercise, "pose", "[1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1]")
 
@@ -438,7 +438,7 @@ def shown(exercise: Exercise, part: Part, judged: Mark) -> str:
     from dhcli.checking.judge import PartMark
 
     text = render("marks", SheetMark(exercise, (PartMark(part, judged),)), Look(paper=Paper()))
-    assert part.question.describe(exercise).split("\n")[0][:10] in text
+    assert part.heading(exercise).split("\n")[0][:10] in text
     return text
 
 

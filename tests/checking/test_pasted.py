@@ -33,14 +33,14 @@ p_z = 0"""
 @pytest.fixture
 def pose() -> Exercise:
     """The pose of the planar arm, in symbols."""
-    return question_about(load_robot("planar-2r"), "0", "2", numeric=False, given={})
+    return question_about(load_robot("planar-2r"), "pose 0..2", numeric=False, given={})
 
 
 @pytest.fixture
 def position() -> Exercise:
     """The position of the planar arm with links of 0.4 m and 0.3 m, in numbers."""
     values = {"theta1": Angle(), "theta2": Angle()}
-    asked = question_about(load_robot("planar-2r"), "0", "2", numeric=True, given=values)
+    asked = question_about(load_robot("planar-2r"), "pose 0..2", numeric=True, given=values)
     return replace(asked, parts=(Part("tip", MatrixQuestion(Span("0", "2"), piece="position")),))
 
 

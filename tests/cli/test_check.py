@@ -538,3 +538,36 @@ def test_ctrl_c_ends_a_walk_with_130(tmp_path: Path) -> None:
         assert screen.end() == 130
         assert "Traceback" not in screen.seen
     assert read_progress()[0] == {PLANAR: {"a1": Try("RIGHT", 1)}}
+
+
+@pytest.mark.parametrize(
+    ("words", "part"),
+    [
+        (("--answer", "-0.2321, 0.4259, 0.3"), "position"),
+        (("--answer", "0.6967 -0.7174 0; 0.7174 0.6967 0; 0 0 1"), "rotation"),
+        (("--as", "rpy", "--answer", "0, 0, 45.8366"), "rpy"),
+        (("--as", "quaternion", "--answer", "0.92106 0 0 0.389418"), "quaternion"),
+        (("--as", "zyz", "--answer", "45.8366, 0, 0"), "euler"),
+        (("--as", "position", "--answer", "-232.1 mm, 425.9 mm, 300 mm"), "position"),
+        (("--entry", "1,4", "--answer", "-0.2321"), "entry"),
+    ],
+)
+def test_a_piece_of_a_robots_pose_is_checked_alone(dhcli: Run, words: tuple[str, ...], part: str) -> None:
+    """What it is says its shape, or an option; in JSON as on the screen."""
+    done = dhcli("check", "scara", "--q", "0.3,0.5,0.1", *words, "--format", "json")
+    assert (done.code, done.data["verdict"], done.data["parts"][0]["part"]) == (0, "RIGHT", part)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--as", "xyzz", "--answer", "1"), "there is no form xyzz"),
+        (("--entry", "1,5", "--answer", "1"), "'1,5' is no entry of a 4x4"),
+        (("--entry", "1,4", "--as", "rpy", "--answer", "1"), "--as and --entry both say what is answered"),
+    ],
+)
+def test_a_piece_that_a_pose_does_not_have_is_refused(dhcli: Run, words: tuple[str, ...], said: str) -> None:
+    """With exit code 2."""
+    done = dhcli("check", "scara", "--q", "0.3,0.5,0.1", *words)
+    assert done.code == 2
+    assert said in done.err

@@ -37,7 +37,7 @@ def test_a_bug_ends_with_3_and_a_short_message(dhcli: Run, monkeypatch: pytest.M
     def broken(name: str, **_: object) -> None:
         raise ZeroDivisionError(name)
 
-    monkeypatch.setattr("dhcli.files.yaml.robots.load_noted", broken)
+    monkeypatch.setattr("dhcli.files.yaml.robots.load_robot", broken)
     done = dhcli("fk", "scara")
     assert done.code == 3
     assert done.err.startswith("dhcli: this is a bug in dhcli: ZeroDivisionError: scara\n  hint: please report it")
@@ -50,7 +50,7 @@ def test_a_bug_shows_its_traceback_when_asked(monkeypatch: pytest.MonkeyPatch) -
     def broken(name: str, **_: object) -> None:
         raise ZeroDivisionError(name)
 
-    monkeypatch.setattr("dhcli.files.yaml.robots.load_noted", broken)
+    monkeypatch.setattr("dhcli.files.yaml.robots.load_robot", broken)
     monkeypatch.setenv("DHCLI_DEBUG", "1")
     with pytest.raises(ZeroDivisionError):
         main(["fk", "scara"])

@@ -21,7 +21,7 @@ from dhcli.kinematics.robot import Link, Robot
 from dhcli.kinematics.validity import InvalidRobotError
 from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
-from dhcli.notation.quantity import to_angle, to_length
+from dhcli.notation.quantity import to_angle
 from dhcli.notation.tree import number
 
 METRE = number(1)
@@ -29,7 +29,7 @@ METRE = number(1)
 
 def link(number_: int, a: str, alpha: str, d: str, theta: str) -> Link:
     """A row of a standard table."""
-    row = Row(to_length(parse(a)), to_angle(parse(alpha)), to_length(parse(d)), to_angle(parse(theta)))
+    row = Row(parse(a), to_angle(parse(alpha)), parse(d), to_angle(parse(theta)))
     return Link(number_, moves_of(row, Convention.STANDARD), row)
 
 

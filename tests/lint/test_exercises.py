@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+
+import pytest
 
 from dhcli.checking.judge import Judge
 from dhcli.checking.verdicts import Mark, Verdict
-from dhcli.files.yaml.exercises import read_exercise
+from dhcli.files.yaml.exercises import load_exercise, read_exercise
 from dhcli.lint import exercises
 from tests.lint.linting import Broken, assert_told, cases, findings
-
-if TYPE_CHECKING:
-    import pytest
 
 ROOT = Path(__file__).parents[2]
 
@@ -308,3 +306,30 @@ def test_beside_a_tolerance_that_lets_all_pass_nothing_else_is_told(tmp_path: Pa
     """That mistakes do not show, and tests do not fail, comes of it."""
     (found,) = findings(tmp_path, CLEAN.replace("tolerance: {rotation: 0.001}", "tolerance: {position: 400 mm}"))
     assert found.message.startswith("position: a tolerance of 400 mm is large beside")
+
+
+@pytest.mark.parametrize(
+    ("part", "told"),
+    [
+        ("{id: a, ask: 'point (a1, 0, 0) of product \"Trans(0, 0, 0)\"', hints: [look]}", True),
+        ("{id: a, ask: 'point (a1, 0, 0) of product \"Trans(0, 0, 0)\"', prompt: Where is P?, hints: [look]}", False),
+        ("{id: a, ask: 'point (a1, 0, 0) of pose 0..1', hints: [look]}", False),
+        ("{id: a, ask: 'product \"Rot(z, theta1)\"', hints: [look]}", False),
+    ],
+)
+def test_a_question_that_shows_its_answer_is_told(tmp_path: Path, part: str, *, told: bool) -> None:
+    """The coordinates in its heading are the answer, unless words of its own take their place."""
+    text = f"""format: 1
+title: A point
+source: mine
+robot: planar-2r
+task: Find it.
+parts:
+  - {part}
+tests:
+  - {{part: a, answer: "_", verdict: SKIPPED}}
+"""
+    path = tmp_path / "point.yaml"
+    path.write_text(text, "utf-8")
+    found = [finding.message for finding in exercises.findings(Judge(load_exercise(str(path))))]
+    assert any("shows its answer" in message for message in found) is told

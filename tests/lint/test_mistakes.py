@@ -38,7 +38,7 @@ def test_a_mistake_that_nobody_can_make_is_told() -> None:
 def test_a_pose_that_hides_mistakes_is_told_with_one_that_shows_them() -> None:
     """At zero a planar arm shows half of the mistakes at best; the angles proposed show more."""
     robot = load_robot("scara-yim")
-    at_zero = question_about(robot, "0", "4", numeric=True, given=joint_values(robot, "0,0,0.1,0"))
+    at_zero = question_about(robot, "pose 0..4", numeric=True, given=joint_values(robot, "0,0,0.1,0"))
     (found,) = findings(judge_of(at_zero))
     assert "does not show" in found.message
     assert found.hint.endswith("leaves 0")
@@ -54,7 +54,7 @@ def test_the_poses_proposed_break_no_rule() -> None:
 def test_one_mistake_is_a_mistake_and_two_are_two() -> None:
     """At 45° sine and cosine agree; where most is hidden it is an error, not a warning."""
     robot = load_robot("planar-2r")
-    (one,) = findings(judge_of(question_about(robot, "0", "2", numeric=True, given=joint_values(robot, "25°,45°"))))
+    (one,) = findings(judge_of(question_about(robot, "pose 0..2", numeric=True, given=joint_values(robot, "25°,45°"))))
     assert one.message == "pose: this pose does not show a mistake: sin-cos 2"
     assert (one.where, one.is_warning) == (("parts", 0), True)
     assert one.hint == "given: {theta1: 25°, theta2: 40°} leaves 0"
@@ -70,7 +70,7 @@ def test_where_no_other_angles_show_more_there_is_nothing_to_do() -> None:
     """As where no joint turns."""
     robot = load_robot("cartesian")
     (found,) = findings(
-        judge_of(question_about(robot, "0", "3", numeric=True, given=joint_values(robot, "0.1, 0.2, 0")))
+        judge_of(question_about(robot, "pose 0..3", numeric=True, given=joint_values(robot, "0.1, 0.2, 0")))
     )
     assert "d-sign 3" in found.message
     assert found.hint == "nothing to do if it is meant so"

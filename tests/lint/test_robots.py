@@ -6,6 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from dhcli.files.yaml.robots import load_robot
+from dhcli.lint import robots
 from tests.lint.linting import Broken, assert_told, cases, findings
 
 CLEAN = """\
@@ -129,3 +131,16 @@ def test_a_name_that_cannot_be_typed_is_told(tmp_path: Path) -> None:
     (found,) = findings(tmp_path, CLEAN, "my arm.yaml")
     assert (found.at, found.hint) == ("1:1", "letters, digits, - and _, such as my-arm.yaml")
     assert found.message == "the file name 'my arm' is the name of the robot, and cannot be typed"
+
+
+def test_an_angle_taken_exactly_is_told(tmp_path: Path) -> None:
+    """1.5708 rad is a right angle to its digits; a length that another follows from is used."""
+    path = tmp_path / "arm.yaml"
+    path.write_text(
+        "format: 1\ntitle: T\nsource: mine\nconvention: standard\nvariables: [q1]\n"
+        "parameters: {a2: 0.4 m, a3: 2*a2}\nlinks:\n  - {a: a3, alpha: 1.5708 rad, d: 0, theta: q1}\n",
+        "utf-8",
+    )
+    (found,) = robots.findings(load_robot(path))
+    assert found.is_warning
+    assert "1.5708 rad is taken as 90°" in found.message

@@ -97,10 +97,22 @@ def _signature(found: Callable[..., object]) -> str:
 MARK = "## Every name"
 LIBRARY = MANUAL / "reference" / "library.md"
 INDEX = MANUAL / "index.md"
+PICTURES = MANUAL / "howto"
+
+
+def picture(name: str) -> str:
+    """A robot as README and the manual show it."""
+    import dhcli
+
+    return dhcli.draw(dhcli.load_robot(name)).svg()
+
+
 GENERATED: dict[Path, Callable[[], str]] = {
     INDEX: lambda: index_page(INDEX.read_text("utf-8")),
     MANUAL / "reference" / "commands.md": commands_page,
     MANUAL / "reference" / "mistakes.md": mistakes_page,
+    PICTURES / "puma560.svg": lambda: picture("puma560"),
+    PICTURES / "stanford.svg": lambda: picture("stanford"),
     LIBRARY: lambda: library_page(LIBRARY.read_text("utf-8")),
 }
 """Each page that is made, and what makes it."""

@@ -47,6 +47,7 @@ LIBRARY = {
 
 HEAD = "format: 1\ntitle: t\nsource: s\n"
 FOUR_BAR = "space: planar\npoints: {A: [0, 0], B: [0, 1], C: [3, 2], D: [3, 0]}\n"
+UNREAL = "a: sqrt(-1) is not a real number"
 JOINTS = "joints: [ground R a at A, a R b at B, b R c at C, c R ground at D]\n"
 
 
@@ -184,7 +185,7 @@ def test_a_word_finds_a_file_a_name_a_robot_or_a_pattern() -> None:
         ("space: planar\nchain: ground R a Q b", "there is no joint 'Q'"),
         ("space: spatial\nbars: {ground: [A, B], a: [A, B]}", "bars: are pinned together in the plane"),
         ("space: planar\nbars: {ground: [A, B], a: [A, C], b: [D, E]}", "b: shares no pin with another bar"),
-        ("space: planar\nlet: {a: sqrt(-1)}\n" + JOINTS.replace(" at ", " about z at "), "a: sqrt(-1) is not a number"),
+        ("space: planar\nlet: {a: sqrt(-1)}\n" + JOINTS.replace(" at ", " about z at "), UNREAL),
         ("space: spatial\npoints: {A: [0, 0]}\njoints: [ground R a at A]", "A: three coordinates are wanted, not 2"),
     ],
 )  # fmt: skip

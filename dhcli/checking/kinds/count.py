@@ -40,6 +40,7 @@ class CountQuestion(Question[int]):
     linkage: str
     found: Linkage | Counts | None = None
 
+    may_show_frames: ClassVar = True
     words: ClassVar = ("count",)
     examples: ClassVar = ("count mobility four-bar",)
     is_plain: ClassVar = True

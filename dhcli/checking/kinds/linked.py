@@ -6,6 +6,8 @@ from dhcli.checking.exercise import Exercise
 from dhcli.errors import NotationError, Place, Problem, RobotError
 from dhcli.kinematics.robot import Link, Robot
 
+MOST_DIGITS = 4
+
 
 def read_number(text: str, place: Place | None) -> str:
     """The number of a link.
@@ -13,8 +15,8 @@ def read_number(text: str, place: Place | None) -> str:
     Raises:
         NotationError: It is none.
     """
-    if not text.strip().isdecimal():
-        raise NotationError(Problem(f"'{text.strip()}' is not the number of a link", place, "write link 1"))
+    if not text.strip().isdecimal() or len(text.strip()) > MOST_DIGITS:
+        raise NotationError(Problem(f"'{text.strip():.60}' is not the number of a link", place, "write link 1"))
     return text.strip()
 
 

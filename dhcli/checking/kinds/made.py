@@ -2,20 +2,40 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
-from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.kinds.matrix import MatrixQuestion
+from dhcli.checking.exercise import Case, Exercise, Memo, Part
+from dhcli.checking.kinds.registry import read_question
 from dhcli.checking.kinds.table import TableQuestion
-from dhcli.checking.wanted import Span
+from dhcli.checking.pasted import UnreadableError
+from dhcli.errors import NotationError
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.robot import Robot, Value
 
 
-def question_about(robot: Robot, start: str, end: str, *, numeric: bool, given: Mapping[str, Value]) -> Exercise:
-    """The pose of a frame of a robot."""
-    part = Part("pose", MatrixQuestion(Span(start, end)))
+def question_about(robot: Robot, ask: str, *, numeric: bool, given: Mapping[str, Value]) -> Exercise:
+    """A question about a robot, asked as in an exercise file: `pose 0..3`, `rpy of pose 0..3`.
+
+    Raises:
+        NotationError: It asks nothing that is known.
+        DhcliError: The robot does not have what is asked about.
+    """
+    question = read_question(ask, robot.scope)
+    question.check(robot)
+    part = Part(ask.split(maxsplit=1)[0], question)
     return Exercise(robot.name, robot.title, robot.source, "", (part,), robot, given, numeric=numeric)
+
+
+def question_answered(exercises: Sequence[Exercise], answer: str) -> Exercise:
+    """The first of some exercises of one part to which a text can be read as an answer; else the first of all."""
+    for exercise in exercises:
+        (part,) = exercise.parts
+        try:
+            part.question.read(Case(part, Memo(exercise)), answer)
+        except (UnreadableError, NotationError):
+            continue
+        return exercise
+    return exercises[0]
 
 
 def question_about_table(robot: Robot, convention: Convention) -> Exercise:

@@ -26,6 +26,7 @@ from dhcli.notation.writer import write
 class MatrixQuestion(Wanted, Question[Entries]):
     """A matrix, or a piece of one."""
 
+    may_show_frames: ClassVar = True
     words: ClassVar = ("link", "pose", "product", "inverse", "rotation", "position", "entry", "axis", "point", "vector")
     examples: ClassVar = (
         "link 1",
@@ -58,24 +59,34 @@ class MatrixQuestion(Wanted, Question[Entries]):
     def describe(self, exercise: Exercise) -> str:
         from dhcli.checking.workings import coordinates
 
+        point = coordinates(self, exercise)
+        return self._in_words(self._whole, f"the point ({point})", f"the vector ({point})")
+
+    def describe_form(self, _exercise: Exercise) -> str:
+        """Neither the factors of a product nor the coordinates of a point are told."""
+        words = self._in_words(self._whole, "a point", "a vector")
+        return words if isinstance(self.source, Span) else words.rpartition(": ")[2]
+
+    @property
+    def _whole(self) -> str:
         if isinstance(self.source, Span):
             start, end = self.source.start, self.source.end
             whole = f"A_{end}" if self.source.link else f"T_{start}{end}"
             whole += f", frame {end} seen from frame {start}"
         else:
             whole = self.source.text
-        if self.inverse:
-            whole = f"the inverse of {whole}"
+        return f"the inverse of {whole}" if self.inverse else whole
+
+    def _in_words(self, whole: str, point: str, vector: str) -> str:
         row, column = self.index
-        point = coordinates(self, exercise)
         pieces = {
             "pose": f"{whole}: a 4x4 matrix, row by row",
             "rotation": f"the rotation of {whole}: a 3x3 matrix",
             "position": f"the position of {whole}: three lengths",
             "entry": f"entry ({row + 1},{column + 1}) of {whole}",
             "axis": f"the {'xyz'[row]} axis of {whole}: three direction cosines",
-            "point": f"the point ({point}) through {whole}: three lengths",
-            "vector": f"the vector ({point}) turned by {whole}: three numbers",
+            "point": f"{point} through {whole}: three lengths",
+            "vector": f"{vector} turned by {whole}: three numbers",
         }
         return pieces[self.piece]
 

@@ -10,11 +10,15 @@ from dhcli.checking.kinds.choice import ChoiceQuestion
 from dhcli.checking.kinds.count import CountQuestion
 from dhcli.checking.kinds.factors import FactorsQuestion
 from dhcli.checking.kinds.matrix import MatrixQuestion
+from dhcli.checking.kinds.orientation import OrientationQuestion
 from dhcli.checking.kinds.scalar import ScalarQuestion
 from dhcli.checking.kinds.table import TableQuestion
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import NotationError, Place, Problem, nearest
 from dhcli.notation.scope import Scope
+
+LONGEST = 2000
+"""Characters of a question."""
 
 KINDS: list[type[Question[Any]]] = [
     MatrixQuestion,
@@ -22,6 +26,7 @@ KINDS: list[type[Question[Any]]] = [
     CellQuestion,
     FactorsQuestion,
     ScalarQuestion,
+    OrientationQuestion,
     CountQuestion,
     ChoiceQuestion,
 ]
@@ -40,6 +45,8 @@ def read_question(text: str, scope: Scope, place: Place | None = None) -> Questi
         NotationError: It asks nothing that is known, or a part of it cannot be read.
     """
     text = text.strip()
+    if len(text) > LONGEST:
+        raise NotationError(Problem(f"a question of more than {LONGEST} characters is not read", place))
     word = text.split(None, 1)[0] if text else ""
     kind = next((kind for kind in KINDS if word in kind.words), MatrixQuestion)  # `0..3` is a pose, too
     try:
@@ -59,9 +66,11 @@ def keys() -> tuple[str, ...]:
 
 
 def _unknown(text: str, place: Place | None) -> NotationError:
+    if text.startswith("entry 4"):
+        return NotationError(Problem("the bottom row of a pose is 0 0 0 1 for everybody", place, "ask for rows 1 to 3"))
     known = {example.split()[0]: example for example in examples()}
     similar = nearest(text.split(None, 1)[0] if text else "", known)
     hint = "did you mean " + " or ".join(known[word] for word in similar) + "?" if similar else ""
     return NotationError(
-        Problem(f"'{text}' asks nothing that is known", place, hint or "write one of: " + " · ".join(examples()))
+        Problem(f"'{text:.60}' asks nothing that is known", place, hint or "write one of: " + " · ".join(examples()))
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING, ClassVar, Self
 
@@ -12,7 +12,7 @@ from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, S
 from dhcli.checking.values import TypedValue, mark_value, quantity_of, read_value, spelled_value
 from dhcli.checking.verdicts import Mark
 from dhcli.errors import Place
-from dhcli.notation.parser import parse
+from dhcli.notation.parser import parse_quantity
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr, Trig
 from dhcli.notation.walk import symbols, walk
@@ -28,14 +28,17 @@ class ScalarQuestion(Question[TypedValue]):
     expr: Expr
     text: str
 
+    may_show_frames: ClassVar = True
     words: ClassVar = ("scalar",)
     examples: ClassVar = ("scalar 2*a1",)
 
     @classmethod
     def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
         """`scalar 2*a1`."""
-        text = text.removeprefix("scalar").strip()
-        return cls(parse(text, scope, place), text)
+        rest = text.removeprefix("scalar").strip()
+        if place is not None and place.column is not None:
+            place = replace(place, column=place.column + len(text) - len(rest))
+        return cls(parse_quantity(rest, scope, place), rest)
 
     def describe(self, _exercise: Exercise) -> str:
         return "one value"

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from dhcli.kinematics.conventions import COLUMNS
-from dhcli.notation.matrix import matching
+from dhcli.notation.cells import matching
 from dhcli.notation.names import canonical, parts
 from dhcli.notation.quantity import LENGTH_UNITS, UNITS, Bare
 from dhcli.notation.scope import Scope

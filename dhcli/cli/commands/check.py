@@ -26,6 +26,10 @@ dhcli check puma560 --symbolic --from 4 --to 6 --answer "c5c6 -c5s6 -s5 0; s6 c6
 
 dhcli check scara --pose zero --answer "1 0 0 0; 0 1 0 0.5; 0 0 1 0.4; 0 0 0 1" --tol-position 0.5mm
 
+dhcli check scara --q 0.3,0.5,0.1 --answer "-0.2321, 0.4259, 0.3"
+
+dhcli check puma560 --pose ready --as rpy --answer "0, 0, 180°"
+
 dhcli check puma560 --table my-table.yaml
 """
 _QUESTION = "A question about a robot"
@@ -55,6 +59,18 @@ def check(
         str | None,
         typer.Option(metavar="FILE", help="A DH table: a robot file in either convention.", rich_help_panel=_QUESTION),
     ] = None,
+    as_: Annotated[
+        str | None,
+        typer.Option(
+            "--as",
+            metavar="FORM",
+            help="What is answered: position, rotation, rpy, quaternion, axis-angle, zyz, ...; the shape says it else.",
+            rich_help_panel=_QUESTION,
+        ),
+    ] = None,
+    entry: Annotated[
+        str | None, typer.Option(metavar="ROW,COLUMN", help="One entry of the pose: 1,4.", rich_help_panel=_QUESTION)
+    ] = None,
     tol_rotation: Annotated[
         float | None, typer.Option(metavar="X", help="Of a direction cosine; 0.001.", rich_help_panel=_TOLERANCE)
     ] = None,
@@ -80,8 +96,9 @@ def check(
 
     delivery = Delivery("check", format_, output=output, force=force)
     delivery.chosen("marks")
-    asked = RobotOptions(q, pose, tuple(set_ or ()), deg, symbolic, from_, to, table)
-    exercise, typed = exercise_of(name, asked)
+    asked = RobotOptions(q, pose, tuple(set_ or ()), deg, symbolic, from_, to, table, as_, entry)
+    answer = None if answer is None else _text(answer)
+    exercise, typed = exercise_of(name, asked, answer or "")
     exercise = with_tolerance(exercise, tol_rotation, tol_position, decimals)
     if sum(source is not None for source in (sheet, answer, table)) > 1:
         raise DhcliError("a sheet, --answer and --table are three ways to give an answer", "use one of them")
@@ -94,7 +111,7 @@ def check(
     else:
         judge = variant_of(Judge(exercise), variant)
         only = _meant(exercise, part)
-        marked = judge.sheet({only: typed if answer is None else _text(answer)}, only=only)
+        marked = judge.sheet({only: typed if answer is None else answer}, only=only)
     remember(marked)
     delivery.hand_over("marks", replace(marked, why=why))
     return exit_code(marked.verdict)

@@ -82,7 +82,7 @@ def describe(
     from dhcli.cli.shell.delivery import Delivery
     from dhcli.cli.shell.given import named_pose, settings_of
     from dhcli.errors import Place
-    from dhcli.files.yaml.robots import load_noted
+    from dhcli.files.yaml.robots import load_robot
     from dhcli.kinematics.describe.description import Asked, check_form
     from dhcli.kinematics.describe.description import describe as described
     from dhcli.kinematics.values import given_parameters
@@ -91,9 +91,9 @@ def describe(
     delivery = Delivery("describe", format_, output=output, force=force)
     form = check_form("product" if format_ == "urdf" else as_ or "standard")
     delivery.chosen("description")
-    arm, remarks = load_noted(robot, base=base, tip=tip, as_typed=as_typed)
+    arm = load_robot(robot, base=base, tip=tip, as_typed=as_typed)
     values = given_parameters(arm, settings_of(set_ or []), Place("--set", text=" ".join(set_ or [])))
     arm = replace(arm, parameters={**arm.parameters, **values})
     drawn = None if pose is None else named_pose(arm, pose)
     result = described(arm, Asked(form, steps, numbers, drawn))
-    delivery.hand_over("description", result, (*remarks, *result.warnings))
+    delivery.hand_over("description", result, (*arm.remarks, *result.warnings))

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from dhcli.cli.shell.options import Force, format_option, output_option
+from dhcli.cli.shell.options import Degrees, Force, Joints, NamedPose, format_option, output_option
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -16,6 +16,8 @@ EXAMPLES = """
 dhcli dof 6R
 
 dhcli dof bennett
+
+dhcli dof puma560 --pose stretch
 
 dhcli dof --planar --links 4 --joints 4R
 """
@@ -51,6 +53,9 @@ def dof(
     joints: Annotated[
         str | None, typer.Option(metavar="LIST", help="Joints: 4R, or 3R 1P.", rich_help_panel=_COUNTS)
     ] = None,
+    q: Joints = None,
+    deg: Degrees = False,
+    pose: NamedPose = None,
     tol: Annotated[
         float | None,
         typer.Option("--tol", metavar="X", help="Relative error of rounded input: 0.003 for 3 decimals."),
@@ -66,12 +71,27 @@ def dof(
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     from dhcli.cli.shell.counted import asked
     from dhcli.cli.shell.delivery import Delivery
+    from dhcli.errors import DhcliError
     from dhcli.mobility.finding import analyse
 
     delivery = Delivery("dof", format_, output=output, force=force)
-    delivery.chosen("mobility")
+    stands = q is not None or pose is not None
+    if stands and not what:
+        raise DhcliError("joint values are those of a robot", "dhcli dof puma560 --pose zero")
+    kind = "mobility at joint values" if stands else "mobility"
+    delivery.chosen(kind)
     tolerance = 0.0 if tol is None else tol
     linkage = asked(
         " ".join(what or []), planar=planar, lambda_=lambda_, links=links, joints=joints, tolerance=tolerance
     )
-    delivery.hand_over("mobility", analyse(linkage, tolerance))
+    mobility = analyse(linkage, tolerance)
+    if not stands:
+        delivery.hand_over(kind, mobility)
+        return
+    from dhcli.cli.shell.given import values_of
+    from dhcli.files.yaml.robots import load_robot
+    from dhcli.mobility.at_pose import at_pose
+
+    robot = load_robot(" ".join(what or []))
+    found = at_pose(robot, values_of(robot, q, pose, [], degrees=deg, symbolic=False), mobility)
+    delivery.hand_over(kind, found, found.warnings)

@@ -131,11 +131,11 @@ def fk(
     from dhcli.cli.shell.asking import ask, kind_of
     from dhcli.cli.shell.delivery import Delivery
     from dhcli.cli.shell.given import values_of
-    from dhcli.files.yaml.robots import load_noted
+    from dhcli.files.yaml.robots import load_robot
     from dhcli.kinematics.question import answer
 
     delivery = Delivery("fk", format_, digits, style, output, force)
-    arm, remarks = load_noted(robot, base=base, tip=tip, as_typed=as_typed)
+    arm = load_robot(robot, base=base, tip=tip, as_typed=as_typed)
     question = ask(
         arm,
         from_,
@@ -151,4 +151,4 @@ def fk(
     )
     delivery.chosen(kind_of(question))
     result = answer(arm, values_of(arm, q, pose, set_ or [], degrees=deg, symbolic=symbolic), question)
-    delivery.hand_over(kind_of(question), result, (*remarks, *result.warnings))
+    delivery.hand_over(kind_of(question), result, result.warnings)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Annotated
 
+import typer
+
 from dhcli.cli.shell.options import Force, RobotName, Variant, format_option, output_option
 from dhcli.errors import DhcliError
 
@@ -24,6 +26,7 @@ def show(
     format_: Annotated[str | None, format_option("table", "json", "latex", "csv")] = None,
     output: Annotated[str | None, output_option(".json", ".tex", ".csv", ".txt")] = None,
     force: Force = False,
+    draw: Annotated[bool, typer.Option("--draw", help="With a picture under it, in letters.")] = False,
 ) -> None:
     """Show a robot's table, a linkage's joints or an exercise's task, and where it comes from."""
     from dhcli.cli.shell.delivery import Delivery
@@ -32,7 +35,24 @@ def show(
     delivery = Delivery("show", format_, output=output, force=force)
     kind = kind_of(name).noun
     delivery.chosen(kind)
-    delivery.hand_over(kind, _load(kind, name, variant))
+    result = _load(kind, name, variant)
+    if draw and (kind == "exercise" or delivery.chosen(kind) != "table" or output is not None):
+        raise DhcliError("--draw puts a picture under the table of a robot or a linkage", "dhcli draw writes files")
+    delivery.hand_over(kind, result, getattr(result, "remarks", ()))
+    if draw:
+        _draw(name)
+
+
+def _draw(name: str) -> None:
+    """The picture of a robot or a linkage, on standard output."""
+    import sys
+
+    from dhcli.cli.shell.console import write_out
+    from dhcli.cli.shell.drawn import find
+    from dhcli.render.paper import Paper
+    from dhcli.render.pictures.picture import Picture
+
+    write_out("\n" + Picture(find(name)).terminal(Paper.of(sys.stdout)))
 
 
 def _load(kind: str, name: str, variant: str | None) -> object:

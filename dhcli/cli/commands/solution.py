@@ -39,12 +39,12 @@ def solution(
     exercise = judge.exercise
     parts = (exercise.part(part),) if part else exercise.parts
     if not yes:
-        _ask_once(exercise, parts)
+        ask_once(exercise, parts)
     paper = Paper.of(sys.stdout)
     write_out("\n".join(solution_text(exercise, one, judge.solution(one), paper) for one in parts))
 
 
-def _ask_once(exercise: Exercise, parts: tuple[Part, ...]) -> None:
+def ask_once(exercise: Exercise, parts: tuple[Part, ...]) -> None:
     """Make sure that a person wants to see parts that were never tried.
 
     Raises:

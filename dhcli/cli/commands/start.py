@@ -28,6 +28,7 @@ def start(
     force: Annotated[bool, typer.Option("--force", help="Overwrite the file.")] = False,
 ) -> None:
     """Write an answer sheet for an exercise."""
+    from dhcli.checking.figures import shown
     from dhcli.checking.judge import Judge
     from dhcli.checking.variants import variant_of
     from dhcli.cli.shell.console import say, write_out
@@ -44,4 +45,6 @@ def start(
     path = output or f"{exercise.id.split('/')[-1]}.sheet.yaml"
     write_file(path, text, force=force)
     say(f"wrote {path}\n")
+    if shown(exercise):
+        say(f"dhcli draw {named} draws the arm\n")
     say(f"next: fill it in, then dhcli check {named} {path}, or dhcli watch {named} {path}\n")

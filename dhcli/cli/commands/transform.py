@@ -35,6 +35,9 @@ def transform(
     vector: Annotated[
         list[str] | None, typer.Option(metavar="X,Y,Z", help="A vector of the last frame, turned only; repeatable.")
     ] = None,
+    symbols: Annotated[
+        str | None, typer.Option(metavar="NAMES", help="Names that may stand in it besides l1, d_f, phi: shoulder,len.")
+    ] = None,
     set_: Settings = None,
     as_: Forms = None,
     format_: Format = None,
@@ -45,19 +48,21 @@ def transform(
 ) -> None:
     """Compose moves and matrices, in numbers or in symbols, and see where points go."""
     from dhcli.cli.shell.delivery import Delivery
-    from dhcli.cli.shell.given import forms_of, point_of, product_of, settings_of
+    from dhcli.cli.shell.given import forms_of, names_of, point_of, product_of, settings_of
     from dhcli.errors import Place
     from dhcli.kinematics.transform import Wanted, compose, read_product, values_for
+    from dhcli.notation.scope import usual
 
     kind = "steps" if steps else "transform"
     delivery = Delivery("transform", format_, digits, style, output, force)
     delivery.chosen(kind)
-    moves = read_product(*product_of(product))
+    names = names_of(symbols or "", "--symbols")
+    moves = read_product(*product_of(product), names)
     wanted = Wanted(
         "fixed" if fixed else "current",
         symbolic,
-        [point_of(text, "--point") for text in point or []],
-        [point_of(text, "--vector") for text in vector or []],
+        [point_of(text, "--point", usual(names)) for text in point or []],
+        [point_of(text, "--vector", usual(names)) for text in vector or []],
         forms_of(as_ or []),
     )
     values = values_for(moves, settings_of(set_ or []), Place("--set", text=" ".join(set_ or [])))

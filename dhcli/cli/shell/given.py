@@ -82,6 +82,17 @@ def open_scope(robot: Robot) -> Scope:
     return replace(robot.scope, is_open=True)
 
 
+def names_of(text: str, option: str) -> tuple[str, ...]:
+    """Names between commas: `l1, reach`."""
+    names = tuple(dict.fromkeys(name.strip() for name in text.split(",") if name.strip()))
+    for name in names:
+        if not name.replace("_", "a").replace("{", "").replace("}", "").isalnum() or not name[0].isalpha():
+            raise DhcliError(
+                Problem(f"{name!r:.60} is not a name", Place(option, text=text), f"write {option} l1,reach")
+            )
+    return names
+
+
 def forms_of(texts: Iterable[str]) -> tuple[str, ...]:
     """`--as rpy,position --as quaternion` as one list, each once."""
     return tuple(dict.fromkeys(form.strip() for text in texts for form in text.split(",")))

@@ -169,3 +169,61 @@ SeenFrom: TypeAlias = Annotated[
         autocompletion=complete_frame,
     ),
 ]
+
+# What every command about a robot in motion has.
+Joints: TypeAlias = Annotated[
+    str | None,
+    typer.Option(
+        "--q", metavar="VALUES", help="Joint values: 0.3,30deg,120mm or q1=0.3,d3=0.1, a named pose, or @FILE."
+    ),
+]
+Degrees: TypeAlias = Annotated[bool, typer.Option("--deg", help="Bare numbers of revolute joints are degrees.")]
+NamedPose: TypeAlias = Annotated[
+    str | None,
+    typer.Option(
+        "--pose",
+        metavar="NAME",
+        help="A named pose of the robot; --q NAME=VALUE varies it.",
+        autocompletion=complete_pose,
+    ),
+]
+Symbolic: TypeAlias = Annotated[bool, typer.Option("--symbolic", "-s", help="Keep what has no value as symbols.")]
+Against: TypeAlias = Annotated[
+    str | None,
+    typer.Option(
+        "--from",
+        metavar="FRAME",
+        help="Against this frame, held still.",
+        rich_help_panel=WHERE,
+        autocompletion=complete_frame,
+    ),
+]
+Moving: TypeAlias = Annotated[
+    str | None,
+    typer.Option("--to", metavar="FRAME", help="Of this frame.", rich_help_panel=WHERE, autocompletion=complete_frame),
+]
+Axes: TypeAlias = Annotated[
+    str | None,
+    typer.Option(
+        "--in",
+        metavar="FRAME",
+        help="Along the axes of this frame; those of --from by default.",
+        rich_help_panel=WHERE,
+        autocompletion=complete_frame,
+    ),
+]
+EndPoint: TypeAlias = Annotated[
+    str | None,
+    typer.Option(
+        "--point", metavar="X,Y,Z", help="Of a point of the end frame, not of its origin.", rich_help_panel=WHERE
+    ),
+]
+AtPoint: TypeAlias = Annotated[
+    str | None,
+    typer.Option(
+        "--at",
+        metavar="POINT",
+        help="At a point X,Y,Z of the end frame, or at the origin of a frame; at the end's by default.",
+        rich_help_panel=WHERE,
+    ),
+]

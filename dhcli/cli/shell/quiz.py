@@ -10,10 +10,12 @@ from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.judge import SheetMark
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import Verdict
-from dhcli.errors import DhcliError, ExitStatus, Place, Problem, UnknownNameError
+from dhcli.errors import DhcliError, ExitStatus, Place, Problem, UnknownNameError, did_you_mean
 
 if TYPE_CHECKING:
     from dhcli.kinematics.robot import Robot
+
+PLAIN_FORMS = ("rpy", "quaternion", "axis-angle", "rotation-vector")
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,6 +31,8 @@ class RobotOptions:
         start: The frame it is seen from.
         end: The frame described.
         table: The file with a DH table to compare; its convention is the one asked for.
+        form: What of the pose is answered, or how: position, rotation, rpy, zyz, quaternion and so on.
+        entry: Row and column of the one entry that is answered.
     """
 
     q: str | None = None
@@ -39,6 +43,8 @@ class RobotOptions:
     start: str | None = None
     end: str | None = None
     table: str | None = None
+    form: str | None = None
+    entry: str | None = None
 
     @property
     def given(self) -> bool:
@@ -46,8 +52,13 @@ class RobotOptions:
         return self != RobotOptions()
 
 
-def exercise_of(name: str, asked: RobotOptions) -> tuple[Exercise, str]:
+def exercise_of(name: str, asked: RobotOptions, answer: str = "") -> tuple[Exercise, str]:
     """The exercise of a name, or a question about the robot of that name, and the text of the table to compare.
+
+    Args:
+        name: What is answered.
+        asked: The question about a robot.
+        answer: The answer; where nothing says what of a pose it is, its shape does.
 
     Raises:
         UnknownNameError: Neither an exercise nor a robot has this name.
@@ -70,11 +81,11 @@ def exercise_of(name: str, asked: RobotOptions) -> tuple[Exercise, str]:
         problem = error.problems[0]
         hint = f"{problem.hint}; dhcli list exercises shows the exercises"
         raise UnknownNameError(f"there is no exercise and no robot '{name}'", hint) from None
-    return _about(robot, asked)
+    return _about(robot, asked, answer)
 
 
-def _about(robot: Robot, asked: RobotOptions) -> tuple[Exercise, str]:
-    from dhcli.checking.kinds.made import question_about, question_about_table
+def _about(robot: Robot, asked: RobotOptions, answer: str) -> tuple[Exercise, str]:
+    from dhcli.checking.kinds.made import question_about, question_about_table, question_answered
     from dhcli.cli.shell.given import values_of
     from dhcli.kinematics.frames import ends
 
@@ -88,7 +99,29 @@ def _about(robot: Robot, asked: RobotOptions) -> tuple[Exercise, str]:
         raise DhcliError(f"{robot.name} is a robot: say at which joint values, or ask for symbols", hint)
     values = values_of(robot, asked.q, asked.pose, asked.settings, degrees=asked.degrees, symbolic=asked.symbolic)
     start, end = ends(robot, asked.start, asked.end)
-    return question_about(robot, start, end, numeric=not asked.symbolic, given=values), ""
+    asks = [f"{piece}pose {start}..{end}" for piece in _pieces(asked)]
+    exercises = [question_about(robot, ask, numeric=not asked.symbolic, given=values) for ask in asks]
+    return question_answered(exercises, answer), ""
+
+
+def _pieces(asked: RobotOptions) -> tuple[str, ...]:
+    """What may be answered, as `ask:` begins with it."""
+    from dhcli.geometry.euler import AXES
+
+    if asked.form is not None and asked.entry is not None:
+        raise DhcliError("--as and --entry both say what is answered", "use one of them")
+    if asked.entry is not None:
+        row, _, column = asked.entry.replace(" ", ",").partition(",")
+        if row not in set("1234") or column.strip() not in set("1234"):
+            raise DhcliError(Problem(f"'{asked.entry}' is no entry of a 4x4", Place("--entry"), "row,column: 1,4"))
+        return (f"entry {row} {column.strip()} of ",)
+    if asked.form is None:
+        return ("", "position of ", "rotation of ")
+    forms = {name: f"{name} of " for name in ("position", "rotation", *PLAIN_FORMS)} | {"matrix": ""}
+    forms |= {axes: f"euler {axes} of " for axes in AXES}
+    if asked.form not in forms:
+        raise UnknownNameError(f"there is no form {asked.form}", did_you_mean(asked.form, forms))
+    return (forms[asked.form],)
 
 
 def with_tolerance(exercise: Exercise, rotation: float | None, position: str | None, decimals: int | None) -> Exercise:

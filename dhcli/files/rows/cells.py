@@ -7,13 +7,13 @@ import re
 
 from dhcli.notation.quantity import UNITS
 
-NUMBER = re.compile(r"\s*[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?\s*", re.ASCII)
+NUMBER = re.compile(r"\s*[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?\s*", re.ASCII)
 PLAIN = b"0123456789+-.eE \n"
 """What numbers, blanks and line ends are made of: `nan`, `1_000` and quotes have something else in them."""
 
 _NO_NUMBERS = {"nan", "na", "n/a", "null", "none", "inf", "infinity", "-inf", "+inf", "-infinity", "-nan"}
 _COMMA = re.compile(r"[+-]?(?:\d+,\d*|,\d+)(?:[eE][+-]?\d+)?", re.ASCII)
-_UNIT = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)\s*(?P<unit>\D+)", re.ASCII)
+_UNIT = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)\s*(?P<unit>\D+)", re.ASCII)
 _LONGEST = 40
 
 

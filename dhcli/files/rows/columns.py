@@ -17,7 +17,10 @@ from dhcli.notation.quantity import ANGLE_UNITS, LENGTH_UNITS
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-_HEAD = re.compile(r"\s*(?P<name>[^\[(]*?)\s*(?:[\[(]\s*(?P<unit>[^\])]*?)\s*[\])])?\s*")
+_HEAD = re.compile(r"(?P<name>[^\[(]*)(?:[\[(](?P<unit>[^\])]*)[\])])?")
+"""A head without the blanks around it; those inside are taken off the pieces, and nothing is tried twice."""
+
+MOST_COLUMNS = 1000
 _RADIANS = ("rad", "radian", "radians")
 
 
@@ -97,6 +100,8 @@ class JointTable:
         Raises:
             FileError: With every column that is unknown, doubled or missing.
         """
+        if len(heads) > MOST_COLUMNS:
+            raise FileError(Problem(f"{len(heads):,} columns are more than the {MOST_COLUMNS:,} that are read", whole))
         joints = {joint.name: joint for joint in self.robot.joints}
         found: dict[str, int] = {}
         factors: dict[str, tuple[float, float]] = {}
@@ -127,9 +132,9 @@ class JointTable:
 
     def is_joint(self, head: str) -> bool:
         """Whether the head of a column names a joint; with or without a unit."""
-        match = _HEAD.fullmatch(head)
+        match = _HEAD.fullmatch(head.strip())
         try:
-            return match is not None and bool(self._joint(match["name"], None))
+            return match is not None and bool(self._joint(match["name"].strip(), None))
         except RobotError:
             return False
 
@@ -168,13 +173,14 @@ def _wanted(robot: Robot) -> str:
 
 def _parts(head: str, place: Place) -> tuple[str, str]:
     """Name and unit of a head."""
-    match = _HEAD.fullmatch(head)
+    match = _HEAD.fullmatch(head.strip())
     if match is None:
-        raise RobotError(Problem(f"'{head.strip()}' is not read as a column", place, "write theta1 or theta1[deg]"))
-    if not match["name"]:
+        raise RobotError(Problem(f"'{head.strip():.60}' is not read as a column", place, "write theta1 or theta1[deg]"))
+    name, unit = match["name"].strip(), (match["unit"] or "").strip()
+    if not name:
         hint = "a column of row numbers? pandas leaves it out with index=False; --ignore-columns leaves it aside"
         raise RobotError(Problem("a column has no name", place, hint))
-    return match["name"], match["unit"] or ""
+    return name, unit
 
 
 def _factor(joint: Joint, unit: str, *, degrees: bool, place: Place | None = None) -> tuple[float, float]:

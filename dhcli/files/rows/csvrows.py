@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 _DECLARED = re.compile(r'\s*"?sep=(?P<sign>[;,\t|])"?\s*', re.IGNORECASE)
 """The line with which Excel says what stands between cells."""
 
-_BETWEEN_BLANKS = re.compile(r"\S+(?:[ ]+[\[(][^\])]*[\])])?")
+_BETWEEN_BLANKS = re.compile(r"\S+(?:[ ]{1,40}[\[(][^\])]{0,40}[\])])?")
 """A cell between blanks; a unit may stand apart from its name."""
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 
 from dhcli.algebra.floats import Floats
@@ -26,22 +25,9 @@ _KEPT = re.compile(r"[A-Za-z]+_?[0-9]+")
 """Names of joints that are names of variables too."""
 
 
-@dataclass(frozen=True, slots=True)
-class Imported:
-    """A robot from a URDF.
-
-    Attributes:
-        robot: It, as products of moves; its last frame is the tip.
-        remarks: What was taken for something else, or left out.
-    """
-
-    robot: Robot
-    remarks: tuple[str, ...]
-
-
 def read_urdf(
     text: str, source: str, name: str, *, base: str | None = None, tip: str | None = None, as_typed: bool = False
-) -> Imported:
+) -> Robot:
     """Read a serial chain of a URDF.
 
     Args:
@@ -58,7 +44,7 @@ def read_urdf(
     """
     model = read_model(text, source)
     joints = chain_of(model, base, tip)
-    return _Builder(joints, Meaning(as_typed)).imported(name, model.name or name, source)
+    return _Builder(joints, Meaning(as_typed)).robot(name, model.name or name, source)
 
 
 class _Builder:
@@ -72,7 +58,7 @@ class _Builder:
         self.remarks: list[str] = []
         self.moving = tuple(joint for joint in joints if joint.kind != "fixed")
 
-    def imported(self, name: str, title: str, source: str) -> Imported:
+    def robot(self, name: str, title: str, source: str) -> Robot:
         variables = self.variables()
         links: list[Link] = []
         waiting: list[Move] = []
@@ -87,7 +73,7 @@ class _Builder:
             links[-1] = Link(links[-1].number, (*links[-1].moves, *waiting))
         written = tuple(Link(link.number, link.moves, None, product_text(link.moves)) for link in links)
         limits = {variables[joint.name]: found for joint in self.moving if (found := self.limits(joint)) is not None}
-        robot = Robot(
+        return Robot(
             name=name,
             title=title,
             source=f"the URDF {source}, from link {self.joints[0].parent} to link {self.joints[-1].child}",
@@ -95,11 +81,11 @@ class _Builder:
             variables=tuple(variables.values()),
             links=written,
             limits=limits,
+            remarks=(*self.taken(), *self.remarks),
             notes="\n".join(
                 f"{variable} is the joint {joint}." for joint, variable in variables.items() if joint != variable
             ),
         )
-        return Imported(robot, (*self.taken(), *self.remarks))
 
     def variables(self) -> dict[str, str]:
         """The variable of each joint: its own name where that can be one, else theta1, d2, ..."""

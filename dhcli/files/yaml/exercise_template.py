@@ -91,7 +91,7 @@ tests:
 
 def _mistake(robot: Robot, start: str, end: str) -> str:
     """A mistake that shows in the pose; in that of a SCARA, whose rotation is symmetric, the usual one does not."""
-    exercise = question_about(robot, start, end, numeric=False, given={})
+    exercise = question_about(robot, f"pose {start}..{end}", numeric=False, given={})
     names = [slip.name for slip in Judge(exercise).slips(exercise.parts[0])]
     return "transposed" if "transposed" in names else names[0]
 

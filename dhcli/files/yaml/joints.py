@@ -43,6 +43,7 @@ class JointReader:
 
     Attributes:
         places: Where each joint that was read stands.
+        loose: Pins that one bar alone holds, with the name of that bar.
     """
 
     def __init__(self, fields: Fields, numbers: Coordinates, space: Space, tolerance: float) -> None:
@@ -60,6 +61,7 @@ class JointReader:
         self.space = space
         self.tolerance = tolerance
         self.places: list[Place] = []
+        self.loose: dict[str, str] = {}
 
     def read(self, form: str) -> list[Joint]:
         """The joints under one of the keys `joints`, `chain`, `bars` and `loop`."""
@@ -160,6 +162,7 @@ class JointReader:
             if bar not in pinned:
                 self.problems.add(bars.place_of(bar), f"{bar}: shares no pin with another bar")
         found: list[Joint] = []
+        self.loose = {pin: held[0] for pin, held in pins.items() if len(held) == 1}
         for pin, held in pins.items():
             if "points" in self.fields and len(held) > 1:
                 self.numbers.point(PlacedScalar(pin, places[pin]), "bars")

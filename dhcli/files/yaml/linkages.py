@@ -12,7 +12,7 @@ from dhcli.files.yaml.fields import Problems
 from dhcli.files.yaml.joints import JointReader
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, read_yaml
 from dhcli.mobility.counting import Counts, counts
-from dhcli.mobility.linkage import InvalidLinkageError, Linkage, serial
+from dhcli.mobility.linkage import InvalidLinkageError, Linkage, NamedPoint, serial
 from dhcli.mobility.pairs import LETTERS, SPATIAL, LinkageError, Space, space_of
 from dhcli.mobility.patterns import EXAMPLES, count_of, joint_counts, looks_like_pattern, read_pattern
 
@@ -135,7 +135,8 @@ class _Loader:
         ground = self.fields.text("ground") or ("ground" if "ground" in known else "")
         texts = {key: self.fields.text(key) for key in ("title", "source", "notes", "output")}
         try:
-            return Linkage(self.name, self.space, tuple(joints), ground, **texts)
+            named = tuple(NamedPoint(n, at, reader.loose.get(n, "")) for n, at in self.numbers.points.items())
+            return Linkage(self.name, self.space, tuple(joints), ground, **texts, points=named)
         except InvalidLinkageError as error:
             for finding in error.findings:
                 key, index = str(finding.where[0]), finding.where[-1]

@@ -20,6 +20,8 @@ from dhcli.notation.tree import Constant, Number, Unit
 from dhcli.notation.walk import walk
 
 MOST_VALUES = 10_000
+LONGEST = 200
+"""Characters of a range; nobody types more."""
 _PLAIN = re.compile(r"[-+]?[0-9]{1,12}(?:\.[0-9]{0,12})?")
 _BARE = re.compile(
     rf"\s*(?P<low>{_PLAIN.pattern})\s*\.\.\s*(?P<high>{_PLAIN.pattern})(?:\s+step\s+(?P<step>{_PLAIN.pattern}))?\s*"
@@ -68,11 +70,11 @@ def read_range(problems: Problems, node: PlacedNode, key: str, *, is_angle: bool
     scalar = problems.scalar(node, key)
     if scalar is None:
         return None
-    written = split_range(scalar.text)
+    written = split_range(scalar.text[:LONGEST])
     low, high, more = written.low, written.high, written.more
-    if high is None or more is None or not (low.text and high.text and more.text):
+    if len(scalar.text) > LONGEST or high is None or more is None or not (low.text and high.text and more.text):
         example = "20°..70° step 5°" if is_angle else "100 mm..200 mm step 10 mm"
-        problems.add(scalar.place, f"{key}: '{scalar.text}' is no range", f"write {example}, or a list of values")
+        problems.add(scalar.place, f"{key}: '{scalar.text:.60}' is no range", f"write {example}, or a list of values")
         return None
     stepped = written.word == "step"
     pieces = [
@@ -106,7 +108,8 @@ def _with_unit(node: PlacedNode, unit: str) -> str:
     if isinstance(node, PlacedSequence):
         texts = [item.text if isinstance(item, PlacedScalar) else "" for item in node.items]
         return f"[{', '.join(f'{text} {unit}' for text in texts)}]" if _are_bare(texts) else ""
-    found = _BARE.fullmatch(node.text) if isinstance(node, PlacedScalar) else None
+    is_short = isinstance(node, PlacedScalar) and len(node.text) <= LONGEST
+    found = _BARE.fullmatch(node.text) if is_short and isinstance(node, PlacedScalar) else None
     if found is None or not _are_bare([found["low"], found["high"]]):
         return ""
     return f"{found['low']} {unit}..{found['high']} {unit} step {found['step'] or 10} {unit}"

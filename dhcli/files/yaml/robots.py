@@ -10,15 +10,18 @@ from dhcli.errors import FileError, NotationError, Place, Problem, did_you_mean
 from dhcli.files.library.lookup import Kind, find
 from dhcli.files.reading import LIMIT, read_text, source_of
 from dhcli.files.yaml.fields import Fields, Problems
+from dhcli.files.yaml.parameters import Parameters
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, read_yaml
-from dhcli.files.yaml.typed import has_unit_of_angle, read_value, read_whole
+from dhcli.files.yaml.typed import has_unit_of_angle, read_flag, read_value, read_whole
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
 from dhcli.kinematics.moves import Chain, angle_names, expressions, names, read_chain
 from dhcli.kinematics.robot import Link, Robot, Value
+from dhcli.kinematics.sharpened import sharpened
 from dhcli.kinematics.validity import Finding, InvalidRobotError
 from dhcli.notation.angle import Angle
 from dhcli.notation.names import canonical
 from dhcli.notation.scope import Scope
+from dhcli.notation.tokens import is_name
 from dhcli.notation.tree import ZERO, Expr, Trig
 from dhcli.notation.walk import walk
 
@@ -27,6 +30,7 @@ KEYS = (
     "source",
     "notes",
     "convention",
+    "exact",
     "variables",
     "parameters",
     "links",
@@ -57,25 +61,17 @@ def load_robot(name: str | Path, *, base: str | None = None, tip: str | None = N
         UnknownNameError: No robot has this name, or the URDF has no such link; the nearest are listed.
         FileError: The file is no robot; every problem, each with file, line and column.
     """
-    return load_noted(name, base=base, tip=tip, as_typed=as_typed)[0]
-
-
-def load_noted(
-    name: str | Path, *, base: str | None = None, tip: str | None = None, as_typed: bool = False
-) -> tuple[Robot, tuple[str, ...]]:
-    """The same, and what a person should know of how it was read."""
     path = name if isinstance(name, Path) else find(Kind.ROBOTS, name)
     called = "stdin" if str(path) == "-" else path.stem
     text = read_text("-" if str(path) == "-" else path, limit=XML_LIMIT if path.suffix.lower() in XML else LIMIT)
     if is_xml(text):
         from dhcli.files.urdf.robots import read_urdf  # most robots are YAML
 
-        found = read_urdf(text, source_of(path), called, base=base, tip=tip, as_typed=as_typed)
-        return found.robot, found.remarks
+        return read_urdf(text, source_of(path), called, base=base, tip=tip, as_typed=as_typed)
     if base is not None or tip is not None or as_typed:
         hint = "frames of a robot file are named with --from and --to"
         raise FileError(Problem("only a URDF has links to choose from", Place(source_of(path)), hint))
-    return read_robot(text, source_of(path), called), ()
+    return read_robot(text, source_of(path), called)
 
 
 def is_xml(text: str) -> bool:
@@ -123,6 +119,8 @@ class Loader:
         self.parameters = self.fields.mapping("parameters")
         self.scope = Scope(lengths=(*self.variables, *self.parameters.entries))
         self.convention = self.read_convention()
+        self.remarks: list[str] | None = None if self.fields.text("exact") == "false" else []
+        read_flag(self.fields, "exact")
         self.columns: tuple[str, ...] = COLUMNS
         self.unclear: frozenset[str] = frozenset()
         self.is_broken = False
@@ -139,7 +137,8 @@ class Loader:
         chain = (*base, *(move for link in links for move in link.moves), *tool)
         inside = {n for e in expressions(chain) for node in walk(e) if type(node) is Trig for n in node.angle.names}
         angles = angle_names(chain) | inside
-        parameters = {key: self.parameter(key, angles) for key in self.parameters.entries}
+        reader = Parameters(self.problems, self.parameters, self.remarks)
+        parameters = reader.read(lambda key: self.is_angle(key, angles))
         limits = {key: self.limit(key, angles) for key in self.fields.mapping("limits").entries}
         poses = self.read_poses(angles)
         texts = {key: self.fields.text(key) for key in ("title", "source", "notes")}
@@ -158,7 +157,11 @@ class Loader:
                 limits=limits,
                 poses=poses,
                 columns=self.columns,
-                **texts,
+                derived=reader.formulas,
+                remarks=tuple(dict.fromkeys(self.remarks or ())),
+                title=texts["title"],
+                source=texts["source"],
+                notes=texts["notes"],
             )
         except InvalidRobotError as error:
             for finding in self.not_told(error.findings):
@@ -211,6 +214,9 @@ class Loader:
         for i, node in enumerate(nodes):
             self.places[section, i] = node.place
             scalar = self.problems.scalar(node, section)
+            if scalar is not None and section == "variables" and not is_name(scalar.text):
+                message = f"{section}: {scalar.text!r:.60} is not a name"
+                self.problems.add(scalar.place, message, "write letters, with digits or an index: elbow_1, l_x")
             if scalar is not None:
                 yield scalar.text
 
@@ -244,13 +250,21 @@ class Loader:
             return empty
         self.places["links", index, column] = scalar.place
         return (
-            read_value(self.problems, scalar, column, is_angle=column in ("alpha", "theta"), scope=self.scope) or empty
+            read_value(
+                self.problems,
+                scalar,
+                column,
+                is_angle=column in ("alpha", "theta"),
+                scope=self.scope,
+                remarks=self.remarks,
+            )
+            or empty
         )
 
     def moves(self, scalar: PlacedScalar, key: str) -> Chain:
         """A product of moves; none where it cannot be read."""
         try:
-            return read_chain(scalar.text, self.scope, scalar.place_of(0))
+            return sharpened(read_chain(scalar.text, self.scope, scalar.place_of(0), self.remarks), self.remarks)
         except NotationError as error:
             self.problems.take(error)
             return ()
@@ -263,19 +277,12 @@ class Loader:
         self.places[(key,)] = scalar.place
         return self.moves(scalar, key)
 
-    def parameter(self, key: str, angles: frozenset[str]) -> Value | None:
-        """The value of a parameter; none where the file leaves it open."""
+    def is_angle(self, key: str, angles: frozenset[str]) -> bool | None:
+        """Whether a parameter is an angle, by where it stands; None if it stands nowhere."""
         self.places["parameters", key] = self.parameters.place_of(key)
-        node = self.parameters.get(key)
-        if isinstance(node, PlacedScalar) and not node.text and not node.quoted:
-            return None
-        scalar = self.parameters.scalar(key)
-        if scalar is None:
-            return None
-        is_angle = any(canonical(key) == canonical(name) for name in angles)
-        if not is_angle and not self.is_used(key):
-            is_angle = has_unit_of_angle(scalar)
-        return read_value(self.problems, scalar, key, is_angle=is_angle)
+        if any(canonical(key) == canonical(name) for name in angles):
+            return True
+        return False if self.is_used(key) else None
 
     def is_used(self, key: str) -> bool:
         """Whether a name stands anywhere among the links."""
@@ -312,7 +319,7 @@ class Loader:
             is_angle = joints[i] in angles if i < len(joints) else True
             if scalar and (self.is_broken or (i < len(joints) and joints[i] in self.unclear)):
                 is_angle = has_unit_of_angle(scalar)
-            value = read_value(self.problems, scalar, key, is_angle=is_angle) if scalar else None
+            value = read_value(self.problems, scalar, key, is_angle=is_angle, remarks=self.remarks) if scalar else None
             values.append(value if value is not None else Angle())
         return tuple(values)
 

@@ -227,7 +227,7 @@ def _part_lines(exercise: Exercise, part: Part) -> Iterator[str]:
     yield ""
     if part.prompt.strip():
         yield from _comment(part.prompt.strip(), "  # ", "  # ")
-    yield from _comment(question.describe(exercise), "  # ", "  # ")
+    yield from _comment(part.heading(exercise), "  # ", "  # ")
     yield from (f"  # {note}" for note in question.notes(exercise))
     for number, option in enumerate(question.statements, 1):
         yield from _comment(option, f"  #   {number}: ", "  #      ")

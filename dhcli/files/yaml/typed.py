@@ -7,7 +7,8 @@ from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedScalar
 from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
-from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_length
+from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_plain_length
+from dhcli.notation.quarters import with_right_angles
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr
 
@@ -17,7 +18,13 @@ NOTHING = Scope()
 
 
 def read_value(
-    problems: Problems, scalar: PlacedScalar, key: str, *, is_angle: bool, scope: Scope = NOTHING
+    problems: Problems,
+    scalar: PlacedScalar,
+    key: str,
+    *,
+    is_angle: bool,
+    scope: Scope = NOTHING,
+    remarks: list[str] | None = None,
 ) -> Angle | Expr | None:
     """A scalar as an angle, whose unit must be written, or as a length [m]; None if it is neither.
 
@@ -27,15 +34,26 @@ def read_value(
         key: What to call it in a message.
         is_angle: Which of the two is wanted.
         scope: The names it may use.
+        remarks: Where to say that 1.5708 rad was taken as 90°; without it such angles are taken as they stand.
     """
     try:
         expr = parse(scalar.text, scope, scalar.place_of(0))
-        return to_angle(expr, bare="refuse") if is_angle else to_length(expr)
+        if not is_angle:
+            return to_plain_length(expr)
+        return to_angle(expr if remarks is None else taken_exactly(expr, key, remarks), bare="refuse")
     except NotationError as error:
         problems.take(error)
     except DimensionError as error:
         problems.add(scalar.place, f"{key}: {error.message}", error.hint)
     return None
+
+
+def taken_exactly(expr: Expr, key: str, remarks: list[str]) -> Expr:
+    """An angle with right angles in the place of their decimals in radians, and a remark on each."""
+    found: list[str] = []
+    expr = with_right_angles(expr, found)
+    remarks += [f"{key}: {remark} (exact: false keeps it)" for remark in found]
+    return expr
 
 
 def has_unit_of_angle(scalar: PlacedScalar) -> bool:

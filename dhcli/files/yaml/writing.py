@@ -92,11 +92,19 @@ def _head(robot: Robot, convention: str) -> Iterator[str]:
 
 
 def _parameters(robot: Robot) -> Iterator[str]:
-    shown = [f"{cell(n)}: {'' if v is None else quantity(v, 'm')}".rstrip() for n, v in robot.parameters.items()]
+    shown = [f"{cell(name)}: {_parameter(robot, name)}".rstrip() for name in robot.parameters]
     if None in robot.parameters.values():
         yield from ("parameters:", *(f"  {entry}" for entry in shown))
     elif shown:
         yield f"parameters: {{{', '.join(shown)}}}"
+
+
+def _parameter(robot: Robot, name: str) -> str:
+    """A value, a formula where it follows from others, or nothing where it is open."""
+    if name in robot.derived:
+        return cell(write(robot.derived[name].expr, "full"))
+    value = robot.parameters[name]
+    return "" if value is None else quantity(value, "m")
 
 
 def _end(name: str, chain: Chain) -> list[str]:

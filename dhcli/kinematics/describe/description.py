@@ -150,7 +150,7 @@ def in_numbers(robot: Robot) -> Robot:
         raise RobotError(f"{', '.join(lacking)} has no value", "numbers need one: --set NAME=VALUE")
     base, tool = put_in(robot.base, values), put_in(robot.tool, values)
     links = tuple(_valued(link, values, robot.convention) for link in robot.links)
-    return replace(robot, links=links, base=base, tool=tool, parameters={})
+    return replace(robot, links=links, base=base, tool=tool, parameters={}, derived={})
 
 
 def _valued(link: Link, values: Mapping[str, Value], convention: Convention) -> Link:

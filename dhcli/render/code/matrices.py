@@ -6,6 +6,7 @@ import csv
 import io
 import re
 from collections.abc import Collection, Iterable, Sequence
+from dataclasses import dataclass
 
 from dhcli.kinematics.question import AnyPose
 from dhcli.notation.let import Definition
@@ -48,25 +49,53 @@ def pose_source(
         named: Whether it is one of several and needs a name.
         definitions: Names that stand in it for brackets, which come first.
     """
-    rows = [[entry(value, pose.joints, look) for value in row] for row in pose.rows]
-    lets = [(one.name, entry(one.expr, pose.joints, look)) for one in definitions]
-    name = variable(pose.name)
+    own = pose.name if named else ""
+    return matrix_source(pose.rows, pose.joints, look, comment=comment, name=own, definitions=definitions)
+
+
+@dataclass(frozen=True, slots=True)
+class Letter:
+    """What a matrix without a name is called where a language wants one."""
+
+    letter: str
+
+
+def matrix_source(
+    entries: Sequence[Sequence[Expr | float]],
+    joints: Joints,
+    look: Look,
+    *,
+    comment: str = "",
+    name: str | Letter = "",
+    definitions: Sequence[Definition] = (),
+) -> str:
+    """Any matrix in the language of the format; see `pose_source`.
+
+    Args:
+        entries: Its rows.
+        joints: The robot's joint angles.
+        look: The format, and decimals.
+        comment: What the matrix is.
+        name: Its name, if it needs one; or a letter for where a language wants a name.
+        definitions: Names that stand in it for brackets, which come first.
+    """
+    rows = [[entry(value, joints, look) for value in row] for row in entries]
+    lets = [(one.name, entry(one.expr, joints, look)) for one in definitions]
+    letter = name.letter if isinstance(name, Letter) else "T"
+    label = "" if isinstance(name, Letter) else name
+    named = variable(label)
     if look.format == "latex":
         before = "".join(f"{latex_name(short)} = {text} \\\\\n" for short, text in lets)
-        return before + (f"{latex_label(pose.name)} = " if named else "") + _latex(rows)
+        return before + (f"{latex_label(label)} = " if named else "") + _latex(rows)
     if look.format == "matlab":
-        names = _syms([*pose.rows, [one.expr for one in definitions]], without={one.name for one in definitions})
+        names = _syms([*entries, [one.expr for one in definitions]], without={one.name for one in definitions})
         before = "".join(f"{short} = {text};\n" for short, text in lets)
-        return f"% {comment}\n{names}{before}{name if named else 'T'} = {_matlab(rows)};\n"
+        return f"% {comment}\n{names}{before}{named or letter} = {_matlab(rows)};\n"
     if look.format == "sympy":
-        return (f"{name} = " if named else "") + f"Matrix([{', '.join('[' + ', '.join(row) + ']' for row in rows)}])\n"
+        return (f"{named} = " if named else "") + f"Matrix([{', '.join('[' + ', '.join(row) + ']' for row in rows)}])\n"
     before = "".join(f"{short} = {text}\n" for short, text in lets)
     head = "import numpy as np\n\n" if look.in_file else ""
-    return (
-        f"{head}# {comment}\n{before}"
-        + (f"{name if named else 'T'} = " if named or look.in_file else "")
-        + _numpy(rows)
-    )
+    return f"{head}# {comment}\n{before}" + (f"{named or letter} = " if named or look.in_file else "") + _numpy(rows)
 
 
 def vector_source(values: Sequence[Expr | float], joints: Joints, look: Look) -> str:
@@ -132,4 +161,8 @@ def _numpy(rows: Sequence[Sequence[str]]) -> str:
 def _syms(rows: Sequence[Sequence[Expr | float]], without: Collection[str] = ()) -> str:
     """The line that tells MATLAB which names are symbols."""
     names = {n for row in rows for value in row if isinstance(value, Expr) for n in symbols(value)} - set(without)
-    return f"syms {' '.join(map(identifier, sorted(names, key=natural_key)))} real\n" if names else ""
+    return (
+        f"syms {' '.join(identifier(name, 'matlab') for name in sorted(names, key=natural_key))} real\n"
+        if names
+        else ""
+    )

@@ -6,6 +6,7 @@ import shlex
 from typing import Any
 
 from dhcli.checking.exercise import Exercise
+from dhcli.checking.figures import shown
 from dhcli.files.yaml.robot_line import robot_line
 from dhcli.render.look import Look
 from dhcli.render.text.marks import question_text
@@ -34,6 +35,8 @@ def exercise_table(exercise: Exercise, look: Look) -> str:
         lines += ["", question_text(exercise, part, paper).rstrip("\n")]
     option = f" --variant {shlex.quote(exercise.variant)}" if exercise.variant else ""
     lines += ["", paper.ink(f"dhcli start {exercise.id}{option} writes a sheet to fill in", "dim")]
+    if shown(exercise):
+        lines.append(paper.ink(f"dhcli draw {exercise.id}{option} draws the arm", "dim"))
     return "\n".join(lines) + "\n"
 
 
@@ -50,7 +53,7 @@ def exercise_content(exercise: Exercise, _look: Look) -> dict[str, Any]:
         "parts": [
             {
                 "part": part.id,
-                "asks": part.question.describe(exercise),
+                "asks": part.heading(exercise),
                 "prompt": part.prompt,
                 "credit": part.credit,
                 "depends": list(part.depends),

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 
 from dhcli.kinematics.conventions import NAMES
 from dhcli.kinematics.question import AnyPose, ForwardKinematics
+from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Expr, Trig
 from dhcli.notation.walk import walk
 from dhcli.notation.writer import write
@@ -68,11 +69,14 @@ def context_lines(result: ForwardKinematics, look: Look) -> Iterator[str]:
 
 
 def _legend(result: ForwardKinematics, look: Look) -> list[str]:
-    """What `c1` and `s23` mean, by the first of each sort that occurs."""
-    joints = result.robot.writing
     poses = result.poses or (result.pose,)
+    return legend((entry for pose in poses for row in pose.rows for entry in row), result.robot.writing, look)
+
+
+def legend(entries: Iterable[Expr | float], joints: Joints, look: Look) -> list[str]:
+    """What `c1` and `s23` mean, by the first of each sort that occurs."""
     shown: dict[bool, str] = {}
-    for expr in (expr for pose in poses for row in pose.rows for expr in row if look.style != "full"):
+    for expr in entries if look.style != "full" else ():
         for node in walk(expr) if isinstance(expr, Expr) else ():
             if isinstance(node, Trig) and len(shown) < 2:  # noqa: PLR2004  one angle, and a sum of angles
                 short, full = write(node, "short", joints), write(node, "full", joints)

@@ -87,9 +87,10 @@ def marks_content(marked: SheetMark, _look: Look) -> dict[str, Any]:
     }
 
 
-def question_text(exercise: Exercise, part: Part, paper: Paper) -> str:
-    """What a part asks, for a person who is about to answer."""
-    asked = prose_lines(f"{part.id}: {part.question.describe(exercise)}", paper)
+def question_text(exercise: Exercise, part: Part, paper: Paper, *, whole: bool = False) -> str:
+    """What a part asks, for a person who is about to answer; the whole of it for one who sees the solution."""
+    heading = part.question.describe(exercise) if whole else part.heading(exercise)
+    asked = prose_lines(f"{part.id}: {heading}", paper)
     lines = [paper.ink(line, "bold") for line in asked]
     lines += prose_lines(part.prompt.strip(), paper)
     for n, option in enumerate(part.question.statements, 1):
@@ -101,7 +102,7 @@ def solution_text(exercise: Exercise, part: Part, steps: Iterable[Shown], paper:
     """The steps of a solution, each matrix under what it is."""
     from dhcli.render.text.matrix import matrix_lines
 
-    lines = [question_text(exercise, part, paper).rstrip("\n")]
+    lines = [question_text(exercise, part, paper, whole=True).rstrip("\n")]
     for step in steps:
         lines += ["", *(line for text in step.text.splitlines() for line in prose_lines(text, paper))]
         if step.rows:
@@ -130,7 +131,7 @@ def _part_lines(marked: SheetMark, one: PartMark, look: Look) -> Iterator[str]:
     sign = verdict.sign if paper.unicode else _ASCII_SIGNS.get(verdict.sign, verdict.sign)
     word = paper.ink(f"{sign} {verdict.word:<10}", "bold", *_INKS[verdict])
     credit = _partial_credit(one) if len(marked.parts) > 1 else ""
-    asked = f"{one.part.id}: {one.part.question.describe(exercise)}{credit}"
+    asked = f"{one.part.id}: {one.part.heading(exercise)}{credit}"
     first, *rest = prose_lines(paper.spell(asked), paper, _UNDER_ASKED, _UNDER_ASKED)
     yield f"{word}  {first.removeprefix(_UNDER_ASKED)}"
     yield from rest

@@ -163,8 +163,16 @@ def _joints(robot: Robot, look: Look) -> str:
 def _parameters(robot: Robot, look: Look) -> str:
     if not robot.parameters:
         return ""
-    rows = [[name, "no value" if value is None else value_text(value)] for name, value in robot.parameters.items()]
+    rows = [
+        [name, _formula(robot, name) + ("no value" if value is None else value_text(value))]
+        for name, value in robot.parameters.items()
+    ]
     return table_text(["parameter", "value"], rows, look.paper)
+
+
+def _formula(robot: Robot, name: str) -> str:
+    """What a parameter is in terms of others."""
+    return f"{write(robot.derived[name].expr, 'full', robot.writing)} = " if name in robot.derived else ""
 
 
 def _poses(robot: Robot, look: Look) -> str:

@@ -27,7 +27,7 @@ def about(name: str, *, numeric: bool = False) -> Exercise:
 
         typed = [f"{25 + 12 * k}°" if j.kind == "revolute" else f"{0.1 + 0.05 * k}" for k, j in enumerate(robot.joints)]
         given = joint_values(robot, ",".join(typed))
-    return question_about(robot, robot.frames[1], robot.frames[-2], numeric=numeric, given=given)
+    return question_about(robot, f"pose {robot.frames[1]}..{robot.frames[-2]}", numeric=numeric, given=given)
 
 
 @pytest.mark.parametrize("name", ROBOTS)
@@ -214,7 +214,7 @@ def test_a_planar_arm_at_zero_hides_many_mistakes() -> None:
     from dhcli.kinematics.values import joint_values
 
     def at(q: str) -> set[str]:
-        exercise = question_about(robot, "0", "4", numeric=True, given=joint_values(robot, q))
+        exercise = question_about(robot, "pose 0..4", numeric=True, given=joint_values(robot, q))
         return {slip.name for slip in hidden(exercise, exercise.parts[0])}
 
     at_zero, general = at("0,0,0,0"), at("25°,40°,0.1,65°")

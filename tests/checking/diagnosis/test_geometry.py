@@ -20,7 +20,7 @@ from tests.judging import expected
 def about(name: str, start: str, end: str, q: str = "") -> Exercise:
     """The pose of a frame of a robot; in numbers where joint values are given."""
     robot = load_robot(name)
-    return question_about(robot, start, end, numeric=bool(q), given=joint_values(robot, q) if q else {})
+    return question_about(robot, f"pose {start}..{end}", numeric=bool(q), given=joint_values(robot, q) if q else {})
 
 
 def said(exercise: Exercise, answer: str) -> tuple[str, ...]:

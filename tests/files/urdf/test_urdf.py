@@ -15,7 +15,7 @@ from dhcli.errors import DhcliError, FileError
 from dhcli.files.urdf.numbers import round_degrees
 from dhcli.files.urdf.robots import read_urdf
 from dhcli.files.urdf.writing import urdf_text
-from dhcli.files.yaml.robots import load_noted, load_robot, read_robot
+from dhcli.files.yaml.robots import load_robot, read_robot
 from dhcli.kinematics.describe.description import Asked, describe
 from dhcli.kinematics.forward import forward
 from dhcli.kinematics.robot import Robot
@@ -89,7 +89,7 @@ def test_a_drawn_chain_moves_as_its_xml_says(seed: int) -> None:
     """To 1e-14 of its size, and as a table to 1e-12."""
     draw = random.Random(seed)  # noqa: S311  the same chains every time
     text = drawn_urdf(draw, 7)
-    robot = read_urdf(text, "drawn.urdf", "drawn").robot
+    robot = read_urdf(text, "drawn.urdf", "drawn")
     q = [draw.uniform(-1, 1) for _ in robot.variables]
     expected = walked(text, "l7", q)
     assert np.abs(forward(robot, q).matrix - expected).max() < 1e-13
@@ -99,8 +99,8 @@ def test_a_drawn_chain_moves_as_its_xml_says(seed: int) -> None:
 
 def test_typed_right_angles_are_right_angles_and_can_be_kept() -> None:
     """By how much the tip moves is said, and is true."""
-    robot, remarks = load_noted(DATA / "three-joints.urdf", tip="tool0")
-    assert remarks[0].startswith(
+    robot = load_robot(DATA / "three-joints.urdf", tip="tool0")
+    assert robot.remarks[0].startswith(
         "3 of 12 angles are multiples of 15° rounded (1.5708 -> 90°); the tip moves by at most "
     )
     typed = load_robot(DATA / "three-joints.urdf", tip="tool0", as_typed=True)
@@ -157,7 +157,7 @@ def test_a_written_urdf_moves_as_the_robot(name: str) -> None:
     draw = random.Random(name)  # noqa: S311  the same poses every time
     q = [draw.uniform(-1, 1) for _ in robot.variables]
     expected = forward(robot, q, start="base", end="tool").matrix
-    order = read_urdf(text, "x.urdf", name, tip="tool0").robot
+    order = read_urdf(text, "x.urdf", name, tip="tool0")
     chain_order = [robot.variables.index(joint) for joint in _joint_names(text)]
     ordered = [q[i] for i in chain_order]
     assert np.abs(walked(text, "tool0", ordered) - expected).max() < 1e-12

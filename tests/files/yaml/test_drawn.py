@@ -101,3 +101,18 @@ def test_what_is_wrong_with_drawn_axes_is_said_with_its_line(old: str, new: str,
         read_robot(with_line(old, new), "file", "zhou")
     assert said in str(caught.value)
     assert "file:" in str(caught.value)
+
+
+def test_lengths_that_follow_from_others_still_follow() -> None:
+    """The formula is written, not its value."""
+    text = f"""{HEAD}convention: standard
+variables: [theta1, theta2]
+parameters: {{a1: 0.4 m, a2: 2*a1}}
+links:
+  - {{a: a1, alpha: 0, d: 0, theta: theta1}}
+  - {{a: a2, alpha: 0, d: 0, theta: theta2}}
+"""
+    robot = read_robot(text, "file", "x")
+    written = described_text(describe(robot, Asked("modified")))
+    assert "a2: 2*a1" in written
+    assert read_robot(written, "file", "x").derived == robot.derived

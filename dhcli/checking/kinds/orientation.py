@@ -1,0 +1,212 @@
+"""`rpy`, `euler zyz`, `quaternion` and the other ways to say an orientation in numbers; judged as a rotation."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar, Self
+
+from dhcli.algebra.floats import Floats
+from dhcli.checking.diagnosis.result import Slip
+from dhcli.checking.entries import check_names
+from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
+from dhcli.checking.forms import Form, form_of
+from dhcli.checking.kinds.linked import needed
+from dhcli.checking.orientations import angle_between, transposed, turned
+from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.tolerance import judge
+from dhcli.checking.truth import names_in, truth_of, unvalued
+from dhcli.checking.verdicts import Mark, Verdict
+from dhcli.checking.wanted import NotAskedError, Span, Wanted, read_wanted
+from dhcli.errors import Place, RobotError, plural
+from dhcli.geometry.euler import Order
+from dhcli.kinematics.frames import frame
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.values import numbers
+from dhcli.notation.angle import Angle
+from dhcli.notation.matrix import parse_matrix
+from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_length
+from dhcli.notation.scope import Scope
+from dhcli.notation.tree import Expr
+from dhcli.notation.walk import symbols
+
+if TYPE_CHECKING:
+    from dhcli.geometry.rotations import Rotation
+
+_FORM = re.compile(
+    r"(?P<form>rpy|quaternion|axis-angle|rotation-vector|(?P<kind>euler|fixed)\s+(?P<axes>[xyz]{3}))\s+(?:of\s+)?(?P<rest>.+)",
+    re.DOTALL,
+)
+_LABEL = re.compile(r"[^\W\d]+\s*=")
+LEAST_TURN = 1e-6
+"""Turns that differ by less than this are one [rad]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Turn:
+    """An orientation as typed.
+
+    Attributes:
+        values: Its numbers, angles in radians.
+        exprs: The cells, for the digits that were typed.
+        bare: Whether an angle was typed without a unit.
+    """
+
+    values: tuple[float, ...]
+    exprs: tuple[Expr, ...]
+    bare: bool
+
+
+@dataclass(frozen=True, slots=True)
+class OrientationQuestion(Question[Turn]):
+    """An orientation in numbers, in one of the forms."""
+
+    wanted: Wanted
+    form: Form
+
+    words: ClassVar = ("rpy", "euler", "fixed", "quaternion", "axis-angle", "rotation-vector")
+    examples: ClassVar = ("rpy of pose 0..3", "euler zyz of pose 0..3", "quaternion of pose 0..3")
+    is_plain: ClassVar = True
+
+    @classmethod
+    def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
+        """`rpy of pose 0..3`."""
+        match = _FORM.fullmatch(text)
+        if match is None:
+            raise NotAskedError(text)
+        found = read_wanted(f"rotation of {match['rest']}", scope, place)
+        return cls(found, form_of(" ".join(match["form"].split())))
+
+    def check(self, robot: Robot | None) -> None:
+        if isinstance(self.wanted.source, Span):
+            for name in (self.wanted.source.start, self.wanted.source.end):
+                frame(needed(robot), name)
+
+    @property
+    def needs_table(self) -> bool:
+        return isinstance(self.wanted.source, Span)
+
+    def describe(self, _exercise: Exercise) -> str:
+        source = self.wanted.source
+        if not isinstance(source, Span):
+            whole = source.text
+        else:
+            whole = f"T_{source.start}{source.end}, frame {source.end} seen from frame {source.start}"
+        if self.wanted.inverse:
+            whole = f"the inverse of {whole}"
+        return f"the orientation of {whole}: {self.form.words}"
+
+    def blank(self, _exercise: Exercise) -> tuple[int, int]:
+        return 1, len(self.form.parts)
+
+    def notes(self, _exercise: Exercise) -> Iterable[str]:
+        if self.form.angles:
+            yield "Angles in degrees unless a unit stands with them; any full turn more or less is the same."
+
+    @property
+    def names(self) -> frozenset[str]:
+        return names_in(self.wanted)
+
+    def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
+        return unvalued(self.wanted, exercise)
+
+    def expected(self, case: Case, _style: str = "short") -> str:
+        return self.form.text(self.form.of(self._right(case))[0])
+
+    def steps(self, case: Case) -> Iterable[Shown]:
+        from dhcli.checking.workings import matrix_steps
+
+        yield from matrix_steps(case, self.wanted)
+        yield Shown(f"Said as {self.form.words}")
+
+    def read(self, case: Case, text: str, place: Place | None = None) -> Turn:
+        exercise = case.exercise
+        body = ", ".join(line for line in _LABEL.sub("", text).splitlines() if line.strip())
+        body = body.strip()
+        rows = parse_matrix(body if body.startswith("[") else f"[{body}]", exercise.scope, place or Place("answer"))
+        cells = [cell.expr for row in rows for cell in row]
+        wanted = len(self.form.parts)
+        if len(cells) != wanted:
+            message = f"{plural(len(cells), 'number')} for {wanted}: {', '.join(self.form.parts)}"
+            raise UnreadableError(message)
+        over, values, bare = Floats(numbers(exercise.values)), [], False
+        angles = {name: value for name, value in exercise.values.items() if isinstance(value, Angle)}
+        for k, (name, expr) in enumerate(zip(self.form.parts, cells, strict=True)):
+            try:
+                value = to_angle(expr, bare="deg") if k in self.form.angles else to_length(expr)
+            except DimensionError as error:
+                raise UnreadableError(f"{name}: {error.message}") from None
+            inside = value.names if isinstance(value, Angle) else symbols(value)
+            check_names(exercise, inside)
+            if missing := sorted(inside - exercise.values.keys()):
+                raise UnreadableError(f"{name}: a number was asked, and {missing[0]} has no value")
+            bare |= k in self.form.angles and not has_angle_unit(expr)
+            values.append(value.substitute(angles).constant() if isinstance(value, Angle) else over.value(value))
+        return Turn(tuple(values), tuple(cells), bare)
+
+    def mark(self, case: Case, reading: Reading[Turn]) -> Mark:
+        right, turn = self._right(case), reading.value
+        off = angle_between(self.form.rotation(turn.values), right)
+        limit = case.tolerance.rotation
+        verdict = judge(off, 0.0, limit)
+        if verdict is not Verdict.RIGHT and turn.bare:
+            in_radians = [math.degrees(v) if k in self.form.angles else v for k, v in enumerate(turn.values)]
+            if judge(angle_between(self.form.rotation(in_radians), right), 0.0, limit) is Verdict.RIGHT:
+                raise UnreadableError("right in radians; bare angles are in degrees: write rad behind them")
+        remarks = () if verdict is Verdict.RIGHT else (turned(self.form.rotation(turn.values), right),)
+        earned = float(verdict is Verdict.RIGHT)
+        return Mark(verdict, self.form.text(turn.values), (), remarks, earned, self.expected(case))
+
+    def slips(self, case: Case) -> Iterator[Slip]:
+        right = self._right(case)
+        for slip, values in self._mistakes(case):
+            if angle_between(self.form.rotation(values), right) > LEAST_TURN:
+                yield slip
+
+    def answer_with(self, case: Case, name: str) -> str | None:
+        return next((self.form.text(values) for slip, values in self._mistakes(case) if slip.name == name), None)
+
+    def causes(self, case: Case, reading: Reading[Turn]) -> Causes:
+        typed, right = self.form.rotation(reading.value.values), self._right(case)
+        limit = case.tolerance.rotation
+        return tuple(
+            (slip,)
+            for slip, values in self._mistakes(case)
+            if angle_between(self.form.rotation(values), right) > limit
+            and angle_between(self.form.rotation(values), typed) <= limit
+        )
+
+    def _right(self, case: Case) -> Rotation[float]:
+        truth = truth_of(self.wanted, case)
+        if truth.numbers is None:
+            missing = unvalued(self.wanted, case.exercise)
+            hint = f"--set {missing[0]}=..., or given: in the file of an exercise"
+            raise RobotError(f"an orientation is said in numbers, and {missing[0]} has no value", hint)
+        return truth.numbers
+
+    def _mistakes(self, case: Case) -> Iterator[tuple[Slip, tuple[float, ...]]]:
+        """Answers of somebody with one slip."""
+        right = self._right(case)
+        usual = self.form.of(right)[0]
+        inverse = Slip(
+            "inverse", "this is the inverse: it turns the reference into the frame's axes", "seen from which frame?"
+        )
+        yield inverse, self.form.of(transposed(right))[0]
+        if self.form.order is not None:
+            order = self.form.order
+            words = f"the three angles stand in the reverse order; {', '.join(self.form.parts)} is asked"
+            yield Slip("reversed", words, "which angle comes first?"), usual[::-1]
+            other = Order(order.axes, not order.fixed)
+            now, then = ("current", "fixed") if order.fixed else ("fixed", "current")
+            words = f"these are the angles about the {now} axes; those about the {then} ones are asked"
+            yield Slip("other-axes", words, "do the axes turn along?"), other.of(right).numbers
+        if self.form.name == "quaternion":
+            yield Slip("w-last", "w stands last; w x y z is asked", "which number comes first?"), (*usual[1:], usual[0])
+        if self.form.name == "axis-angle":
+            x, y, z, angle = usual
+            yield (
+                Slip("axis-sign", "the axis points the other way", "look at the sense of the turn"),
+                (-x, -y, -z, angle),
+            )

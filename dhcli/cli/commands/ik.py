@@ -1,0 +1,213 @@
+"""`dhcli ik`: the joint values that take a robot's end to a pose, all of them."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from dhcli.cli.shell.options import (
+    WHERE,
+    Digits,
+    Force,
+    RobotName,
+    SeenFrom,
+    Settings,
+    complete_frame,
+    complete_pose,
+    format_option,
+    output_option,
+)
+
+_POSE = "The pose"
+_WHICH = "Which solutions"
+_MANY = "Many poses"
+
+EXAMPLES = """
+[bold]Examples[/]
+
+dhcli ik puma560 --pose ready
+
+dhcli ik ur5e --target "Trans(0.4,0.2,0.3) Rot(x,180°)" --near home
+
+dhcli ik planar-2r --position 0.5,0.3,0
+
+dhcli ik panda --pose ready --hold theta7=30°
+
+dhcli ik planar-2r --derive
+
+dhcli ik puma560 --q 0.3,-0.5,0.7,1,0.8,-2 --branch "elbow up" --within-limits
+"""
+
+
+def complete_task(incomplete: str) -> list[str]:
+    """What of a pose may be asked for."""
+    return [name for name in ("pose", "position", "orientation", "axis", "direction") if name.startswith(incomplete)]
+
+
+def ik(
+    robot: RobotName,
+    q: Annotated[
+        str | None,
+        typer.Option(
+            "--q", metavar="VALUES", help="Where these joint values stand, as fk takes them.", rich_help_panel=_POSE
+        ),
+    ] = None,
+    pose: Annotated[
+        str | None,
+        typer.Option(
+            "--pose",
+            metavar="NAME",
+            help="Where a named pose of the robot stands.",
+            rich_help_panel=_POSE,
+            autocompletion=complete_pose,
+        ),
+    ] = None,
+    target: Annotated[
+        str | None,
+        typer.Option(
+            metavar="MOVES",
+            help="Moves such as 'Trans(0.4,0,0.3) Rot(y,90°)', a 4x4 matrix, @FILE, or - for stdin, also JSON of fk.",
+            rich_help_panel=_POSE,
+        ),
+    ] = None,
+    position: Annotated[
+        str | None,
+        typer.Option(metavar="X,Y,Z", help="Where the origin of the end frame is.", rich_help_panel=_POSE),
+    ] = None,
+    rpy: Annotated[
+        str | None,
+        typer.Option(metavar="R,P,Y", help="With --position: roll, pitch and yaw.", rich_help_panel=_POSE),
+    ] = None,
+    quaternion: Annotated[
+        str | None,
+        typer.Option(metavar="W,X,Y,Z", help="With --position: a quaternion.", rich_help_panel=_POSE),
+    ] = None,
+    pointing: Annotated[
+        str | None,
+        typer.Option(metavar="X,Y,Z", help="Where the z axis of the end frame points to.", rich_help_panel=_POSE),
+    ] = None,
+    task: Annotated[
+        str | None,
+        typer.Option(
+            metavar="WHAT",
+            help="What of it counts: pose, position, orientation, axis (position and direction of z) or direction.",
+            rich_help_panel=_POSE,
+            autocompletion=complete_task,
+        ),
+    ] = None,
+    near: Annotated[
+        str | None,
+        typer.Option(
+            metavar="VALUES",
+            help="Sort by distance from joint values or a named pose.",
+            rich_help_panel=_WHICH,
+            autocompletion=complete_pose,
+        ),
+    ] = None,
+    branch: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="WORDS",
+            help="Only branches with these words, such as 'elbow up'; repeatable.",
+            rich_help_panel=_WHICH,
+        ),
+    ] = None,
+    within_limits: Annotated[
+        bool, typer.Option("--within-limits", help="Only inside the limits of the joints.", rich_help_panel=_WHICH)
+    ] = False,
+    all_turns: Annotated[
+        bool,
+        typer.Option("--all-turns", help="Angles in every turn that the limits allow.", rich_help_panel=_WHICH),
+    ] = False,
+    hold: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME=VALUE",
+            help="A joint that is not computed but stands there; repeatable.",
+            rich_help_panel=_WHICH,
+        ),
+    ] = None,
+    family: Annotated[
+        int | None,
+        typer.Option(
+            min=2, max=1000, metavar="N", help="Sample the joints to spare of a redundant arm.", rich_help_panel=_WHICH
+        ),
+    ] = None,
+    in_: Annotated[
+        str | None,
+        typer.Option(
+            "--in",
+            metavar="FILE",
+            help="Poses, a row each, as fk --in writes them: CSV, JSON Lines or .npy; - is stdin. Gives rows: where "
+            "the pose stands, and joint values; csv, or jsonl or npy by --format or -o.",
+            rich_help_panel=_MANY,
+        ),
+    ] = None,
+    each: Annotated[
+        str | None,
+        typer.Option(metavar="WHICH", help="Of each row: all, nearest (to --near) or first.", rich_help_panel=_MANY),
+    ] = None,
+    derive: Annotated[
+        bool, typer.Option("--derive", help="The formulas, step by step as a book derives them; no pose is needed.")
+    ] = False,
+    deg: Annotated[bool, typer.Option("--deg", help="Bare numbers of angles are degrees.")] = False,
+    set_: Settings = None,
+    from_: SeenFrom = None,
+    to: Annotated[
+        str | None,
+        typer.Option(metavar="FRAME", help="Of this frame.", rich_help_panel=WHERE, autocompletion=complete_frame),
+    ] = None,
+    format_: Annotated[str | None, format_option("table", "json", "csv", "latex", "numpy", "matlab")] = None,
+    digits: Digits = None,
+    output: Annotated[str | None, output_option(".json", ".csv", ".tex", ".py", ".m", ".txt")] = None,
+    force: Force = False,
+) -> int:
+    """Inverse kinematics: every way to hold the joints so that the end frame stands in a pose."""
+    import os
+
+    # a second thread does nothing for matrices this small but be started
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    from dhcli.cli.shell.delivery import Delivery
+    from dhcli.cli.shell.goal import Goal, asked
+    from dhcli.cli.shell.solutions import derived, held_of, near_of, only_branches
+    from dhcli.errors import ExitStatus
+    from dhcli.files.yaml.robots import load_robot
+
+    if in_ is not None or each is not None:
+        from dhcli.cli.shell.inverse_rows import RowWish, solve_rows
+
+        others: dict[str, object] = {"--q": q, "--pose": pose, "--target": target, "--position": position, "--rpy": rpy}
+        others |= {"--quaternion": quaternion, "--pointing": pointing, "--branch": branch, "--family": family}
+        others |= {"--all-turns": all_turns, "--derive": derive, "--digits": digits}
+        rows = RowWish(in_, each, task, near, hold or [], set_ or [], from_, to, within_limits, deg)
+        return solve_rows(robot, rows, others, format_, output, force=force)
+    delivery = Delivery("ik", format_, digits, None, output, force)
+    delivery.chosen("derivation" if derive else "inverse")
+    arm = load_robot(robot)
+    goal = Goal(q, pose, target, position, rpy, quaternion, pointing, task)
+    if derive:
+        delivery.hand_over("derivation", derived(arm, goal, from_, to))
+        return ExitStatus.DONE
+    question = asked(arm, goal, from_, to, set_ or [], robot, degrees=deg)
+    wish = near_of(arm, near, degrees=deg)
+    held = held_of(arm, hold or [], degrees=deg)
+
+    from dhcli.kinematics.inverse.asked import inverse  # numpy: not for what is refused before it starts
+
+    found = inverse(
+        arm,
+        question.pose,
+        task=question.task,
+        near=wish,
+        hold=held,
+        family=family,
+        within_limits=within_limits,
+        all_turns=all_turns,
+        start=question.start,
+        end=question.end,
+        parameters=question.lengths,
+    )
+    found = only_branches(found, branch or [])
+    delivery.hand_over("inverse", question.answered(found, wish), found.remarks)
+    return ExitStatus.DONE if len(found) else ExitStatus.NOT_RIGHT

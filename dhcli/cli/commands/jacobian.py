@@ -1,0 +1,144 @@
+"""`dhcli jacobian`: how the end of a robot moves with its joints, in numbers or in symbols."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from dhcli.cli.shell.options import (
+    Against,
+    Axes,
+    Degrees,
+    Digits,
+    EndPoint,
+    Force,
+    Format,
+    Joints,
+    Moving,
+    NamedPose,
+    Output,
+    RobotName,
+    Settings,
+    Spelling,
+    Symbolic,
+)
+
+ROWS = "Rows"
+MANY = "Many joint values"
+
+EXAMPLES = """
+[bold]Examples[/]
+
+dhcli jacobian planar-2r --symbolic
+
+dhcli jacobian puma560 --symbolic --to 4 --in 3 --part linear
+
+dhcli jacobian ur5e --q 0,-90,90,0,45,0 --deg
+
+dhcli jacobian scara --pose pick --point 0,0,0.1
+
+dhcli jacobian stanford --pose grasp --body
+
+dhcli jacobian puma560 --rows q.csv -o jacobians.npy
+"""
+
+
+def jacobian(
+    robot: RobotName,
+    q: Joints = None,
+    deg: Degrees = False,
+    pose: NamedPose = None,
+    set_: Settings = None,
+    symbolic: Symbolic = False,
+    let: Annotated[bool, typer.Option("--let", help="Give names to long or repeated brackets.")] = False,
+    from_: Against = None,
+    to: Moving = None,
+    in_: Axes = None,
+    point: EndPoint = None,
+    part: Annotated[
+        str | None, typer.Option(metavar="PART", help="linear: v alone; angular: ω alone.", rich_help_panel=ROWS)
+    ] = None,
+    order: Annotated[
+        str | None, typer.Option(metavar="ORDER", help="angular-first: ω above v.", rich_help_panel=ROWS)
+    ] = None,
+    analytic: Annotated[
+        str | None,
+        typer.Option(
+            metavar="ANGLES", help="Rates of rpy, or of zyz and so on, in the place of ω.", rich_help_panel=ROWS
+        ),
+    ] = None,
+    space: Annotated[
+        bool,
+        typer.Option("--space", help="Space Jacobian: ω first, v of the point at the origin.", rich_help_panel=ROWS),
+    ] = False,
+    body: Annotated[
+        bool, typer.Option("--body", help="Body Jacobian: ω first, in the end frame.", rich_help_panel=ROWS)
+    ] = False,
+    rows: Annotated[
+        str | None,
+        typer.Option(
+            "--rows",
+            metavar="FILE",
+            help="Joint values, a row for each Jacobian: CSV, JSON Lines or .npy; - is stdin. "
+            "Gives rows: csv, or jsonl or npy by --format or -o.",
+            rich_help_panel=MANY,
+        ),
+    ] = None,
+    skip_bad: Annotated[
+        bool,
+        typer.Option("--skip-bad", help="Go on without bad rows, list them, and end with 0.", rich_help_panel=MANY),
+    ] = False,
+    ignore_columns: Annotated[
+        bool,
+        typer.Option("--ignore-columns", help="Leave columns aside that are no joint.", rich_help_panel=MANY),
+    ] = False,
+    index: Annotated[
+        bool,
+        typer.Option("--index", help="First column: where the row stands in FILE, as in errors.", rich_help_panel=MANY),
+    ] = False,
+    format_: Format = None,
+    style: Spelling = None,
+    digits: Digits = None,
+    output: Output = None,
+    force: Force = False,
+) -> None:
+    """Jacobian of a robot: velocity of its end for each joint's rate, in numbers or as the textbook prints it."""
+    from dhcli.cli.shell.moving import form_of, twist_view, view_of
+    from dhcli.errors import DhcliError
+    from dhcli.files.yaml.robots import load_robot
+    from dhcli.kinematics.velocity.form import Form
+
+    many = rows is not None or skip_bad or ignore_columns or index
+    if many:
+        from dhcli.cli.shell.jacobian_rows import check_options
+
+        others: dict[str, object] = {"--pose": pose, "--symbolic": symbolic, "--let": let}
+        check_options(rows, robot, others | {"--style": style, "--digits": digits})
+    arm = load_robot(robot)
+    view = view_of(arm, from_, to, in_, point, "--point")
+    form = form_of(part, order, analytic)
+    if space or body:
+        said: dict[str, object] = {"--in": in_, "--point": point, "--order": order, "--analytic": analytic}
+        view = twist_view(arm, view, said, space=space, body=body)
+        form = Form(form.part, angular_first=True)
+    if many and rows is not None:
+        from dhcli.cli.shell.batch import asked_of_rows
+        from dhcli.cli.shell.jacobian_rows import jacobian_rows, rows_wanted
+        from dhcli.cli.shell.rows import RowDelivery
+
+        wanted = rows_wanted(arm, view, form, set_ or [])
+        asked = asked_of_rows(arm, q, degrees=deg, ignores=ignore_columns)
+        jacobian_rows(wanted, asked, rows, RowDelivery(format_, output, force), skip_bad=skip_bad, index=index)
+        return
+    from dhcli.cli.shell.delivery import Delivery
+    from dhcli.cli.shell.given import values_of
+    from dhcli.kinematics.velocity.asked import answer_jacobian
+
+    if let and not symbolic:
+        raise DhcliError("--let gives names to parts of formulas, and this result is in numbers", "add --symbolic")
+    delivery = Delivery("jacobian", format_, digits, style, output, force)
+    delivery.chosen("jacobian")
+    values = values_of(arm, q, pose, set_ or [], degrees=deg, symbolic=symbolic)
+    result = answer_jacobian(arm, values, view, form, symbolic=symbolic, let=let)
+    delivery.hand_over("jacobian", result, result.warnings)

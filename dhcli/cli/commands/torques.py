@@ -1,0 +1,97 @@
+"""`dhcli torques`: what the joints bear when the end of a robot presses."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from dhcli.cli.shell.options import (
+    Against,
+    AtPoint,
+    Axes,
+    Degrees,
+    Digits,
+    Format,
+    Joints,
+    Moving,
+    NamedPose,
+    Output,
+    RobotName,
+    Settings,
+    Spelling,
+    Symbolic,
+)
+
+EXAMPLES = """
+[bold]Examples[/]
+
+dhcli torques planar-2r --q 30,60 --deg --force 0,10,0
+
+dhcli torques planar-2r --symbolic --force f_x,f_y,0
+
+dhcli torques puma560 --pose nominal --force 0,0,-10 --moment 0,0,2 --in 6
+"""
+
+
+def torques(
+    robot: RobotName,
+    q: Joints = None,
+    deg: Degrees = False,
+    pose: NamedPose = None,
+    set_: Settings = None,
+    push: Annotated[
+        str | None, typer.Option("--force", metavar="FX,FY,FZ", help="Force that the end exerts, in N.")
+    ] = None,
+    moment: Annotated[
+        str | None, typer.Option("--moment", metavar="MX,MY,MZ", help="Moment that the end exerts, in N m.")
+    ] = None,
+    symbolic: Symbolic = False,
+    from_: Against = None,
+    to: Moving = None,
+    in_: Axes = None,
+    at: AtPoint = None,
+    format_: Format = None,
+    style: Spelling = None,
+    digits: Digits = None,
+    output: Output = None,
+    overwrite: Annotated[
+        bool, typer.Option("--overwrite", help="Overwrite the file.", rich_help_panel="Output")
+    ] = False,
+) -> None:
+    """Joint torques with which a robot presses with a force: tau = Jᵀ F, in numbers or in symbols."""
+    from dhcli.cli.shell.delivery import Delivery
+    from dhcli.cli.shell.given import values_of
+    from dhcli.cli.shell.moving import view_of
+    from dhcli.cli.shell.vectors import FORCE, MOMENT, vector_of
+    from dhcli.errors import DhcliError
+    from dhcli.files.yaml.robots import load_robot
+    from dhcli.kinematics.velocity.asked import answer_torques
+
+    check_overwrite(output, overwrite=overwrite)
+    if push is None and moment is None:
+        raise DhcliError("torques of what?", "--force 0,0,10 or --moment 0,0,1: what the end exerts")
+    delivery = Delivery("torques", format_, digits, style, output, overwrite)
+    delivery.chosen("torques")
+    arm = load_robot(robot)
+    view = view_of(arm, from_, to, in_, at, "--at")
+    wrench = vector_of(push or "0,0,0", "--force", FORCE, arm), vector_of(moment or "0,0,0", "--moment", MOMENT, arm)
+    values = values_of(arm, q, pose, set_ or [], degrees=deg, symbolic=symbolic)
+    result = answer_torques(arm, values, view, wrench, symbolic=symbolic)
+    delivery.hand_over("torques", result, result.warnings)
+
+
+def check_overwrite(output: str | None, *, overwrite: bool) -> None:
+    """Make sure that a file is there to be written; here `--force` is what the end exerts.
+
+    Raises:
+        DhcliError: It exists already, or `--overwrite` has none.
+    """
+    import os
+
+    from dhcli.errors import DhcliError, FileError, Place, Problem
+
+    if overwrite and not output:
+        raise DhcliError("--overwrite needs a file to overwrite", "name it with -o FILE")
+    if output and not overwrite and os.path.isfile(output):  # noqa: PTH113  spares the start-up many Path objects
+        raise FileError(Problem("exists already", Place(output), "--overwrite overwrites it"))

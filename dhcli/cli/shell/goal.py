@@ -1,0 +1,248 @@
+"""The pose that `ik` is asked for, in whatever way it was typed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, cast
+
+from dhcli.cli.shell.given import point_of, settings_of, split, values_of
+from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean, plural
+from dhcli.kinematics.forward import numeric_pose
+from dhcli.kinematics.frames import ends
+from dhcli.kinematics.inverse.answer import InverseKinematics
+from dhcli.kinematics.pose import Pose
+from dhcli.kinematics.robot import Robot, Value
+from dhcli.kinematics.transform import Wanted, compose, read_product
+from dhcli.kinematics.validity import in_floats
+from dhcli.kinematics.values import parameter_values
+from dhcli.notation.parser import parse
+from dhcli.notation.quantity import Bare, DimensionError, to_angle
+from dhcli.notation.scope import Scope
+from dhcli.notation.tree import Expr
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.inverse.solutions import Solutions
+    from dhcli.kinematics.inverse.tasks import TaskName
+
+Rows = tuple[tuple[float, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Goal:
+    """The options that say a pose, as they were typed.
+
+    Attributes:
+        q: Joint values that stand there.
+        pose: A named pose that stands there.
+        target: Moves or a matrix.
+        position: Where the origin is.
+        rpy: Roll, pitch and yaw.
+        quaternion: A quaternion.
+        pointing: Where z points to.
+        task: What of it counts.
+    """
+
+    q: str | None
+    pose: str | None
+    target: str | None
+    position: str | None
+    rpy: str | None
+    quaternion: str | None
+    pointing: str | None
+    task: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class Question:
+    """A pose that is asked for.
+
+    Attributes:
+        robot: The robot.
+        pose: The matrix, shape (4, 4) [m].
+        task: What of it counts.
+        start: The frame it is seen from.
+        end: The frame that is placed.
+        lengths: Values of lengths and constant angles.
+    """
+
+    robot: Robot
+    pose: Rows
+    task: TaskName
+    start: str
+    end: str
+    lengths: Mapping[str, Value]
+
+    def answered(self, found: Solutions, near: Sequence[float] | None) -> InverseKinematics:
+        """The question with its answer."""
+        wish = None if near is None else tuple(near)
+        return InverseKinematics(self.robot, self.lengths, self.task, self.start, self.end, found, wish)
+
+
+def asked(
+    robot: Robot,
+    goal: Goal,
+    start: str | None,
+    end: str | None,
+    settings: Sequence[str],
+    typed: str,
+    *,
+    degrees: bool,
+) -> Question:
+    """The question that options ask.
+
+    Args:
+        robot: The robot.
+        goal: The options about the pose.
+        start: The frame it is seen from.
+        end: The frame that is placed.
+        settings: `--set`.
+        typed: The robot as it was typed.
+        degrees: Whether bare numbers of angles are degrees.
+
+    Raises:
+        DhcliError: No pose is given, or two are, or it cannot be read.
+    """
+    first, last = ends(robot, start, end)
+    lengths = parameter_values(robot, settings_of(settings), Place("--set", text=" ".join(settings)))
+    task = task_of(goal)
+    rows = _rows(robot, goal, (first, last), settings, typed, degrees=degrees)
+    return Question(robot, rows, cast("TaskName", task), first, last, lengths)
+
+
+def task_of(goal: Goal) -> str:
+    """What counts: as asked for, else what the options determine."""
+    known = ("pose", "position", "orientation", "axis", "direction")
+    if goal.task is not None:
+        if goal.task not in known:
+            hint = did_you_mean(goal.task, known) or "known: " + ", ".join(known)
+            raise UnknownNameError(Problem(f"there is no task {goal.task}", Place("--task"), hint))
+        return goal.task
+    turned = goal.rpy is not None or goal.quaternion is not None
+    if goal.pointing is not None:
+        return "direction" if goal.position is None else "axis"
+    if goal.position is not None:
+        return "pose" if turned else "position"
+    return "orientation" if turned else "pose"
+
+
+def _rows(
+    robot: Robot, goal: Goal, frames: tuple[str, str], settings: Sequence[str], typed: str, *, degrees: bool
+) -> Rows:
+    """The matrix."""
+    parts = (goal.position, goal.rpy, goal.quaternion, goal.pointing)
+    ways = [goal.q is not None or goal.pose is not None, goal.target is not None, any(p is not None for p in parts)]
+    if sum(ways) != 1:
+        said = "no pose is given" if not any(ways) else "the pose is given in two ways"
+        raise DhcliError(said, "one of --q, --pose, --target, or --position with --rpy, --quaternion or --pointing")
+    if ways[0]:
+        values = values_of(robot, goal.q, goal.pose, settings, degrees=degrees, symbolic=False)
+        return numeric_pose(robot, values, *frames).rows
+    if goal.target is not None:
+        return _target(goal.target, typed)
+    return _from_parts(goal, degrees=degrees)
+
+
+def _target(text: str, typed: str) -> Rows:
+    from dhcli.files.reading import read_text, source_of
+
+    place = Place("--target")
+    if text == "-" or text.startswith("@"):
+        path = text.removeprefix("@")
+        if path == typed == "-":
+            raise DhcliError("the robot and the pose cannot both come from standard input", "save one in a file")
+        text, place = read_text(path), Place(source_of(path))
+    pose = compose(read_product(text, place), {}, Wanted()).pose
+    if pose.is_symbolic:
+        pose = pose.in_numbers()
+    return cast("Pose[float]", pose).rows
+
+
+def _from_parts(goal: Goal, *, degrees: bool) -> Rows:
+    turns = [p for p in (goal.rpy, goal.quaternion, goal.pointing) if p is not None]
+    if len(turns) > 1:
+        raise DhcliError("the orientation is given in two ways", "one of --rpy, --quaternion or --pointing")
+    place = (0.0, 0.0, 0.0) if goal.position is None else _vector(goal.position, "--position")
+    if goal.rpy is not None:
+        turn = _rpy(_angles(goal.rpy, "--rpy", "deg" if degrees else "rad"))
+    elif goal.quaternion is not None:
+        turn = _quaternion(_numbers(goal.quaternion, "--quaternion", 4))
+    elif goal.pointing is not None:
+        turn = _pointing(_numbers(goal.pointing, "--pointing", 3))
+    else:
+        turn = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+    return (*((*row, length) for row, length in zip(turn, place, strict=True)), (0.0, 0.0, 0.0, 1.0))
+
+
+def _vector(text: str, option: str) -> tuple[float, float, float]:
+    x, y, z = (in_floats(part) for part in _known(point_of(text, option), option))
+    return x, y, z
+
+
+def _known(parts: Sequence[Expr], option: str) -> Sequence[Expr]:
+    from dhcli.notation.walk import symbols
+
+    if free := sorted(frozenset().union(*map(symbols, parts))):
+        raise DhcliError(Problem(f"{', '.join(free)} has no value", Place(option), "a pose to reach is in numbers"))
+    return parts
+
+
+def _angles(text: str, option: str, bare: Bare) -> tuple[float, float, float]:
+    pieces = list(split(text))
+    if len(pieces) != 3:  # noqa: PLR2004
+        raise DhcliError(Problem(f"three angles are wanted, not {len(pieces)}", Place(option), "write 0,90°,0"))
+    try:
+        a, b, c = (to_angle(parse(piece, Scope(), Place(option)), bare=bare).constant() for _, piece in pieces)
+    except DimensionError as error:
+        raise DhcliError(Problem(error.message, Place(option), error.hint)) from None
+    return a, b, c
+
+
+def _numbers(text: str, option: str, count: int) -> tuple[float, ...]:
+    pieces = [piece for _, piece in split(text)]
+    if len(pieces) != count:
+        message = f"{plural(count, 'number')} are wanted, not {len(pieces)}"
+        raise DhcliError(Problem(message, Place(option)))
+    values = tuple(in_floats(part) for part in _known([parse(p, Scope(), Place(option)) for p in pieces], option))
+    if not any(values):
+        raise DhcliError(Problem("it has no length", Place(option), "one of its numbers must not be 0"))
+    return values
+
+
+def _rpy(angles: tuple[float, float, float]) -> Rows:
+    """R = Rz(yaw) Ry(pitch) Rx(roll)."""
+    from math import cos, sin
+
+    (a, b, c), (d, e, f) = map(cos, angles), map(sin, angles)
+    return (
+        (c * b, c * e * d - f * a, c * e * a + f * d),
+        (f * b, f * e * d + c * a, f * e * a - c * d),
+        (-e, b * d, b * a),
+    )
+
+
+def _quaternion(q: tuple[float, ...]) -> Rows:
+    size = sum(part * part for part in q) ** 0.5
+    w, x, y, z = (part / size for part in q)
+    return (
+        (1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)),
+        (2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)),
+        (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)),
+    )
+
+
+def _pointing(direction: tuple[float, ...]) -> Rows:
+    """A rotation whose z axis has the direction."""
+    size = sum(part * part for part in direction) ** 0.5
+    z = tuple(part / size for part in direction)
+    k = min(range(3), key=lambda i: abs(z[i]))
+    helper = tuple(float(i == k) for i in range(3))
+    x = _cross(helper, z)
+    length = sum(part * part for part in x) ** 0.5
+    x = tuple(part / length for part in x)
+    y = _cross(z, x)
+    return tuple(zip(x, y, z, strict=True))
+
+
+def _cross(a: Sequence[float], b: Sequence[float]) -> tuple[float, ...]:
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]

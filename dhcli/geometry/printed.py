@@ -1,0 +1,101 @@
+"""Rotations printed with two or three decimals: how far their digits let them be from one, and the nearest."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import TypeAlias
+
+from dhcli.algebra.floats import Floats
+from dhcli.notation.tree import Expr, Number, number
+from dhcli.notation.walk import symbols, walk
+
+PLACES = 12
+"""Decimals of the nearest rotation."""
+
+SHARP = 1e-9
+"""A matrix nearer to a rotation than this is taken as it stands [1]."""
+
+_STEPS = 30
+
+Matrix: TypeAlias = list[list[float]]
+Rows: TypeAlias = Sequence[Sequence[Expr]]
+
+
+def digit_slack(rows: Rows) -> float:
+    """Half a unit of the last decimal of a matrix that is printed with decimals; 0 if it has none.
+
+    The most decimals in it count for all, for 0.5 stands in a table of two decimals for 0.50.
+    """
+    places = [
+        node.places
+        for row in rows
+        for entry in row[:3]
+        for node in walk(entry)
+        if type(node) is Number and node.places is not None
+    ]
+    return 0.5 * 10.0 ** -max(places) if places else 0.0
+
+
+def nearest_rotation(rows: Rows) -> tuple[Rows, str]:
+    """A matrix of decimals with the nearest rotation in it, and a remark; itself and nothing where it is sharp.
+
+    Args:
+        rows: Three rows of direction cosines and a length, numbers whose columns are a rotation to their digits.
+    """
+    typed = [list(row[:3]) for row in rows]
+    slack = digit_slack(rows)
+    if not slack or any(symbols(entry) for row in typed for entry in row):
+        return rows, ""
+    values = [[Floats().value(entry) for entry in row] for row in typed]
+    if _distance(values) <= SHARP:
+        return rows, ""
+    found = _polar(values)
+    sharp = tuple(
+        (*(_entry(entry, value) for entry, value in zip(row, near, strict=True)), *whole[3:])
+        for row, near, whole in zip(typed, found, rows, strict=True)
+    )
+    decimals = round(-math.log10(2 * slack))
+    return sharp, f"a matrix with {decimals} decimals is a rotation to its digits; the nearest rotation is taken"
+
+
+def _entry(typed: Expr, value: float) -> Expr:
+    """An entry of the nearest rotation; 0 and ±1 that were typed stay exact."""
+    if isinstance(typed, Number) and typed.value.denominator == 1 and abs(float(typed.value) - value) < SHARP:
+        return typed
+    return number(Fraction(f"{value:.{PLACES}f}"), PLACES)
+
+
+def _distance(rows: Matrix) -> float:
+    """How far a matrix is from orthonormal columns."""
+    return max(abs(sum(rows[k][i] * rows[k][j] for k in range(3)) - (i == j)) for i in range(3) for j in range(i, 3))
+
+
+def _polar(rows: Matrix) -> Matrix:
+    """The nearest rotation, by Newton's iteration for the polar decomposition.
+
+    Source: N. Higham, Computing the polar decomposition, 1986: X becomes (X + X^-T)/2.
+    """
+    for _ in range(_STEPS):
+        inverse = _inverse_transposed(rows)
+        rows = [
+            [(x + y) / 2 for x, y in zip(row, other, strict=True)] for row, other in zip(rows, inverse, strict=True)
+        ]
+        if _distance(rows) < SHARP * SHARP:
+            break
+    return rows
+
+
+def _inverse_transposed(m: Matrix) -> Matrix:
+    """The matrix of cofactors over the determinant."""
+    cofactors = [
+        [
+            m[(i + 1) % 3][(j + 1) % 3] * m[(i + 2) % 3][(j + 2) % 3]
+            - m[(i + 1) % 3][(j + 2) % 3] * m[(i + 2) % 3][(j + 1) % 3]
+            for j in range(3)
+        ]
+        for i in range(3)
+    ]
+    determinant = sum(a * b for a, b in zip(m[0], cofactors[0], strict=True))
+    return [[entry / determinant for entry in row] for row in cofactors]

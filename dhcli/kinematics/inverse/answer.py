@@ -1,0 +1,35 @@
+"""A question about a pose with its answer, as it is shown."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhcli.kinematics.robot import Robot, Value
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.inverse.solutions import Solutions
+
+
+@dataclass(frozen=True, slots=True)
+class InverseKinematics:
+    """What is shown of a question and its answer.
+
+    Attributes:
+        robot: The robot.
+        lengths: Values of lengths and constant angles.
+        task: What of the pose counts.
+        start: The frame it is seen from.
+        end: The frame that is placed.
+        solutions: The answer.
+        near: Joint values that solutions should be near to, in joint order [rad, m]; or None.
+    """
+
+    robot: Robot
+    lengths: Mapping[str, Value]
+    task: str
+    start: str
+    end: str
+    solutions: Solutions
+    near: tuple[float, ...] | None = None

@@ -1,0 +1,252 @@
+"""Inverse kinematics as it is asked for: a robot, a pose, and what is wanted of both."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhcli.errors import RobotError, plural
+from dhcli.kinematics.forward import Given
+from dhcli.kinematics.frames import between, ends
+from dhcli.kinematics.inverse.branches import branch_names
+from dhcli.kinematics.inverse.families import Freedom
+from dhcli.kinematics.inverse.prepared import Prepared, prepare
+from dhcli.kinematics.inverse.running import CONFIRMED
+from dhcli.kinematics.inverse.solutions import Free, Solutions, in_numbers, relation, shown_value, turning_joints
+from dhcli.kinematics.inverse.solving import Solved, solve
+from dhcli.kinematics.inverse.targets import EXACT, read_targets
+from dhcli.kinematics.inverse.tasks import TaskName
+from dhcli.kinematics.inverse.turns import limits_of, placed
+from dhcli.kinematics.pose import Pose
+from dhcli.kinematics.robot import Robot, check_robot
+from dhcli.kinematics.values import JointInput, joint_values, numbers, parameter_values, require
+from dhcli.notation.angle import Angle
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from dhcli.kinematics.inverse.arm import Array
+
+SEARCHED = 48
+"""Values of a joint held that are tried where none was asked for and the first does not do."""
+
+
+SPREAD = (1.0, 0.6180339887498949, 0.7548776662466927, 0.8191725133961645, 0.5698402909980532, 0.6710436067037893)
+"""Steps, in turns, by which values of several joints are spread."""
+
+
+@dataclass(frozen=True, slots=True)
+class Question:
+    """A robot made ready for a question.
+
+    Attributes:
+        robot: The robot.
+        ready: Its arm and plan.
+        order: For each joint of the arm its number among the robot's variables.
+        near: Joint values that solutions should be near to, or None.
+    """
+
+    robot: Robot
+    ready: Prepared
+    order: tuple[int, ...]
+    near: Array | None
+
+    def motions(self, q: Array) -> Array:
+        """Motions of the arm's joints for joint values (..., n) of the robot."""
+        return np.asarray(q[..., list(self.order)] * self.ready.arm.factors)
+
+    def values(self, motions: Array) -> Array:
+        """Joint values (..., n) of the robot; a joint outside the frames asked for stands at 0, or near."""
+        q = np.zeros((*motions.shape[:-1], len(self.robot.variables)))
+        if self.near is not None:
+            q += self.near
+        q[..., list(self.order)] = motions / self.ready.arm.factors
+        return q
+
+    def best(self) -> Array:
+        """Where a joint that may be chosen should best stand, as a motion: near, else 0 or the middle of its limits."""
+        if self.near is not None:
+            return self.motions(self.near)
+        limits = limits_of(self.robot)
+        low, high = limits[:, 0], limits[:, 1]
+        zero = (low <= 0) & (high >= 0)
+        with np.errstate(invalid="ignore"):
+            middle = np.where(zero, 0.0, (low + high) / 2)
+        return self.motions(np.nan_to_num(middle))
+
+
+def ask(  # noqa: PLR0913  what may be asked of a robot
+    robot: Robot,
+    task: TaskName,
+    *,
+    near: JointInput = None,
+    hold: Mapping[str, float | str | Angle] | None = None,
+    start: str | int | None = None,
+    end: str | int | None = None,
+    parameters: Given | None = None,
+) -> tuple[Question, dict[int, float]]:
+    """Make a robot ready for a question.
+
+    Returns:
+        The question, and the motions of the joints that are to be held by their number.
+
+    Raises:
+        RobotError: A length has no value, or the task cannot be computed.
+        UnknownNameError: The robot has no such frame, joint or length.
+    """
+    check_robot(robot)
+    from dhcli.kinematics.validity import in_floats
+
+    chain = between(robot, *ends(robot, start, end))
+    lengths = parameter_values(robot, parameters or {})
+    require(robot, chain, {**lengths, **dict.fromkeys(robot.variables, Angle())})
+    given = joint_values(robot, dict(hold or {}))
+    known = tuple(sorted(numbers(lengths).items()))
+    ready = prepare(chain, robot.variables, known, task, tuple(sorted(given, key=robot.variables.index)))
+    names = [axis.name for axis in ready.arm.axes[: ready.arm.joints]]
+    order = tuple(robot.variables.index(name) for name in names)
+    factors = ready.arm.factors
+    held = {names.index(n): in_floats(v) * float(factors[names.index(n)]) for n, v in given.items() if n in names}
+    return Question(robot, ready, order, None if near is None else in_numbers(robot, near)), held
+
+
+def inverse(  # noqa: PLR0913  what may be asked of a pose
+    robot: Robot,
+    T: ArrayLike | Pose[float],  # noqa: N803  the field's name for a pose
+    *,
+    task: TaskName = "pose",
+    near: JointInput = None,
+    hold: Mapping[str, float | str | Angle] | None = None,
+    family: int | None = None,
+    within_limits: bool = False,
+    all_turns: bool = False,
+    start: str | int | None = None,
+    end: str | int | None = None,
+    parameters: Given | None = None,
+    tolerance: float = CONFIRMED,
+) -> Solutions:
+    """Every joint vector that takes the end of a robot to a pose.
+
+    Args:
+        robot: The robot.
+        T: The pose of the end frame seen from the start frame, shape (4, 4) [m]; for the position alone also a point
+            (3,), for the orientation a matrix (3, 3), for a direction a vector (3,).
+        task: What of it counts: `pose`, `position`, `orientation`, `axis` (position and direction of z), `direction`.
+        near: Joint values, in whatever form `forward` takes: solutions are sorted by their distance from them.
+        hold: Values of joints that are not to be computed; a robot with more joints than the task needs holds one of
+            them in any case, and says which.
+        family: Into how many values of the joint held a redundant robot's solutions are sampled.
+        within_limits: Whether only solutions inside the joints' limits are wanted.
+        all_turns: Whether an angle is given in each turn that its limits allow.
+        start: The frame it is seen from; the first numbered one by default.
+        end: The frame that is placed; the last numbered one by default.
+        parameters: Lengths and angles to use instead of the robot's own.
+        tolerance: Residual up to which joint values count as a solution, in reaches and direction cosines; larger
+            than by default only for poses typed with few digits that a robot with few joints meets only nearly.
+
+    Returns:
+        The solutions; none, with the reason why, if the pose is out of reach.
+
+    Raises:
+        RobotError: T is no pose, a length has no value, or a joint held is none.
+        UnknownNameError: The robot has no such frame, joint or length.
+    """
+    question, held = ask(robot, task, near=near, hold=hold, start=start, end=end, parameters=parameters)
+    ready = question.ready
+    poses, changed = read_targets(T, ready.task)
+    if len(poses) != 1:
+        raise RobotError(f"one pose is wanted, not {len(poses)}", "inverse_batch takes many")
+    goal = ready.arm.goal(poses)[0]
+    remarks = []
+    if changed > EXACT:
+        remarks.append(f"the direction cosines were no rotation; the nearest one was taken, {changed:.2g} away")
+    solved, said = _solved(question, goal, held, family, tolerance)
+    answer = _answer(question, solved, said)
+    answer = replace(answer, remarks=(*remarks, *answer.remarks))
+    if not len(answer):
+        from dhcli.kinematics.inverse.unreached import why_not  # not for the poses that are reached
+
+        return why_not(ready, answer, poses[0], held, question.values)
+    return placed(answer, question.near, within_limits=within_limits, all_turns=all_turns)
+
+
+def _solved(
+    question: Question, goal: Array, held: dict[int, float], family: int | None, tolerance: float
+) -> tuple[Solved, list[str]]:
+    """The solutions, and what has to be said about joints that are held without having been asked for."""
+    ready = question.ready
+    best = question.best()
+    chosen = [j for j in ready.plan.held if j not in held]
+    if not chosen:
+        fixed = {j: np.array([value]) for j, value in held.items()}
+        return solve(ready, goal, best, fixed, tolerance), []
+    count = family or 1
+    solved = solve(ready, goal, best, _sampled(question, held, chosen, best, count), tolerance)
+    if not len(solved.motions) and family is None:
+        solved = solve(ready, goal, best, _sampled(question, held, chosen, best, SEARCHED), tolerance)
+        if len(solved.motions):
+            distance = np.abs(solved.motions[:, chosen] - best[chosen]).sum(axis=1)
+            at = np.flatnonzero(solved.index == solved.index[int(np.argmin(distance))])
+            ways = tuple(solved.freedoms[k] for k in at)
+            solved = Solved(solved.motions[at], solved.residual[at], ways, solved.index[at])
+    more = f"{question.robot.name} has {plural(ready.spare, 'joint')} more than this needs"
+    return solved, [f"{more}: {_held_words(question, chosen, solved, sampled=bool(family))}"]
+
+
+def _held_words(question: Question, chosen: list[int], solved: Solved, *, sampled: bool) -> str:
+    """Which joints were held, and where if it is the same for all solutions."""
+    order = question.order
+    if sampled or not len(solved.motions):
+        names = ", ".join(question.robot.variables[order[j]] for j in sorted(chosen))
+        return f"{names} {'sampled' if sampled else 'held'}"
+    q = question.values(solved.motions)[0]
+    shown = [shown_value(question.robot, order[j], float(q[order[j]])) for j in sorted(chosen)]
+    return f"held {', '.join(shown)}"
+
+
+def _sampled(
+    question: Question, held: dict[int, float], chosen: list[int], best: Array, count: int
+) -> dict[int, Array]:
+    """Values of the joints held, as many for each that was chosen as asked for."""
+    ready = question.ready
+    limits = limits_of(question.robot)[list(question.order)] * ready.arm.factors[:, None]
+    if count == 1:
+        return {**{j: np.array([value]) for j, value in held.items()}, **{j: best[j : j + 1] for j in chosen}}
+    # one joint in equal steps; several so that any few of the values are spread evenly
+    steps = np.linspace(0, 1, count)
+    result = {j: np.full(count, value) for j, value in held.items()}
+    for k, j in enumerate(chosen):
+        low, high = sorted(limits[j])
+        if not (math.isfinite(low) and math.isfinite(high)):
+            half = np.pi if ready.arm.turning[j] else 1.0
+            low, high = best[j] - half, best[j] + half
+        result[j] = low + (high - low) * (steps if not k else np.arange(count) * SPREAD[k % len(SPREAD)] % 1)
+    return result
+
+
+def _answer(question: Question, solved: Solved, said: list[str]) -> Solutions:
+    robot, ready = question.robot, question.ready
+    q = question.values(solved.motions)
+    free = tuple(tuple(_free(question, row, way) for way in ways) for row, ways in zip(q, solved.freedoms, strict=True))
+    held = tuple((ready.arm.axes[j].name, float(q[0, question.order[j]])) for j in ready.plan.held) if len(q) else ()
+    names = list[str]()
+    for index in dict.fromkeys(solved.index.tolist()):
+        names += branch_names(ready.plan, ready.parts, solved.motions[solved.index == index])
+    return Solutions(robot, ready.task.name, q, tuple(names), solved.residual, (), free, held, remarks=tuple(said))
+
+
+def _free(question: Question, q: Array, way: Freedom) -> Free:
+    """A way to move, in the robot's own variables."""
+    order, factors = question.order, question.ready.arm.factors
+    names = tuple(question.robot.variables[order[j]] for j in way.joints)
+    parameter = order[way.parameter]
+    words = ", ".join(names) + f" move together, any {question.robot.variables[parameter]}"
+    if way.straight:
+        scale = factors[way.parameter]
+        rates = {order[j]: float(way.rates[j] / factors[j] * scale) for j in way.joints}
+        words = relation(question.robot.variables, turning_joints(question.robot), q, rates, parameter)
+    return Free(question.robot.variables[parameter], names, words)

@@ -1,0 +1,149 @@
+"""Inverse kinematics of many poses at once: the plan runs on all of them together, block by block."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+
+from dhcli.errors import RobotError, did_you_mean
+from dhcli.kinematics.forward import Given
+from dhcli.kinematics.inverse.asked import Question, ask
+from dhcli.kinematics.inverse.running import CONFIRMED, Found, run
+from dhcli.kinematics.inverse.solutions import turning_joints
+from dhcli.kinematics.inverse.solving import least_singular, representatives, tries
+from dhcli.kinematics.inverse.targets import read_targets
+from dhcli.kinematics.inverse.tasks import TaskName
+from dhcli.kinematics.inverse.turns import limits_of
+from dhcli.kinematics.pose import Pose
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.values import SLACK, JointInput
+from dhcli.notation.angle import Angle
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    from dhcli.kinematics.inverse.arm import Array
+
+BLOCK = 2048
+"""Poses at a time: with eight branches a column of numbers then fills 128 kB."""
+
+Each = Literal["all", "nearest", "first"]
+"""Which solutions of a pose are wanted: all, the one nearest to some joint values, or one."""
+
+
+def inverse_batch(  # noqa: PLR0913  what may be asked of poses
+    robot: Robot,
+    T: ArrayLike | Pose[float],  # noqa: N803  the field's name for a pose
+    *,
+    task: TaskName = "pose",
+    each: Each = "all",
+    near: JointInput = None,
+    hold: Mapping[str, float | str | Angle] | None = None,
+    within_limits: bool = False,
+    start: str | int | None = None,
+    end: str | int | None = None,
+    parameters: Given | None = None,
+    tolerance: float = CONFIRMED,
+) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+    """Joint vectors that take the end of a robot to many poses.
+
+    Args:
+        robot: The robot.
+        T: The poses, shape (N, 4, 4) [m]; for positions also (N, 3), for orientations (N, 3, 3).
+        task: What of them counts; see `inverse`.
+        each: Which solutions of each pose are wanted; `nearest` goes by `near`.
+        near: Joint values in whatever form `forward` takes.
+        hold: Values of joints that are not to be computed.
+        within_limits: Whether only solutions inside the joints' limits are wanted.
+        start: The frame they are seen from; the first numbered one by default.
+        end: The frame that is placed; the last numbered one by default.
+        parameters: Lengths and angles to use instead of the robot's own.
+        tolerance: Residual up to which joint values count as a solution.
+
+    Returns:
+        Joint values, shape (M, n), radians and metres, and for each the number of its pose, shape (M,), in rising
+        order. A pose out of reach has no row; of a family there is one member.
+
+    Raises:
+        RobotError: T is no array of poses, or a length has no value.
+        UnknownNameError: The robot has no such frame, joint or length.
+    """
+    if each not in {"all", "nearest", "first"}:
+        raise RobotError(f"there is no {each!r} of solutions", did_you_mean(str(each), ("all", "nearest", "first")))
+    if each == "nearest" and near is None:
+        raise RobotError("nearest to what?", "give near=")
+    question, held = ask(robot, task, near=near, hold=hold, start=start, end=end, parameters=parameters)
+    poses, _ = read_targets(T, question.ready.task)
+    values, indices = [], []
+    for first in range(0, len(poses), BLOCK):
+        found = solved_block(question, poses[first : first + BLOCK], held, tolerance)
+        q = _in_turn(question, question.values(found.motions))
+        index = found.index
+        if within_limits:
+            inside = _inside(robot, q)
+            q, index = q[inside], index[inside]
+        if each != "all":
+            kept = _one_each(question, q, index)
+            q, index = q[kept], index[kept]
+        values.append(q)
+        indices.append(index + first)
+    if not values:
+        return np.empty((0, len(robot.variables))), np.empty(0, dtype=np.int64)
+    return np.concatenate(values), np.concatenate(indices)
+
+
+def numbered(places: Sequence[int], index: NDArray[np.int64], q: Array) -> Array:
+    """Joint values with where the pose of each stands in front, shape (M, 1 + n).
+
+    Args:
+        places: Where each pose stands.
+        index: The number of the pose of each row.
+        q: Joint values, shape (M, n).
+    """
+    return np.column_stack([np.array(places)[index], q])
+
+
+def solved_block(question: Question, poses: Array, held: dict[int, float], tolerance: float) -> Found:
+    """All solutions of a block of poses, sorted by pose; of a family one member."""
+    ready = question.ready
+    best = question.best()
+    fixed = {j: np.full(len(poses), held.get(j, float(best[j]))) for j in ready.plan.held}
+    found = run(ready.plan, ready.task, ready.arm.goal(poses), tries(ready, best), fixed, tolerance)
+    loose = np.flatnonzero(found.free)
+    if not len(loose):
+        return found
+    least = np.ones(len(found.index))
+    least[loose] = least_singular(ready, found.motions[loose])
+    return found.take(representatives(ready, found, least)[0])
+
+
+def _in_turn(question: Question, q: Array) -> Array:
+    """Angles in the turn that the limits allow, or the nearest one to what is wanted."""
+    robot = question.robot
+    turning = turning_joints(robot)
+    if question.near is not None:
+        q = np.where(turning, q - 2 * np.pi * np.round((q - question.near) / (2 * np.pi)), q)
+    if not robot.limits:
+        return q
+    low, high = limits_of(robot).T
+    with np.errstate(invalid="ignore"):
+        up = np.where(q < low - SLACK, np.ceil((low - SLACK - q) / (2 * np.pi)), 0.0)
+        down = np.where(q > high + SLACK, np.floor((high + SLACK - q) / (2 * np.pi)), 0.0)
+    moved = np.where(turning, q + 2 * np.pi * (up + down), q)
+    inside = (moved >= low - SLACK) & (moved <= high + SLACK)
+    return np.where(inside, moved, q)
+
+
+def _inside(robot: Robot, q: Array) -> NDArray[np.bool_]:
+    low, high = limits_of(robot).T
+    return np.asarray(((q >= low - SLACK) & (q <= high + SLACK)).all(axis=1))
+
+
+def _one_each(question: Question, q: Array, index: NDArray[np.int64]) -> NDArray[np.int64]:
+    """For each pose the row nearest to what is wanted, or to 0."""
+    distance = np.linalg.norm(q - (0.0 if question.near is None else question.near), axis=1)
+    order = np.lexsort((distance, index))
+    first = np.concatenate([[True], index[order][1:] != index[order][:-1]]) if len(order) else np.empty(0, dtype=bool)
+    return np.asarray(order[first])

@@ -1,0 +1,88 @@
+"""Names of branches, from the pose of the arm: never from the order in which roots happen to come."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhcli.kinematics.inverse.anatomy import Anatomy, posture
+from dhcli.kinematics.inverse.polishing import product
+from dhcli.kinematics.inverse.rows import Rows
+from dhcli.kinematics.inverse.steps import One, Plan
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.inverse.arm import Array
+
+_NOWHERE = 1e-9
+
+
+def branch_names(plan: Plan, parts: Anatomy, motions: Array) -> tuple[str, ...]:
+    """A name for each of some solutions of one pose.
+
+    The words for shoulder, elbow and wrist first; where they leave two solutions with one name, the signs that tell
+    the roots of the plan's equations apart, such as `theta3 +`, and at last the value of a joint itself.
+
+    Args:
+        plan: The plan that found them.
+        parts: The parts of the arm.
+        motions: The solutions, shape (K, n).
+    """
+    said = posture(plan.actions.arm, parts, motions)
+    if len(set(map(tuple, said))) == len(said):
+        return tuple(", ".join(words) for words in said)
+    for name, signs in _signs(plan, motions):
+        if max(Counter(map(tuple, said)).values(), default=0) < 2:  # noqa: PLR2004
+            break
+        if _tells(said, signs):
+            said = [words + ([f"{name} {sign}"] if sign else []) for words, sign in zip(said, signs, strict=True)]
+    return tuple(_with_values(plan, motions, said))
+
+
+def _tells(said: Sequence[Sequence[str]], signs: Sequence[str]) -> bool:
+    """Whether signs tell apart what words do not."""
+    groups: dict[tuple[str, ...], set[str]] = {}
+    for words, sign in zip(said, signs, strict=True):
+        groups.setdefault(tuple(words), set()).add(sign)
+    return any(len(group) > 1 for group in groups.values())
+
+
+def _signs(plan: Plan, motions: Array) -> list[tuple[str, list[str]]]:
+    """For each joint with two roots the sign of the slope of its equation, which changes where the roots meet only."""
+    arm = plan.actions.arm
+    rows = Rows.start(plan.actions, product(arm, motions), {})
+    for j in range(arm.joints):
+        value = motions[:, j]
+        rows.known[j] = (np.cos(value), np.sin(value)) if arm.axes[j].turns else (value, value * value / 2)
+    found = []
+    for step in plan.steps:
+        if not isinstance(step, One) or step.kind not in {"pair", "opposite", "lengths"}:
+            continue
+        _, a, b = rows.coefficients(step.equations[0], step.joint)
+        u, v = rows.known[step.joint]
+        slope = np.broadcast_to(b * u - a * v if arm.axes[step.joint].turns else a + b * u, len(motions))
+        slope = slope * np.sign(arm.factors[step.joint])
+        signs = ["" if abs(x) < _NOWHERE * step.equations[0].size else "+" if x > 0 else "-" for x in slope.tolist()]
+        found.append((arm.axes[step.joint].name, signs))
+    return found
+
+
+def _with_values(plan: Plan, motions: Array, said: Sequence[Sequence[str]]) -> list[str]:
+    """Names made different by the value of the first joint that differs."""
+    arm = plan.actions.arm
+    names = [", ".join(words) for words in said]
+    result = list(names)
+    for name, times in Counter(names).items():
+        if times < 2:  # noqa: PLR2004
+            continue
+        at = [k for k, other in enumerate(names) if other == name]
+        values = motions[at] / arm.factors
+        spread = np.array([len({f"{x:.4g}" for x in column}) for column in np.degrees(values).T.tolist()])
+        joint = int(np.argmax(spread))
+        axis = arm.axes[joint]
+        for k, value in zip(at, values[:, joint].tolist(), strict=True):
+            shown = f"{np.degrees(value) + 0.0:.4g}°" if axis.turns else f"{value + 0.0:.4g} m"
+            result[k] = ", ".join(filter(None, (name, f"{axis.name} = {shown}")))
+    return result

@@ -1,0 +1,227 @@
+"""Joint values as a book derives them: in letters, one after the other, each from an equation of one level."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import combinations, permutations
+
+from dhcli.errors import RobotError
+from dhcli.kinematics.frames import ends
+from dhcli.kinematics.inverse.derive_levels import Equation, entries, squares
+from dhcli.kinematics.inverse.derive_points import VANISHES, Points, symbols_of_chain
+from dhcli.kinematics.inverse.derive_rules import (
+    Found,
+    Step,
+    both,
+    difference,
+    of_coefficients,
+    ratio,
+    single,
+    slide,
+    squared,
+)
+from dhcli.kinematics.inverse.derive_terms import Atom, Coefficients, Knowledge, length, name_of
+from dhcli.kinematics.robot import Robot, check_robot
+from dhcli.notation.tree import Expr, Number, Symbol, add, multiply, negate, number
+
+_MOST = 16
+"""Equations in one unknown that are tried with each other."""
+
+
+class NoFormError(RobotError):
+    """There is no textbook form by these rules."""
+
+
+@dataclass(frozen=True, slots=True)
+class Derivation:
+    """The steps from a pose to the joint values.
+
+    Attributes:
+        robot: The robot.
+        start: The frame the pose is seen from.
+        end: The frame it describes.
+        place_only: Whether the position alone is given.
+        steps: The steps in order.
+    """
+
+    robot: Robot
+    start: str
+    end: str
+    place_only: bool
+    steps: tuple[Step, ...]
+
+    @property
+    def branches(self) -> int:
+        """How many combinations of signs there are."""
+        return math.prod(2 if step.two else 1 for step in self.steps)
+
+
+def derive(robot: Robot, *, start: str | int | None = None, end: str | int | None = None, task: str = "") -> Derivation:
+    """The joint values of a robot in letters, as a book derives them.
+
+    Args:
+        robot: The robot.
+        start: The frame the pose is seen from; the first numbered one by default.
+        end: The frame it describes; the last numbered one by default.
+        task: `pose` or `position`; by default the position for robots with fewer than four joints that move it.
+
+    Raises:
+        NoFormError: The rules do not find every joint.
+        UnknownNameError: The robot has no such frame.
+    """
+    check_robot(robot)
+    low, high = ends(robot, start, end)
+    for place_only in _tasks(robot, task):
+        steps = _steps(robot, low, high, place_only=place_only)
+        if steps is not None:
+            return Derivation(robot, low, high, place_only, steps)
+    raise NoFormError(f"{robot.name} has no textbook form by these rules", "ik without --derive gives numbers")
+
+
+def _tasks(robot: Robot, task: str) -> Sequence[bool]:
+    if task:
+        return (task == "position",)
+    return (True, False) if len(robot.variables) <= 3 else (False,)  # noqa: PLR2004  coordinates of a point
+
+
+def _steps(robot: Robot, start: str, end: str, *, place_only: bool) -> tuple[Step, ...] | None:
+    """The steps, if the rules find every joint."""
+    moving = symbols_of_chain(robot, start, end)
+    known = Knowledge({name for name in robot.variables if name in moving})
+    found = entries(robot, start, end, place_only=place_only)
+    squared_ones = list(squares(robot, start, end, place_only=place_only))
+    points = Points(robot, start, end)
+    steps: list[Step] = []
+    while known.unknown:
+        step = _sum(known, steps) or _entry_rules(known, found, points) or _squares(known, squared_ones, points)
+        if step is None:
+            return None
+        steps.append(step)
+        known.learn(step.atom)
+    return tuple(steps)
+
+
+def _sum(known: Knowledge, steps: Sequence[Step]) -> Step | None:
+    """SUM: a joint from a sum that is known, and the other joints in it."""
+    for step in steps:
+        if isinstance(step.atom, str):
+            continue
+        left = [(name, factor) for name, factor in step.atom if name in known.unknown]
+        if len(left) != 1 or abs(left[0][1]) != 1 or len(step.atom) == 1:
+            continue
+        name, factor = left[0]
+        others = [(multiply(number(-f / factor), Symbol(n))) for n, f in step.atom if n != name]
+        whole = Symbol(name_of(step.atom))
+        return Step("SUM", ((name, Fraction(1)),), (), add(whole if factor > 0 else negate(whole), *others))
+    return None
+
+
+def _entry_rules(known: Knowledge, found: Sequence[Equation], points: Points) -> Step | None:
+    """SLIDE, BOTH, RATIO, ZERO and ONE, in this order."""
+    by_atom: dict[Atom, list[Found]] = {}
+    for one in found:
+        atom = known.atom((one.left, one.right))
+        if atom is not None and (k := difference(one, atom, known)) is not None:
+            by_atom.setdefault(atom, []).append((one, k))
+    for atom, own in by_atom.items():
+        own.sort(key=lambda one: (sum(map(length, one[1][1:])), length(one[1][0])))
+        by_atom[atom] = _different(own)
+    return _slide(by_atom) or _both(by_atom, points) or _ratio(known, found, points) or _one(by_atom, points)
+
+
+def _different(own: Sequence[Found]) -> list[Found]:
+    """Each equation once, whichever levels it stands in."""
+    seen = set[Coefficients]()
+    kept = []
+    for one, (k0, k1, k2) in own:
+        if (k0, k1, k2) in seen or (negate(k0), negate(k1), negate(k2)) in seen:
+            continue
+        seen.add((k0, k1, k2))
+        kept.append((one, (k0, k1, k2)))
+    return kept
+
+
+def _slide(by_atom: Mapping[Atom, list[Found]]) -> Step | None:
+    made = [
+        step
+        for atom, own in by_atom.items()
+        if isinstance(atom, str)
+        for one in own
+        if (step := slide(one[0], atom, one[1]))
+    ]
+    return min(made, key=lambda step: (step.condition is not None, length(step.value)), default=None)
+
+
+def _both(by_atom: Mapping[Atom, list[Found]], points: Points) -> Step | None:
+    best: tuple[tuple[bool, int, int, bool], Step] | None = None
+    for atom, own in by_atom.items():
+        if isinstance(atom, str):
+            continue
+        for first, second in combinations(own[:_MOST], 2):
+            # no pair is shorter than its constants
+            if best is not None and not best[0][0] and length(first[1][0]) + length(second[1][0]) > best[0][1]:
+                continue
+            det = _determinant(first[1], second[1])
+            if best is not None and not best[0][0] and type(det) is not Number:
+                continue  # where there are equations that never vanish, no others are wanted
+            sign = _sign(det, points)
+            for step in (both(first, second, atom, sign), both(second, first, atom, -sign)):
+                if step is None:
+                    continue
+                apart = first[0].level != second[0].level
+                key = (step.condition is not None, length(step.value), len(str(step.value)), apart)
+                if best is None or key < best[0]:
+                    best = key, step
+    return None if best is None else best[1]
+
+
+def _determinant(one: Coefficients, other: Coefficients) -> Expr:
+    return add(multiply(one[1], other[2]), negate(multiply(one[2], other[1])))
+
+
+def _sign(det: Expr, points: Points) -> int:
+    """The sign of a determinant where it is always the same, else 0."""
+    if type(det) is Number:
+        return (det.value > 0) - (det.value < 0)
+    dets = points.values(det)
+    size = max(map(abs, dets), default=0.0)
+    signs = {1 if value > 0 else -1 for value in dets}
+    if size < VANISHES or len(signs) != 1 or min(map(abs, dets)) < VANISHES * size:
+        return 0
+    return signs.pop()
+
+
+def _ratio(known: Knowledge, found: Sequence[Equation], points: Points) -> Step | None:
+    singles = [(one, parts) for one in found if (parts := single(one, known))]
+    for first, second in permutations(singles, 2):
+        step = ratio(first, second)
+        if step is not None and points.lives(step):
+            return step
+    return None
+
+
+def _one(by_atom: Mapping[Atom, list[Found]], points: Points) -> Step | None:
+    made = []
+    for atom, own in by_atom.items():
+        if isinstance(atom, str):
+            continue
+        for one in own[:_MOST]:
+            step = of_coefficients(one[1], atom, one[:1])
+            if step is not None and points.lives(step):
+                made.append(step)
+    return min(made, key=lambda step: (step.rule != "ZERO", length(step.spread or step.value)), default=None)
+
+
+def _squares(known: Knowledge, found: Sequence[tuple[Equation, list[Expr], list[Expr]]], points: Points) -> Step | None:
+    made = []
+    for level, left, right in found:
+        atom = known.atom(right)
+        if atom is None or not all(map(known.is_known, left)):
+            continue
+        step = squared(level, left, right, atom, known)
+        if step is not None and points.lives(step):
+            made.append(step)
+    return min(made, key=lambda step: length(step.spread or step.value), default=None)

@@ -1,0 +1,77 @@
+"""A derivation put into numbers: every combination of signs, step by step."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+
+from dhcli.algebra.floats import Floats
+from dhcli.kinematics.inverse.derive import Derivation
+from dhcli.kinematics.inverse.derive_rules import Step
+from dhcli.kinematics.inverse.derive_terms import Atom, name_of
+from dhcli.notation.angle import Angle
+
+
+def joint_values(derivation: Derivation, known: Mapping[str, Angle | float]) -> Iterator[dict[str, float]]:
+    """Joint values that the formulas give for a pose, one for each combination of signs that has real numbers.
+
+    Args:
+        derivation: The derivation.
+        known: The entries of the pose by their names, `r11` to `r33`, `px`, `py`, `pz` [m], and every length and
+            constant angle.
+    """
+    for values in _branches(derivation, 0, dict(known), {}):
+        yield {name: values[name] for step in derivation.steps for name in _joints(step)}
+
+
+def _joints(step: Step) -> tuple[str, ...]:
+    if isinstance(step.atom, str):
+        return (step.atom,)
+    return tuple(name for name, _ in step.atom) if len(step.atom) == 1 else ()
+
+
+def _branches(
+    derivation: Derivation, at: int, values: dict[str, Angle | float], sums: dict[Atom, float]
+) -> Iterator[dict[str, float]]:
+    if at == len(derivation.steps):
+        yield {name: value for name, value in values.items() if not isinstance(value, Angle)}
+        return
+    step = derivation.steps[at]
+    over = Floats(values)
+    value = over.value(step.value)
+    spread = 0.0 if step.spread is None else over.value(step.spread)
+    turn = math.pi if step.two == "opposite" else spread
+    for found in (
+        (value + turn, value - turn) if step.two == "plus-minus" else (value, value + turn)[: 1 + bool(step.two)]
+    ):
+        if not math.isfinite(found):
+            continue
+        more, known_sums = dict(values), dict(sums)
+        more[name_of(step.atom)] = found
+        if not isinstance(step.atom, str) and (len(step.atom) > 1 or step.atom[0][1] != 1):
+            known_sums[step.atom] = found
+        if not isinstance(step.atom, str) and len(step.atom) == 1:
+            more[step.atom[0][0]] = found / float(step.atom[0][1])
+        _stand_in(derivation, at, more, known_sums)
+        yield from _branches(derivation, at + 1, more, known_sums)
+
+
+def _stand_in(derivation: Derivation, at: int, values: dict[str, Angle | float], sums: Mapping[Atom, float]) -> None:
+    """Values of joints of which a sum alone is known, so that the sum is right; they are found later."""
+    found = {name for step in derivation.steps[: at + 1] for name in _joints(step)}
+    for atom, total in sums.items():
+        if isinstance(atom, str):
+            continue
+        open_ones = [(name, factor) for name, factor in atom if name not in found]
+        if not open_ones:
+            continue
+        last, multiple = open_ones[-1]
+        rest = total
+        for name, factor in atom:
+            if name == last:
+                continue
+            if name not in found:
+                values[name] = 0.0
+            value = values[name]
+            rest -= float(factor) * (value if not isinstance(value, Angle) else value.constant())
+        values[last] = rest / float(multiple)

@@ -1,0 +1,150 @@
+"""Solutions that are not alone: where the arm can move without moving its end, and what then stays the same."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhcli.kinematics.inverse.polishing import jacobian, polished, product, residuals
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.inverse.arm import Arm, Array
+    from dhcli.kinematics.inverse.tasks import Task
+
+SINGULAR = 1e-6
+"""Singular values of the Jacobian below this may be zero; a finite motion then decides."""
+
+_TRY = 0.05
+"""How far the arm is moved to see whether its end stays [rad, reaches]."""
+
+_STAYS = 1e-12
+_NEARLY = 2e-11
+"""An arm this near to a singular pose moves as if it were there; the members of its family are polished."""
+
+_STRIDE = 0.25
+_WHOLE = 1e-6
+
+
+@dataclass(frozen=True, slots=True)
+class Freedom:
+    """One way to move without moving the end.
+
+    Attributes:
+        parameter: The joint that may be chosen, by its number.
+        joints: All joints that move, by their numbers.
+        rates: How each of the joints of the arm moves with the parameter here, shape (n,).
+        straight: Whether these rates are the same all the way.
+    """
+
+    parameter: int
+    joints: tuple[int, ...]
+    rates: tuple[float, ...]
+    straight: bool
+
+
+def freedoms(arm: Arm, task: Task, motions: Array, held: tuple[int, ...] = ()) -> tuple[Freedom, ...]:
+    """The ways to move without moving the end, at one solution.
+
+    Args:
+        arm: The arm.
+        task: What of the end has to stay.
+        motions: The solution, shape (n,).
+        held: Joints that do not move.
+    """
+    total, slope = jacobian(arm, task, motions[None])
+    others = [j for j in range(arm.joints) if j not in held]
+    if not others:
+        return ()
+    _, sizes, rows = np.linalg.svd(slope[0][:, others])
+    null = rows[np.count_nonzero(sizes > SINGULAR) :]
+    if not len(null):
+        return ()
+    basis = np.zeros((len(null), arm.joints))
+    basis[:, others] = _reduced_from_left(null)
+    found = []
+    for k in range(len(basis)):
+        parameter = int(np.flatnonzero(np.abs(basis[k]) > _WHOLE)[0])
+        rates = np.where(np.abs(basis[k]) > _WHOLE, basis[k], 0.0)
+        rates = np.where(np.abs(rates - np.round(rates)) < _WHOLE, np.round(rates), rates)
+        if straight := _is_straight(arm, task, motions, rates, total):
+            joints = tuple(int(j) for j in np.flatnonzero(rates))
+        elif (moved := _walked(arm, task, motions, total, parameter, held)) is None:
+            continue
+        else:
+            joints = tuple(int(j) for j in np.flatnonzero(np.abs(moved - motions) > _WHOLE * _TRY))
+        found.append(Freedom(parameter, joints, tuple(rates.tolist()), straight))
+    return tuple(found)
+
+
+def _reduced_from_left(rows: Array) -> Array:
+    """A basis in echelon form whose leading entries are those of the first joints."""
+    rows = rows.copy()
+    done = 0
+    for column in range(rows.shape[1]):
+        if done == len(rows):
+            break
+        k = done + int(np.argmax(np.abs(rows[done:, column])))
+        if abs(rows[k, column]) < 1e-4:  # noqa: PLR2004  of unit vectors
+            continue
+        rows[[done, k]] = rows[[k, done]]
+        rows[done] /= rows[done, column]
+        for other in range(len(rows)):
+            if other != done:
+                rows[other] -= rows[other, column] * rows[done]
+        done += 1
+    return rows
+
+
+def _is_straight(arm: Arm, task: Task, motions: Array, rates: Array, total: Array) -> bool:
+    """Whether the end stays while all joints move at constant rates, as far as half a turn."""
+    ways = motions + np.array([[0.3], [1.1], [-2.0]]) * rates
+    return bool(residuals(task, arm.home, product(arm, ways), np.repeat(total, 3, axis=0)).max() < _NEARLY)
+
+
+def _walked(arm: Arm, task: Task, motions: Array, goal: Array, parameter: int, held: tuple[int, ...]) -> Array | None:
+    """A solution with the parameter a little further on, or a little back; None where there is none."""
+    for step in (_TRY, -_TRY):
+        start = motions.copy()
+        start[parameter] += step
+        led, left = polished(arm, task, start[None], goal, (parameter, *held))
+        if left[0] < _STAYS and np.abs(led[0] - motions).max() < 20 * _TRY:
+            return np.asarray(led[0])
+    return None
+
+
+def moved_to(  # noqa: PLR0913, PLR0917  where from, where to, and what has to stay
+    arm: Arm, task: Task, motions: Array, goal: Array, freedom: Freedom, value: float, held: tuple[int, ...] = ()
+) -> Array | None:
+    """The member of a family with a certain value of its parameter.
+
+    Args:
+        arm: The arm.
+        task: What of the end has to stay.
+        motions: A member, shape (n,).
+        goal: What the product of the joint motions has to be, shape (4, 4).
+        freedom: The family.
+        value: Motion of the parameter.
+        held: Joints that do not move.
+
+    Returns:
+        The member, or None if the family has none there, or cannot be followed that far.
+    """
+    now = motions.copy()
+    way = value - now[freedom.parameter]
+    if freedom.straight:
+        now += way * np.array(freedom.rates)
+        led, left = polished(arm, task, now[None], goal[None], (freedom.parameter, *held))
+        return np.asarray(led[0]) if left[0] <= _STAYS else None
+    steps = int(np.ceil(abs(way) / _STRIDE))
+    for k in range(1, steps + 1):
+        now[freedom.parameter] = motions[freedom.parameter] + way * k / steps
+        led, left = polished(arm, task, now[None], goal[None], (freedom.parameter, *held))
+        if left[0] > _STAYS:
+            return None
+        now = led[0]
+    return now
+
+
+__all__ = ["Freedom", "freedoms", "moved_to"]

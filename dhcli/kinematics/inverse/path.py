@@ -1,0 +1,143 @@
+"""A path of poses followed on one branch: each pose by the solution nearest to the one before it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhcli.errors import RobotError
+from dhcli.kinematics.forward import Given
+from dhcli.kinematics.inverse.asked import Question, ask, inverse
+from dhcli.kinematics.inverse.batch import BLOCK, solved_block
+from dhcli.kinematics.inverse.running import CONFIRMED
+from dhcli.kinematics.inverse.solutions import in_numbers, turning_joints
+from dhcli.kinematics.inverse.solving import least_singular
+from dhcli.kinematics.inverse.targets import read_targets
+from dhcli.kinematics.inverse.tasks import TaskName
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.values import JointInput
+from dhcli.notation.angle import Angle
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from dhcli.kinematics.inverse.arm import Array, Ints
+
+JUMP = 4.0
+"""A step this many times as long as both its neighbours is a jump to another branch."""
+
+LEAST = 0.05
+"""No shorter step is a jump [rad, m]."""
+
+SINGULAR = 1e-3
+"""Where the least singular value of the Jacobian is below this, the arm passes a singular pose."""
+
+
+@dataclass(frozen=True, eq=False)
+class Path:
+    """Joint values along a path.
+
+    Attributes:
+        q: Joint values, shape (N, n), angles counted on over full turns; NaN where a pose is out of reach.
+        lost: Numbers of the poses out of reach.
+        jumps: Numbers of the poses to which the arm has to jump, because its branch ends before them.
+        singular: Numbers of the poses at which the arm is singular, or nearly.
+    """
+
+    q: Array
+    lost: tuple[int, ...] = ()
+    jumps: tuple[int, ...] = ()
+    singular: tuple[int, ...] = ()
+
+    def __len__(self) -> int:
+        return len(self.q)
+
+
+def follow(  # noqa: PLR0913  what may be asked of a path
+    robot: Robot,
+    T: ArrayLike,  # noqa: N803  the field's name for poses
+    near: JointInput,
+    *,
+    task: TaskName = "pose",
+    hold: Mapping[str, float | str | Angle] | None = None,
+    start: str | int | None = None,
+    end: str | int | None = None,
+    parameters: Given | None = None,
+    tolerance: float = CONFIRMED,
+) -> Path:
+    """Joint values along a path of poses, each the nearest to those before it.
+
+    Args:
+        robot: The robot.
+        T: The poses in order, shape (N, 4, 4) [m].
+        near: Joint values to begin near to, in whatever form `forward` takes; they choose the branch.
+        task: What of the poses counts; see `inverse`.
+        hold: Values of joints that are not to be computed.
+        start: The frame they are seen from; the first numbered one by default.
+        end: The frame that is placed; the last numbered one by default.
+        parameters: Lengths and angles to use instead of the robot's own.
+        tolerance: Residual up to which joint values count as a solution.
+
+    Raises:
+        RobotError: T is no array of poses, or a length has no value.
+        UnknownNameError: The robot has no such frame, joint or length.
+    """
+    if near is None:
+        raise RobotError("a path needs joint values to begin near to", "give near=")
+    question, held = ask(robot, task, near=near, hold=hold, start=start, end=end, parameters=parameters)
+    poses, _ = read_targets(T, question.ready.task)
+    turning = turning_joints(robot)
+    q = np.full((len(poses), len(robot.variables)), np.nan)
+    last = in_numbers(robot, near)
+    for first in range(0, len(poses), BLOCK):
+        found = solved_block(question, poses[first : first + BLOCK], held, tolerance)
+        values = question.values(found.motions)
+        bounds = np.searchsorted(found.index, np.arange(min(BLOCK, len(poses) - first) + 1))
+        for k, (low, high) in enumerate(zip(bounds[:-1].tolist(), bounds[1:].tolist(), strict=True)):
+            rows = values[low:high]
+            if found.free[low:high].any():  # of a family the member nearest to where the arm is
+                more = inverse(
+                    robot,
+                    poses[first + k],
+                    task=task,
+                    near=last.tolist(),
+                    hold=hold,
+                    start=start,
+                    end=end,
+                    parameters=parameters,
+                    tolerance=tolerance,
+                )
+                rows = np.asarray(more.q)
+            if not len(rows):
+                continue
+            rows = np.where(turning, rows - 2 * np.pi * np.round((rows - last) / (2 * np.pi)), rows)
+            last = rows[int(np.argmin(np.linalg.norm(rows - last, axis=1)))]
+            q[first + k] = last
+    return _described(question, q, in_numbers(robot, near))
+
+
+def _described(question: Question, q: Array, begin: Array) -> Path:
+    """A path with what is to be said of it."""
+    there = np.flatnonzero(~np.isnan(q).any(axis=1))
+    lost = np.flatnonzero(np.isnan(q).any(axis=1))
+    if not len(there):
+        return Path(q, tuple(lost.tolist()))
+    sizes = least_singular(question.ready, question.motions(q[there]))
+    singular = there[sizes < SINGULAR]
+    return Path(q, tuple(lost.tolist()), tuple(_jumps(q, there, begin).tolist()), tuple(singular.tolist()))
+
+
+def _jumps(q: Array, there: Ints, begin: Array) -> Ints:
+    """The poses to which a step leads that is far longer than the steps before and after it."""
+    steps = np.linalg.norm(np.diff(np.vstack([begin, q[there]]), axis=0), axis=1)
+    inner = steps[1:]
+    if not len(inner):
+        return there[:0]
+    padded = np.concatenate([[np.inf], inner, [np.inf]])
+    before, after = padded[:-2], padded[2:]
+    usual = np.where(np.isinf(before), after, np.where(np.isinf(after), before, np.maximum(before, after)))
+    usual = np.where(np.isinf(usual), 0.0, usual)
+    return np.asarray(there[1:][(inner > LEAST) & (inner > JUMP * usual)])

@@ -1,0 +1,81 @@
+"""Finding two joints that two equations hold and nothing else."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import combinations, permutations
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhcli.kinematics.inverse.matrices import PARALLEL
+from dhcli.kinematics.inverse.pairings import Cut, Loop, cuts
+from dhcli.kinematics.inverse.rule_two import HALVES, roots
+from dhcli.kinematics.inverse.steps import Two
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.inverse.arm import Array
+    from dhcli.kinematics.inverse.samples import Samples
+
+_VANISHES = 10 * PARALLEL
+_MOST = 6
+"""Equations of a pair of joints that are tried with each other."""
+
+_HITS = 1e-5
+"""How near the true angle has to be to a root at the samples [rad]."""
+
+
+def find_two(samples: Samples, loop: Loop, unknown: Sequence[int], missing: Sequence[int]) -> Two | None:
+    """The best two equations in two joints, if there are two."""
+    best: tuple[float, Two] | None = None
+    for joint, other in permutations(missing, 2):
+        wanted = tuple(sorted((joint, other)))
+        equations = list[tuple[Cut, int]]()
+        rows = list["Array"]()
+        for cut in cuts(len(samples.actions.arm.axes), unknown, wanted):
+            tensor = loop.tensor(cut, (joint, other))
+            sizes = np.abs(tensor).max(axis=(0, 2, 3))
+            kept = [k for k in range(tensor.shape[1]) if sizes[k] > _VANISHES]
+            equations += [(cut, k) for k in kept]
+            rows += [tensor[:, k] for k in kept]
+        chosen = independent(rows)[:_MOST]
+        for i, k in combinations(chosen, 2):
+            error = _error(samples, joint, other, np.stack([rows[i], rows[k]], axis=1))
+            if error < _HITS and (best is None or error < best[0] / 10):
+                best = error, Two(joint, other, (equations[i], equations[k]))
+    return None if best is None else best[1]
+
+
+def independent(rows: Sequence[Array]) -> list[int]:
+    """Which of some equations are no sums of the others, the plainest first."""
+    if not rows:
+        return []
+    flat = np.array([row.reshape(-1) for row in rows])
+    flat /= np.linalg.norm(flat, axis=1, keepdims=True)
+    chosen = []
+    for _ in range(min(flat.shape)):
+        norms = np.linalg.norm(flat, axis=1)
+        k = int(np.argmax(norms > norms.max() * 0.7))  # the first that is nearly the largest
+        if norms[k] < _VANISHES:
+            break
+        chosen.append(k)
+        unit = flat[k] / norms[k]
+        flat -= np.outer(flat @ unit, unit)
+    return chosen
+
+
+def _error(samples: Samples, joint: int, other: int, pairs: Array) -> float:
+    """How far the true angle is from the nearest root, in the worst of the samples but one."""
+    axes = samples.actions.arm.axes
+    true = samples.values[:, joint]
+    if not axes[joint].turns:
+        pairs = np.einsum("nekj,ki->neij", pairs, HALVES)
+        true = 2 * np.arctan(true)
+    at, angles = roots(pairs, turns=axes[other].turns)
+    gaps = np.abs(np.angle(np.exp(1j * (angles - true[at]))))
+    nearest = np.full(len(true), np.pi)
+    np.minimum.at(nearest, at, gaps)
+    spread = np.bincount(at, minlength=len(true))
+    if np.sort(spread)[len(spread) // 2] >= 8:  # noqa: PLR2004  every root on the circle: the resultant vanishes
+        return np.pi
+    return float(np.sort(nearest)[-2])

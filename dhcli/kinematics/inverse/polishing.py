@@ -1,0 +1,156 @@
+"""The product of the joint motions, how far it is from the pose asked for, and Newton's steps towards it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.inverse.arm import Arm, Array, Axis
+    from dhcli.kinematics.inverse.tasks import Task
+
+STEPS = 12
+"""Newton's steps at most; a candidate from a good equation needs none, one beside a double root some."""
+
+ENOUGH = 4e-15
+"""A residual that no further step makes smaller."""
+
+_RANK = 1e-11
+"""Singular values of the Jacobian below this share of the largest are not divided by."""
+
+_LONGEST = 0.5
+"""No step moves a joint by more [rad, reaches]."""
+
+
+def cross(one: Array, other: Array) -> Array:
+    """The vector product of vectors in the last place, shape (..., 3); numpy's own takes long for a few of them."""
+    x, y, z = one[..., 0], one[..., 1], one[..., 2]
+    u, v, w = other[..., 0], other[..., 1], other[..., 2]
+    return np.stack([y * w - z * v, z * u - x * w, x * v - y * u], axis=-1)
+
+
+_ROOTS = np.sqrt([2.0, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53])
+
+
+def spread(count: int, width: int, seed: int = 0) -> Array:
+    """Numbers from 0 to 1 without a pattern, shape (count, width): always the same, and without numpy's generators,
+    whose import takes as long as a plan.
+    """  # noqa: D205  one sentence
+    steps = np.arange(1 + seed, 1 + seed + count)[:, None]
+    return np.asarray((steps * _ROOTS[np.arange(width) % len(_ROOTS)] * (1 + np.arange(width) // len(_ROOTS))) % 1)
+
+
+def motion(axis: Axis, value: Array) -> Array:
+    """The motion of a joint, for values (N,), shape (N, 4, 4)."""
+    result = np.zeros((len(value), 4, 4))
+    result[:, 3, 3] = 1
+    a = np.array(axis.direction)
+    if not axis.turns:
+        result[:, [0, 1, 2], [0, 1, 2]] = 1
+        result[:, :3, 3] = value[:, None] * a
+        return result
+    hat = np.array([[0, -a[2], a[1]], [a[2], 0, -a[0]], [-a[1], a[0], 0]])
+    c, s = np.cos(value)[:, None, None], np.sin(value)[:, None, None]
+    along = np.outer(a, a)
+    turn = along + c * (np.eye(3) - along) + s * hat
+    result[:, :3, :3] = turn
+    p = np.array(axis.point)
+    result[:, :3, 3] = p - turn @ p
+    return result
+
+
+def product(arm: Arm, values: Array) -> Array:
+    """The product of the motions of all axes, for values (N, axes), shape (N, 4, 4)."""
+    total = np.broadcast_to(np.eye(4), (len(values), 4, 4))
+    for j in range(values.shape[1]):
+        total = total @ motion(arm.axes[j], values[:, j])
+    return np.array(total)
+
+
+def residuals(task: Task, home: Array, reached: Array, goal: Array) -> Array:
+    """How far motions (N, 4, 4) are from those wanted, in what the task asks for, shape (N,)."""
+    gap = (reached - goal) @ home
+    wanted = [*task.directions, *([3] if task.place else [])]
+    return np.asarray(np.abs(gap[:, :3, wanted]).max(axis=(1, 2)))
+
+
+def jacobian(arm: Arm, task: Task, values: Array) -> tuple[Array, Array]:
+    """How the end moves with each joint, in what the task asks for.
+
+    Args:
+        arm: The arm.
+        task: What is wanted.
+        values: Motions of the joints, shape (N, n).
+
+    Returns:
+        The product of the motions, shape (N, 4, 4), and the Jacobian, shape (N, m, n).
+    """
+    total = np.broadcast_to(np.eye(4), (len(values), 4, 4))
+    turns, moves = [], []
+    for axis, value in zip(arm.axes, values.T, strict=False):
+        along = total[:, :3, :3] @ np.array(axis.direction)
+        point = total[:, :3, :3] @ np.array(axis.point) + total[:, :3, 3]
+        turns.append(along if axis.turns else np.zeros_like(along))
+        moves.append(cross(point, along) if axis.turns else along)
+        total = total @ motion(axis, value)
+    omega, v = np.stack(turns, axis=2), np.stack(moves, axis=2)
+    end = total @ arm.home
+    rows = []
+    if task.place:
+        turned = cross(omega.transpose(0, 2, 1), end[:, None, :3, 3])
+        rows.append(v + turned.transpose(0, 2, 1))
+    if task.directions == (2,):
+        z = end[:, :3, 2, None]
+        rows.append(omega - z * (z * omega).sum(axis=1, keepdims=True))
+    elif task.directions:
+        rows.append(omega)
+    return total, np.concatenate(rows, axis=1)
+
+
+def polished(arm: Arm, task: Task, values: Array, goal: Array, still: tuple[int, ...] = ()) -> tuple[Array, Array]:
+    """Joint motions led to the pose by Newton's steps.
+
+    Args:
+        arm: The arm.
+        task: What is wanted.
+        values: Motions of the joints to begin with, shape (N, n).
+        goal: What the product of the motions should be, shape (N, 4, 4).
+        still: Joints that keep their values.
+
+    Returns:
+        The motions, and the residual of each row, shape (N,).
+    """
+    best = values.copy()
+    least = np.full(len(values), np.inf)
+    active = np.arange(len(values))
+    now = values.copy()
+    for _ in range(STEPS):
+        if not len(active):
+            break
+        total, slope = jacobian(arm, task, now[active])
+        found = residuals(task, arm.home, total, goal[active])
+        better = found < least[active]
+        rows = active[better]
+        best[rows], least[rows] = now[rows], found[better]
+        going = better & (found > ENOUGH)
+        active, total, slope = active[going], total[going], slope[going]
+        if not len(active):
+            break
+        slope[:, :, list(still)] = 0
+        error = _error(task, total @ arm.home, goal[active] @ arm.home)
+        step = (np.linalg.pinv(slope, rcond=_RANK) @ error[:, :, None])[:, :, 0]
+        longest = np.abs(step).max(axis=1, keepdims=True)
+        now[active] += step * np.minimum(1, _LONGEST / np.maximum(longest, _LONGEST))
+    return best, least
+
+
+def _error(task: Task, end: Array, goal: Array) -> Array:
+    """The motion that is left to do, as the Jacobian counts it, shape (N, m)."""
+    parts = []
+    if task.place:
+        parts.append(goal[:, :3, 3] - end[:, :3, 3])
+    if task.directions:
+        turn = sum(cross(end[:, :3, k], goal[:, :3, k]) for k in task.directions)
+        parts.append(np.asarray(turn) / min(len(task.directions), 2))
+    return np.concatenate(parts, axis=1)

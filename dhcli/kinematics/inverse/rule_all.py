@@ -1,0 +1,160 @@
+"""The rule ALL: three joints at once, when no two equations hold two joints alone.
+
+The point and direction of an axis carried by three joints stand against what two joints and the pose make of them:
+fourteen equations. The two joints are eliminated linearly, which leaves six; multiplied by the tangent of half of one
+angle they are twelve in twelve monomials of two half tangents, with coefficients quadratic in the third: an eigenvalue
+problem of size 24, whose real eigenvalues give the third joint, and whose eigenvectors the other two.
+
+Source: M. Raghavan and B. Roth, Inverse kinematics of the general 6R manipulator and related linkages, J. Mechanical
+Design 115, 1993; D. Manocha and J. Canny, Efficient inverse kinematics for general 6R manipulators, IEEE Trans.
+Robotics and Automation 10, 1994.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhcli.kinematics.inverse.motions import SIZES
+from dhcli.kinematics.inverse.pairings import Loop
+from dhcli.kinematics.inverse.polishing import spread
+from dhcli.kinematics.inverse.rows import Rows
+from dhcli.kinematics.inverse.rule_two import HALVES
+from dhcli.kinematics.inverse.steps import All
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.inverse.arm import Array, Ints
+
+TANGENTS = np.array([[1.0, 1.0, 0.0], [0.0, 0.0, 2.0], [1.0, -1.0, 0.0]])
+"""1, t and t² by 1, c and s where t = tan(phi/2), all over 1 + t²."""
+
+_REAL = 1e-2
+"""Eigenvalues whose imaginary part is below this share are tried; Newton's steps and the robot decide."""
+
+_BLOCK = 512
+"""Poses at a time: a pencil of each is held in memory."""
+
+_FAR = 1e6
+
+EQUATIONS = 6
+"""How many are left."""
+
+
+def all_at_once(rows: Rows, step: All) -> Rows:
+    """Candidates with three joints more."""
+    found = Rows.start(rows.actions, np.empty((0, 4, 4)), {})
+    found = rows.take(np.arange(0))
+    for joint in step.joints:
+        found.known[joint] = np.empty(0), np.empty(0)
+    for first in range(0, len(rows), _BLOCK):
+        found = _block(rows.take(np.arange(first, min(first + _BLOCK, len(rows)))), step).joined(found)
+    return found
+
+
+def _block(rows: Rows, step: All) -> Rows:
+    three, two = sides(rows.loop(), step)
+    at, angles = solved(three[:, list(step.rows)], two[:, list(step.rows)], step.turn, _turning(rows, step))
+    digit = np.arange(len(at)) - np.searchsorted(at, at)
+    found = rows.take(at)
+    found.path = found.path * 64 + digit
+    found.loss = np.maximum(found.loss, 1e-10)
+    usable = np.ones(len(at), dtype=bool)
+    for joint, angle, turns in zip(step.joints, angles, _turning(rows, step), strict=True):
+        if turns:
+            found.known[joint] = np.cos(angle), np.sin(angle)
+        else:
+            with np.errstate(divide="ignore", over="ignore"):
+                length = np.tan(angle / 2)
+            usable &= np.abs(length) < _FAR
+            found.known[joint] = length, 0.5 * length * length
+    return found if usable.all() else found.take(usable)
+
+
+def _turning(rows: Rows, step: All) -> list[bool]:
+    return [rows.actions.arm.axes[joint].turns for joint in step.joints]
+
+
+def sides(loop: Loop, step: All) -> tuple[Array, Array]:
+    """Both sides of the equations, shapes (N, m, 3, 3, 3) and (N, m, 3, 3)."""
+    three, two = [], []
+    for kind, things in step.things:
+        x, y = np.array(things).T, np.eye(SIZES[kind])
+        three.append(loop.walked(kind, x, y, step.three[0], step.joints, back=step.three[1]))
+        two.append(loop.walked(kind, x, y, step.two[0], step.others, back=step.two[1]))
+    return _stacked(three), _stacked(two)
+
+
+def _stacked(parts: list[Array]) -> Array:
+    count = max(len(part) for part in parts)
+    return np.concatenate([np.broadcast_to(part, (count, *part.shape[1:])) for part in parts], axis=1)
+
+
+def solved(three: Array, two: Array, turn: tuple[float, ...], turning: list[bool]) -> tuple[Ints, list[Array]]:
+    """The angles of the three joints from both sides of the equations; of a slide twice the arc tangent of its length.
+
+    Returns:
+        The row of each root, sorted, and the angles of the three joints.
+    """
+    count = max(len(three), len(two))
+    pencil = _pencil(_left(three, two, count), turn, turning)
+    values, vectors = _eigen(pencil)
+    real = np.abs(values.imag) <= _REAL * (1 + np.abs(values.real))
+    real &= np.isfinite(values.real)
+    at, k = np.nonzero(real)
+    t = values[at, k]
+    vector = vectors[at, :, k]
+    # an eigenvector is (w, t w): its larger half is the better one
+    w = np.where((np.abs(t) > 1)[:, None], vector[:, 12:], vector[:, :12]).reshape(-1, 4, 3)
+    here = np.arange(len(w))
+    i, j = np.unravel_index(np.abs(w[:, :3]).reshape(len(w), -1).argmax(axis=1), (3, 3))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        r = w[here, i + 1, j] / w[here, i, j]
+        i, j = np.unravel_index(np.abs(w[:, :, :2]).reshape(len(w), -1).argmax(axis=1), (4, 2))
+        s = w[here, i, j + 1] / w[here, i, j]
+    tangents = (np.nan_to_num(part.real, nan=0.0, posinf=1e9, neginf=-1e9) for part in (t, r, s))
+    return at.astype(np.int64), [2 * np.arctan(part) + zero for part, zero in zip(tangents, turn, strict=True)]
+
+
+def _left(three: Array, two: Array, count: int) -> Array:
+    """What is left of the equations when the two joints are eliminated, shape (N, 6, 3, 3, 3)."""
+    flat = two.reshape(len(two), two.shape[1], 9)
+    total = np.broadcast_to(three, (count, *three.shape[1:])).copy()
+    total[:, :, 0, 0, 0] -= flat[:, :, 0]
+    null = np.linalg.qr(flat[:, :, 1:], mode="complete")[0][:, :, 8:]
+    if null.shape[2] > EQUATIONS:
+        null = null @ (spread(null.shape[2], EQUATIONS, 3) - 0.5)
+    result = null.transpose(0, 2, 1) @ total.reshape(count, total.shape[1], 27)
+    return np.asarray(result.reshape(count, -1, 3, 3, 3))
+
+
+def _pencil(system: Array, turn: tuple[float, ...], turning: list[bool]) -> Array:
+    """Three matrices of each row, the coefficients of 1, t and t², shape (3, N, 12, 12)."""
+    for axis, (zero, turns) in enumerate(zip(turn, turning, strict=True), 2):
+        c, s = np.cos(zero), np.sin(zero)
+        change = np.array([[1, 0, 0], [0, c, -s], [0, s, c]])
+        change = change if turns else HALVES @ change
+        system = np.moveaxis(np.moveaxis(system, axis, -1) @ (change @ TANGENTS.T), -1, axis)
+    count, equations = system.shape[:2]
+    result = np.zeros((3, count, 2 * equations, 4, 3))
+    turned = system.transpose(2, 0, 1, 3, 4)
+    result[:, :, :equations, :3] = turned
+    result[:, :, equations:, 1:] = turned
+    scale = np.abs(result).max(axis=(0, 3, 4), keepdims=True)
+    return np.asarray((result / np.where(scale > 0, scale, 1)).reshape(3, count, 2 * equations, 12))
+
+
+def _eigen(pencil: Array) -> tuple[Array, Array]:
+    """Eigenvalues and eigenvectors of `C + t B + t² A`."""
+    last, middle, lead = pencil
+    size = last.shape[1]
+    try:
+        both = np.linalg.solve(lead, np.concatenate([last, middle], axis=2))
+    except np.linalg.LinAlgError:
+        lead = lead + 1e-12 * (spread(size, size, 1) - 0.5)
+        both = np.linalg.solve(lead, np.concatenate([last, middle], axis=2))
+    both = np.nan_to_num(both, nan=0.0, posinf=1e200, neginf=-1e200)
+    companion = np.zeros((len(last), 2 * size, 2 * size))
+    companion[:, range(size), range(size, 2 * size)] = 1
+    companion[:, size:] = -both
+    return np.linalg.eig(companion)

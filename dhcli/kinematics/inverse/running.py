@@ -1,0 +1,205 @@
+"""A plan run on poses: candidates, then only those that the robot confirms, each of them once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhcli.kinematics.inverse.motions import DIRECTION, POINT
+from dhcli.kinematics.inverse.polishing import polished, product, residuals
+from dhcli.kinematics.inverse.rows import Rows
+from dhcli.kinematics.inverse.rule_one import read_off
+from dhcli.kinematics.inverse.steps import All, Plan, Step, Two
+from dhcli.kinematics.inverse.tasks import Task
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.inverse.arm import Array, Flags, Ints
+
+CONFIRMED = 1e-12
+"""A residual below this is a solution [reaches, and of direction cosines]."""
+
+_POLISH = 2e-14
+"""Candidates above this are led nearer by Newton's steps."""
+
+FULL = 6
+"""Joints and free motions of an arm that is neither short of its task nor has any to spare."""
+
+OTHER_TURN = (-2.3519, 0.4127, -0.9061)
+"""Where angles are counted from at a second try."""
+
+_CLOSE = 1e-3
+"""Solutions closer than this may be one that rounding has split [rad, reaches]."""
+
+_SAME = 1e-9
+"""Solutions closer than this are one; so are closer ones whose middle is a solution as good as they are."""
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """Solutions of many poses, sorted by pose.
+
+    Attributes:
+        index: The pose of each solution, shape (M,).
+        motions: Motions of the joints, shape (M, n).
+        residual: How far each is from its pose.
+        path: The choices among roots that led to it.
+        free: The joints that may take any value, as bits.
+        draw: Which of the values tried for them.
+    """
+
+    index: Ints
+    motions: Array
+    residual: Array
+    path: Ints
+    free: Ints
+    draw: Ints
+
+    def take(self, at: Ints | Flags) -> Found:
+        """Some of them."""
+        path, free, draw = self.path[at], self.free[at], self.draw[at]
+        return Found(self.index[at], self.motions[at], self.residual[at], path, free, draw)
+
+    def joined(self, other: Found) -> Found:
+        """These and others, sorted by pose."""
+        index = np.concatenate([self.index, other.index])
+        both = Found(
+            index,
+            np.concatenate([self.motions, other.motions]),
+            np.concatenate([self.residual, other.residual]),
+            np.concatenate([self.path, other.path]),
+            np.concatenate([self.free, other.free]),
+            np.concatenate([self.draw, other.draw]),
+        )
+        return both.take(np.argsort(index, kind="stable"))
+
+
+def run(
+    plan: Plan,
+    task: Task,
+    goal: Array,
+    draws: Array,
+    held: Mapping[int, Array] | None = None,
+    tolerance: float = CONFIRMED,
+) -> Found:
+    """All solutions of some poses.
+
+    Args:
+        plan: The plan for the arm and the task.
+        task: What is wanted.
+        goal: What the product of the joint motions has to be, shape (P, 4, 4).
+        draws: Motions to try for a joint that is free, for each joint, shape (n, k).
+        held: Motions of the joints that are held, each (P,).
+        tolerance: Residual up to which a candidate is a solution.
+    """
+    found = _tried(plan, task, goal, draws, held or {}, tolerance)
+    if not any(isinstance(step, All) for step in plan.steps) or len(plan.actions.arm.axes) != FULL:
+        return found
+    # roots of six joints come in pairs: where one is alone, or there is none, angles are counted from another zero
+    count = np.bincount(found.index, minlength=len(goal))
+    doubtful = np.flatnonzero((count % 2 == 1) | (count == 0))
+    if not len(doubtful):
+        return found
+    other = replace(plan, steps=tuple(_turned(step) for step in plan.steps))
+    values = {j: value[doubtful] for j, value in (held or {}).items()}
+    more = _tried(other, task, goal[doubtful], draws, values, tolerance)
+    more = replace(more, index=doubtful[more.index])
+    return _once(plan, task, goal, found.joined(more))
+
+
+def _turned(step: Step) -> Step:
+    return replace(step, turn=OTHER_TURN) if isinstance(step, All) else step
+
+
+def _tried(plan: Plan, task: Task, goal: Array, draws: Array, held: Mapping[int, Array], tolerance: float) -> Found:
+    """The solutions that a plan finds, each once."""
+    arm = plan.actions.arm
+    known = {j: _value(value, turns=arm.axes[j].turns) for j, value in held.items()}
+    rows = Rows.start(plan.actions, goal, known, plan.slack)
+    for step in plan.steps:
+        if isinstance(step, Two):
+            from dhcli.kinematics.inverse.rule_two import eliminated  # most arms need neither of the two
+
+            rows = eliminated(rows, step)
+        elif isinstance(step, All):
+            from dhcli.kinematics.inverse.rule_all import all_at_once
+
+            rows = all_at_once(rows, step)
+        else:
+            rows = read_off(rows, step, draws[step.joint])
+    return _once(plan, task, goal, _confirmed(plan, task, rows, tolerance))
+
+
+def _value(motion: Array, *, turns: bool) -> tuple[Array, Array]:
+    return (np.cos(motion), np.sin(motion)) if turns else (motion, 0.5 * motion * motion)
+
+
+def _confirmed(plan: Plan, task: Task, rows: Rows, tolerance: float) -> Found:
+    """The candidates that reach their pose, if need be after some of Newton's steps."""
+    arm = plan.actions.arm
+    motions = rows.motions(arm.joints)
+    residual = _at_once(rows, task)
+    rough = np.flatnonzero(~(residual <= _POLISH))
+    if len(rough):
+        goal = rows.take(rough).poses()
+        led, left = polished(arm, task, motions[rough], goal, plan.held)
+        better = ~(residual[rough] <= left)
+        motions[rough[better]], residual[rough[better]] = led[better], left[better]
+    kept = np.flatnonzero(residual <= tolerance)
+    kept = kept[np.argsort(rows.index[kept], kind="stable")]
+    return Found(rows.index, _wrapped(motions, arm.turning), residual, rows.path, rows.free, rows.draw).take(kept)
+
+
+def _wrapped(motions: Array, turning: Flags) -> Array:
+    """The same angles from -π to π."""
+    wrapped = motions - 2 * np.pi * np.round(motions / (2 * np.pi))
+    return np.where(turning & (np.abs(motions) > np.pi), wrapped, motions)
+
+
+def _at_once(rows: Rows, task: Task) -> Array:
+    """How far each candidate is from its pose, computed with the cosines and sines at hand."""
+    arm = rows.actions.arm
+    walk = range(arm.joints - 1, -1, -1)
+    worst = np.zeros(len(rows))
+    goal = rows.goal[:, rows.index]
+    if task.place:
+        p = arm.home[:3, 3].tolist()
+        there = rows.carry(POINT, (1.0, *p, 0.0), walk)
+        for i in range(3):
+            wanted = goal[3 * i] * p[0] + goal[3 * i + 1] * p[1] + goal[3 * i + 2] * p[2] + goal[9 + i]
+            worst = np.maximum(worst, np.abs(there[1 + i] - wanted))
+    for k in task.directions[:2]:  # the third follows from two
+        e = arm.home[:3, k].tolist()
+        there = rows.carry(DIRECTION, tuple(e), walk)
+        for i in range(3):
+            wanted = goal[3 * i] * e[0] + goal[3 * i + 1] * e[1] + goal[3 * i + 2] * e[2]
+            worst = np.maximum(worst, np.abs(there[i] - wanted))
+    return worst
+
+
+def _once(plan: Plan, task: Task, goal: Array, found: Found) -> Found:
+    """Each solution once: those that rounding has split are put together."""
+    if len(found.index) < 2:  # noqa: PLR2004
+        return found
+    dropped = np.zeros(len(found.index), dtype=bool)
+    turning = plan.actions.arm.turning
+    for apart in range(1, int(np.bincount(found.index).max(initial=1))):
+        first, second = np.arange(len(dropped) - apart), np.arange(apart, len(dropped))
+        together = (found.index[first] == found.index[second]) & ~dropped[first] & ~dropped[second]
+        gap = found.motions[second] - found.motions[first]
+        gap = np.where(turning, gap - 2 * np.pi * np.round(gap / (2 * np.pi)), gap)
+        distance = np.abs(gap).max(axis=1, initial=0.0)
+        close = np.flatnonzero(together & (distance < _CLOSE))
+        if not len(close):
+            continue
+        middle = found.motions[close] + gap[close] / 2
+        arm = plan.actions.arm
+        between = residuals(task, arm.home, product(arm, middle), goal[found.index[close]])
+        best = np.maximum(found.residual[close], found.residual[close + apart])
+        same = (distance[close] < _SAME) | (between <= np.maximum(best, _POLISH))
+        worse = found.residual[close] > found.residual[close + apart]
+        dropped[close[same & worse]] = True
+        dropped[close[same & ~worse] + apart] = True
+    return found.take(~dropped)

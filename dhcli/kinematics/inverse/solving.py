@@ -1,0 +1,131 @@
+"""All solutions of one pose: found, families told from single solutions, each once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhcli.kinematics.inverse.families import SINGULAR, Freedom, freedoms, moved_to
+from dhcli.kinematics.inverse.polishing import jacobian, product, residuals
+from dhcli.kinematics.inverse.prepared import Prepared
+from dhcli.kinematics.inverse.running import CONFIRMED, Found, run
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.inverse.arm import Array, Flags, Ints
+
+TRIED = np.array([0.0, 0.5, -0.5, 1.0, 0.25, -0.25, 0.75, -0.75])
+"""Where a free joint is tried: half turns from where it should best be, or reaches."""
+
+_SAME = 1e-7
+
+
+@dataclass(frozen=True, slots=True)
+class Solved:
+    """Solutions of one pose.
+
+    Attributes:
+        motions: Motions of the joints, shape (K, n).
+        residual: How far each is from the pose, shape (K,).
+        freedoms: For each the ways in which the arm can move without moving its end.
+    """
+
+    motions: Array
+    residual: Array
+    freedoms: tuple[tuple[Freedom, ...], ...]
+    index: Ints
+    """Which of the values of the joints held each is for, shape (K,)."""
+
+
+def solve(
+    ready: Prepared,
+    goal: Array,
+    best: Array,
+    held: Mapping[int, Array] | None = None,
+    tolerance: float = CONFIRMED,
+) -> Solved:
+    """All solutions of one pose.
+
+    Args:
+        ready: The robot made ready.
+        goal: What the product of the joint motions has to be, shape (4, 4).
+        best: Where a joint that is free should best stand, shape (n,).
+        held: Motions of the joints that are held: one value, or several of which each gives solutions.
+        tolerance: Residual up to which a candidate is a solution.
+    """
+    plan, task, arm = ready.plan, ready.task, ready.arm
+    held = held or {}
+    count = len(next(iter(held.values()))) if held else 1
+    found = run(plan, task, np.repeat(goal[None], count, axis=0), tries(ready, best), held, tolerance)
+    if not len(found.index):
+        return Solved(np.empty((0, arm.joints)), np.empty(0), (), np.empty(0, dtype=int))
+    kept, families = representatives(ready, found, least_singular(ready, found.motions))
+    found = found.take(kept)
+    rows: list[tuple[int, Array, tuple[Freedom, ...]]] = []
+    for index, motions, ways in zip(found.index.tolist(), found.motions, families, strict=True):
+        placed = motions
+        for way in ways:
+            there = moved_to(arm, task, placed, goal, way, float(best[way.parameter]), plan.held)
+            placed = placed if there is None else there
+        if not any(index == other and _gap(arm.turning, placed, row) < _SAME for other, row, _ in rows):
+            rows.append((index, placed, ways))
+    order = sorted(range(len(rows)), key=lambda k: (rows[k][0], *np.round(rows[k][1], 7).tolist()))
+    wrapped = np.array([_wrapped(rows[k][1], arm.turning) for k in order])
+    left = residuals(task, arm.home, product(arm, wrapped), np.repeat(goal[None], len(wrapped), axis=0))
+    return Solved(wrapped, left, tuple(rows[k][2] for k in order), np.array([rows[k][0] for k in order]))
+
+
+def tries(ready: Prepared, best: Array) -> Array:
+    """Motions to try for a joint that is free, shape (n, 8)."""
+    turning = ready.arm.turning
+    return np.asarray(best[:, None] + np.where(turning[:, None], np.pi * TRIED, TRIED))
+
+
+def _gap(turning: Flags, one: Array, other: Array) -> float:
+    gap = one - other
+    gap = np.where(turning, gap - 2 * np.pi * np.round(gap / (2 * np.pi)), gap)
+    return float(np.abs(gap).max(initial=0.0))
+
+
+def _wrapped(motions: Array, turning: Flags) -> Array:
+    """The same angles above -π, up to π."""
+    turns = np.ceil((motions - np.pi) / (2 * np.pi) - _SAME)
+    return np.where(turning, motions - 2 * np.pi * turns, motions)
+
+
+def least_singular(ready: Prepared, motions: Array) -> Array:
+    """The least singular value of the Jacobian at each solution, joints held left out, shape (K,)."""
+    _, slope = jacobian(ready.arm, ready.task, motions)
+    slope = np.delete(slope, list(ready.plan.held), axis=2)
+    if not slope.shape[2]:
+        return np.ones(len(motions))
+    if slope.shape[1] < slope.shape[2]:
+        return np.zeros(len(motions))
+    return np.asarray(np.linalg.svd(slope, compute_uv=False)[:, -1])
+
+
+def representatives(ready: Prepared, found: Found, least: Array) -> tuple[Ints, list[tuple[Freedom, ...]]]:
+    """Of the members of a family that differ in the value tried for a free joint alone, the first; all else.
+
+    Args:
+        ready: The robot made ready.
+        found: Solutions.
+        least: The least singular value of each one's Jacobian.
+
+    Returns:
+        Which are kept, in their order, and the ways in which the arm can move at each.
+    """
+    ways: dict[int, tuple[Freedom, ...]] = {}
+    seen = set[tuple[int, int]]()
+    loose = set(np.flatnonzero(least < SINGULAR).tolist())
+    for k in sorted(range(len(found.index)), key=lambda k: int(found.draw[k])):
+        key = int(found.index[k]), int(found.path[k])
+        if k in loose and found.free[k] and key in seen:
+            continue
+        ways[k] = freedoms(ready.arm, ready.task, found.motions[k], ready.plan.held) if k in loose else ()
+        if ways[k] and found.free[k]:
+            seen.add(key)
+    kept = sorted(ways)
+    return np.array(kept, dtype=int), [ways[k] for k in kept]

@@ -1,0 +1,107 @@
+"""Limits and turns: an angle is the same after a turn, and only some turns are inside a joint's limits."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import islice, product
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhcli.errors import plural
+from dhcli.kinematics.inverse.solutions import Beyond, Solutions, shown_beyond, turning_joints
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.validity import in_floats
+from dhcli.kinematics.values import SLACK
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.inverse.arm import Array
+
+MOST_TURNS = 4096
+"""Solutions at most that one becomes in all its turns."""
+
+
+def limits_of(robot: Robot) -> Array:
+    """The limits of the joints, shape (n, 2), infinite where a joint has none."""
+    result = np.tile([-np.inf, np.inf], (len(robot.variables), 1))
+    for k, name in enumerate(robot.variables):
+        if name in robot.limits:
+            result[k] = [in_floats(limit) for limit in robot.limits[name]]
+    return result
+
+
+def placed(answer: Solutions, near: Array | None, *, within_limits: bool, all_turns: bool) -> Solutions:
+    """Solutions with each angle in the turn that its limits allow, nearest first.
+
+    Args:
+        answer: The solutions, angles from -180° to 180°.
+        near: Joint values that they should be near to; without them the order stays.
+        within_limits: Whether those outside are left out.
+        all_turns: Whether each is given in every turn that the limits allow.
+    """
+    robot = answer.robot
+    limits = limits_of(robot)
+    turning = turning_joints(robot)
+    rows, origin = list["Array"](), list[int]()
+    for k, q in enumerate(answer.q):
+        choices = [
+            _turns(x, limits[j], turns=bool(turning[j]), near=near if near is None else near[j])
+            for j, x in enumerate(q)
+        ]
+        many = islice(product(*choices), MOST_TURNS) if all_turns else [tuple(values[0] for values in choices)]
+        for values in many:
+            rows.append(np.array(values))
+            origin.append(k)
+    table = np.array(rows).reshape(-1, len(robot.variables))
+    beyond = [_beyond(robot, row, limits) for row in table]
+    order = list(range(len(table)))
+    if near is not None:
+        order.sort(key=lambda k: round(float(np.linalg.norm(table[k] - near)), 9))
+    kept = [k for k in order if not (within_limits and beyond[k])]
+    why = "" if kept else _all_outside(robot, [beyond[k] for k in order])
+    at = [origin[k] for k in kept]
+    residual = np.zeros(len(answer)) if answer.residual is None else answer.residual
+    return replace(
+        answer,
+        q=table[kept],
+        branches=tuple(answer.branches[k] for k in at),
+        residual=residual[at],
+        beyond=tuple(beyond[k] for k in kept),
+        free=tuple(answer.free[k] for k in at),
+        why=why,
+    )
+
+
+def _turns(x: float, limits: Array, *, turns: bool, near: float | None) -> list[float]:
+    """A value in each turn inside the limits, the nearest first; outside, the one that is least so."""
+    low, high = limits
+    if not turns:
+        return [float(x)]
+    aim = 0.0 if near is None else near
+    if not (np.isfinite(low) and np.isfinite(high)):
+        return [float(x + 2 * np.pi * np.round((aim - x) / (2 * np.pi)))]
+    first = int(np.ceil((low - SLACK - x) / (2 * np.pi)))
+    last = int(np.floor((high + SLACK - x) / (2 * np.pi)))
+    found = [float(x + 2 * np.pi * k) for k in range(first, last + 1)]
+    if found:
+        return sorted(found, key=lambda value: (round(abs(value - aim), 9), value))
+    around = [float(x + 2 * np.pi * k) for k in (last, first)]
+    return [min(around, key=lambda value: max(low - value, value - high))]
+
+
+def _beyond(robot: Robot, q: Array, limits: Array) -> tuple[Beyond, ...]:
+    found = []
+    for name, x, (low, high) in zip(robot.variables, q.tolist(), limits.tolist(), strict=True):
+        if x > high + SLACK:
+            found.append(Beyond(name, x - high))
+        elif x < low - SLACK:
+            found.append(Beyond(name, x - low))
+    return tuple(found)
+
+
+def _all_outside(robot: Robot, beyond: list[tuple[Beyond, ...]]) -> str:
+    """What keeps every solution from being inside the limits, by the one that is least outside."""
+    least = min(beyond, key=lambda outside: (len(outside), sum(abs(each.by) for each in outside)))
+    words = ", ".join(shown_beyond(robot, outside) for outside in least)
+    count = f"{plural(len(beyond), 'solution')} {'is' if len(beyond) == 1 else 'are all'}"
+    return f"{count} outside the limits, the nearest to them with {words}"

@@ -1,0 +1,109 @@
+"""Poses in which the chosen equations of a joint vanish: all are asked then, and the joint may turn out to be free."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhcli.kinematics.inverse.roots import STRAY, known_as, pair, slides
+from dhcli.kinematics.inverse.rows import Rows
+from dhcli.kinematics.inverse.steps import One
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.inverse.arm import Array, Flags
+
+FREE = 50.0
+"""Coefficients below this many times the rounding are zero."""
+
+DIM = 1e-6
+"""Below this the second direction of the equations is too faint to tell the two roots of the first apart."""
+
+UNSURE = 1e4
+"""Coefficients below this many times the rounding leave the joint so uncertain that it is tried as a free one too."""
+
+MOST = 1e-5
+"""No coefficient above this is zero, however much rounding there may be."""
+
+_CONTRADICTS = 1e-5
+"""A constant above this in an equation without unknown is a contradiction."""
+
+
+def from_all(rows: Rows, step: One, draws: Array) -> Rows:
+    """Candidates with one joint more, from every equation there is in it.
+
+    Args:
+        rows: The candidates.
+        step: The joint and its cuts.
+        draws: Values to try where the joint is free.
+    """
+    loop = rows.loop()
+    tensor = np.concatenate([loop.tensor(cut, (step.joint,)) for cut in step.cuts], axis=1)
+    left, sizes, directions = np.linalg.svd(tensor[:, :, 1:], full_matrices=False)
+    constants = -np.einsum("nmk,nm->nk", left, tensor[:, :, 0])
+    zero = np.minimum(FREE * rows.loss, MOST)
+    free = sizes[:, 0] < zero
+    dim = ~free & (sizes[:, 1] < np.maximum(zero, DIM * sizes[:, 0]))
+    turns = rows.actions.arm.axes[step.joint].turns
+    clear = ~free & ~dim
+    found = _clear(rows, step.joint, clear, sizes, directions, constants, turns=turns)
+    found = found.joined(_dim(rows, step.joint, dim, sizes, directions, constants, turns=turns))
+    free |= sizes[:, 0] < np.minimum(UNSURE * rows.loss, MOST)
+    free &= np.abs(tensor[:, :, 0]).max(axis=1) < np.maximum(_CONTRADICTS, FREE * rows.loss)
+    return found.joined(_free(rows.take(free), step.joint, draws, turns=turns))
+
+
+def _clear(  # noqa: PLR0913  what an SVD has
+    rows: Rows,
+    joint: int,
+    at: Flags,
+    sizes: Array,
+    directions: Array,
+    constants: Array,
+    *,
+    turns: bool,
+) -> Rows:
+    """Where the equations give both numbers."""
+    u, v = np.einsum("nk,nkj->jn", constants[at] / sizes[at], directions[at])
+    rows = rows.take(at)
+    rows.loss = rows.loss / np.minimum(sizes[at, 1], 1)
+    if not turns:
+        return known_as(rows, joint, u, 0.5 * u * u)
+    h = np.hypot(u, v)
+    near = np.abs(h - 1) < STRAY
+    return known_as(rows.take(near), joint, u[near] / h[near], v[near] / h[near])
+
+
+def _dim(  # noqa: PLR0913  what an SVD has
+    rows: Rows,
+    joint: int,
+    at: Flags,
+    sizes: Array,
+    directions: Array,
+    constants: Array,
+    *,
+    turns: bool,
+) -> Rows:
+    """Where they give one equation of the two numbers."""
+    size, (a, b), e = sizes[at, 0], directions[at, 0].T, constants[at, 0] / sizes[at, 0]
+    rows = rows.take(at)
+    rows.loss = rows.loss / np.minimum(size, 1)
+    if turns:
+        return pair(rows, joint, a, b, e)
+    linear = np.abs(b) < DIM
+    d = e[linear] / a[linear]
+    found = known_as(rows.take(linear), joint, d, 0.5 * d * d)
+    e, a, b = e[~linear], a[~linear], b[~linear]
+    return found.joined(slides(rows.take(~linear), joint, -e / b, a / b))
+
+
+def _free(rows: Rows, joint: int, draws: Array, *, turns: bool) -> Rows:
+    """Where nothing is said of the joint: each of the values to try."""
+    count, tried = len(rows), draws.shape[-1]
+    many = rows.take(np.repeat(np.arange(count), tried))
+    values = np.tile(draws, count)
+    many.free = many.free | (1 << joint)
+    many.draw = many.draw * tried + np.tile(np.arange(tried), count)
+    if turns:
+        return known_as(many, joint, np.cos(values), np.sin(values))
+    return known_as(many, joint, values, 0.5 * values * values)

@@ -1,0 +1,82 @@
+"""How an arm stands at some joint values: its rank, and how far the nearest singular pose is."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from dhcli.algebra.floats import Floats
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.singular.result import Singularities
+from dhcli.kinematics.values import Values, numbers
+from dhcli.kinematics.velocity.form import Form
+from dhcli.kinematics.velocity.jacobian import numeric_jacobian
+from dhcli.kinematics.velocity.measures import Measures, measures_of
+from dhcli.kinematics.velocity.view import MotionView
+from dhcli.notation.derivative import derivative
+from dhcli.notation.tree import Expr, Trig
+
+
+@dataclass(frozen=True, slots=True)
+class Distance:
+    """How far a factor is from zero.
+
+    Attributes:
+        factor: Its place among the factors found.
+        values: What its expressions are at the joint values.
+        distance: About how far the joints are from making it zero [rad and m together]; exact for a cosine or sine.
+    """
+
+    factor: int
+    values: tuple[float, ...]
+    distance: float
+
+
+@dataclass(frozen=True, slots=True)
+class Standing:
+    """How an arm stands.
+
+    Attributes:
+        measures: Rank, singular values, manipulability, condition.
+        determinant: The determinant, if there is one.
+        distances: How far each factor is from zero, the nearest first.
+    """
+
+    measures: Measures
+    determinant: float | None
+    distances: tuple[Distance, ...]
+
+
+def standing_at(robot: Robot, values: Values, view: MotionView, found: Singularities) -> Standing:
+    """How an arm stands at joint values.
+
+    Args:
+        robot: The robot.
+        values: Values of all names that the chain has.
+        view: The view that the singularities were found for.
+        found: What was found.
+
+    Raises:
+        RobotError: A value is missing.
+    """
+    form = Form(found.part)
+    rows = [form.labels.index(label) for label in found.rows]
+    measures = measures_of(numeric_jacobian(robot, values, view, form).matrix, rows)
+    over = Floats(numbers(values))
+    distances = [Distance(k, *_distance(factor.zeros, found.joints, over)) for k, factor in enumerate(found.factors)]
+    determinant = None if found.determinant is None else over.value(found.determinant)
+    return Standing(measures, determinant, tuple(sorted(distances, key=lambda one: one.distance)))
+
+
+def _distance(zeros: tuple[Expr, ...], joints: tuple[str, ...], over: Floats) -> tuple[tuple[float, ...], float]:
+    """The values of expressions, and about how far joints are from making all of them zero at once."""
+    values = tuple(over.value(zero) for zero in zeros)
+    squares = 0.0
+    for zero, value in zip(zeros, values, strict=True):
+        slope = math.hypot(*(over.value(derivative(zero, joint)) for joint in joints))
+        if isinstance(zero, Trig):
+            size = math.hypot(*(float(factor) for name, factor in zero.angle.terms if name in joints))
+            squares += (math.asin(min(1.0, abs(value))) / size) ** 2
+        else:
+            squares += (abs(value) / slope if slope else math.inf if value else 0.0) ** 2
+    return values, math.sqrt(squares)

@@ -1,0 +1,96 @@
+"""What an arm is there for: the rows of its Jacobian that count, and the point that sentences speak of."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from dhcli.algebra.arithmetic import CannotHoldError
+from dhcli.kinematics.forward import put_in
+from dhcli.kinematics.frames import ORIGIN, between
+from dhcli.kinematics.moves import Trans
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.singular.arm import Arm, Point
+from dhcli.kinematics.singular.constants import with_names
+from dhcli.kinematics.singular.modular import rank
+from dhcli.kinematics.singular.square import best_places
+from dhcli.kinematics.singular.vanishing import fresh
+from dhcli.kinematics.singular.words import Place, listed
+from dhcli.kinematics.values import Values
+from dhcli.kinematics.velocity.form import Which
+from dhcli.kinematics.velocity.jacobian import moving_joints
+from dhcli.kinematics.velocity.view import MotionView
+
+
+def arm_of(robot: Robot, view: MotionView, values: Values) -> Arm:
+    """The arm that a view is about, with values put in."""
+    joints = moving_joints(robot, view)
+    start, end = view.start, view.end
+    lengths = {name: value for name, value in values.items() if name not in robot.variables}
+    chain = between(robot, start, end)
+    if view.point != ORIGIN:
+        chain = (*chain, Trans(*view.point))
+    named, constants = with_names(put_in(chain, lengths) if lengths else chain)
+    return Arm(robot, start, end, joints, named, constants)
+
+
+def task_at(robot: Robot, view: MotionView, part: Which | None) -> tuple[Which, tuple[int, ...]]:
+    """The rows that are taken for the task of a robot, and the places of those among them that its joints can move.
+
+    Args:
+        robot: The robot.
+        view: Between which frames, of which point.
+        part: The task, if somebody says it; see `singularities`.
+    """
+    arm = arm_of(robot, view, {})
+    try:
+        point = Point.of(arm, fresh(arm))
+    except CannotHoldError:
+        task = part or "all"
+        return task, tuple(range(6 if task == "all" else 3))
+    task = part or task_of(point)
+    return task, tuple(k - 3 if task == "angular" else k for k in task_rows(point, task))
+
+
+def task_of(point: Point) -> Which:
+    """The rows of which a robot has as many as joints: of v alone for a 3R arm, of ω alone for a wrist."""
+    count = len(point.linear)
+    rows = point.rows()
+    everything = [k for k in range(6) if any(rows[k])]
+    if count > 3 or len(everything) == count:  # noqa: PLR2004  no part has more rows
+        return "all"
+    if rank(rows[:3], point.field) == count:
+        return "linear"
+    if rank(rows[3:], point.field) == count:
+        return "angular"
+    return "linear" if any(map(any, rows[:3])) else "angular"
+
+
+def task_rows(point: Point, task: Which) -> tuple[int, ...]:
+    """The rows of a task that the joints can move at all, along the axes of the start."""
+    rows = point.rows()
+    wanted = {"all": range(6), "linear": range(3), "angular": range(3, 6)}[task]
+    return tuple(k for k in wanted if any(rows[k]))
+
+
+def place_of(point: Point, kept: Sequence[int]) -> Place:
+    """The point that sentences are about: the one which the fewest joints move, or the end's own."""
+    arm, end = point.arm, len(point.arm.chain)
+    own = len(between(arm.robot, arm.start, arm.end)) == end
+    name = f"the origin of {'frame ' if arm.end.isdigit() else ''}{arm.end}" if own else "the point"
+    if not kept or kept[-1] < 3 or kept[0] > 2:  # noqa: PLR2004  v alone, or ω alone
+        return Place(end, name)
+    place = best_places(point, range(len(arm.joints)))[-1]
+    still = [
+        j for j in range(len(arm.joints)) if any(point.angular[j]) and not any(point.velocity(j, point.origins[place]))
+    ]
+    if still == list(range(len(arm.joints)))[-3:]:
+        return Place(place, "the wrist centre")
+    if len(still) > 1:
+        return Place(place, f"the point where axes {listed(number_of(arm, j) for j in still)} meet")
+    frame = arm.frame_at(place)
+    return Place(place, f"the origin of frame {frame}" if frame.isdigit() else name)
+
+
+def number_of(arm: Arm, joint: int) -> int:
+    """The number of a joint as its robot counts."""
+    return arm.robot.first + arm.robot.variables.index(arm.joints[joint])

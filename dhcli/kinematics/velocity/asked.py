@@ -1,0 +1,257 @@
+"""What can be asked of a robot in motion, each answer as one typed result that every output format is drawn from."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, TypeAlias
+
+from dhcli.errors import RobotError
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.values import Values, warnings
+from dhcli.kinematics.velocity.form import GEOMETRIC, Form
+from dhcli.kinematics.velocity.jacobian import Jacobian, numeric_jacobian, textbook_jacobian
+from dhcli.kinematics.velocity.statics import Torques, Wrench, numeric_torques, product, textbook_torques
+from dhcli.kinematics.velocity.view import MotionView
+from dhcli.notation.tree import ZERO, Expr, Symbol, number
+from dhcli.notation.walk import operations
+
+if TYPE_CHECKING:  # what only some questions need is imported when they are asked
+    from dhcli.kinematics.singular.result import Singularities
+    from dhcli.kinematics.singular.standing import Standing
+    from dhcli.kinematics.velocity.rates import Rates
+    from dhcli.notation.let import Definition
+
+AnyJacobian: TypeAlias = Jacobian[float] | Jacobian[Expr]
+
+LONG = 40
+"""Operations above which a shorter frame is looked for."""
+
+MOST_JOINTS = 7
+"""Joints up to which it is."""
+
+
+@dataclass(frozen=True, slots=True)
+class JacobianAnswer:
+    """A Jacobian that somebody asked for.
+
+    Attributes:
+        robot: The robot asked.
+        values: The values used.
+        jacobian: The Jacobian.
+        definitions: Names that stand in it for brackets, each in terms of those before it.
+        hint: A frame in which it is much shorter, in words; empty if there is none.
+        warnings: What a person should know all the same.
+    """
+
+    robot: Robot
+    values: Values
+    jacobian: AnyJacobian
+    definitions: tuple[Definition, ...] = ()
+    hint: str = ""
+    warnings: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class SingularAnswer:
+    """Where a robot is singular, and how it stands at some joint values.
+
+    Attributes:
+        robot: The robot asked.
+        values: The values used.
+        view: Between which frames, of which point.
+        found: Where it is singular.
+        standing: How it stands, if joint values are given.
+        warnings: What a person should know all the same.
+    """
+
+    robot: Robot
+    values: Values
+    view: MotionView
+    found: Singularities
+    standing: Standing | None = None
+    warnings: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class TorquesAnswer:
+    """What the joints of a robot bear.
+
+    Attributes:
+        robot: The robot asked.
+        values: The values used.
+        torques: The torques.
+        warnings: What a person should know all the same.
+    """
+
+    robot: Robot
+    values: Values
+    torques: Torques[float] | Torques[Expr]
+    warnings: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class VelocityAnswer:
+    """The velocity for joint rates, or the joint rates for a velocity.
+
+    Attributes:
+        robot: The robot asked.
+        values: The values used.
+        view: Of which frame and point, along which axes.
+        joints: The joints.
+        rates: Their rates.
+        labels: What each number of the velocity is.
+        velocity: The velocity that they give.
+        solved: How the rates were found, if a velocity was given.
+        warnings: What a person should know all the same.
+    """
+
+    robot: Robot
+    values: Values
+    view: MotionView
+    joints: tuple[str, ...]
+    rates: tuple[float, ...] | tuple[Expr, ...]
+    labels: tuple[str, ...]
+    velocity: tuple[float, ...] | tuple[Expr, ...]
+    solved: Rates | None = None
+    warnings: tuple[str, ...] = ()
+
+
+def answer_jacobian(
+    robot: Robot, values: Values, view: MotionView, form: Form = GEOMETRIC, *, symbolic: bool = False, let: bool = False
+) -> JacobianAnswer:
+    """The Jacobian of a robot, in numbers or in symbols.
+
+    Raises:
+        RobotError: A value is missing, nothing moves, or the result would be too long.
+    """
+    said = tuple(warnings(robot, values))
+    if not symbolic:
+        return JacobianAnswer(robot, values, numeric_jacobian(robot, values, view, form), warnings=said)
+    found = textbook_jacobian(robot, values, view, form)
+    hint = _shorter(robot, values, found)
+    if not let:
+        return JacobianAnswer(robot, values, found, hint=hint, warnings=said)
+    from dhcli.notation.let import name_parts
+
+    definitions, rows = name_parts(found.rows)
+    return JacobianAnswer(robot, values, replace(found, rows=rows), definitions, hint, said)
+
+
+def _shorter(robot: Robot, values: Values, found: Jacobian[Expr]) -> str:
+    """The frame in which a long result is shortest, in words."""
+    here = _operations(found)
+    if here <= LONG or found.form != GEOMETRIC or len(found.joints) > MOST_JOINTS:
+        return ""
+    others = {}
+    for axes in robot.frames:
+        if axes != found.view.axes:
+            others[axes] = _operations(textbook_jacobian(robot, values, replace(found.view, axes=axes)))
+    best = min(others, key=others.__getitem__)
+    return f"{here} operations here, {others[best]} in frame {best}: --in {best}" if 2 * others[best] < here else ""
+
+
+def _operations(found: Jacobian[Expr]) -> int:
+    return sum(operations(entry) for row in found.rows for entry in row)
+
+
+def answer_torques(
+    robot: Robot, values: Values, view: MotionView, wrench: tuple[Sequence[Expr], Sequence[Expr]], *, symbolic: bool
+) -> TorquesAnswer:
+    """The joint torques for a force and a moment.
+
+    Raises:
+        RobotError: A value is missing, or the force holds a name where numbers are wanted.
+    """
+    said = tuple(warnings(robot, values))
+    (fx, fy, fz), (mx, my, mz) = wrench
+    given = Wrench((fx, fy, fz), (mx, my, mz))
+    if symbolic:
+        return TorquesAnswer(robot, values, textbook_torques(robot, values, view, given), said)
+    fx_, fy_, fz_, mx_, my_, mz_ = in_numbers(given.six, "the force or moment")
+    plain = Wrench((fx_, fy_, fz_), (mx_, my_, mz_))
+    return TorquesAnswer(robot, values, numeric_torques(robot, values, view, plain), said)
+
+
+def answer_velocity(
+    robot: Robot, values: Values, view: MotionView, rates: Sequence[Expr] | None, *, symbolic: bool
+) -> VelocityAnswer:
+    """The velocity for joint rates; in symbols without rates for those called `dtheta1`.
+
+    Raises:
+        RobotError: A value is missing, or there are too many or too few rates.
+    """
+    said = tuple(warnings(robot, values))
+    if symbolic:
+        found = textbook_jacobian(robot, values, view)
+        given = tuple(rates) if rates is not None else tuple(Symbol(f"d{joint}") for joint in found.joints)
+        _check_count(given, found.joints)
+        sums = (product(_plain(row), _plain(given)) for row in found.rows)
+        velocity = tuple(number(total) if isinstance(total, int) else total for total in sums)
+        return VelocityAnswer(robot, values, view, found.joints, given, found.labels, velocity, warnings=said)
+    if rates is None:
+        raise RobotError("rates of the joints, or a velocity, are wanted", "--rates 0.1,0.2 or --velocity 0.1,0,0")
+    numbers = numeric_jacobian(robot, values, view)
+    typed = in_numbers(rates, "a rate")
+    _check_count(typed, numbers.joints)
+    moved = tuple(sum(a * b for a, b in zip(row, typed, strict=True)) for row in numbers.rows)
+    return VelocityAnswer(robot, values, view, numbers.joints, typed, numbers.labels, moved, warnings=said)
+
+
+def answer_rates(
+    robot: Robot,
+    values: Values,
+    view: MotionView,
+    wanted: tuple[Sequence[Expr] | None, Sequence[Expr] | None],
+    damping: float = 0.0,
+) -> VelocityAnswer:
+    """The joint rates for a velocity, an angular velocity, or both; see `joint_rates`."""
+    from dhcli.kinematics.velocity.rates import rates_at
+
+    linear, angular = (None if part is None else in_numbers(part, "a velocity") for part in wanted)
+    solved = rates_at(robot, values, view, linear, angular, damping)
+    said = (*warnings(robot, values), *solved.warnings)
+    return VelocityAnswer(
+        robot, values, view, solved.joints, solved.values, solved.labels, solved.reached, solved, said
+    )
+
+
+def answer_singularities(
+    robot: Robot, values: Values, view: MotionView, found: Singularities, *, at_values: bool
+) -> SingularAnswer:
+    """Where a robot is singular, with how it stands at joint values if these are given.
+
+    Raises:
+        RobotError: Values are given, and one is missing.
+    """
+    if not at_values:
+        return SingularAnswer(robot, {}, view, found)
+    from dhcli.kinematics.singular.standing import standing_at
+
+    return SingularAnswer(
+        robot, values, view, found, standing_at(robot, values, view, found), tuple(warnings(robot, values))
+    )
+
+
+def in_numbers(entries: Sequence[Expr], what: str) -> tuple[float, ...]:
+    """Expressions as floats.
+
+    Raises:
+        RobotError: One holds a name.
+    """
+    from dhcli.algebra.floats import Floats
+    from dhcli.notation.walk import symbols
+
+    if free := sorted(frozenset().union(*map(symbols, entries))):
+        raise RobotError(f"{', '.join(free)} of {what} has no value", "write numbers, or ask with --symbolic")
+    return tuple(Floats().value(entry) for entry in entries)
+
+
+def _check_count(rates: Sequence[object], joints: Sequence[str]) -> None:
+    if len(rates) != len(joints):
+        raise RobotError(f"{len(rates)} rates for {len(joints)} joints", f"one for each of {', '.join(joints)}")
+
+
+def _plain(row: Sequence[Expr]) -> tuple[Expr | int, ...]:
+    """Entries with structural zeros, with which products cost nothing."""
+    return tuple(0 if entry == ZERO else entry for entry in row)

@@ -1,0 +1,122 @@
+"""Rows and cells of a matrix among its tokens: bracket groups, semicolons and line ends; commas, `&`, bars, blanks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+
+from dhcli.notation.functions import FUNCTIONS
+from dhcli.notation.quantity import UNITS
+from dhcli.notation.tokens import Source, Token
+
+_OPENING = {"(": ")", "[": "]", "{": "}"}
+_RULES = frozenset("-|:+=")
+
+
+def matching(tokens: Sequence[Token], start: int) -> int:
+    """Index of the bracket that closes the one at `start`, or -1."""
+    if start >= len(tokens) or tokens[start].kind != "sign" or tokens[start].text not in _OPENING:
+        return -1
+    depth = 0
+    for i in range(start, len(tokens)):
+        if tokens[i].kind == "sign":
+            depth += (tokens[i].text in _OPENING) - (tokens[i].text in _OPENING.values())
+        if depth == 0:
+            return i
+    return -1
+
+
+def rows_in(tokens: list[Token]) -> Iterator[list[Token]]:
+    """Rows as bracket groups, else as stretches between semicolons and line ends."""
+    groups = _groups(tokens)
+    if groups:
+        yield from groups
+        return
+    row: list[Token] = []
+    depth = 0
+    for token in tokens:
+        if token.kind == "sign":
+            depth += (token.text in _OPENING) - (token.text in _OPENING.values())
+        if depth == 0 and (token.kind == "newline" or token.text == ";"):
+            yield row
+            row = []
+        elif token.kind != "newline":
+            row.append(token)
+    yield row
+
+
+def _groups(tokens: list[Token]) -> list[list[Token]]:
+    """The rows if every one stands in brackets of its own."""
+    rows: list[list[Token]] = []
+    i = 0
+    while i < len(tokens):
+        token = tokens[i]
+        item = token.text == "-" and tokens[i + 1 : i + 2] and tokens[i + 1].text == "["  # of a YAML list
+        if (
+            token.kind == "newline"
+            or token.text in (",", ";", "|")
+            or (item and (i == 0 or tokens[i - 1].kind == "newline"))
+        ):
+            i += 1
+        elif token.text in ("[", "{") and (closing := matching(tokens, i)) > i:
+            rows.append([inner for inner in tokens[i + 1 : closing] if inner.kind != "newline"])
+            i = closing + 1
+        else:
+            return []
+    return rows
+
+
+def cells_in(source: Source, row: list[Token]) -> list[list[Token]]:
+    """The cells of a row: separated by commas, `&` or bars if there are any, else by blanks."""
+    if all(token.kind == "sign" and token.text in _RULES for token in row) or all(token.text == "&" for token in row):
+        return []
+    for separator in ("&", ",", "|"):
+        marks = [i for i, (token, depth) in enumerate(with_depths(row)) if token.text == separator and depth == 0]
+        if marks:
+            cells = [row[start + 1 : end] for start, end in pairwise((-1, *marks, len(row)))]
+            if separator == "&":
+                cells = [cell[:-1] if cell and cell[-1].text == "," else cell for cell in cells]
+            first, last = separator == "|" and not cells[0], len(cells) - (not cells[-1])
+            if separator == "|" and last - first == 1:  # bars around the row, not between cells
+                return _blank_separated(cells[first])
+            for i in range(first, last):
+                if not cells[i]:
+                    raise source.error(row[marks[i]].start, "a cell is empty here", "write 0 for a zero")
+            return cells[first:last]
+    return _blank_separated(row)
+
+
+def _blank_separated(row: list[Token]) -> list[list[Token]]:
+    cells: list[list[Token]] = []
+    depths = [depth for _, depth in with_depths(row)]
+    for i, token in enumerate(row):
+        new = i == 0 or (token.spaced and depths[i] == 0 and _separates(row[i - 1], token, row[i + 1 : i + 2]))
+        if new:
+            cells.append([token])
+        else:
+            cells[-1].append(token)
+    return cells
+
+
+def _separates(before: Token, token: Token, after: list[Token]) -> bool:
+    """Whether a blank between two tokens begins a new cell: `c1 -s1` does, `c1 - s1`, `cos θ` and `30 mm` do not."""
+    if before.kind == "sign" and before.text in "+-*/^√":
+        return False
+    if before.kind == "word" and (before.text in FUNCTIONS or (before.text in ("c", "s") and token.text in _OPENING)):
+        return False
+    if token.kind == "sign":
+        if token.text in "*/^°)]}'":
+            return False
+        if token.text in "+-":
+            return bool(after) and not after[0].spaced
+    return not (token.kind == "word" and token.text in UNITS and before.kind == "number")
+
+
+def with_depths(row: Sequence[Token]) -> Iterator[tuple[Token, int]]:
+    """Each token with the bracket depth it stands at; a bracket stands outside itself."""
+    depth = 0
+    for token in row:
+        closing = token.kind == "sign" and token.text in _OPENING.values()
+        depth -= closing
+        yield token, depth
+        depth += token.kind == "sign" and token.text in _OPENING

@@ -1,0 +1,80 @@
+"""Right angles written in radians: 1.5708 rad is 90° to its own digits, and so are -1.5708, 3.1416 and 1.570796327.
+
+Whoever types one means the right angle; taken as it stands, its cosine would be -0.0000036732 and not 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+
+from dhcli.notation.angle import Angle
+from dhcli.notation.dimensions import ANGLE_UNITS
+from dhcli.notation.tree import Expr, Number, Product, Sum, Unit, add, multiply
+
+RADIANS = ANGLE_UNITS & {"rad", "radian", "radians"}
+MOST_QUARTERS = 8
+"""Two turns; beyond them nobody writes a right angle in radians."""
+
+_QUARTER = Fraction(31415926535897932384626433832795028841971, 2 * 10**40)
+_LEAST_PLACES = 2
+_MOST_PLACES = 30
+
+
+def right_angle_of(value: Fraction, places: int | None) -> int | None:
+    """The multiple of 90° that a decimal number of radians is to its digits; None if it is none.
+
+    Args:
+        value: The number.
+        places: The decimals it is written with; 1.57 has two, and two are the fewest that say enough.
+    """
+    if places is None or places < _LEAST_PLACES:
+        return None
+    count = round(value / _QUARTER)
+    if not 0 < abs(count) <= MOST_QUARTERS:
+        return None
+    off = abs(value - count * _QUARTER)
+    within = Fraction(1, 10**places) if places > _LEAST_PLACES else Fraction(1, 2 * 10**places)
+    return 90 * count if off <= within else None
+
+
+def with_right_angles(expr: Expr, remarks: list[str]) -> Expr:
+    """An angle with multiples of 90° in the place of the decimals that are meant as such.
+
+    Args:
+        expr: The expression, units and all.
+        remarks: Where to say what was taken for what.
+    """
+    if isinstance(expr, Sum):
+        terms = [with_right_angles(term, remarks) for term in expr.terms]
+        return expr if all(map(_is, terms, expr.terms)) else add(*terms)
+    match expr:
+        case Product((Number(value, places), Unit(name))) if name in RADIANS:
+            degrees = right_angle_of(value, places)
+            if degrees is not None:
+                remarks.append(f"{Number(value, places)} rad is taken as {degrees}°, which it is to its digits")
+                return multiply(Number(Fraction(degrees)), Unit("deg"))
+    return expr
+
+
+def right_angles_among(values: Mapping[str, Angle | Expr], remarks: list[str]) -> dict[str, Angle | Expr]:
+    """Values of joints with multiples of 90° in the place of their decimals in radians, for a symbolic result."""
+    found = dict(values)
+    for name, value in values.items():
+        if isinstance(value, Angle) and value.radians and not value.terms and not value.degrees:
+            degrees = right_angle_of(value.radians, _decimals(value.radians))
+            if degrees is not None:
+                found[name] = Angle.in_degrees(degrees)
+                remarks.append(
+                    f"{name}: {float(value.radians):.16g} rad is taken as {degrees}°, which it is to its digits"
+                )
+    return found
+
+
+def _decimals(value: Fraction) -> int | None:
+    """How many decimals a number is written with; None where it is no decimal of a few."""
+    return next((places for places in range(_MOST_PLACES) if 10**places % value.denominator == 0), None)
+
+
+def _is(first: Expr, second: Expr) -> bool:
+    return first is second

@@ -1,0 +1,141 @@
+r"""A factor before or behind a matrix, `\frac{1}{\sqrt{2}} \begin{bmatrix} ... \end{bmatrix}`, goes to every cell."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from dhcli.notation.parser import Parser
+from dhcli.notation.scope import Scope
+from dhcli.notation.tokens import Source, Token
+from dhcli.notation.tree import ONE, Expr, Number, multiply
+from dhcli.notation.walk import symbols
+
+_OPENING = {"(": ")", "[": "]", "{": "}"}
+_LARGEST_POWER = 9
+_SEPARATORS = frozenset(",;&|=")
+
+
+@dataclass(frozen=True, slots=True)
+class Scaled:
+    """A matrix with its factor taken off.
+
+    Attributes:
+        body: The tokens of the matrix.
+        factor: What every cell is to be multiplied with; 1 where nothing stands.
+        text: The factor as it was typed.
+    """
+
+    body: list[Token]
+    factor: Expr = ONE
+    text: str = ""
+
+
+def without_factor(source: Source, tokens: list[Token], scope: Scope, wrappers: frozenset[str]) -> Scaled:
+    """Take the factor off a matrix, if one stands before or behind it.
+
+    Args:
+        source: The text.
+        tokens: Its tokens, without `end`.
+        scope: The names it may use.
+        wrappers: Words that stand before the bracket of a matrix, such as array.
+
+    Raises:
+        NotationError: What stands there cannot be read.
+    """
+    start, end = _matrix(tokens, wrappers)
+    if end < 0 or (start == 0 and end == len(tokens) - 1):
+        return Scaled(tokens)
+    before, after = _trimmed(tokens[:start]), _trimmed(tokens[end + 1 :])
+    if not (before or after) or not _is_factor(before) or not _is_factor(after):
+        return Scaled(tokens)
+    if after and after[0].text not in ("*", "/"):
+        return Scaled(tokens)  # the number of an equation, or another matrix
+    if not any(token.text in _SEPARATORS or token.kind == "newline" for token in tokens[start:end]):
+        return Scaled(tokens)
+    signed = bool(before and before[-1].text == "*") or bool(after and after[0].text in ("*", "/"))
+    factor: Expr = ONE
+    texts: list[str] = []
+    for side in (before, after):
+        if side:
+            factor = multiply(factor, _read(source, side, scope))
+            texts.append(source.text[side[0].start : side[-1].end].strip(" *"))
+    if symbols(factor) and not signed:
+        return Scaled(tokens)  # `T [1 0; 0 1]` has a label without its sign
+    return Scaled(tokens[start : end + 1], factor, "*".join(texts))
+
+
+def times(factor: Expr, cell: Expr) -> Expr:
+    """A cell with its factor; a power of ten moves the point and leaves the digits as many as they are."""
+    if isinstance(factor, Number) and isinstance(cell, Number) and cell.places is not None:
+        shift = _power_of_ten(factor.value)
+        if shift is not None:
+            places = cell.places - shift
+            return Number(factor.value * cell.value, places if places > 0 else None)
+    return multiply(factor, cell)
+
+
+def _power_of_ten(value: Fraction) -> int | None:
+    for power in range(-_LARGEST_POWER, _LARGEST_POWER + 1):
+        if value == Fraction(10) ** power:
+            return power
+    return None
+
+
+def _matrix(tokens: Sequence[Token], wrappers: frozenset[str]) -> tuple[int, int]:
+    """Where the first matrix in brackets or in an environment begins and ends; -1 if there is none."""
+    for i, token in enumerate(tokens):
+        if token.kind == "newline" and i:
+            return 0, -1
+        if token.text == "begin" and tokens[i + 1 : i + 2] and tokens[i + 1].text == "{":
+            ends = [k for k in range(len(tokens) - 3) if tokens[k].text == "end" and tokens[k + 1].text == "{"]
+            return (i, ends[-1] + 3) if ends else (0, -1)
+        called = token.kind == "word" and token.text in wrappers and i + 1 < len(tokens)
+        opening = i + 1 if called else i
+        if (tokens[opening].text == "[" or (called and tokens[opening].text in _OPENING)) or _holds_matrix(tokens, i):
+            return i, _closing(tokens, opening)
+    return 0, -1
+
+
+def _holds_matrix(tokens: Sequence[Token], at: int) -> bool:
+    """Whether a round bracket stands here around a matrix."""
+    return tokens[at].text == "(" and at + 1 < len(tokens) and tokens[at + 1].text in ("begin", "[")
+
+
+def _closing(tokens: Sequence[Token], start: int) -> int:
+    depth = 0
+    for i in range(start, len(tokens)):
+        if tokens[i].kind == "sign":
+            depth += (tokens[i].text in _OPENING) - (tokens[i].text in _OPENING.values())
+        if depth == 0:
+            return i
+    return -1
+
+
+def _trimmed(tokens: Sequence[Token]) -> list[Token]:
+    start, end = 0, len(tokens)
+    while start < end and tokens[start].kind == "newline":
+        start += 1
+    while end > start and (tokens[end - 1].kind == "newline" or tokens[end - 1].text in (",", ";")):
+        end -= 1
+    return list(tokens[start:end])
+
+
+def _is_factor(tokens: Sequence[Token]) -> bool:
+    """Whether nothing in some tokens separates cells or rows."""
+    return not any(token.kind == "newline" or token.text in _SEPARATORS for token in tokens)
+
+
+def _read(source: Source, tokens: list[Token], scope: Scope) -> Expr:
+    if tokens[-1].text == "*":
+        tokens = tokens[:-1]
+    elif tokens[0].text == "*":
+        tokens = tokens[1:]
+    elif tokens[0].text == "/":
+        tokens = [Token("number", "1", tokens[0].start, tokens[0].start, spaced=False), *tokens]
+    end = tokens[-1].end if tokens else 0
+    parser = Parser(source, [*tokens, Token("end", "", end, end, spaced=False)], scope)
+    expr = parser.expression()
+    parser.finish()
+    return expr

@@ -1,0 +1,92 @@
+r"""Text as it stands on a screen or in a paper, down to what was meant: no display environments, no final stop.
+
+What dhcli prints for people has a heading and names for brackets; papers set formulas in `$$`, `\[` or `align` and
+end them with a full stop; MATLAB sets a common factor above a matrix; German screens write 0,5. Every step leaves alone
+what it does not know for certain, and goes through a text once.
+"""
+
+from __future__ import annotations
+
+import re
+
+LONGEST = 200_000
+"""Characters of a text with the brackets of `--let` put in."""
+
+_DISPLAY = re.compile(
+    r"\\(?:begin|end)\{(?:equation|align|aligned|alignat|gather|gathered|split|displaymath|math|multline)\*?\}"
+    r"|\\(?:tag|label)\{[^{}]{0,60}\}|\\(?:nonumber|notag|hline)\b|\\(?:over|under)brace\{[^{}]{0,60}(?:\{[^{}]{0,60}\}[^{}]{0,60}){0,4}\}[\^_]\{[^{}]{0,20}\}"
+    r"|\$\$?|\\\[(?!\s*-?[\d.]+\s*(?:pt|ex|em|mm|cm|in)\s*\])|\\[\]()]"
+)
+"""What sets a formula apart and is no part of it; a `\\[2pt]` at the end of a row is."""
+
+_NUMBER_OF_EQUATION = re.compile(r"\\q?quad\s{0,9}\([0-9]{1,3}\.[0-9]{1,3}\)\s{0,99}$")
+_ROWS_OF_EQUATIONS = re.compile(r"^\s*\\begin\{array\}\s*\{[rcl ]{1,9}\}|\\end\{array\}\s*$")
+_HEADING = re.compile(
+    r"^(?:\S{1,20} of .{1,80}: frame \S{1,12} seen from frame \S{1,12}|(?:standard DH|modified DH|product of moves)\b.*"
+    r"|[xyz]' points along .*)$"
+)
+_MORE_HEADING = re.compile(r"^[^=⎡⎢⎣\[]{1,20} = [^·]{1,40}(?: · .*)?$|^lengths in \w+$")
+_LET = re.compile(r"^[^\S\n]*(?:let[^\S\n]+)?(k[0-9]{1,3})[^\S\n]*=[^\S\n]*(\S.*)$")
+_NAME_OF_BRACKET = re.compile(r"(?<![\w.])k[0-9]{1,3}(?![\w])")
+_COMMON_FACTOR = re.compile(r"\s*([0-9](?:\.[0-9]{1,20})?[eE][+-]?[0-9]{1,3})[^\S\n]*\*[^\S\n]*\n")
+_GRID = re.compile(r"[\s0-9,;.eE\[\]()+−–-]*")  # noqa: RUF001
+_NUMBER = re.compile(r"[+−–-]?[0-9]{1,30}(?:,[0-9]{1,30})?(?:[eE][+-]?[0-9]{1,3})?")  # noqa: RUF001
+_SIDES = (3, 4)
+
+
+def plain(text: str) -> str:
+    """A formula without what a paper or a screen sets around it, and without the stop at its end."""
+    if "\\" in text or "$" in text:
+        text = _DISPLAY.sub(" ", text)
+    if "seen from frame" in text or "let k" in text:
+        text = _for_people(text)
+    if "^{*}" in text:
+        text = text.replace("^{*}", "*")
+    text = _NUMBER_OF_EQUATION.sub("", text)
+    stripped = text.rstrip(" \t\r\n.,;&")
+    while stripped.endswith("\\\\"):
+        stripped = stripped[:-2].rstrip(" \t\r\n.,;&")
+    return stripped
+
+
+def equations(text: str) -> str:
+    r"""A list of equations without the `\begin{array}{rcl}` around it."""
+    return _ROWS_OF_EQUATIONS.sub(" ", text) if "\\begin{array}" in text and "=" in text else text
+
+
+def with_factor(text: str) -> str:
+    """A matrix under MATLAB's `1.0e+03 *` as that number times the matrix."""
+    found = _COMMON_FACTOR.match(text)
+    return f"{found[1]}*[{text[found.end() :].strip()}]" if found else text
+
+
+def with_points(text: str) -> str:
+    """A square of numbers with decimal commas between blanks, with points; any other text as it is."""
+    if "," not in text or not _GRID.fullmatch(text):
+        return text
+    lines = [line.split() for line in re.split(r"[\n;]", text.strip().strip("[]()")) if line.strip()]
+    width = len(lines[0]) if lines else 0
+    whole = len(lines) > 1 and width in _SIDES and all(len(line) == width for line in lines)
+    if not whole or not all(_NUMBER.fullmatch(number) for line in lines for number in line):
+        return text
+    return "[" + "; ".join(" ".join(line).replace(",", ".") for line in lines) + "]"
+
+
+def _for_people(text: str) -> str:
+    """What dhcli prints for people without its heading, and with the brackets in the place of their names."""
+    kept: list[str] = []
+    brackets: dict[str, str] = {}
+    for line in text.split("\n"):
+        named = _LET.match(line)
+        if named:
+            brackets[named[1]] = f"({_put_in(named[2].strip(), brackets)})"
+        elif not _HEADING.match(line) and not (not kept and _MORE_HEADING.match(line) and "·" in line):
+            kept.append(line)
+        if sum(map(len, brackets.values())) > LONGEST:
+            return text
+    found = _put_in("\n".join(kept), brackets)
+    return found if len(found) <= LONGEST else text
+
+
+def _put_in(text: str, brackets: dict[str, str]) -> str:
+    return _NAME_OF_BRACKET.sub(lambda name: brackets.get(name[0], name[0]), text) if brackets else text

@@ -1,0 +1,106 @@
+"""What is to be drawn and how, and the figure that comes of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhcli.errors import DhcliError
+from dhcli.kinematics.robot import Robot, Value
+from dhcli.kinematics.values import JointInput
+from dhcli.mobility.linkage import Linkage
+from dhcli.scene.beside import beside_figure
+from dhcli.scene.linkages import linkage_figure
+from dhcli.scene.shapes import Figure
+from dhcli.scene.staging import HEIGHT, WIDTH, Paper, figure_of, stage_arm
+from dhcli.scene.strip import strip_figure
+from dhcli.scene.table import with_table
+
+if TYPE_CHECKING:
+    from dhcli.notation.quantity import Bare
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """What is drawn, and how.
+
+    Attributes:
+        what: A robot or a linkage.
+        q: Joint values; None takes `pose`, or the pose that shows the robot best.
+        pose: The name of a pose.
+        view: Azimuth and elevation [deg]; None for the best view.
+        size: Width and height [px].
+        dark: Whether it is light on dark; otherwise an SVG follows the reader's colour scheme.
+        worksheet: Whether the frames are left to the student.
+        table: Whether the DH table stands beside.
+        parameters: Lengths and angles instead of the robot's own.
+        bare: What a number without a unit means for a joint that turns.
+        to: Joint values or the name of a pose to which the robot moves: then the picture is a film strip.
+        beside: Another table of the same arm, drawn over it; the first frame that differs is marked.
+    """
+
+    what: Robot | Linkage
+    q: JointInput = None
+    pose: str | None = None
+    view: tuple[float, float] | None = None
+    size: tuple[int, int] | None = None
+    dark: bool = False
+    worksheet: bool = False
+    table: bool = False
+    parameters: Mapping[str, Value] | None = None
+    bare: Bare = "rad"
+    to: JointInput = None
+    beside: Robot | None = None
+
+    def figure(self, paper: Paper | None = None) -> Figure:
+        """The finished drawing on a paper, by default one of the shape that the size asks for."""
+        paper = paper or self._paper()
+        if isinstance(self.what, Linkage):
+            if self.q is not None or self.pose is not None or self.table or self.to is not None or self.beside:
+                raise DhcliError(f"{self.what.name or 'it'} is a linkage: it has no joint values, poses or DH table")
+            return linkage_figure(self.what, view=self.view, paper=paper, worksheet=self.worksheet)
+        if self.to is not None:
+            return self._strip()
+        if self.beside is not None:
+            return self._compared(self.what, self.beside, paper)
+        staged = stage_arm(
+            self.what, self.q, pose=self.pose, view=self.view, parameters=self.parameters, bare=self.bare
+        )
+        drawn = figure_of(staged, paper, worksheet=self.worksheet)
+        return with_table(drawn, self.what) if self.table else drawn
+
+    def _compared(self, robot: Robot, other: Robot, paper: Paper) -> Figure:
+        if self.table or self.worksheet:
+            raise DhcliError(
+                "two tables over each other leave no room for more", "leave out the table or the worksheet"
+            )
+        return beside_figure(
+            robot,
+            other,
+            self.q,
+            pose=self.pose,
+            view=self.view,
+            parameters=self.parameters,
+            bare=self.bare,
+            paper=paper,
+        )
+
+    def _strip(self) -> Figure:
+        assert isinstance(self.what, Robot)  # noqa: S101  the caller has looked
+        if self.table or self.worksheet:
+            raise DhcliError("a film strip has no frames and no table", "leave --to out, or the other")
+        start = self.q, self.pose
+        return strip_figure(self.what, start, self.to, view=self.view, parameters=self.parameters, bare=self.bare)
+
+    @property
+    def shown_at(self) -> tuple[int, int] | None:
+        """The size asked for, where the figure has that shape: one with a table beside has its own."""
+        return None if self.table or self.to is not None else self.size
+
+    def _paper(self) -> Paper:
+        if self.size is None:
+            return Paper()
+        wide, high = self.size
+        shrink = WIDTH / wide
+        return Paper(WIDTH, max(high * shrink, 0.45 * HEIGHT)) if wide >= high else Paper(HEIGHT * wide / high, HEIGHT)

@@ -1,0 +1,222 @@
+"""What a scene consists of; every point is anchored to a state, so that a moved joint moves what hangs on it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, NamedTuple, TypeAlias
+
+from dhcli.scene.vectors import Frame, Vec
+from dhcli.scene.words import Words
+
+
+class Anchor(NamedTuple):
+    """A point that is fixed to a state.
+
+    Attributes:
+        state: Number of the state.
+        at: Where it is, in the frame of that state.
+    """
+
+    state: int
+    at: Vec
+
+
+@dataclass(frozen=True, slots=True)
+class Rod:
+    """A straight piece of a link.
+
+    Attributes:
+        start: One end.
+        end: The other.
+        thickness: Half of how thick it is [m].
+        ground: Whether it is the link that stands still.
+    """
+
+    start: Anchor
+    end: Anchor
+    thickness: float
+    ground: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Drum:
+    """The body of a joint that turns: a cylinder about its axis.
+
+    Attributes:
+        name: The joint variable.
+        centre: Its middle.
+        axis: Direction of its axis in the same state; positive angles turn about it by the right-hand rule.
+        radius: Its radius [m].
+        half: Half of its length [m].
+    """
+
+    name: str
+    centre: Anchor
+    axis: Vec
+    radius: float
+    half: float
+
+
+@dataclass(frozen=True, slots=True)
+class Box:
+    """The body of a joint that slides.
+
+    Attributes:
+        name: The joint variable.
+        centre: Its middle.
+        axis: The direction in which it slides, in the same state.
+        side: A direction at right angles.
+        half: Half of its length along the axis; it is a little less wide [m].
+    """
+
+    name: str
+    centre: Anchor
+    axis: Vec
+    side: Vec
+    half: float
+
+
+@dataclass(frozen=True, slots=True)
+class Ball:
+    """A ball joint, or the cross of a universal joint.
+
+    Attributes:
+        centre: Its middle.
+        radius: Its radius [m].
+    """
+
+    centre: Anchor
+    radius: float
+
+
+@dataclass(frozen=True, slots=True)
+class Face:
+    """A flat link with three corners or more.
+
+    Attributes:
+        corners: Its corners in order.
+        ground: Whether it is the link that stands still.
+    """
+
+    corners: tuple[Anchor, ...]
+    ground: bool = False
+
+
+Solid: TypeAlias = Drum | Box | Ball | Face
+
+
+@dataclass(frozen=True, slots=True)
+class Arrow:
+    """An axis of a frame.
+
+    Attributes:
+        start: The origin.
+        direction: Where it points, in the same state.
+        letter: x, y or z.
+        words: What is written at its tip.
+        length: Its length [m].
+    """
+
+    start: Anchor
+    direction: Vec
+    letter: Literal["x", "y", "z"]
+    words: Words
+    length: float
+
+
+@dataclass(frozen=True, slots=True)
+class Dimension:
+    """A length of the table where its convention has it: d along z, a along x.
+
+    Attributes:
+        start: One end.
+        end: The other.
+        words: The length as it stands in the table.
+        variable: Whether it is a joint variable.
+        direct: Whether it is drawn where it is, and not beside: no link runs there.
+    """
+
+    start: Anchor
+    end: Anchor
+    words: Words
+    variable: bool = False
+    direct: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Plate:
+    """The ground under an arm, or a broken end where the arm goes on.
+
+    Attributes:
+        centre: Where the arm stands on it.
+        normal: The direction to the arm, in the same state.
+        size: Half of its side [m].
+        broken: Whether it is the break of a link that goes on, and no ground.
+    """
+
+    centre: Anchor
+    normal: Vec
+    size: float
+    broken: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Hand:
+    """The hand: a fork with two fingers.
+
+    Attributes:
+        wrist: Where it begins.
+        forward: The direction of its fingers, in the same state.
+        across: The direction in which they open.
+        size: Its length [m].
+    """
+
+    wrist: Anchor
+    forward: Vec
+    across: Vec
+    size: float
+
+
+@dataclass(frozen=True, slots=True)
+class Mark:
+    """A name at a point, such as that of a pin."""
+
+    at: Anchor
+    words: Words
+
+
+@dataclass(frozen=True)
+class Scene:
+    """Everything that a figure shows, in space.
+
+    Attributes:
+        states: Frames that the points are anchored to.
+        solids: Bodies of joints.
+        rods: Pieces of links.
+        arrows: Axes of frames; equal ones that coincide are one.
+        dimensions: Lengths of the table.
+        plate: The ground, if there is one.
+        hand: The hand, if there is one.
+        marks: Names of points.
+        unit: The radius of a drum, from which everything else has its size [m].
+        pinned: Point of the ground in the plane, drawn as a triangle; for arms that are seen from above.
+    """
+
+    states: tuple[Frame, ...]
+    unit: float
+    solids: tuple[Solid, ...] = ()
+    rods: tuple[Rod, ...] = ()
+    arrows: tuple[Arrow, ...] = ()
+    dimensions: tuple[Dimension, ...] = ()
+    plate: Plate | None = None
+    hand: Hand | None = None
+    marks: tuple[Mark, ...] = ()
+    pinned: tuple[Anchor, ...] = ()
+
+    def point(self, anchor: Anchor) -> Vec:
+        """Where an anchored point is in the world [m]."""
+        return self.states[anchor.state].point(anchor.at)
+
+    def direction(self, state: int, local: Vec) -> Vec:
+        """Where a direction of a state points in the world."""
+        return self.states[state].direction(local)

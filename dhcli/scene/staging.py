@@ -1,0 +1,234 @@
+"""From a robot to its figure: the pose, the view, the scene, and everything in its place on paper."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from dhcli.errors import RobotError
+from dhcli.kinematics.conventions import NAMES
+from dhcli.kinematics.robot import Robot, Value
+from dhcli.kinematics.validity import in_floats
+from dhcli.kinematics.values import JointInput, Values, joint_values, require
+from dhcli.notation.angle import Angle
+from dhcli.notation.quantity import Bare
+from dhcli.scene.arm import arm_scene, is_planar
+from dhcli.scene.camera import VIEWS, Camera
+from dhcli.scene.choice import best_pose, best_view, with_examples
+from dhcli.scene.ink import Ink
+from dhcli.scene.labels import PRINT, Lettering, Rect, Wish, placed
+from dhcli.scene.overlay import dimensions, frames, joint_axes, pins, turn_wishes
+from dhcli.scene.painter import painted
+from dhcli.scene.primitives import Ball, Box, Drum, Face, Scene
+from dhcli.scene.shapes import Figure, Shape, Text
+from dhcli.scene.skeleton import Skeleton
+from dhcli.scene.vectors import Vec, along
+from dhcli.scene.words import Run, named, plain
+
+WIDTH, HEIGHT = 820.0, 640.0
+MARGIN, FOOT = 62.0, 34.0
+LARGEST_DRUM = 36.0
+"""The largest radius of a drum on paper [px]."""
+
+
+@dataclass(frozen=True)
+class Staged:
+    """A robot or a linkage, ready to be drawn.
+
+    Attributes:
+        scene: What it looks like in space.
+        view: Azimuth and elevation [deg].
+        title: What it is called.
+        caption: What is shown: convention, pose, example lengths.
+        first: Number of the first joint.
+    """
+
+    scene: Scene
+    view: tuple[float, float]
+    title: str
+    caption: str
+    first: int = 1
+
+
+@dataclass(frozen=True, slots=True)
+class Paper:
+    """What a figure is drawn on.
+
+    Attributes:
+        width: Of the paper [px].
+        height: Of the paper [px].
+        lettering: How large its letters are.
+        margin: Room for labels around the bodies [px].
+        foot: Height of the caption [px]; 0 leaves it out.
+    """
+
+    width: float = WIDTH
+    height: float = HEIGHT
+    lettering: Lettering = PRINT
+    margin: float = MARGIN
+    foot: float = FOOT
+
+
+def stage_arm(
+    robot: Robot,
+    q: JointInput = None,
+    *,
+    pose: str | None = None,
+    view: tuple[float, float] | None = None,
+    parameters: Values | None = None,
+    bare: Bare = "rad",
+) -> Staged:
+    """A robot at joint values, at one of its poses, or at the pose that shows it best.
+
+    Args:
+        robot: The robot.
+        q: Joint values, as `forward` takes them.
+        pose: The name of a pose instead.
+        view: Azimuth and elevation [deg]; the best view by default.
+        parameters: Lengths and angles instead of the robot's own.
+        bare: What a number without a unit means for a joint that turns.
+
+    Raises:
+        RobotError: A joint has no value; the pose is not known.
+    """
+    full, made = with_examples(robot, parameters or {})
+    shown, values = posed(robot, q, pose, full, bare)
+    every = {**full, **values}
+    require(robot, robot.chain, every)
+    scene = arm_scene(robot, every)
+    if view is None:
+        view = VIEWS["top"] if is_planar(Skeleton.of(robot, every)) else best_view(scene)
+    examples = ", ".join(f"{plain(named(name))} = {_shown(every[name])}" for name in made)
+    caption = " · ".join(
+        part for part in (robot.name, NAMES[robot.convention], shown, f"example: {examples}" * bool(made)) if part
+    )
+    return Staged(scene, view, robot.title, caption, robot.first)
+
+
+def values_at(
+    robot: Robot, q: JointInput, pose: str | None, parameters: Values | None, bare: Bare = "rad"
+) -> dict[str, Value]:
+    """Values of all joints and lengths of a figure, examples included; see `stage_arm`."""
+    full, _ = with_examples(robot, parameters or {})
+    return {**full, **posed(robot, q, pose, full, bare)[1]}
+
+
+def figure_of(staged: Staged, paper: Paper | None = None, *, worksheet: bool = False) -> Figure:
+    """The figure of a staged scene.
+
+    Args:
+        staged: The scene and its view.
+        paper: What it is drawn on.
+        worksheet: Whether the frames are left to the student: only bodies, axes and numbers of the joints.
+    """
+    paper = paper or Paper()
+    camera = fitted(staged.scene, staged.view, paper)
+    scene = staged.scene
+    shapes = [*pins(scene, camera, scene.pinned), *painted(scene, camera, turns=bool(scene.arrows) and not worksheet)]
+    ink = Ink(paper.width, paper.height)
+    ink.add(shapes)
+    wishes: list[Wish] = []
+    over: list[Shape] = []
+    if worksheet:
+        over, wishes = joint_axes(scene, camera, staged.first)
+        ink.add(over)
+    else:
+        axes, names = frames(scene, camera)
+        ink.add(axes)
+        lines, lengths = dimensions(scene, camera, ink)
+        turns = turn_wishes(scene, camera) if scene.arrows else ()
+        over, wishes = [*lines, *axes], [*names, *lengths, *turns]
+        wishes += [Wish((camera.flat(scene.point(mark.at)),), mark.words, "mark") for mark in scene.marks]
+    room = Rect(3, 3, paper.width - 3, paper.height - max(paper.foot, 3))
+    leaders, texts = placed(wishes, ink, room, paper.lettering)
+    azimuth, elevation = staged.view
+    caption = f"{staged.caption} · az {azimuth:.4g}°, el {elevation:.4g}°"
+    texts += foot(staged.title, caption, paper)
+    return Figure(paper.width, paper.height, (*shapes, *leaders, *over), tuple(texts), staged.title, caption)
+
+
+def fitted(scene: Scene, view: tuple[float, float], paper: Paper, more: Sequence[Vec] = ()) -> Camera:
+    """The camera that has everything of a scene on paper; the same for a figure and its worksheet."""
+    room = (
+        paper.margin,
+        paper.margin * 0.8,
+        paper.width - paper.margin,
+        paper.height - paper.foot - paper.margin * 0.7,
+    )
+    most = LARGEST_DRUM / scene.unit * min(paper.width / WIDTH, paper.height / HEIGHT)
+    return Camera.at(*view).fitted([*extent(scene), *more], room, most)
+
+
+def extent(scene: Scene) -> list[Vec]:
+    """Points that span a scene."""
+    points = [scene.point(end) for rod in scene.rods for end in (rod.start, rod.end)]
+    for solid in scene.solids:
+        if isinstance(solid, Face):
+            points += [scene.point(corner) for corner in solid.corners]
+            continue
+        centre = scene.point(solid.centre)
+        size = solid.radius * 1.5 if isinstance(solid, Drum | Ball) else solid.half
+        points += [along(centre, axis, sign * size) for axis in _AXES for sign in (1, -1)]
+        if isinstance(solid, Drum | Box):
+            axis = scene.direction(solid.centre.state, solid.axis)
+            points += [along(centre, axis, sign * 2.0 * scene.unit) for sign in (1, -1)]
+    for arrow in scene.arrows:
+        direction = scene.direction(arrow.start.state, arrow.direction)
+        points += [scene.point(arrow.start), along(scene.point(arrow.start), direction, arrow.length)]
+    if scene.plate is not None:
+        centre = scene.point(scene.plate.centre)
+        size = scene.plate.size
+        points += [add_flat(centre, s * size, t * size) for s in (1, -1) for t in (1, -1)]
+    if scene.hand is not None:
+        wrist, hand = scene.point(scene.hand.wrist), scene.hand
+        points.append(along(wrist, scene.direction(hand.wrist.state, hand.forward), hand.size))
+    points += [scene.point(mark.at) for mark in scene.marks]
+    return points
+
+
+def add_flat(point: Vec, x: float, y: float) -> Vec:
+    """A point moved in the plane of x and y."""
+    return point[0] + x, point[1] + y, point[2]
+
+
+_AXES: tuple[Vec, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+
+
+def posed(robot: Robot, q: JointInput, pose: str | None, full: Values, bare: Bare) -> tuple[str, Mapping[str, Value]]:
+    """The pose to draw, and how a caption says it."""
+    if q is not None and pose is not None:
+        raise RobotError("joint values and a pose are two answers to one question", "give one of the two")
+    if pose is not None:
+        if pose not in robot.poses:
+            known = ", ".join(robot.poses) or "it has none"
+            raise RobotError(f"{robot.name} has no pose called {pose}", f"poses: {known}")
+        return f"pose {pose}", dict(zip(robot.variables, robot.poses[pose], strict=True))
+    if q is not None:
+        values = joint_values(robot, q, bare=bare)
+        named_so = [name for name, own in robot.poses.items() if tuple(values.get(v) for v in robot.variables) == own]
+        return (f"pose {named_so[0]}" if named_so else _listed(values)), values
+    name, values = best_pose(robot, full)
+    return (f"pose {name}" if name else _listed(values)), values
+
+
+def _listed(values: Mapping[str, Value]) -> str:
+    return ", ".join(f"{plain(named(name))} = {_shown(value)}" for name, value in values.items())
+
+
+def _shown(value: Value) -> str:
+    if isinstance(value, Angle):
+        return f"{value.constant() * 57.29577951308232:.4g}°"
+    return f"{in_floats(value):.4g} m"
+
+
+def foot(title: str, caption: str, paper: Paper) -> list[Text]:
+    """The line under a figure."""
+    if not paper.foot:
+        return []
+    text = f"{title} · {caption}"
+    text = "".join(letter if letter.isprintable() else " " for letter in text)
+    size = 12.5
+    most = int((paper.width - 32) / (0.53 * size))
+    if len(text) > most:
+        text = text[: most - 1] + "…"
+    return [Text((16.0, paper.height - 14.0), (Run(text),), "caption", size)]

@@ -1,0 +1,225 @@
+"""`dhcli ik`: every way to say a pose, what is shown of the solutions, and what is refused."""
+
+from __future__ import annotations
+
+import json
+import math
+
+import numpy as np
+import pytest
+
+from dhcli import forward, load_robot
+from tests.cli.running import Run
+
+CONTENT = {
+    *("robot", "convention", "values", "task", "reference", "frame", "joints", "reachable", "why", "held", "closest"),
+    "solutions",
+}
+SOLUTION = {"q", "branch", "within_limits", "beyond", "residual", "free"}
+PAGE = """\
+inverse kinematics: position of frame 2 of planar-2r, seen from frame 0
+standard DH · a1 = 0.4 m · a2 = 0.3 m · lengths in m
+
+2 solutions
+
+ #   theta1     theta2      branch
+ ─────────────────────────────────────
+ 1    2.4773°    67.9757°   elbow down
+ 2   59.4502°   -67.9757°   elbow up
+
+"""
+
+
+def test_the_whole_answer_stands_on_a_page(dhcli: Run) -> None:
+    """Heading, what was given, how many, a row for each."""
+    done = dhcli("ik", "planar-2r", "--position", "0.5,0.3,0")
+    assert (done.code, done.out, done.err) == (0, PAGE, "")
+
+
+def test_json_has_exactly_these_keys(dhcli: Run) -> None:
+    """A new key is a decision, and stands here; joint values are in radians and metres and reach the pose."""
+    data = dhcli("ik", "puma560", "--pose", "ready", "--format", "json").data
+    assert set(data) == CONTENT
+    assert all(set(solution) == SOLUTION for solution in data["solutions"])
+    assert (data["task"], data["reference"], data["frame"], data["reachable"], data["why"]) == (
+        "pose",
+        "0",
+        "6",
+        True,
+        "",
+    )
+    robot = load_robot("puma560")
+    for solution in data["solutions"]:
+        assert np.allclose(forward(robot, solution["q"]).matrix, forward(robot, "ready").matrix, atol=1e-12)
+    [free] = [way for solution in data["solutions"] for way in solution["free"]]
+    assert free == {"joint": "theta4", "joints": ["theta4", "theta6"], "relation": "theta4 + theta6 = 0°, any theta4"}
+
+
+def test_what_fk_prints_goes_back_in(dhcli: Run) -> None:
+    """JSON, a table of numbers and a numpy matrix are read from standard input."""
+    q = "0.3,-0.5,0.7,1,0.8,-2"
+    for format_ in ("json", "matlab", "numpy"):
+        text = dhcli("fk", "puma560", "--q", q, "--format", format_, "--digits", "12").out
+        data = dhcli("ik", "puma560", "--target", "-", "--near", q, "--format", "json", stdin=text).data
+        assert data["solutions"][0]["q"] == pytest.approx([0.3, -0.5, 0.7, 1, 0.8, -2], abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("words", "task"),
+    [
+        (("--q", "0.3,-0.5,0.7,1,0.8,-2"), "pose"),
+        (("--target", "Trans(0.4,0.2,0.3) Rot(x,180°)"), "pose"),
+        (("--position", "0.4,0.2,0.3", "--rpy", "180°,0,0"), "pose"),
+        (("--position", "0.4,0.2,0.3", "--quaternion", "0,1,0,0"), "pose"),
+        (("--position", "0.4,0.2,0.3", "--pointing", "0,0,-1"), "axis"),
+        (("--position", "400mm,0.2,0.3"), "position"),
+        (("--pointing", "0,0,-1"), "direction"),
+        (("--rpy", "180,0,0", "--deg"), "orientation"),
+        (("--pose", "ready", "--task", "orientation"), "orientation"),
+    ],
+)
+def test_a_pose_is_said_in_many_ways(dhcli: Run, words: tuple[str, ...], task: str) -> None:
+    """What counts of it follows from what is said."""
+    data = dhcli("ik", "puma560", *words, "--format", "json").data
+    assert data["task"] == task
+    assert data["solutions"]
+
+
+def test_three_ways_to_say_one_pose_give_the_same_solutions(dhcli: Run) -> None:
+    """Moves, angles and a quaternion."""
+    ways = (
+        ("--target", "Trans(0.4,0.2,0.3) Rot(x,180°)"),
+        ("--position", "0.4,0.2,0.3", "--rpy", "180°,0,0"),
+        ("--position", "0.4,0.2,0.3", "--quaternion", "0,1,0,0"),
+    )
+    found = [dhcli("ik", "ur5e", *way, "--near", "work", "--format", "json").data["solutions"] for way in ways]
+    for other in found[1:]:
+        assert [s["branch"] for s in other] == [s["branch"] for s in found[0]]
+        assert np.allclose([s["q"] for s in other], [s["q"] for s in found[0]], atol=1e-9)
+
+
+def test_rpy_turns_as_fk_says_it(dhcli: Run) -> None:
+    """Roll, pitch and yaw of a pose lead back to it."""
+    said = forward(load_robot("spherical-wrist"), [0.3, 0.6, -0.4]).rpy
+    words = ",".join(repr(angle) for angle in (said.roll, said.pitch, said.yaw))
+    data = dhcli("ik", "spherical-wrist", f"--rpy={words}", "--near", "0.3,0.6,-0.4", "--format", "json").data
+    assert data["solutions"][0]["q"] == pytest.approx([0.3, 0.6, -0.4])
+
+
+def test_a_pose_out_of_reach_ends_with_1_and_says_why(dhcli: Run) -> None:
+    """Reasons, the part that can be reached, and where the arm comes nearest."""
+    done = dhcli("ik", "puma560", "--target", "Trans(3,0,0)")
+    assert done.code == 1
+    assert (
+        "no solution\n  the point is 3 m from the first joint, and the links laid end to end are 0.8894 m\n" in done.out
+    )
+    assert "  the nearest pose reached is 2." in done.out
+    assert "  nearest with theta1 = " in done.out
+
+
+def test_only_some_branches_are_shown_on_request(dhcli: Run) -> None:
+    """Words of their names; one that no solution has is refused with those there are."""
+    data = dhcli("ik", "puma560", "--pose", "nominal", "--branch", "elbow up, shoulder left", "--format", "json").data
+    assert {s["branch"] for s in data["solutions"]} == {
+        f"shoulder left, elbow up, wrist {w}" for w in ("flip", "noflip")
+    }
+    done = dhcli("ik", "puma560", "--pose", "nominal", "--branch", "elbow sideways")
+    assert done.code == 2
+    assert "branches here: " in done.err
+
+
+def test_a_spare_joint_is_told_and_may_be_held_or_sampled(dhcli: Run) -> None:
+    """Panda has seven joints."""
+    held = dhcli("ik", "panda", "--pose", "ready", "--hold", "theta7=45°", "--format", "json").data
+    assert held["held"] == {"theta7": pytest.approx(math.pi / 4)}
+    told = dhcli("ik", "panda", "--pose", "ready")
+    assert "panda has 1 joint more than this needs: held theta7 = 0°" in told.err
+    sampled = dhcli("ik", "panda", "--pose", "ready", "--family", "6", "--format", "json").data
+    assert len({round(s["q"][6], 9) for s in sampled["solutions"]}) > 1
+
+
+def test_csv_has_a_line_for_each_solution(dhcli: Run) -> None:
+    """And goes back into `fk --in` without its first two columns."""
+    lines = dhcli("ik", "ur5e", "--pose", "work", "--format", "csv").out.splitlines()
+    assert lines[0] == "branch,within_limits,theta1,theta2,theta3,theta4,theta5,theta6"
+    assert len(lines) == 9
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("puma560",), "no pose is given"),
+        (("puma560", "--pose", "ready", "--target", "Trans(1,0,0)"), "given in two ways"),
+        (("puma560", "--rpy", "0,0,0", "--pointing", "0,0,1"), "orientation is given in two ways"),
+        (("puma560", "--rpy", "0,0"), "three angles are wanted, not 2"),
+        (("puma560", "--quaternion", "0,0,0,0"), "it has no length"),
+        (("puma560", "--quaternion", "1,0,0"), "4 numbers are wanted, not 3"),
+        (("puma560", "--position", "1,2"), "a point has three coordinates"),
+        (("puma560", "--position", "x,0,0"), "x has no value"),
+        (("puma560", "--target", "Trans(a,0,0)"), "is in symbols: a"),
+        (("puma560", "--target", "[1 0 0 0; 0 2 0 0; 0 0 1 0; 0 0 0 1]"), "column 2 is not a unit vector"),
+        (("puma560", "--pose", "ready", "--task", "positon"), "did you mean position"),
+        (("puma560", "--pose", "ready", "--hold", "theta9=1"), "no joint theta9"),
+        (("puma560", "--pose", "ready", "--hold", "1"), "is not NAME=VALUE"),
+        (("puma560", "--pose", "ready", "--near", "nowhere"), "no pose called nowhere"),
+        (("assembly-blocks", "--target", "Trans(1,0,0)"), "no joint moves the end"),
+        (("dh-link", "--target", "Trans(1,0,0)"), "have no value"),
+        (("puma560", "--pose", "ready", "--to", "9"), "no frame 9"),
+        (("puma560", "--pose", "ready", "--format", "matlab"), "there is no format matlab"),
+    ],
+)
+def test_what_cannot_be_answered_is_refused_with_2(dhcli: Run, words: tuple[str, ...], said: str) -> None:
+    """What is wrong, on standard error, and nothing on standard output."""
+    done = dhcli("ik", *words)
+    assert (done.code, done.out) == (2, "")
+    assert said in done.err
+
+
+def test_formulas_are_derived_step_by_step(dhcli: Run) -> None:
+    """The rule, the equations with the level they stand in, the formula, and where it says nothing."""
+    out = dhcli("ik", "planar-2r", "--derive").out
+    assert "1. theta2: SQUARES" in out
+    assert "   theta2 = ± acos((px^2 + py^2 - a1^2 - a2^2)/(2*a1*a2))\n" in out
+    assert "   px = a1*c1 + a2*c12    (1,4) of T = T_02\n" in out
+    assert "   theta1 = atan2(py, px) - atan2(a2*s2, a1 + a2*c2)\n" in out
+    assert "2 combinations of signs" in out
+
+
+def test_a_derivation_has_these_keys_in_json(dhcli: Run) -> None:
+    """A new key is a decision, and stands here."""
+    data = dhcli("ik", "puma560", "--derive", "--format", "json").data
+    assert set(data) == {"robot", "convention", "reference", "frame", "task", "branches", "steps"}
+    keys = {"rule", "unknown", "equations", "value", "plus_minus", "or_half_a_turn_more", "condition"}
+    assert all(set(step) == keys for step in data["steps"])
+    assert [step["unknown"] for step in data["steps"]][:4] == ["theta1", "theta3", "theta2 + theta3", "theta2"]
+
+
+def test_a_derivation_is_written_for_papers_and_programs(dhcli: Run) -> None:
+    """LaTeX, Python, MATLAB."""
+    assert dhcli("ik", "planar-2r", "--derive", "--format", "latex").out.startswith(
+        "\\begin{aligned}\n\\theta_{2} &= \\pm "
+    )
+    assert "def inverse(T, a1=0.4, a2=0.3):" in dhcli("ik", "planar-2r", "--derive", "--format", "numpy").out
+    assert "function solutions = inverse(T, a1, a2)" in dhcli("ik", "planar-2r", "--derive", "--format", "matlab").out
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("panda", "--derive"), "no textbook form by these rules"),
+        (("puma560", "--derive", "--pose", "ready"), "takes no pose"),
+        (("puma560", "--derive", "--task", "axis"), "knows no task axis"),
+        (("puma560", "--derive", "--format", "csv"), "there is no format csv"),
+    ],
+)
+def test_what_cannot_be_derived_is_refused_with_2(dhcli: Run, words: tuple[str, ...], said: str) -> None:
+    """And why."""
+    done = dhcli("ik", *words)
+    assert (done.code, done.out) == (2, "")
+    assert said in done.err
+
+
+def test_errors_are_json_too_when_json_is_asked_for(dhcli: Run) -> None:
+    """One envelope."""
+    done = dhcli("ik", "puma560", "--format", "json")
+    assert json.loads(done.out)["ok"] is False

@@ -1,0 +1,145 @@
+"""Formulas as books derive them: their letters, and that they give what the engine gives."""
+
+from __future__ import annotations
+
+import random
+import sys
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+
+from dhcli import forward, inverse, load_robot
+from dhcli.kinematics.frames import between
+from dhcli.kinematics.inverse.derive import Derivation, NoFormError, derive
+from dhcli.kinematics.inverse.derive_points import pose_values
+from dhcli.kinematics.inverse.derive_values import joint_values
+from dhcli.kinematics.values import numbers, parameter_values
+from dhcli.notation.writer import write
+from dhcli.render.code.derivation import derivation_code
+from dhcli.render.look import Look
+from tests.nightly import cases_for_nights
+
+DERIVED = (
+    *(
+        "planar-2r",
+        "scara",
+        "scara-standard",
+        "scara-yim",
+        "scara-zhou",
+        "cylindrical",
+        "cylindrical-wrist",
+        "cartesian",
+    ),
+    *("articulated", "spherical-wrist", "stanford", "zhou-3r", "zhou-3r-modified", "zhou-6r", "ur5e"),
+    *("puma560", "puma560-standard", "puma560-unimation", "puma200-spherical-wrist"),
+)
+
+USUAL = ("planar-2r", "scara-yim", "cylindrical-wrist", "spherical-wrist", "zhou-3r", "stanford", "puma560", "ur5e")
+"""What ordinary runs try: each rule occurs in them."""
+
+
+@cache
+def derived(name: str) -> Derivation:
+    """The derivation for a robot, made once."""
+    return derive(load_robot(name))
+
+
+def shown(derivation: Derivation) -> dict[str, str]:
+    """Each step's formula, by its rule and what it finds."""
+    joints = derivation.robot.writing
+    found = {}
+    for step in derivation.steps:
+        text = write(step.value, "short", joints)
+        if step.spread is not None:
+            text = f"{'' if text == '0' else text + ' '}± {write(step.spread, 'short', joints)}"
+        if step.two == "opposite":
+            text += " (+ 180°)"
+        name = step.atom if isinstance(step.atom, str) else "+".join(n for n, _ in step.atom)
+        found[name] = f"{step.rule}: {text}"
+    return found
+
+
+def test_planar_arm_comes_out_as_in_books() -> None:
+    """The law of cosines for theta2, and theta1 as the difference of two angles."""
+    assert shown(derived("planar-2r")) == {
+        "theta2": "SQUARES: ± acos((px^2 + py^2 - a1^2 - a2^2)/(2*a1*a2))",
+        "theta1": "BOTH: atan2(py, px) - atan2(a2*s2, a1 + a2*c2)",
+    }
+
+
+def test_puma_comes_out_by_the_rules_of_craig() -> None:
+    """theta1 from the entry that only holds it, theta3 from squares, theta2 from both, and the wrist last."""
+    found = shown(derived("puma560"))
+    assert list(found) == ["theta1", "theta3", "theta2+theta3", "theta2", "theta4", "theta5", "theta6"]
+    assert [text.split(":")[0] for text in found.values()] == [
+        "ONE", "SQUARES", "BOTH", "SUM", "RATIO", "BOTH", "BOTH",
+    ]  # fmt: skip
+    assert found["theta1"] == "ONE: atan2(-px, py) ± acos(d3/sqrt(px^2 + py^2))"
+    assert found["theta3"].startswith("SQUARES: atan2(-d4, a3) ± acos(")
+
+
+def test_a_wrist_comes_out_as_euler_angles() -> None:
+    """Z Y Z: theta4 and its opposite from the third column, the others from both their equations."""
+    assert shown(derived("spherical-wrist")) == {
+        "theta4": "RATIO: atan2(r23, r13) (+ 180°)",
+        "theta5": "BOTH: atan2(r13*c4 + r23*s4, r33)",
+        "theta6": "BOTH: atan2(-r11*s4 + r21*c4, -r12*s4 + r22*c4)",
+    }
+
+
+@pytest.mark.parametrize("name", cases_for_nights(DERIVED, *USUAL))
+def test_formulas_give_the_solutions_that_the_engine_gives(name: str) -> None:
+    """At random poses: as many, each of them, and each reaches the pose; no combination of signs is a stranger."""
+    robot = load_robot(name)
+    derivation = derived(name)
+    lengths = numbers(parameter_values(robot, {}))
+    chain = between(robot, derivation.start, derivation.end)
+    draw = random.Random(5)  # noqa: S311  a fixed seed, for the same poses every time
+    for _ in range(3):
+        q = {j.name: draw.uniform(-2, 2) if j.kind == "revolute" else draw.uniform(0.2, 0.9) for j in robot.joints}
+        pose = forward(robot, q)
+        found = list(joint_values(derivation, {**lengths, **pose_values(chain, {**lengths, **q})}))
+        task = "position" if derivation.place_only else "pose"
+        engine = inverse(robot, pose, task=task)
+        assert len(found) == len(engine) <= derivation.branches
+        for values in found:
+            row = [values[joint] for joint in robot.variables]
+            reached = forward(robot, row).matrix - pose.matrix
+            assert np.abs(reached[:3, 3] if derivation.place_only else reached).max() < 1e-9
+            assert engine.distances(row).min() < 1e-6
+
+
+@pytest.mark.parametrize("name", ["planar-2r", "scara-yim", "cylindrical", "stanford", "puma560", "ur5e"])
+def test_the_python_function_returns_what_the_formulas_say(name: str) -> None:
+    """With the robot's own lengths for defaults; the same joint values, each combination of signs once."""
+    robot = load_robot(name)
+    derivation = derived(name)
+    space: dict[str, Any] = {}
+    exec(derivation_code(derivation, Look("numpy")), space)  # noqa: S102  this is what a user does with it
+    q = [0.4, 0.7, 0.5, -0.6, 0.8, 1.1][: len(robot.variables)]
+    pose = forward(robot, q)
+    lengths = numbers(parameter_values(robot, {}))
+    chain = between(robot, derivation.start, derivation.end)
+    values = dict(zip(robot.variables, q, strict=True))
+    said = list(joint_values(derivation, {**lengths, **pose_values(chain, {**lengths, **values})}))
+    found = np.array(space["inverse"](pose.matrix))
+    assert len(found) == len(said)
+    for one in said:
+        row = np.array([one[joint] for joint in robot.variables])
+        assert np.abs(np.exp(1j * found) - np.exp(1j * row)).max(axis=1).min() < 1e-9
+
+
+@pytest.mark.parametrize("name", ["panda", "puma200"])
+def test_what_the_rules_do_not_find_is_said_so(name: str) -> None:
+    """An arm with a joint to spare, and one whose printed table has an offset wrist."""
+    with pytest.raises(NoFormError, match="no textbook form by these rules"):
+        derive(load_robot(name))
+
+
+def test_a_derivation_needs_no_sympy() -> None:
+    """The algebra is our own."""
+    before = set(sys.modules)
+    derive(load_robot("planar-2r"))
+    assert not {"sympy", "mpmath"} & (set(sys.modules) - before)

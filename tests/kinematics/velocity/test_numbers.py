@@ -1,0 +1,289 @@
+"""Jacobians in numbers: against differences of the pose, and the same in every arithmetic, frame and convention."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from dhcli import forward, jacobian, load_robot, symbolic_jacobian
+from dhcli.algebra.floats import Floats
+from dhcli.algebra.residues import Residues
+from dhcli.errors import RobotError, UnknownNameError
+from dhcli.kinematics.batch import BLOCK
+from dhcli.kinematics.moves import Rot
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.values import numbers, parameter_values
+from dhcli.kinematics.velocity.analytic import TRIPLES
+from dhcli.kinematics.velocity.jacobian import six_rows
+from dhcli.kinematics.velocity.view import MotionView, Viewing, joints_between, parts
+from tests.kinematics.arms import PAN_TILT, hinges, joint_point, moving_robots, with_values
+from tests.nightly import examples
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+ROBOTS = moving_robots()
+VIEWS: list[Viewing] = [
+    {},
+    {"axes": "tool"},
+    {"place": "base"},
+    {"point": (0.1, -0.2, 0.3)},
+    {"start": "base", "axes": "tool", "place": "base", "point": (0.1, 0, 0)},
+    {"start": "tool", "end": "base"},
+]
+
+
+def differences(robot: Robot, q: list[float], parameters: dict[str, str | float]) -> NDArray[np.float64]:
+    """The Jacobian by central differences of `forward`."""
+    here = forward(robot, q, parameters=parameters).matrix
+    step, columns = 1e-5, []
+    for k in range(len(q)):
+        up, down = (
+            forward(robot, [v + s * step * (j == k) for j, v in enumerate(q)], parameters=parameters).matrix
+            for s in (1, -1)
+        )
+        rate = (up - down) / (2 * step)
+        turning = rate[:3, :3] @ here[:3, :3].T
+        columns.append([*rate[:3, 3], turning[2, 1], turning[0, 2], turning[1, 0]])
+    return np.array(columns).T
+
+
+@pytest.mark.parametrize("name", ROBOTS)
+def test_a_jacobian_is_the_slope_of_the_pose(name: str) -> None:
+    """To a relative 1e-8, for every robot of the library."""
+    robot, parameters = load_robot(name), with_values(load_robot(name))
+    for seed in (1, 2):
+        q = joint_point(robot, seed)
+        found = jacobian(robot, q, parameters=parameters)
+        assert np.abs(found - differences(robot, q, parameters)).max() <= 1e-8 * max(1.0, np.abs(found).max())
+
+
+@pytest.mark.parametrize("name", ROBOTS)
+def test_symbols_with_numbers_put_in_are_floats_and_columns(name: str) -> None:
+    """In every view: three arithmetics, one fold."""
+    robot, parameters = load_robot(name), with_values(load_robot(name))
+    q = joint_point(robot, 3)
+    at = Floats({**numbers(parameter_values(robot, parameters)), **dict(zip(robot.variables, q, strict=True))})
+    inside: Viewing = {"start": "base", "end": "tool", "axes": robot.frames[2]}
+    further: Viewing = {"start": robot.frames[1], "axes": "base", "place": robot.frames[2], "point": (0.1, 0.2, 0)}
+    for viewing in (*VIEWS, inside, further):
+        one = jacobian(robot, q, parameters=parameters, **viewing)
+        many = jacobian(robot, np.array([q, q]), parameters=parameters, **viewing)
+        terms = [[at.value(entry) for entry in row] for row in symbolic_jacobian(robot, **viewing).rows]
+        assert np.allclose(many, one, atol=1e-13)
+        assert np.allclose(terms, one, atol=1e-13)
+
+
+@pytest.mark.parametrize("name", ["stanford", "puma560", "scara", "ur5e"])
+@pytest.mark.parametrize("viewing", VIEWS[:5])
+def test_values_put_in_exactly_are_those_values(name: str, viewing: Viewing) -> None:
+    """Every other joint and one length; the others are put in afterwards."""
+    robot = load_robot(name)
+    q = dict(zip(robot.variables, joint_point(robot, 2), strict=True))
+    some = {joint: q[joint] for joint in robot.variables[::2]}
+    length = next(name for name in robot.parameters if name not in robot.angles)
+    at = Floats({**numbers(parameter_values(robot, {})), **q})
+    put = symbolic_jacobian(robot, some, parameters={length: 0.31}, **viewing)
+    expected = jacobian(robot, list(q.values()), parameters={length: 0.31}, **viewing)
+    assert np.allclose([[at.value(entry) for entry in row] for row in put.rows], expected, atol=1e-12)
+
+
+@pytest.mark.parametrize("name", ["planar-2r", "stanford", "puma560", "ur5e", "scara"])
+@pytest.mark.parametrize("viewing", VIEWS[:5])
+def test_symbols_are_residues(name: str, viewing: Viewing) -> None:
+    """At a random point of the field, exactly, from the plain chain."""
+    robot = load_robot(name)
+    view = MotionView.of(robot, **viewing)
+    joints = joints_between(robot, view.start, view.end)
+    at = Residues(angles=[move.angle for move in robot.chain if isinstance(move, Rot)])
+    linear, angular = six_rows(tuple(parts(robot, view, joints, merged=False)), len(joints), at)
+    found = symbolic_jacobian(robot, **viewing).rows
+    assert [[at.value(e) for e in row] for row in found] == [[at.value(e) for e in row] for row in (*linear, *angular)]
+
+
+@pytest.mark.parametrize("name", ROBOTS)
+def test_a_jacobian_in_another_frame_is_turned(name: str) -> None:
+    """Rᵀ v and Rᵀ ω for every frame of the robot."""
+    robot, parameters = load_robot(name), with_values(load_robot(name))
+    q = joint_point(robot, 4)
+    base = jacobian(robot, q, parameters=parameters)
+    for frame in robot.frames:
+        turn = forward(robot, q, end=frame, parameters=parameters).matrix[:3, :3].T
+        turned = np.vstack([turn @ base[:3], turn @ base[3:]])
+        assert np.allclose(jacobian(robot, q, axes=frame, parameters=parameters), turned, atol=1e-13)
+
+
+@pytest.mark.parametrize("name", ROBOTS)
+def test_space_and_body_jacobian_are_related_by_the_adjoint(name: str) -> None:
+    """J_s = Ad_T J_b, ω above v, as Lynch and Park write it (eq. 5.22)."""
+    robot, parameters = load_robot(name), with_values(load_robot(name))
+    q, end = joint_point(robot, 5), load_robot(name).frames[-2]
+    space = jacobian(robot, q, place=robot.frames[1], angular_first=True, parameters=parameters)
+    body = jacobian(robot, q, axes=end, angular_first=True, parameters=parameters)
+    pose = forward(robot, q, parameters=parameters).matrix
+    turn, (x, y, z) = pose[:3, :3], pose[:3, 3]
+    skew = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    adjoint = np.block([[turn, np.zeros((3, 3))], [skew @ turn, turn]])
+    assert np.allclose(space, adjoint @ body, atol=1e-13)
+
+
+@pytest.mark.parametrize("angles", TRIPLES)
+def test_rates_of_angles_give_the_angular_velocity(angles: str) -> None:
+    """B times them is ω, for every order of axes, in one and in many; B by differences of the rotation."""
+    robot = load_robot("puma560")
+    q = joint_point(robot, 2)
+    rates, omega = (jacobian(robot, q, part="angular", analytic=name) for name in (angles, ""))
+    assert np.allclose(jacobian(robot, [q, q], part="angular", analytic=angles)[1], rates, atol=1e-12)
+    order = (2, 1, 0) if angles == "rpy" else (0, 1, 2)
+    axes = TRIPLES[angles]
+    found = _angles(forward(robot, q).matrix[:3, :3], axes)
+    step, columns = 1e-6, []
+    for k in range(3):
+        up, down = (_rotation([a + s * step * (j == k) for j, a in enumerate(found)], axes) for s in (1, -1))
+        turning = (up - down) / (2 * step) @ _rotation(found, axes).T
+        columns.append([turning[2, 1], turning[0, 2], turning[1, 0]])
+    b = np.array(columns).T
+    assert np.allclose(_rotation(found, axes), forward(robot, q).matrix[:3, :3], atol=1e-9)
+    assert np.allclose(b @ rates[list(order)], omega, atol=1e-8)
+
+
+def _rotation(angles: list[float], axes: tuple[int, ...]) -> NDArray[np.float64]:
+    """Three turns one after the other."""
+    whole = np.eye(3)
+    for angle, axis in zip(angles, axes, strict=True):
+        u, v = (axis + 1) % 3, (axis + 2) % 3
+        turn = np.eye(3)
+        turn[u, u] = turn[v, v] = np.cos(angle)
+        turn[v, u], turn[u, v] = np.sin(angle), -np.sin(angle)
+        whole = whole @ turn
+    return whole
+
+
+def _angles(rotation: NDArray[np.float64], axes: tuple[int, ...]) -> list[float]:
+    """Three angles that make a rotation, by Newton from many starts; the middle one in its usual range."""
+    rng = np.random.default_rng(7)
+    proper = axes[0] == axes[2]
+    for _ in range(200):
+        guess = rng.uniform(-3, 3, 3)
+        for _ in range(60):
+            off = _rotation(list(guess), axes) - rotation
+            slope = np.array(
+                [
+                    ((_rotation(list(guess + e), axes) - _rotation(list(guess - e), axes)) / 2e-6).ravel()
+                    for e in np.eye(3) * 1e-6
+                ]
+            ).T
+            guess = guess - np.linalg.lstsq(slope, off.ravel(), rcond=None)[0]
+        inside = 0 < guess[1] < np.pi if proper else abs(guess[1]) < np.pi / 2
+        if inside and np.abs(_rotation(list(guess), axes) - rotation).max() < 1e-10:
+            return list(guess)
+    raise AssertionError(axes)
+
+
+def test_rates_of_rpy_are_the_slopes_of_rpy() -> None:
+    """As `forward(...).rpy` says them, roll first."""
+    robot = load_robot("ur5e")
+    q = joint_point(robot, 1)
+    found = jacobian(robot, q, part="angular", analytic="rpy")
+    for k in range(6):
+        up, down = (forward(robot, [v + s * 1e-6 * (j == k) for j, v in enumerate(q)]).rpy for s in (1, -1))
+        slopes = [(up.roll - down.roll), (up.pitch - down.pitch), (up.yaw - down.yaw)]
+        assert np.allclose(np.array(slopes) / 2e-6, found[:, k], atol=1e-7)
+
+
+def test_there_are_no_rates_of_rpy_at_pitch_90() -> None:
+    """Said for one, NaN among many; the other rows stay."""
+    robot = load_robot("articulated")
+    with pytest.raises(RobotError, match="pitch is ±90°"):
+        jacobian(robot, [0, "90°", 0], analytic="rpy")
+    two = jacobian(robot, [[0, np.pi / 2, 0], [0, 0.3, 0]], analytic="rpy")
+    assert np.isnan(two[0]).all()
+    assert np.isfinite(two[1]).all()
+
+
+def test_rates_of_angles_have_no_other_axes() -> None:
+    """They are those of one frame seen from the other."""
+    with pytest.raises(RobotError, match="in no other axes"):
+        jacobian(load_robot("puma560"), "ready", axes=3, analytic="rpy")
+
+
+@examples(0.5)
+@given(st.lists(st.floats(-9, 9), min_size=6, max_size=6), st.sampled_from(["puma560", "stanford", "ur5e"]))
+def test_many_are_one_row_by_row(q: list[float], name: str) -> None:
+    """Wherever the joints stand."""
+    robot = load_robot(name)
+    assert np.allclose(jacobian(robot, [q])[0], jacobian(robot, q), atol=1e-12)
+
+
+def test_a_batch_of_more_than_one_block_is_whole() -> None:
+    """Blocks of different length, in order."""
+    robot = load_robot("planar-2r")
+    q = np.random.default_rng(1).uniform(-3, 3, (BLOCK + 5, 2))
+    found = jacobian(robot, q)
+    assert found.shape == (BLOCK + 5, 6, 2)
+    for k in (0, BLOCK - 1, BLOCK, BLOCK + 4):
+        assert np.allclose(found[k], jacobian(robot, q[k]), atol=1e-13)
+
+
+def test_a_row_that_is_no_number_gives_none() -> None:
+    """The others are as ever."""
+    found = jacobian(load_robot("planar-2r"), [[0.1, np.nan], [0.1, 0.2]])
+    assert np.isnan(found[0]).all()
+    assert np.isfinite(found[1]).all()
+
+
+def test_no_rows_give_no_jacobians() -> None:
+    """Of the right shape."""
+    assert jacobian(load_robot("puma560"), np.empty((0, 6)), part="linear").shape == (0, 3, 6)
+
+
+def test_a_part_has_its_rows() -> None:
+    """And the order can be turned over."""
+    robot = load_robot("puma560")
+    whole = jacobian(robot, "nominal")
+    assert np.array_equal(jacobian(robot, "nominal", part="linear"), whole[:3])
+    assert np.array_equal(jacobian(robot, "nominal", part="angular"), whole[3:])
+    assert np.array_equal(jacobian(robot, "nominal", angular_first=True), np.roll(whole, 3, axis=0))
+
+
+def test_a_jacobian_in_symbols_says_so_when_numbers_are_wanted() -> None:
+    """And is a matrix once there are none left."""
+    robot = load_robot("planar-2r")
+    letters = symbolic_jacobian(robot)
+    with pytest.raises(RobotError, match="in symbols: a1, a2, theta1, theta2"):
+        _ = letters.matrix
+    put = symbolic_jacobian(robot, [0.3, 0.5], parameters={"a1": 0.4, "a2": 0.3})
+    assert np.allclose(put.matrix, jacobian(robot, [0.3, 0.5]))
+    assert np.allclose(np.asarray(put, dtype=float), put.matrix)
+    assert letters.to_sympy().shape == (6, 2)
+    assert "Jacobian, rows v_x" in repr(letters)
+    assert letters.latex().startswith("\\begin{bmatrix}")
+
+
+@pytest.mark.parametrize(
+    ("call", "error", "match"),
+    [
+        (lambda: jacobian(load_robot("scara"), [0.1, 0.2]), RobotError, "3 joints"),
+        (lambda: jacobian(load_robot("scara"), [[0.1, 0.2]]), RobotError, r"not \(N, 3\)"),
+        (lambda: jacobian(load_robot("scara")), RobotError, "no value for theta1"),
+        (lambda: jacobian(PAN_TILT, [0.1, 0.2]), RobotError, "a1, a2 of pan-tilt have no value"),
+        (lambda: jacobian(load_robot("assembly-blocks")), RobotError, "has no joint"),
+        (lambda: jacobian(load_robot("scara"), "pick", start=2, end=2), RobotError, "no joint of scara moves frame 2"),
+        (lambda: jacobian(load_robot("scara"), "pick", axes=9), UnknownNameError, "no frame 9"),
+        (lambda: jacobian(load_robot("scara"), "pick", point=("x", 0, 0)), RobotError, "x of the point has no value"),
+        (lambda: jacobian(load_robot("scara"), "pick", point=(0, 0)), RobotError, "three coordinates"),
+        (lambda: jacobian(load_robot("scara"), "pick", part="upper"), RobotError, "no part upper"),  # type: ignore[arg-type]
+        (lambda: jacobian(load_robot("scara"), "pick", analytic="zzy"), UnknownNameError, "no angles called zzy"),
+        (lambda: jacobian("scara", "pick"), RobotError, "load_robot"),  # type: ignore[arg-type]
+        (lambda: symbolic_jacobian(hinges("long", *[("a", 60, "d")] * 12)), RobotError, "symbols long"),
+        (lambda: symbolic_jacobian(hinges("longer", *[("a", 60, "d")] * 50)), RobotError, "more than the 20000"),
+    ],
+)
+def test_what_cannot_be_is_said(call: object, error: type[Exception], match: str) -> None:
+    """With what would be right."""
+    with pytest.raises(error, match=match):
+        call()  # type: ignore[operator]

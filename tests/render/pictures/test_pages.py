@@ -1,0 +1,321 @@
+"""Pages in a real browser: they ask for nothing, compute as dhcli does, and move linkages without breaking them."""
+
+from __future__ import annotations
+
+import json
+import math
+import random
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+from dhcli import draw, forward, load_robot
+from dhcli.files.yaml.linkages import load_linkage
+from dhcli.mobility.linkage import Linkage
+from dhcli.render.pictures.picture import Picture
+from tests.nightly import NIGHT
+from tests.scene.examples import LINKAGES, ROBOTS, odd_robots
+
+if TYPE_CHECKING:
+    from selenium.webdriver import Chrome as WebDriver
+
+REAL = tuple(name for name in ROBOTS if not name.startswith("dh-link"))
+MOVING = ("planar-four-bar", "peaucellier", "slider-crank", "watt", "planetary-gear", "cam-follower", "scissor")
+
+
+def _linkage(name: str) -> Linkage:
+    found = load_linkage(name)
+    assert isinstance(found, Linkage)
+    return found
+
+
+def _open(browser: WebDriver, picture: Picture, folder: Path, name: str = "page") -> None:
+    path = folder / f"{name}.html"
+    picture.save(path)
+    browser.get_log("performance")
+    browser.get(path.as_uri())
+
+
+def _check_silent(browser: WebDriver) -> None:
+    """No error and no word on the console, and no request but that for the page itself."""
+    assert browser.get_log("browser") == []
+    events = [json.loads(entry["message"])["message"] for entry in browser.get_log("performance")]
+    asked = [e["params"]["request"]["url"] for e in events if e["method"] == "Network.requestWillBeSent"]
+    assert asked
+    assert all(url.startswith(("file:///", "data:")) for url in asked)
+
+
+@pytest.mark.parametrize("name", [*ROBOTS[:4], *LINKAGES[:4], "six-r-arm", "stewart-gough"])
+def test_a_page_names_no_address_but_those_of_namespaces(name: str) -> None:
+    """Read as text, with no browser: nothing that could be fetched."""
+    text = draw(_linkage(name) if name in LINKAGES else load_robot(name)).page()
+    addresses = set(re.findall(r"(?:https?:)?//[\w.]+[^\s\"'<>`]*", text))
+    assert addresses <= {"http://www.w3.org/2000/svg"}
+    assert not re.search(r"<link|<img|\ssrc=|@import|fetch\(|XMLHttp|url\((?!#)", text)
+    assert len(text.encode()) < 40_000
+
+
+def test_pages_compute_what_dhcli_computes(browser: WebDriver, tmp_path: Path) -> None:
+    """Every robot, random joint values, every frame from the first: within 1e-12 of forward."""
+    rng = random.Random(18)  # noqa: S311  no secret
+    for name in REAL:
+        robot = load_robot(name)
+        _open(browser, draw(robot), tmp_path, name)
+        turning = [joint.kind == "revolute" for joint in robot.joints]
+        poses = [
+            [rng.uniform(-3, 3) if turns else rng.uniform(-1, 1) for turns in turning]
+            for _ in range(50 if NIGHT else 8)
+        ]
+        last = robot.frames[-2]
+        found = browser.execute_script(
+            "return arguments[0].map(q => dhcli.fk(q, arguments[1], arguments[2]))", poses, robot.frames[1], last
+        )
+        for q, rows in zip(poses, found, strict=True):
+            known = forward(robot, q).rows
+            worst = max(
+                abs(a - b) for ours, theirs in zip(known, rows, strict=True) for a, b in zip(ours, theirs, strict=True)
+            )
+            assert worst < 1e-12, name
+        _check_silent(browser)
+
+
+def test_base_and_tool_frames_are_there_too(browser: WebDriver, tmp_path: Path) -> None:
+    """zhou-6r has a tool."""
+    robot = load_robot("zhou-6r")
+    _open(browser, draw(robot), tmp_path)
+    q = [0.1, -0.2, 0.3, 0.4, -0.5, 0.6]
+    found = browser.execute_script("return dhcli.fk(arguments[0], '2', 'tool')", q)
+    assert [x for row in found for x in row] == pytest.approx(
+        [x for row in forward(robot, q, start=2, end="tool").rows for x in row], abs=1e-12
+    )
+
+
+def test_roll_pitch_and_yaw_follow_the_rule_of_dhcli_also_at_90_degrees(browser: WebDriver, tmp_path: Path) -> None:
+    """There only one of roll and yaw can be told, and roll is 0."""
+    _open(browser, draw(load_robot("spherical-wrist")), tmp_path)
+    for q in ([0.3, 0.4, -0.5], [0.0, math.pi / 2, 0.2], [0.7, 0.0, 0.0]):
+        pose = forward(load_robot("spherical-wrist"), q)
+        roll, pitch, yaw, locked = browser.execute_script("return dhcli.rpy(dhcli.fk(arguments[0], '3', '6'))", q)
+        assert (roll, pitch, yaw, locked) == pytest.approx(
+            (pose.rpy.roll, pose.rpy.pitch, pose.rpy.yaw, pose.rpy.locked), abs=1e-9
+        )
+
+
+def test_a_slider_moves_the_arm_the_matrix_and_the_table_and_a_limit_is_marked(
+    browser: WebDriver, tmp_path: Path
+) -> None:
+    """As a person drags it; the number field takes what is beyond the limits, marked."""
+    _open(browser, draw(load_robot("puma560")), tmp_path)
+    before = browser.execute_script("return [figure.innerHTML, matrix.innerText]")
+    script = (
+        "const e = document.getElementById(arguments[0]); e.value = arguments[1]; e.dispatchEvent(new Event('input'));"
+    )
+    browser.execute_script(script, "s1", "-30")
+    after = browser.execute_script("return [figure.innerHTML, matrix.innerText, $('f1').value, $('f1').className]")
+    assert after[0] != before[0]
+    assert after[1] != before[1]
+    assert after[2:] == ["-30", ""]
+    known = forward(load_robot("puma560"), "0, -30°, 0, 0, -45°, 0")
+    shown = [float(cell) for cell in after[1].replace("−", "-").split()]
+    assert shown == pytest.approx([x for row in known.rows for x in row], abs=6e-5)
+    browser.execute_script(script, "f1", "60")
+    assert browser.execute_script("return [$('f1').className, $('b1').textContent]") == ["beyond", "beyond its limit"]
+    browser.execute_script(
+        "[...document.querySelectorAll('#poses button')].find(b => b.textContent === 'ready').click()"
+    )
+    assert browser.execute_script("return [$('f1').value, $('f2').value]") == ["-90", "-90"]
+    _check_silent(browser)
+
+
+def test_keys_turn_the_view_and_switches_take_parts_away(browser: WebDriver, tmp_path: Path) -> None:
+    """Orbit needs no mouse; frames, dimensions, body and turns can be left out."""
+    from selenium.webdriver.common.by import By
+    from selenium.webdriver.common.keys import Keys
+
+    _open(browser, draw(load_robot("stanford")), tmp_path)
+    figure = browser.find_element(By.ID, "figure")
+    seen = browser.execute_script("return seen.textContent")
+    figure.send_keys(Keys.ARROW_LEFT)
+    figure.send_keys(Keys.ARROW_UP)
+    assert browser.execute_script("return seen.textContent") != seen
+    for name, look in {"frames": "x", "dimensions": "dim", "turns": "turn", "body": "drum"}.items():
+        count = f"return figure.querySelectorAll('.{look}').length"
+        assert browser.execute_script(count) > 0
+        browser.find_element(By.ID, f"on-{name}").click()
+        assert browser.execute_script(count) == 0
+    browser.find_element(By.ID, "on-frames").click()
+    browser.find_element(By.ID, "on-y").click()
+    assert browser.execute_script("return figure.querySelectorAll('.y').length") > 0
+    _check_silent(browser)
+
+
+def _pictures() -> Iterator[Picture]:
+    """Every robot and linkage; at night each robot at all of its poses and from three sides."""
+    for name in ROBOTS:
+        robot = load_robot(name)
+        yield draw(robot)
+        for pose in robot.poses if NIGHT else ():
+            for view in (None, "iso", "front"):
+                yield draw(robot, pose=pose, view=view)
+    for name in LINKAGES:
+        yield draw(_linkage(name))
+
+
+OVERLAPS = """
+const boxes = [...document.querySelectorAll('svg text:not(.halo-text):not(.t-caption)')].map(t => t.getBBox());
+let n = 0;
+boxes.forEach((a, i) => boxes.slice(i + 1).forEach(b => {
+  if (a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height) n++;
+}));
+return [boxes.length, n];
+"""
+
+
+def test_no_label_overlaps_another_in_the_letters_of_a_browser(browser: WebDriver, tmp_path: Path) -> None:
+    """By the boxes that Chromium gives them: every robot and linkage, as a figure."""
+    for picture in _pictures():
+        (tmp_path / "figure.svg").write_text(picture.svg(), "utf-8")
+        browser.get((tmp_path / "figure.svg").as_uri())
+        count, overlaps = browser.execute_script(OVERLAPS)
+        assert count > 0
+        assert overlaps == 0, picture
+
+
+@pytest.mark.parametrize("name", MOVING)
+def test_a_driven_linkage_keeps_together_and_comes_back(name: str, browser: WebDriver, tmp_path: Path) -> None:
+    """Out to both sides and back: all joints within 1e-9, and the drawing as it was where it has one freedom."""
+    _open(browser, draw(_linkage(name)), tmp_path)
+    free, driver = browser.execute_script("return [dhcli.freedom, driver.slide ? '' : D.links[driver.l][0]]")
+    assert free > 0
+    for angle in (0.3, -0.4, 0.2):
+        reached = browser.execute_script("return dhcli.drive(arguments[0], arguments[1])", driver, angle)
+        assert browser.execute_script("return dhcli.gap()") < 1e-9
+        if not browser.execute_script("return dhcli.note()"):
+            assert reached == pytest.approx(angle, abs=1e-9)
+    browser.execute_script("dhcli.drive(arguments[0], 0)", driver)
+    if free == 1:
+        assert max(map(abs, browser.execute_script("return dhcli.state()"))) < 1e-9
+    browser.execute_script("dhcli.home()")
+    _check_silent(browser)
+
+
+def test_a_dragged_pin_goes_where_it_can_and_bars_keep_their_lengths(browser: WebDriver, tmp_path: Path) -> None:
+    """The crank of a four-bar follows the hand around its circle."""
+    _open(browser, draw(_linkage("planar-four-bar")), tmp_path)
+    for goal in ((0.9, 0.7), (1.0, 0.3), (-0.2, 1.05), (5.0, 5.0)):
+        browser.execute_script("dhcli.drag('B', arguments[0])", list(goal))
+        a, b, c, d = (browser.execute_script(f"return dhcli.at('{pin}')") for pin in "ABCD")
+        for one, other, length in ((a, b, (0.4, 1.0)), (b, c, (1.8, 0.7)), (c, d, (0.4, 1.7))):
+            assert math.dist(one, other) == pytest.approx(math.hypot(*length), abs=1e-9)
+    browser.execute_script("dhcli.home(); dhcli.drag('B', [0.9, 0.6])")
+    x, y = browser.execute_script("return dhcli.at('B')")
+    assert math.atan2(y, x) == pytest.approx(math.atan2(0.6, 0.9), abs=0.02)
+
+
+def test_peaucelliers_point_stays_on_its_line_through_all_that_the_crank_can_do(
+    browser: WebDriver, tmp_path: Path
+) -> None:
+    """To 1e-9, from one dead position to the other; there the page says that it goes no further."""
+    _open(browser, draw(_linkage("peaucellier")), tmp_path)
+    line = browser.execute_script("return dhcli.at('T')")[0]
+    ends = []
+    for side in (1, -1):
+        browser.execute_script("dhcli.home()")
+        for step in range(1, 60):
+            browser.execute_script("dhcli.drive('crank', arguments[0])", side * step * 0.05)
+            assert browser.execute_script("return dhcli.at('T')")[0] == pytest.approx(line, abs=1e-9)
+            if browser.execute_script("return dhcli.note()"):
+                break
+        assert "dead position" in browser.execute_script("return note")
+        ends.append(browser.execute_script("return driver.read(X)"))
+    limit = 2 * math.acos((3 - 1.25) / 2)  # where the rhombus lies flat, OP = l - s
+    start = math.radians(35)
+    assert ends[0] == pytest.approx(limit - start, abs=0.01)
+    assert ends[1] == pytest.approx(-limit - start, abs=0.01)
+
+
+def test_pages_of_odd_robots_and_of_all_linkages_open_without_a_word(browser: WebDriver, tmp_path: Path) -> None:
+    """A name with markup among them."""
+    for name in LINKAGES:
+        _open(browser, draw(_linkage(name)), tmp_path, name)
+        assert browser.execute_script("return document.querySelectorAll('svg path').length") > 0
+        _check_silent(browser)
+    for number, robot in enumerate(odd_robots().values()):
+        _open(browser, draw(robot), tmp_path, f"odd{number}")
+        assert browser.execute_script("return figure.querySelectorAll('path').length") > 0
+        _check_silent(browser)
+
+
+def test_a_page_fits_a_phone(browser: WebDriver, tmp_path: Path) -> None:
+    """Nothing is wider than the window; the figure stays in sight over the controls."""
+    browser.set_window_size(500, 800)
+    _open(browser, draw(load_robot("panda")), tmp_path)
+    wide, window = browser.execute_script("return [document.documentElement.scrollWidth, innerWidth]")
+    top = browser.execute_script("return document.querySelector('.stage').getBoundingClientRect().top")
+    browser.set_window_size(1280, 800)
+    assert wide <= window
+    assert top == 0
+
+
+def test_a_page_plays_a_motion_there_and_back(browser: WebDriver, tmp_path: Path) -> None:
+    """From the pose of the picture to the one it goes to."""
+    _open(browser, draw(load_robot("scara"), pose="zero", to="pick"), tmp_path)
+    goal = browser.execute_script("return D.to")
+    assert goal == pytest.approx([math.radians(30), math.radians(45), 0.1], abs=1e-12)
+    assert browser.execute_script("return q") == [0, 0, 0]
+    browser.execute_script("window.requestAnimationFrame = f => { window.next = f; }; $('play').click();")
+    browser.execute_script("for (let k = 1; k < 120; k++) window.next();")
+    assert browser.execute_script("return q") == pytest.approx(goal, abs=1e-12)
+    browser.execute_script("for (let k = 0; k < 120; k++) window.next();")
+    assert browser.execute_script("return q") == [0, 0, 0]
+    _check_silent(browser)
+
+
+def test_the_mouse_turns_an_arm_and_drags_a_pin(browser: WebDriver, tmp_path: Path) -> None:
+    """By events as a hand makes them, not by a call."""
+    from selenium.webdriver import ActionChains
+    from selenium.webdriver.common.by import By
+
+    _open(browser, draw(load_robot("puma560")), tmp_path)
+    seen = browser.execute_script("return [view.slice(), q]")
+    figure = browser.find_element(By.ID, "figure")
+    ActionChains(browser).move_to_element(figure).click_and_hold().move_by_offset(60, 30).release().perform()
+    turned = browser.execute_script("return [view.slice(), q]")
+    assert turned[0] == pytest.approx([seen[0][0] - 30, seen[0][1] + 12])
+    assert turned[1] == seen[1]
+
+    _open(browser, draw(_linkage("planar-four-bar")), tmp_path)
+    spot = """
+      const r = svg.getBoundingClientRect(), k = Math.min(r.width / W, r.height / H), p = there(2, [0.4, 1.0]);
+      return [(p[0] - W / 2) * k, (p[1] - H / 2) * k];
+    """
+    x, y = browser.execute_script(spot.replace("2,", "D.links.findIndex(l => l[0] === 'crank'),"))
+    figure = browser.find_element(By.ID, "figure")
+    hand = ActionChains(browser).move_to_element_with_offset(figure, round(x), round(y))
+    hand.click_and_hold().move_by_offset(40, 10).move_by_offset(40, 20).release().perform()
+    bx, by = browser.execute_script("return dhcli.at('B')")
+    assert bx > 0.5
+    assert math.hypot(bx, by) == pytest.approx(math.hypot(0.4, 1.0), abs=1e-9)
+    _check_silent(browser)
+
+
+def test_the_button_makes_a_png_of_what_is_seen(browser: WebDriver, tmp_path: Path) -> None:
+    """Twice as large, on the paper's colour; nothing is fetched for it."""
+    for picture in (draw(load_robot("scara")), draw(_linkage("watt"))):
+        _open(browser, picture, tmp_path)
+        script = """
+          const done = arguments[arguments.length - 1];
+          HTMLAnchorElement.prototype.click = function () {
+            const made = new Image();
+            made.onload = () => done([this.download, made.width, made.height, this.href.length]);
+            made.src = this.href;
+          };
+          document.getElementById('png').click();
+        """
+        name, wide, high, size = browser.execute_async_script(script)
+        assert (name, wide, high) == (f"{picture.what.name}.png", 1640, 1280)
+        assert size > 20_000
+        _check_silent(browser)

@@ -1,0 +1,60 @@
+"""Two tables of one arm over each other."""
+
+from __future__ import annotations
+
+import pytest
+
+from dhcli import load_robot
+from dhcli.errors import RobotError
+from dhcli.kinematics.robot import Robot
+from dhcli.scene.beside import beside_figure
+from tests.scene.examples import robot_of
+
+RIGHT = [
+    "{a: 0, alpha: 90°, d: 0.4, theta: theta1}",
+    "{a: 0.3, alpha: 0, d: 0, theta: theta2}",
+    "{a: 0.2, alpha: 0, d: 0, theta: theta3}",
+]
+NAMES = ["theta1", "theta2", "theta3"]
+Q = [0.3, 0.4, 0.5]
+
+
+def _with(row: int, old: str, new: str) -> Robot:
+    rows = RIGHT.copy()
+    rows[row] = rows[row].replace(old, new)
+    assert rows != RIGHT
+    return robot_of(rows, NAMES)
+
+
+@pytest.mark.parametrize(
+    ("row", "old", "new"),
+    [(0, "90°", "-90°"), (0, "0.4", "0.5"), (1, "0.3", "0.31"), (1, "alpha: 0", "alpha: 180°"), (2, "d: 0", "d: 0.01")],
+)
+def test_the_first_frame_that_differs_is_that_of_the_row(row: int, old: str, new: str) -> None:
+    """It is named under the picture and has a ring around it, and its axes have their names with a stroke."""
+    figure = beside_figure(robot_of(RIGHT, NAMES), _with(row, old, new), Q)
+    assert figure.caption.endswith(f"frame {row + 1} is the first that differs")
+    assert sum(shape.look == "theirs-mark" for shape in figure.shapes) == 1
+    assert {"".join(run.text for run in text.words)[-2:] for text in figure.texts if text.look == "theirs"} == {
+        f"{row + 1}′"
+    }
+
+
+def test_the_same_table_differs_nowhere() -> None:
+    """Nothing is marked."""
+    figure = beside_figure(robot_of(RIGHT, NAMES), robot_of(RIGHT, NAMES), Q)
+    assert figure.caption.endswith("no frame differs")
+    assert not any(shape.look == "theirs-mark" for shape in figure.shapes)
+
+
+def test_of_two_conventions_only_the_last_frames_are_compared() -> None:
+    """Those before them stand elsewhere in both right tables."""
+    modified, standard = load_robot("zhou-3r-modified"), load_robot("zhou-3r")
+    assert "no frame differs" in beside_figure(modified, standard, Q).caption
+    assert "frame 3 is the first that differs" in beside_figure(modified, _with(0, "90°", "0"), Q).caption
+
+
+def test_an_arm_with_other_joints_is_refused() -> None:
+    """A sliding joint has no angle."""
+    with pytest.raises(RobotError, match=r"RRR.*RRP"):
+        beside_figure(load_robot("articulated"), load_robot("scara"))

@@ -1,0 +1,173 @@
+"""Figures of every robot and linkage of the library, and of robots that are odd."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from dhcli import DhcliError, load_robot
+from dhcli.errors import RobotError
+from dhcli.files.yaml.linkages import load_linkage, read_linkage
+from dhcli.mobility.linkage import Linkage
+from dhcli.scene.camera import ViewError, read_view
+from dhcli.scene.labels import PRINT, Rect
+from dhcli.scene.linkages import linkage_figure
+from dhcli.scene.primitives import Drum
+from dhcli.scene.shapes import Figure, Text
+from dhcli.scene.staging import figure_of, stage_arm
+from dhcli.scene.words import named
+from tests.scene.examples import LINKAGES, ROBOTS, long_robot, odd_robots
+
+
+def _figure(name: str, pose: str | None = None, view: str | None = None) -> Figure:
+    if name in LINKAGES:
+        linkage = load_linkage(name)
+        assert isinstance(linkage, Linkage)
+        return linkage_figure(linkage)
+    staged = stage_arm(load_robot(name), pose=pose, view=read_view(view) if view else None)
+    return figure_of(staged)
+
+
+def _rect(text: Text) -> Rect:
+    wide, high = PRINT.box(text.words)
+    x, y = text.at[0], text.at[1] - 0.26 * text.size
+    return Rect(x - wide / 2 + 1e-6, y - high / 2 + 1e-6, x + wide / 2 - 1e-6, y + high / 2 - 1e-6)
+
+
+def _check(figure: Figure) -> None:
+    """What holds for every figure."""
+    assert figure.shapes
+    for shape in figure.shapes:
+        for x, y in shape.points:
+            assert math.isfinite(x)
+            assert math.isfinite(y)
+            assert -1 <= x <= figure.width + 1, shape
+            assert -1 <= y <= figure.height + 1, shape
+    boxes = [_rect(text) for text in figure.texts if text.look != "caption"]
+    assert not any(a.meets(b) for i, a in enumerate(boxes) for b in boxes[i + 1 :])
+    low = figure.height - 34
+    assert all(b.left >= 0 and b.right <= figure.width and b.top >= 0 and b.bottom <= low for b in boxes)
+
+
+@pytest.mark.parametrize("name", [*ROBOTS, *LINKAGES])
+def test_nothing_of_a_figure_leaves_its_paper_and_no_label_is_on_another(name: str) -> None:
+    """Neither body nor line nor label; the caption is under all of them."""
+    _check(_figure(name))
+
+
+@pytest.mark.parametrize("name", ROBOTS)
+def test_every_frame_joint_and_length_has_its_label(name: str) -> None:
+    """None is left out for want of room."""
+    staged = stage_arm(load_robot(name))
+    scene, figure = staged.scene, figure_of(staged)
+    written = [(text.look, text.words) for text in figure.texts]
+    for arrow in scene.arrows:
+        assert (arrow.letter, arrow.words) in written
+    for solid in scene.solids:
+        assert not isinstance(solid, Drum) or ("turn", named(solid.name)) in written
+    assert len(written) == 1 + len(scene.arrows) + len(scene.dimensions) + sum(
+        isinstance(s, Drum) for s in scene.solids
+    )
+
+
+@pytest.mark.parametrize("name", list(odd_robots()))
+def test_an_odd_robot_is_drawn_all_the_same(name: str) -> None:
+    """From every side, also where its lengths are nothing or far apart."""
+    robot = odd_robots()[name]
+    for view in ("iso", "top", "0,-30"):
+        _check(figure_of(stage_arm(robot, view=read_view(view))))
+
+
+def test_fifty_joints_are_drawn_with_all_their_labels() -> None:
+    """A hundred and fifty of them, none on another."""
+    figure = figure_of(stage_arm(long_robot(50), [0.3] * 50, view=(37.0, 26.0)))
+    _check(figure)
+    assert sum(text.look == "turn" for text in figure.texts) == 50
+
+
+def test_lengths_without_values_are_drawn_by_example_and_the_caption_says_so() -> None:
+    """Nobody takes an example for the robot's own."""
+    assert "example: ai = 0.4 m" in stage_arm(load_robot("dh-link")).caption
+    assert "example" not in stage_arm(load_robot("puma560")).caption
+
+
+def test_a_figure_says_its_pose_convention_and_view() -> None:
+    """By the pose's name, also where its values are typed."""
+    caption = _figure("puma560").caption
+    assert caption == "puma560 · modified DH · pose nominal · az 37°, el 18°"
+    typed = stage_arm(load_robot("puma560"), "0, -45°, 0, 0, -45°, 0").caption
+    assert "pose nominal" in typed
+    assert "θ2 = -40°" in stage_arm(load_robot("puma560"), "0, -40°, 0, 0, -45°, 0").caption
+
+
+@pytest.mark.parametrize("name", ["puma560", "planar-2r", "spherical-wrist"])
+def test_a_worksheet_keeps_view_and_bodies_and_gives_no_frame_away(name: str) -> None:
+    """Its bodies are those of the solution, at the same place; of labels there are the numbers of the joints."""
+    robot = load_robot(name)
+    staged = stage_arm(robot)
+    solution, sheet = figure_of(staged), figure_of(staged, worksheet=True)
+    looks = {shape.look for shape in sheet.shapes}
+    assert not looks & {"x", "z", "dim", "slide", "turn", "halo"}
+    bodies = ("drum", "cap", "plate", "face")
+    assert [s for s in sheet.shapes if s.look in bodies] == [s for s in solution.shapes if s.look in bodies]
+    numbers = {text.words[0].text for text in sheet.texts if text.look == "number"}
+    assert numbers == {str(robot.first + i) for i in range(len(robot.joints))}
+
+
+def test_an_axis_towards_the_reader_is_a_dot_in_a_ring_and_one_away_a_cross() -> None:
+    """A planar arm is seen from above, unless one asks for it from below."""
+    above, below = _figure("planar-2r"), _figure("planar-2r", view="-90,-90")
+    rings = [sum(shape.look == "z-ring" for shape in figure.shapes) for figure in (above, below)]
+    assert rings == [3, 3]
+    assert sum(shape.look == "z-head" for shape in above.shapes) == 3
+    assert sum(shape.look == "z" for shape in below.shapes) == 6
+
+
+def test_pins_keep_the_names_of_the_file_also_the_loose_ones() -> None:
+    """P0 and Q4 of the scissor are the free ends of bars."""
+    written = {"".join(run.text for run in text.words) for text in _figure("scissor").texts}
+    assert {"P0", "Q4", "C3", "fall3"} <= written
+
+
+def test_a_linkage_without_points_is_drawn_as_a_graph_and_says_so() -> None:
+    """There is no geometry in it, but what ties what."""
+    figure = _figure("six-r-arm")
+    assert "no points are known" in figure.caption
+    assert {"ground", "gripper"} <= {text.words[0].text for text in figure.texts}
+    assert sum(text.words[0].text == "R" for text in figure.texts) == 6
+
+
+def test_what_is_too_large_for_a_picture_is_refused_with_its_size() -> None:
+    """Two hundred bars would be a blot."""
+    bars = "\n".join(f"  b{i}: [P{i}, P{i + 1}]" for i in range(100))
+    points = ", ".join(f"P{i}: [{i}, {i % 2}]" for i in range(101))
+    text = f"format: 1\ntitle: T\nsource: S\nspace: planar\npoints: {{{points}}}\nbars:\n{bars}\nground: b0\n"
+    linkage = read_linkage(text, "long.yaml", "long")
+    assert isinstance(linkage, Linkage)
+    with pytest.raises(DhcliError, match="long has 100 links, more than the 60"):
+        linkage_figure(linkage)
+
+
+@pytest.mark.parametrize("text", ["isometric", "30", "30,100", "a,b", "nan,0", "1,2,3", ""])
+def test_a_view_that_does_not_exist_is_refused_with_those_that_do(text: str) -> None:
+    """By name, or two angles of which the second is a height above the ground."""
+    with pytest.raises(ViewError):
+        read_view(text)
+
+
+def test_values_and_a_pose_are_not_given_both() -> None:
+    """One of the two would be silently dropped."""
+    with pytest.raises(RobotError, match="two answers"):
+        stage_arm(load_robot("scara"), [0, 0, 0], pose="pick")
+    with pytest.raises(RobotError, match="no pose called nowhere"):
+        stage_arm(load_robot("scara"), pose="nowhere")
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("name", ROBOTS)
+def test_every_pose_from_three_sides(name: str) -> None:
+    """The same laws, and no crash."""
+    for pose in load_robot(name).poses:
+        for view in (None, "front", "128,20"):
+            _check(_figure(name, pose, view))
