@@ -17,6 +17,8 @@ from pathlib import Path
 from dhcli.errors import UnknownNameError, did_you_mean
 
 BUILT_IN = "built-in"
+OWN = "builtin:"
+"""What a name begins with that means the file that dhcli brings along."""
 MOST_BEGUN = 4
 """Names that are suggested for the beginning of one."""
 LEAST_TYPED = 3
@@ -74,6 +76,11 @@ def entries(kind: Kind) -> tuple[Entry, ...]:
     return tuple(found)
 
 
+def list_robots() -> tuple[str, ...]:
+    """The names of all robots that `load_robot` finds, in alphabetical order."""
+    return tuple(sorted({entry.name for entry in entries(Kind.ROBOTS)}))
+
+
 def find(kind: Kind, name: str) -> Path:
     """The file that a user means.
 
@@ -91,6 +98,9 @@ def find(kind: Kind, name: str) -> Path:
     if _is_path(kind, name):
         return Path(name)
     known = entries(kind)
+    if name.startswith(OWN):  # the library's own, whatever file of the user's has the same name
+        name = name.removeprefix(OWN)
+        known = tuple(entry for entry in known if entry.origin == BUILT_IN)
     for entry in known:
         if entry.name == name:
             return entry.path

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
+from pathlib import Path
 
 from dhcli.kinematics.conventions import ORDER, Convention
 from dhcli.kinematics.describe.description import Described, product_text
@@ -34,6 +35,23 @@ def robot_text(robot: Robot) -> str:
             cells = ", ".join(f"{column}: {cell(quantity(getattr(link.row, column)))}" for column in robot.columns)
             lines.append(f"  - {{{cells}}}")
     return "\n".join([*lines, *_end("tool", robot.tool), *_limits(robot), *_poses(robot)]) + "\n"
+
+
+def save_robot(robot: Robot, path: str | Path, *, overwrite: bool = False) -> None:
+    """Write a robot into a file that `load_robot` reads, a URDF where the name of the file ends so.
+
+    Raises:
+        FileError: The file exists already, or cannot be written.
+        RobotError: It cannot be a URDF.
+    """
+    from dhcli.files.atomic import write_whole
+
+    if str(path).lower().endswith(".urdf"):
+        from dhcli.files.urdf.writing import urdf_text
+
+        write_whole(path, urdf_text(robot), overwrite=overwrite)
+    else:
+        write_whole(path, robot_text(robot), overwrite=overwrite)
 
 
 def described_text(described: Described) -> str:
