@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import fields
 from types import MappingProxyType
 
@@ -42,6 +43,34 @@ class Robot(Description):
         """Refuse to exist with anything wrong."""
         super().__post_init__()
         check(self)
+
+    @classmethod
+    def from_dh(
+        cls,
+        rows: Iterable[Mapping[str, float | str] | Sequence[float | str]],
+        *,
+        variables: Sequence[str],
+        convention: str = "standard",
+        parameters: Mapping[str, float | str | Value] | None = None,
+        name: str = "robot",
+    ) -> Robot:
+        """A robot from the rows of its table; see `dhcli.kinematics.building.from_dh`."""
+        from dhcli.kinematics.building import from_dh
+
+        return from_dh(rows, variables=variables, convention=convention, parameters=parameters, name=name)
+
+    def copy(
+        self,
+        *,
+        tool: str | None = None,
+        base: str | None = None,
+        parameters: Mapping[str, float | str | Value] | None = None,
+        name: str | None = None,
+    ) -> Robot:
+        """The same robot with another tool, base or other lengths; see `dhcli.kinematics.building.copy`."""
+        from dhcli.kinematics.building import copy
+
+        return copy(self, tool=tool, base=base, parameters=parameters, name=name)
 
     def __reduce__(self) -> tuple[type[Robot], tuple[object, ...]]:
         """Copied and sent to other processes by its fields, which a read-only view of a mapping could not be."""

@@ -8,6 +8,8 @@ import typer
 
 from dhcli.cli.shell.options import (
     WHERE,
+    AsTyped,
+    Base,
     Digits,
     Force,
     Format,
@@ -17,6 +19,7 @@ from dhcli.cli.shell.options import (
     SeenFrom,
     Settings,
     Spelling,
+    Tip,
     complete_frame,
     complete_pose,
 )
@@ -103,6 +106,9 @@ def fk(
         ),
     ] = False,
     as_: Forms = None,
+    base: Base = None,
+    tip: Tip = None,
+    as_typed: AsTyped = False,
     format_: Format = None,
     style: Spelling = None,
     digits: Digits = None,
@@ -116,6 +122,7 @@ def fk(
 
         others: dict[str, object] = {"--pose": pose, "--symbolic": symbolic, "--let": let, "--links": links}
         others |= {"--factors": factors, "--style": style, "--digits": digits}
+        others |= {"--base": base, "--tip": tip, "--as-typed": as_typed}
         path = check_options(in_, robot, others)
         wanted = rows_wanted(robot, from_, to, set_ or [], as_ or [], point, inverse=inverse, every=frames)
         asked = asked_of_rows(wanted.robot, q, degrees=deg, ignores=ignore_columns)
@@ -128,7 +135,7 @@ def fk(
     from dhcli.kinematics.question import answer
 
     delivery = Delivery("fk", format_, digits, style, output, force)
-    arm = load_robot(robot)
+    arm = load_robot(robot, base=base, tip=tip, as_typed=as_typed)
     question = ask(
         arm,
         from_,

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from dhcli.errors import FileError, NotationError, Place, Problem, did_you_mean
 from dhcli.files.library.lookup import Kind, check_typed, find
-from dhcli.files.reading import read_text, source_of
+from dhcli.files.reading import LIMIT, read_text, source_of
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.parameters import Parameters
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, read_yaml
@@ -40,22 +41,43 @@ KEYS = (
     "poses",
 )
 REQUIRED = ("title", "source", "convention", "variables", "links")
+XML = (".urdf", ".xml", ".xacro")
+XML_LIMIT = 20_000_000
+"""What the name of a URDF ends in, and the most bytes of one; meshes stand in files of their own."""
+DRAWN = re.compile(r"^convention:\s*['\"]?(axes|screws)['\"]?\s*(?:#.*)?$", re.MULTILINE)
+"""How a file says that it gives axes or screws in the place of links."""
 
 
-def load_robot(name: str | Path) -> Robot:
-    """Load a robot by name or from a file.
+def load_robot(name: str | Path, *, base: str | None = None, tip: str | None = None, as_typed: bool = False) -> Robot:
+    """Load a robot by name or from a file, a YAML of dhcli's or a URDF.
 
     Args:
         name: A name of the library such as `puma560`, a path, or `-` for standard input.
+        base: The link of a URDF that is frame 0; by default its root.
+        tip: The link of a URDF that is the last frame; by default the only one at the end of a chain that moves.
+        as_typed: Whether 1.5708 in a URDF stays what it is, and is not taken as 90°.
 
     Raises:
-        UnknownNameError: No robot has this name; the nearest are listed.
+        UnknownNameError: No robot has this name, or the URDF has no such link; the nearest are listed.
         FileError: The file is no robot; every problem, each with file, line and column.
     """
     check_typed(Kind.ROBOTS, name)
     path = name if isinstance(name, Path) else find(Kind.ROBOTS, name)
-    text = read_text("-" if str(path) == "-" else path)
-    return read_robot(text, source_of(path), "stdin" if str(path) == "-" else path.stem)
+    called = "stdin" if str(path) == "-" else path.stem
+    text = read_text("-" if str(path) == "-" else path, limit=XML_LIMIT if path.suffix.lower() in XML else LIMIT)
+    if is_xml(text):
+        from dhcli.files.urdf.robots import read_urdf  # most robots are YAML
+
+        return read_urdf(text, source_of(path), called, base=base, tip=tip, as_typed=as_typed)
+    if base is not None or tip is not None or as_typed:
+        hint = "frames of a robot file are named with --from and --to"
+        raise FileError(Problem("only a URDF has links to choose from", Place(source_of(path)), hint))
+    return read_robot(text, source_of(path), called)
+
+
+def is_xml(text: str) -> bool:
+    """Whether a text is XML."""
+    return text.lstrip().startswith("<")
 
 
 def read_robot(text: str, source: str, name: str) -> Robot:
@@ -70,16 +92,29 @@ def read_robot(text: str, source: str, name: str) -> Robot:
         FileError: With all problems.
     """
     refused: list[Problem] = []
-    return _Loader(read_yaml(text, source, refused), name, refused).robot()
+    if drawn := DRAWN.search(text):
+        from dhcli.files.yaml.drawn import DrawnLoader, with_semicolons  # few robots are drawn
+
+        root = read_yaml(with_semicolons(text), source, refused)
+        return DrawnLoader(root, name, refused, drawn[1]).robot()
+    return Loader(read_yaml(text, source, refused), name, refused).robot()
 
 
-class _Loader:
+class Loader:
     """One pass over a file; what is wrong is collected, and something harmless taken in its place."""
 
-    def __init__(self, root: PlacedNode, name: str, refused: list[Problem]) -> None:
+    def __init__(
+        self,
+        root: PlacedNode,
+        name: str,
+        refused: list[Problem],
+        known: Iterable[str] = KEYS,
+        required: Iterable[str] = REQUIRED,
+    ) -> None:
+        """Read what every robot has; the keys differ with what stands in the place of links."""
         self.problems = Problems(refused)
         self.name = name
-        self.fields = self.problems.document(root, known=KEYS, required=REQUIRED)
+        self.fields = self.problems.document(root, known=known, required=required)
         self.places: dict[tuple[str | int, ...], Place] = {}
         self.variables = tuple(self.names("variables", self.fields.sequence("variables")))
         self.parameters = self.fields.mapping("parameters")
@@ -92,9 +127,10 @@ class _Loader:
         self.is_broken = False
 
     def robot(self) -> Robot:
+        """The robot, or all that is wrong."""
         first = self.read_first()
         before = len(self.problems.found)
-        links = tuple(self.link(node, i, first + i) for i, node in enumerate(self.fields.sequence("links")))
+        links = self.read_links(first)
         self.is_broken = len(self.problems.found) > before or not self.variables or "convention" not in self.fields
         movers = [name for link in links for name in names(link.moves)]
         self.unclear = frozenset(name for name in self.variables if self.is_broken or movers.count(name) != 1)
@@ -105,7 +141,7 @@ class _Loader:
         reader = Parameters(self.problems, self.parameters, self.remarks)
         parameters = reader.read(lambda key: self.is_angle(key, angles))
         limits = {key: self.limit(key, angles) for key in self.fields.mapping("limits").entries}
-        poses = {key: self.pose(key, angles) for key in self.fields.mapping("poses").entries}
+        poses = self.read_poses(angles)
         texts = {key: self.fields.text(key) for key in ("title", "source", "notes")}
         if not links and "links" in self.fields:
             self.problems.add(self.fields.place_of("links"), "links: a robot has at least one link")
@@ -136,6 +172,14 @@ class _Loader:
         self.problems.raise_if_any(FileError)
         return found
 
+    def read_links(self, first: int) -> tuple[Link, ...]:
+        """The rows, or the products."""
+        return tuple(self.link(node, i, first + i) for i, node in enumerate(self.fields.sequence("links")))
+
+    def read_poses(self, angles: frozenset[str]) -> dict[str, tuple[Value, ...]]:
+        """The named poses."""
+        return {key: self.pose(key, angles) for key in self.fields.mapping("poses").entries}
+
     def not_told(self, findings: Iterable[Finding]) -> Iterator[Finding]:
         """The broken rules that do not come of a line, or of rows, that could not be read."""
         told = {problem.place.line for problem in self.problems.found if problem.place is not None}
@@ -145,17 +189,19 @@ class _Loader:
                 yield finding
 
     def read_convention(self) -> Convention:
+        """How the links are described."""
         scalar = self.fields.scalar("convention")
         if scalar is None:
             return Convention.STANDARD
         try:
             return Convention(scalar.text)
         except ValueError:
-            hint = did_you_mean(scalar.text, [convention.value for convention in Convention])
+            hint = did_you_mean(scalar.text, [*(convention.value for convention in Convention), "axes", "screws"])
             self.problems.add(scalar.place, f"convention: '{scalar.text}' is not known", hint)
             return Convention.STANDARD
 
     def read_first(self) -> int:
+        """The number of the first link."""
         scalar = self.fields.scalar("first")
         if scalar is None:
             return 1
@@ -165,6 +211,7 @@ class _Loader:
         return first or 1
 
     def names(self, section: str, nodes: Iterable[PlacedNode]) -> Iterable[str]:
+        """The names in a list, their places kept."""
         for i, node in enumerate(nodes):
             self.places[section, i] = node.place
             scalar = self.problems.scalar(node, section)
@@ -175,6 +222,7 @@ class _Loader:
                 yield scalar.text
 
     def link(self, node: PlacedNode, index: int, number: int) -> Link:
+        """A row, or a product."""
         self.places["links", index] = node.place
         if self.convention is Convention.PRODUCT:
             scalar = self.problems.scalar(node, "links")
@@ -196,6 +244,7 @@ class _Loader:
         return Link(number, moves_of(row, self.convention), row)
 
     def cell(self, fields: Fields, column: str, index: int) -> Value:
+        """A cell of a row; nothing where it cannot be read."""
         scalar = fields.scalar(column)
         empty: Value = Angle() if column in ("alpha", "theta") else ZERO
         if scalar is None:
@@ -214,6 +263,7 @@ class _Loader:
         )
 
     def moves(self, scalar: PlacedScalar, key: str) -> Chain:
+        """A product of moves; none where it cannot be read."""
         try:
             return sharpened(read_chain(scalar.text, self.scope, scalar.place_of(0), self.remarks), self.remarks)
         except NotationError as error:
@@ -221,6 +271,7 @@ class _Loader:
             return ()
 
     def chain(self, key: str) -> Chain:
+        """The product under a key."""
         scalar = self.fields.scalar(key)
         if scalar is None:
             return ()
@@ -235,10 +286,12 @@ class _Loader:
         return False if self.is_used(key) else None
 
     def is_used(self, key: str) -> bool:
+        """Whether a name stands anywhere among the links."""
         links = self.fields.get("links")
         return links is not None and key in _texts(links)
 
     def limit(self, key: str, angles: frozenset[str]) -> tuple[Value, Value]:
+        """The lowest and the highest value of a joint."""
         fields = self.fields.mapping("limits")
         self.places["limits", key] = fields.place_of(key)
         if self.variables and key not in self.variables:
@@ -253,6 +306,7 @@ class _Loader:
         return values[0], values[1]
 
     def pose(self, key: str, angles: frozenset[str]) -> tuple[Value, ...]:
+        """The joint values of a named pose."""
         fields = self.fields.mapping("poses")
         self.places["poses", key] = fields.place_of(key)
         return self.joint_list(fields, key, self.variables, angles)
@@ -279,6 +333,7 @@ class _Loader:
         return self.fields.place
 
     def key_of(self, finding: Finding) -> str:
+        """What the message about a broken rule begins with."""
         last = finding.where[-1]
         return f"{last}: " if isinstance(last, str) else f"{finding.where[0]}: "
 

@@ -42,7 +42,7 @@ def robot_table(robot: Robot, look: Look) -> str:
     facts = f"{robot.name} · {NAMES[robot.convention]} · {count}"
     blocks = [
         f"{paper.ink(paper.spell(robot.title), 'bold')}\n{paper.ink(paper.spell(facts), 'dim')}\n",
-        _links(robot, look),
+        links_table(robot, look),
         *(
             block
             for block in (_joints(robot, look), _parameters(robot, look), _poses(robot, look), _ends(robot, look))
@@ -129,7 +129,7 @@ def _row(robot: Robot, link: Link, style: str) -> list[str]:
     return cells
 
 
-def _links(robot: Robot, look: Look) -> str:
+def links_table(robot: Robot, look: Look) -> str:
     """The DH table with the order of its operations, or the products."""
     paper = look.paper
     kinds = {joint.link: joint for joint in robot.joints}
