@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from typing import TypeVar
 
 from dhcli.errors import NotationError, Place, Problem, RobotError, UnknownNameError, did_you_mean
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
 from dhcli.kinematics.derived import Value
+from dhcli.kinematics.description import Description, Link
 from dhcli.kinematics.moves import read_chain
-from dhcli.kinematics.robot import Link, Robot, check_robot
 from dhcli.kinematics.values import parameter_values
 from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
@@ -19,30 +20,32 @@ from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr, Number
 
 Cell = float | str
+Made = TypeVar("Made", bound=Description)
 
 
 def from_dh(
+    made: type[Made],
+    /,
     rows: Iterable[Mapping[str, Cell] | Sequence[Cell]],
     *,
     convention: str = "standard",
     variables: Sequence[str],
     parameters: Mapping[str, float | str | Value] | None = None,
     name: str = "robot",
-    title: str = "",
-) -> Robot:
+) -> Made:
     """A robot from the rows of its table.
 
-    >>> from_dh([("a1", 0, 0, "q1"), (0.3, "90°", 0, "q2")], variables=["q1", "q2"], parameters={"a1": 0.4})
+    >>> from_dh(Robot, [("a1", 0, 0, "q1"), (0.3, "90°", 0, "q2")], variables=["q1", "q2"], parameters={"a1": 0.4})
     <Robot robot: robot, 2 joints RR>
 
     Args:
+        made: What is made: Robot, or a class of its kind.
         rows: Each a mapping with a, alpha, d and theta, or these four in this order. A number is in metres or radians;
             a text may have units, names and offsets: `"theta1 - 90°"`.
         convention: standard or modified.
         variables: The joint variables in order.
         parameters: Values of the other names, in metres and radians or as text.
         name: What it is called.
-        title: What it is called at length.
 
     Raises:
         RobotError: It is no robot; with every reason.
@@ -56,18 +59,18 @@ def from_dh(
     found = [_row(row, i, scope) for i, row in enumerate(rows, 1)]
     links = tuple(Link(i, moves_of(row, kind), row) for i, row in enumerate(found, 1))
     open_: dict[str, Value | None] = dict.fromkeys(given)
-    bare = Robot(name, title or name, "made in Python", kind, tuple(variables), links, open_)
+    bare = made(name, name, "made in Python", kind, tuple(variables), links, open_)
     return replace(bare, parameters={**open_, **parameter_values(bare, given)})
 
 
 def copy(
-    robot: Robot,
+    robot: Made,
     *,
     tool: str | None = None,
     base: str | None = None,
     parameters: Mapping[str, float | str | Value] | None = None,
     name: str | None = None,
-) -> Robot:
+) -> Made:
     """The same robot with another tool, base or other lengths.
 
     Args:
@@ -81,7 +84,6 @@ def copy(
         UnknownNameError: It has no such length.
         NotationError: The moves cannot be read.
     """
-    check_robot(robot)
     scope = Scope(lengths=tuple(robot.parameters))
     ends = {
         end: read_chain(text, scope, Place(end)) if text.strip() else ()

@@ -57,7 +57,7 @@ class Robot(Description):
         """A robot from the rows of its table; see `dhcli.kinematics.building.from_dh`."""
         from dhcli.kinematics.building import from_dh
 
-        return from_dh(rows, variables=variables, convention=convention, parameters=parameters, name=name)
+        return from_dh(cls, rows, variables=variables, convention=convention, parameters=parameters, name=name)
 
     def copy(
         self,

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from xml.sax.saxutils import quoteattr
 
 from dhcli.errors import RobotError
 from dhcli.geometry.euler import RollPitchYaw
@@ -16,6 +15,7 @@ from dhcli.kinematics.describe.linear import Point
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.validity import in_floats
 from dhcli.notation.tree import ONE
+from dhcli.safe import xml_attribute, xml_comment
 
 _EFFORT = 'effort="100" velocity="1"'
 """A URDF wants both; a robot file has neither."""
@@ -41,8 +41,8 @@ def urdf_text(robot: Robot) -> str:
 
 def _lines(robot: Robot, drawing: Drawing) -> Iterator[str]:
     yield '<?xml version="1.0"?>'
-    yield f"<!-- Made by dhcli from {_comment(robot.name)}: {_comment(robot.title)}. Effort and velocity stand in. -->"
-    yield f"<robot name={quoteattr(re.sub(r'[^A-Za-z0-9_-]', '_', robot.name) or 'robot')}>"
+    yield xml_comment(f"Made by dhcli from {robot.name}: {robot.title}. Effort and velocity stand in.")
+    yield f"<robot name={xml_attribute(re.sub(r'[^A-Za-z0-9_-]', '_', robot.name) or 'robot')}>"
     links = ["base_link", *(f"link_{i}" for i in range(1, len(drawing.lines) + 1)), "tool0"]
     yield from (f'  <link name="{link}"/>' for link in links)
     here = ORIGIN
@@ -58,7 +58,7 @@ def _lines(robot: Robot, drawing: Drawing) -> Iterator[str]:
 def _joint(robot: Robot, line: Line, links: list[str], offset: Vector) -> Iterator[str]:
     limits = robot.limits.get(line.name)
     kind = "prismatic" if not line.turns else "revolute" if limits else "continuous"
-    yield f'  <joint name={quoteattr(line.name)} type="{kind}">'
+    yield f'  <joint name={xml_attribute(line.name)} type="{kind}">'
     yield f'    <parent link="{links[0]}"/>'
     yield f'    <child link="{links[1]}"/>'
     yield f"    {_origin(offset)}"
@@ -88,7 +88,3 @@ def _three(vector: tuple[float, ...]) -> str:
 def _number(value: float) -> str:
     """As few digits as say it, and no minus zero."""
     return repr(float(exact_length(value).value) + 0.0).removesuffix(".0")
-
-
-def _comment(text: str) -> str:
-    return " ".join(text.replace("--", "-").replace(">", "").split())

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from dhcli.errors import NotationError, Problem, RobotError, did_you_mean
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
-from dhcli.files.yaml.robots import KEYS, Loader
+from dhcli.files.yaml.robot_loader import KEYS, Loader
 from dhcli.files.yaml.typed import read_value
 from dhcli.geometry.orthonormal import not_a_rotation
 from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, length, scaled

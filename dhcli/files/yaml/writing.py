@@ -19,6 +19,7 @@ from dhcli.kinematics.robot import Robot, Value
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Number
 from dhcli.notation.writer import write
+from dhcli.safe import yaml_scalar
 
 
 def robot_text(robot: Robot) -> str:
@@ -83,7 +84,7 @@ def quantity(value: Value, unit: str = "") -> str:
 
 def cell(text: str) -> str:
     """A text as a value between braces."""
-    return f"'{text}'" if set(text) & set("{}[],") else text
+    return yaml_scalar(text) if set(text) & set("{}[],'\":#") or not text.isprintable() else text
 
 
 def product(moves: Chain) -> str:
@@ -101,7 +102,9 @@ def _head(robot: Robot, convention: str) -> Iterator[str]:
     yield "format: 1"
     yield f"title: {_quoted(robot.title)}"
     yield f"source: {_quoted(robot.source)}"
-    if robot.notes:
+    if not robot.notes.replace("\n", "").isprintable():
+        yield f"notes: {yaml_scalar(robot.notes)}"
+    elif robot.notes:
         yield "notes: |"
         yield from (f"  {line}".rstrip() for line in robot.notes.rstrip().split("\n"))
     yield ""
@@ -196,8 +199,7 @@ def _is_zero(value: Value) -> bool:
 def _quoted(text: str) -> str:
     """A text as a scalar of one line."""
     flat = " ".join(text.split())
-    return (
-        "'" + flat.replace("'", "''") + "'"
-        if flat[:1] in "[{'\"&*!|>%@`-?:,#" or ": " in flat or " #" in flat
-        else flat
+    is_plain = (
+        flat.isprintable() and flat[:1] not in "[{'\"&*!|>%@`-?:,#" and ": " not in f"{flat} " and " #" not in flat
     )
+    return flat if flat and is_plain else yaml_scalar(flat)
