@@ -35,6 +35,7 @@ def from_dh(
 ) -> Made:
     """A robot from the rows of its table.
 
+    >>> from dhcli.kinematics.robot import Robot
     >>> from_dh(Robot, [("a1", 0, 0, "q1"), (0.3, "90°", 0, "q2")], variables=["q1", "q2"], parameters={"a1": 0.4})
     <Robot robot: robot, 2 joints RR>
 

@@ -116,22 +116,23 @@ def fk(
     force: Force = False,
 ) -> None:
     """Pose of a robot's end frame: in numbers from joint values, or in symbols as the textbook prints it."""
+    from dhcli.files.yaml.robots import load_robot
+
     if in_ is not None or skip_bad or ignore_columns or index:
         from dhcli.cli.shell.batch import asked_of_rows, check_options, fk_rows, rows_wanted
         from dhcli.cli.shell.rows import RowDelivery
 
         others: dict[str, object] = {"--pose": pose, "--symbolic": symbolic, "--let": let, "--links": links}
         others |= {"--factors": factors, "--style": style, "--digits": digits}
-        others |= {"--base": base, "--tip": tip, "--as-typed": as_typed}
         path = check_options(in_, robot, others)
-        wanted = rows_wanted(robot, from_, to, set_ or [], as_ or [], point, inverse=inverse, every=frames)
+        arm = load_robot(robot, base=base, tip=tip, as_typed=as_typed)
+        wanted = rows_wanted(arm, from_, to, set_ or [], as_ or [], point, inverse=inverse, every=frames)
         asked = asked_of_rows(wanted.robot, q, degrees=deg, ignores=ignore_columns)
         fk_rows(wanted, asked, path, RowDelivery(format_, output, force), skip_bad=skip_bad, index=index)
         return
     from dhcli.cli.shell.asking import ask, kind_of
     from dhcli.cli.shell.delivery import Delivery
     from dhcli.cli.shell.given import values_of
-    from dhcli.files.yaml.robots import load_robot
     from dhcli.kinematics.question import answer
 
     delivery = Delivery("fk", format_, digits, style, output, force)

@@ -137,6 +137,9 @@ class RowWish:
     end: str | None
     within_limits: bool
     degrees: bool
+    base: str | None = None
+    tip: str | None = None
+    as_typed: bool = False
 
 
 def solve_rows(
@@ -164,7 +167,7 @@ def solve_rows(
     check_rows(typed, wish.path, others)
     delivery = RowDelivery(format_, output, force)
     delivery.chosen()
-    robot = load_robot(typed)
+    robot = load_robot(typed, base=wish.base, tip=wish.tip, as_typed=wish.as_typed)
     task = None if wish.task is None else task_of(Goal(None, None, None, None, None, None, None, wish.task))
     low, high = ends(robot, wish.start, wish.end)
     lengths = parameter_values(robot, settings_of(wish.settings), Place("--set", text=" ".join(wish.settings)))
