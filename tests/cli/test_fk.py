@@ -323,3 +323,25 @@ def test_a_named_pose_may_be_varied(dhcli: Run) -> None:
     done = dhcli("fk", "puma560", "--pose", "ready", "--q", "0,0,0,0,0,0")
     assert done.code == 2
     assert "--q NAME=VALUE varies a pose" in done.err
+
+
+def test_the_heading_says_what_the_pose_leaves_out(dhcli: Run, tmp_path: Path) -> None:
+    """Base and tool of the file, where it has them, and only where both ends are the first and the last frame."""
+    text = (Path(__file__).parents[2] / "robots" / "planar-2r.yaml").read_text("utf-8")
+    cases = {
+        "": (None, None),
+        "tool: Trans(0, 0, 0.1)\n": ("without tool: --to tool has it", "--to tool"),
+        "base: Trans(0, 0, 1)\n": ("without base: --from base has it", "--from base"),
+        "base: Trans(0, 0, 1)\ntool: Rot(x, 30°)\n": (
+            "without base and tool: --from base --to tool has both",
+            "--from base --to tool",
+        ),
+    }
+    path = tmp_path / "arm.yaml"
+    for more, (said, options) in cases.items():
+        path.write_text(text + more, "utf-8")
+        for way in (("-s",), ("-s", "--inverse"), ("--q", "0,0", "--as", "rpy"), ("-s", "--point", "0,0,0")):
+            out = dhcli("fk", str(path), *way).out
+            assert (said in out) if said else ("without" not in out), (more, way)
+            assert options is None or "without" not in dhcli("fk", str(path), *way, *options.split()).out
+        assert "without" not in dhcli("fk", str(path), "-s", "--to", "1").out
