@@ -345,3 +345,38 @@ def test_the_heading_says_what_the_pose_leaves_out(dhcli: Run, tmp_path: Path) -
             assert (said in out) if said else ("without" not in out), (more, way)
             assert options is None or "without" not in dhcli("fk", str(path), *way, *options.split()).out
         assert "without" not in dhcli("fk", str(path), "-s", "--to", "1").out
+
+
+def test_a_tool_that_is_typed_stands_behind_the_last_frame(dhcli: Run, tmp_path: Path) -> None:
+    """The pose is that of the robot times that of the tool, for one pose and for rows; that of the file gives way."""
+    moves = "Trans(0.1,0,l3) Rot(x,90°)"
+    tool = np.array([[1, 0, 0, 0.1], [0, 0, -1, 0], [0, 1, 0, 0.2], [0, 0, 0, 1]])
+    expected = forward(load_robot("scara"), [0.3, 0.5, 0.1]).matrix @ tool
+    assert np.allclose(_matrix(dhcli("fk", "scara", "--q", Q, "--tool", moves, "--format", "json")), expected)
+    assert dhcli("fk", "scara", "--q", Q, "--tool", moves).out.startswith("T_{0,tool} of scara: tool seen")
+    back = dhcli("fk", "scara", "--q", Q, "--tool", moves, "--from", "tool", "--to", "0", "--format", "json")
+    assert np.allclose(_matrix(back) @ expected, np.eye(4))
+    (tmp_path / "q.csv").write_text("theta1,theta2,d3\n0.3,0.5,0.1\n", "utf-8")
+    rows = dhcli("fk", "scara", "--in", str(tmp_path / "q.csv"), "--tool", moves, "--as", "position").out.splitlines()
+    assert np.allclose([float(cell) for cell in rows[1].split(",")], expected[:3, 3])
+    own = load_robot("zhou-6r")
+    bare = forward(own.copy(tool="Trans(0,0,1)"), "zero", end="tool").matrix
+    assert np.allclose(
+        _matrix(dhcli("fk", "zhou-6r", "--pose", "zero", "--tool", "Trans(0,0,1)", "--format", "json")), bare
+    )
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--tool", "Trans(0,0,0.1)", "--to", "2"), "--to 2 does not reach it"),
+        (("--tool", "Trans(0,0,l9)"), "--tool:11: l9 is not a name"),
+        (("--tool", "gripper"), "--tool"),
+        (("--tool", ""), "--tool"),
+    ],
+)
+def test_a_tool_that_cannot_be_is_refused(dhcli: Run, words: tuple[str, ...], said: str) -> None:
+    """With the place in what was typed."""
+    done = dhcli("fk", "scara", "--q", Q, *words)
+    assert done.code == 2
+    assert said in done.err

@@ -131,6 +131,7 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("check", "scara", "--pose", "zero", "--as", "position", "--answer", "0, 0.5, 0.4"),
     ("show", "scara", "--draw"),
     ("fk", "./arm.urdf", "--base", "base_link", "--tip", "hand", "--as-typed", "-s"),
+    ("fk", "scara", "--pose", "pick", "--tool", "Trans(0,0,l1) Rot(z,30°)"),
     ("show", "./arm.urdf", "--base", "base_link", "--tip", "hand", "--as-typed"),
     ("ik", "./arm.urdf", "--base", "base_link", "--tip", "hand", "--as-typed", "--q", "0,0,0"),
     ("jacobian", "./arm.urdf", "--base", "base_link", "--tip", "hand", "--as-typed", "-s"),
