@@ -33,6 +33,7 @@ class Robot(Description):
         columns: Order of the columns in which the table was written.
         notes: What else a reader should know.
         derived: Formulas of those parameters that follow from others; their values stand among the parameters.
+        tools: Tools by name, each with the moves from the last frame to its own, to take in the place of `tool`.
         remarks: What was taken for something else when it was read, such as 1.5708 rad for 90°.
 
     Raises:

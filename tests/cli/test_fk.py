@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import sympy
 
-from dhcli import forward, load_robot, symbolic
+from dhcli import forward, load_robot, save_robot, symbolic
 from tests.cli.running import Done, Run
 
 Q = "0.3,0.5,0.1"
@@ -380,3 +380,41 @@ def test_a_tool_that_cannot_be_is_refused(dhcli: Run, words: tuple[str, ...], sa
     done = dhcli("fk", "scara", "--q", Q, *words)
     assert done.code == 2
     assert said in done.err
+
+
+def test_a_tool_of_the_file_is_asked_for_by_name(dhcli: Run, tmp_path: Path) -> None:
+    """As if its moves were typed, with lengths of the robot; `show` lists it, and saving keeps it."""
+    text = (Path(__file__).parents[2] / "robots" / "scara.yaml").read_text("utf-8")
+    path, copy = tmp_path / "arm.yaml", tmp_path / "copy.yaml"
+    path.write_text(text + "tools: {gripper: 'Trans(0,0,l3) Rot(z,30°)', none: 'Trans(0,0,0)'}\n", "utf-8")
+    arm = load_robot(path)
+    save_robot(arm, copy)
+    assert load_robot(copy).tools == arm.tools
+    for robot in (path, copy):
+        named, typed = (
+            dhcli("fk", str(robot), "--q", Q, "--tool", tool, "--format", "csv").out
+            for tool in ("gripper", "Trans(0,0,l3) Rot(z,30°)")
+        )
+        assert named == typed
+    assert "tool gripper  Trans(0, 0, l3) Rot(z, 30°)" in dhcli("show", str(path)).out
+    wrong = dhcli("fk", str(path), "--q", Q, "--tool", "griper")
+    assert (wrong.code, "did you mean gripper?" in wrong.err) == (2, True)
+    save_robot(arm, tmp_path / "arm.urdf")
+    assert load_robot(tmp_path / "arm.urdf").tools == {}
+    said = dhcli("describe", str(path), "--as", "modified", "--numbers")
+    assert "the tools of the file are left out" in said.out
+
+
+def test_a_tool_that_moves_is_refused_where_it_stands(dhcli: Run, tmp_path: Path) -> None:
+    """A joint variable in it, a name that is none, a matrix that is no rotation."""
+    text = (Path(__file__).parents[2] / "robots" / "scara.yaml").read_text("utf-8")
+    path = tmp_path / "arm.yaml"
+    line = text.count("\n") + 2
+    for moves, said in {
+        "Rot(z, theta1)": "theta1 is a joint variable",
+        "Trans(0, 0, l9)": "l9 is not a name",
+        "[2 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1]": "",
+    }.items():
+        path.write_text(f"{text}tools:\n  gripper: '{moves}'\n", "utf-8")
+        done = dhcli("fk", str(path), "--q", Q)
+        assert (done.code, f"arm.yaml:{line}:" in done.err, said in done.err) == (2, True, True), done.err

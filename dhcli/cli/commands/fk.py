@@ -80,8 +80,8 @@ def fk(
     tool: Annotated[
         str | None,
         typer.Option(
-            metavar="MOVES",
-            help="Of the end of this tool: 'Trans(0,0,0.1) Rot(z,45°)', in the place of that of the file.",
+            metavar="TOOL",
+            help="Of the end of this tool: one that the file names, or 'Trans(0,0,0.1) Rot(z,45°)'.",
             rich_help_panel=WHERE,
         ),
     ] = None,

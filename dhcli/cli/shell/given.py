@@ -40,7 +40,13 @@ def with_tool(robot: Robot, moves: str, start: str | None, end: str | None) -> t
     """
     if end is not None and "tool" not in (start, end):
         raise DhcliError(f"--tool is behind the last frame, and --to {end} does not reach it", "use --to tool")
-    chain = read_chain(moves, Scope(lengths=tuple(robot.parameters)), Place("--tool", text=moves))
+    if moves.strip() in robot.tools:
+        chain = robot.tools[moves.strip()]
+    elif moves.strip().replace("-", "_").isidentifier():
+        hint = did_you_mean(moves.strip(), robot.tools) or "write moves: --tool 'Trans(0,0,0.1)'"
+        raise UnknownNameError(Problem(f"{robot.name} has no tool called {moves.strip()}", Place("--tool"), hint))
+    else:
+        chain = read_chain(moves, Scope(lengths=tuple(robot.parameters)), Place("--tool", text=moves))
     end = "tool" if end is None and start != "tool" else end
     return replace(robot, tool=chain), end
 

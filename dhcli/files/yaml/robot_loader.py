@@ -33,6 +33,7 @@ KEYS = (
     "first",
     "base",
     "tool",
+    "tools",
     "limits",
     "poses",
 )
@@ -74,7 +75,9 @@ class Loader:
         movers = [name for link in links for name in names(link.moves)]
         self.unclear = frozenset(name for name in self.variables if self.is_broken or movers.count(name) != 1)
         base, tool = self.chain("base"), self.chain("tool")
+        tools = self.read_tools()
         chain = (*base, *(move for link in links for move in link.moves), *tool)
+        chain += tuple(move for moves in tools.values() for move in moves)
         inside = {n for e in expressions(chain) for node in walk(e) if type(node) is Trig for n in node.angle.names}
         angles = angle_names(chain) | inside
         reader = Parameters(self.problems, self.parameters, self.remarks)
@@ -93,6 +96,7 @@ class Loader:
                 parameters=parameters,
                 base=base,
                 tool=tool,
+                tools=tools,
                 first=first,
                 limits=limits,
                 poses=poses,
@@ -118,6 +122,16 @@ class Loader:
     def read_poses(self, angles: frozenset[str]) -> dict[str, tuple[Value, ...]]:
         """The named poses."""
         return {key: self.pose(key, angles) for key in self.fields.mapping("poses").entries}
+
+    def read_tools(self) -> dict[str, Chain]:
+        """The tools by name."""
+        fields = self.fields.mapping("tools", example="gripper: Trans(0, 0, 0.1)")
+        found: dict[str, Chain] = {}
+        for key in fields.entries:
+            self.places["tools", key] = fields.place_of(key)
+            scalar = fields.scalar(key)
+            found[key] = () if scalar is None else self.moves(scalar, key)
+        return found
 
     def not_told(self, findings: Iterable[Finding]) -> Iterator[Finding]:
         """The broken rules that do not come of a line, or of rows, that could not be read."""

@@ -35,7 +35,7 @@ def robot_text(robot: Robot) -> str:
         else:
             cells = ", ".join(f"{column}: {cell(quantity(getattr(link.row, column)))}" for column in robot.columns)
             lines.append(f"  - {{{cells}}}")
-    return "\n".join([*lines, *_end("tool", robot.tool), *_limits(robot), *_poses(robot)]) + "\n"
+    return "\n".join([*lines, *_end("tool", robot.tool), *_tools(robot), *_limits(robot), *_poses(robot)]) + "\n"
 
 
 def save_robot(robot: Robot, path: str | Path, *, overwrite: bool = False) -> None:
@@ -132,6 +132,12 @@ def _end(name: str, chain: Chain) -> list[str]:
     return [f"{name}: {_quoted(product(chain))}"] if chain else []
 
 
+def _tools(robot: Robot) -> Iterator[str]:
+    if robot.tools:
+        yield "tools:"
+        yield from (f"  {cell(name)}: {_quoted(product(chain))}" for name, chain in robot.tools.items())
+
+
 def _limits(robot: Robot) -> Iterator[str]:
     if robot.limits:
         yield ""
@@ -146,7 +152,7 @@ def _poses(robot: Robot, poses: Mapping[str, tuple[Value, ...]] | None = None) -
         yield ""
         yield "poses:"
         for name, values in named.items():
-            yield f"  {name}: [{', '.join(quantity(value, 'm') for value in values)}]"
+            yield f"  {cell(name)}: [{', '.join(quantity(value, 'm') for value in values)}]"
 
 
 def _axes(drawing: Drawing) -> Iterator[str]:

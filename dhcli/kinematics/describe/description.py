@@ -107,6 +107,9 @@ def describe(robot: Robot, asked: Asked) -> Described:
     Raises:
         RobotError: It has no such description, or a letter lacks a value that decides.
     """
+    if robot.tools:
+        found = describe(replace(robot, tools={}), asked)
+        return replace(found, notes=(*found.notes, "the tools of the file are left out"))
     robot = in_numbers(robot) if asked.numbers else robot
     is_table = asked.form in ("standard", "modified")
     other = {"standard": Convention.MODIFIED, "modified": Convention.STANDARD}.get(asked.form)
@@ -150,7 +153,8 @@ def in_numbers(robot: Robot) -> Robot:
         raise RobotError(f"{', '.join(lacking)} has no value", "numbers need one: --set NAME=VALUE")
     base, tool = put_in(robot.base, values), put_in(robot.tool, values)
     links = tuple(_valued(link, values, robot.convention) for link in robot.links)
-    return replace(robot, links=links, base=base, tool=tool, parameters={}, derived={})
+    tools = {name: put_in(chain, values) for name, chain in robot.tools.items()}
+    return replace(robot, links=links, base=base, tool=tool, tools=tools, parameters={}, derived={})
 
 
 def _valued(link: Link, values: Mapping[str, Value], convention: Convention) -> Link:

@@ -100,6 +100,7 @@ def robot_content(robot: Robot, _look: Look) -> dict[str, Any]:
         "poses": {n: [in_units(v) for v in values] for n, values in robot.poses.items()},
         "base": _product(robot, robot.base),
         "tool": _product(robot, robot.tool),
+        "tools": {name: _product(robot, chain) for name, chain in robot.tools.items()},
     }
 
 
@@ -188,6 +189,7 @@ def _ends(robot: Robot, look: Look) -> str:
     """Base and tool, where there are any."""
     paper = look.paper
     ends = [(name, chain) for name, chain in (("base", robot.base), ("tool", robot.tool)) if chain]
+    ends += [(f"tool {paper.spell(name)}", chain) for name, chain in robot.tools.items()]
     return "".join(f"{paper.ink(name, 'bold')}  {paper.spell(_product(robot, chain))}\n" for name, chain in ends)
 
 
