@@ -2,43 +2,54 @@
 
 from __future__ import annotations
 
-from itertools import islice
-
 from dhcli.algebra.arithmetic import CannotHoldError
 from dhcli.algebra.floats import Floats
-from dhcli.algebra.points import general
+from dhcli.algebra.points import Reach, all_round
 from dhcli.algebra.residues import Residues
 from dhcli.notation.tree import Expr
-from dhcli.notation.walk import symbols
 
-POINTS = 8
-SEED = 20
 CLOSE = 1e-9
 
 
-def equal(first: Expr, second: Expr) -> bool:
-    """Decide equality in residues; where those cannot hold a number, at seeded random points in floats.
+def equal(first: Expr, second: Expr, reach: Reach | None = None) -> bool:
+    """Decide equality in residues; where those cannot hold a number, at seeded points in floats.
 
     A different residue means certainly unequal; an equal one is wrong with probability below 2^-100.
+
+    Args:
+        first: An expression.
+        second: Another.
+        reach: Which values the names have; only floats need to know.
     """
+    known = equal_in_residues(first, second)
+    return equal_in_floats(first, second, reach) if known is None else known
+
+
+def equal_in_residues(first: Expr, second: Expr) -> bool | None:
+    """Whether two expressions are equal, decided in residues; None where those cannot hold a number in them."""
     if first == second:
         return True
     try:
         point = Residues((first, second))
         return point.value(first) == point.value(second)
     except (CannotHoldError, ZeroDivisionError):
-        return equal_in_floats(first, second)
+        return None
 
 
-def equal_in_floats(first: Expr, second: Expr) -> bool:
-    """Whether two expressions agree at seeded random points to nine digits; points where both are NaN say nothing."""
+def equal_in_floats(first: Expr, second: Expr, reach: Reach | None = None) -> bool:
+    """Whether two expressions agree to nine digits at points all round; where both are NaN, a point says nothing."""
     agreed = 0
-    for values in islice(general(symbols(first) | symbols(second), SEED), POINTS):
+    for values in all_round((first, second), reach):
         over = Floats(values)
         one, other = over.value(first), over.value(second)
         if one != one and other != other:  # noqa: PLR0124  NaN
             continue
-        if not abs(one - other) <= CLOSE * max(1.0, abs(one), abs(other)):
+        if not agree(one, other):
             return False
         agreed += 1
     return agreed > 0
+
+
+def agree(one: float, other: float) -> bool:
+    """Whether two numbers are the same to nine digits; NaN is the same as nothing."""
+    return abs(one - other) <= CLOSE * max(1.0, abs(one), abs(other))

@@ -27,6 +27,9 @@ STEPS = 720
 ROOTED = (7, 11, 13, 17, 19, 23, 29, 31)
 """Primes whose square roots the field holds besides those of 2, 3 and 5, which are combinations of cosines."""
 
+RADIAN = "rad"
+"""The name under which one radian has a random unit, for e^i is transcendental; no joint is called so."""
+
 LARGEST_RADICAND = 10**12
 """Roots are taken of small integers; a larger residue is the image of some expression."""
 
@@ -157,6 +160,7 @@ class Residues:
         denominators = {scale}
         for angle in (*_angles(expressions), *angles):
             denominators |= {factor.denominator for _, factor in angle.terms}
+            denominators.add(angle.radians.denominator)
         self._scale = math.lcm(*denominators)
         self._units: dict[str, tuple[int, int]] = {}
         self._numbers: dict[str, int] = {}
@@ -165,17 +169,17 @@ class Residues:
         """Cosine and sine as residues.
 
         Raises:
-            CannotHoldError: An angle in bare radians, or one finer than half a degree.
+            CannotHoldError: An angle finer than half a degree.
         """
         exact = right_angle(angle)
         if exact is not None:
             return exact
-        if angle.radians or (angle.degrees * 2).denominator != 1:
+        if (angle.degrees * 2).denominator != 1:
             raise CannotHoldError
         prime = self.field.prime
         steps = int(angle.degrees * 2)
         unit, inverse = self.field.root_of_unity(steps), self.field.root_of_unity(-steps)
-        for name, factor in angle.terms:
+        for name, factor in (*angle.terms, *(((RADIAN, angle.radians),) if angle.radians else ())):
             exponent = factor * self._scale
             if exponent.denominator != 1:
                 raise CannotHoldError

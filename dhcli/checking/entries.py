@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
@@ -11,6 +11,7 @@ from dhcli.checking.commas import comma_remark, with_points
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, without_label
 from dhcli.checking.truth import is_length, names_of
+from dhcli.checking.units import in_metres
 from dhcli.checking.vectors import as_column
 from dhcli.checking.wanted import Wanted
 from dhcli.errors import NotationError, Place
@@ -18,7 +19,7 @@ from dhcli.notation.matrix import Cell, bracketed, parse_matrix
 from dhcli.notation.names import suggestion
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_length
-from dhcli.notation.tree import ONE, ZERO, Expr, Number, multiply, number
+from dhcli.notation.tree import ONE, ZERO, Expr, Number, number
 from dhcli.notation.walk import symbols
 
 LARGEST = 256_000
@@ -132,19 +133,40 @@ def _shape_remark(question: Wanted, shape: tuple[int, int]) -> str:
     return f"the answer is {shape[0]}x{shape[1]}; {asked} was asked" if rows > 1 else f"{asked} was asked"
 
 
+def as_read(question: Wanted, row: int, column: int, exercise: Exercise, expr: Expr) -> Expr:
+    """What was typed for an entry, bare lengths and those with a unit in metres.
+
+    Raises:
+        DimensionError: It is no length, and no number.
+    """
+    is_bare = is_length(question, row, column) and exercise.metres != 1
+    return to_length(in_metres(expr, exercise.metres, exercise.scope) if is_bare else expr)
+
+
 def _entry(question: Wanted, exercise: Exercise, cell: Cell, row: int, column: int) -> Entry:
     where = f"entry ({row + 1},{column + 1})"
+    length = is_length(question, row, column)
     try:
         expr = to_length(cell.expr)
+        if expr != cell.expr and not length:
+            raise UnreadableError(f"{where} is a direction cosine and has no unit")
+        expr = as_read(question, row, column, exercise, cell.expr)
     except DimensionError as error:
         raise UnreadableError(f"{where}: {error.message}") from None
     check_names(exercise, symbols(expr))
-    length = is_length(question, row, column)
-    if expr != cell.expr and not length:
-        raise UnreadableError(f"{where} is a direction cosine and has no unit")
-    if length and expr == cell.expr and not symbols(expr) and exercise.metres != 1:
-        expr = multiply(expr, Number(exercise.metres))
     return Entry(expr, cell.text, cell.expr)
+
+
+def in_unit_of(question: Wanted, entries: Entries, exercise: Exercise) -> Entries:
+    """Entries that have been read, with their bare lengths in the unit of another sheet."""
+
+    def moved(entry: Entry, row: int, column: int) -> Entry:
+        try:
+            return replace(entry, expr=as_read(question, row, column, exercise, entry.typed))
+        except DimensionError:  # what is no length in that unit stays wrong
+            return entry
+
+    return tuple(tuple(moved(entry, r, c) for c, entry in enumerate(row)) for r, row in enumerate(entries))
 
 
 def _check_bottom_row(entries: Entries) -> None:

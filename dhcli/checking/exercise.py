@@ -13,6 +13,7 @@ from fractions import Fraction
 from typing import Any, ClassVar, Generic, Protocol, Self, TypeAlias, TypeVar, cast
 
 from dhcli.algebra.floats import Floats
+from dhcli.checking.credit import USUAL, Shares
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.tolerance import DEFAULT, Tolerance
 from dhcli.checking.verdicts import Mark
@@ -129,6 +130,7 @@ class Question(ABC, Generic[T]):
         is_in_table: Whether the robot's table would give the answer away.
         is_plain: Whether an answer is neither a formula nor a measure, so that a sheet need not say how to write them.
         may_show_frames: Whether frames and lengths in a picture would not give the answer away.
+        earns_by_row: Whether the entries of an answer belong together row by row, as those of a table do.
     """
 
     __slots__ = ()
@@ -140,6 +142,7 @@ class Question(ABC, Generic[T]):
     is_in_table: ClassVar[bool] = False
     is_plain: ClassVar[bool] = False
     may_show_frames: ClassVar[bool] = False
+    earns_by_row: ClassVar[bool] = False
 
     @classmethod
     @abstractmethod
@@ -152,6 +155,15 @@ class Question(ABC, Generic[T]):
 
     def completed(self, _besides: Besides) -> Self:
         """The question with what a file says of it besides `ask:`."""
+        return self
+
+    def in_unit(self, _unit: Fraction, _scope: Scope) -> Self:
+        """The question with the bare lengths in it in metres, where a sheet is in another unit.
+
+        Args:
+            _unit: Metres in a bare length of the sheet.
+            _scope: The names that it may use.
+        """
         return self
 
     def check(self, _robot: Robot | None) -> None:
@@ -199,9 +211,15 @@ class Question(ABC, Generic[T]):
         """Whether an answer in symbols may have cosines and sines in it."""
         return False
 
+    def is_length(self, _row: int, _column: int) -> bool:
+        """Whether an entry of an answer stands for itself; those for which it does not are a direction together."""
+        return True
+
     def is_whole(self, text: str) -> bool:
         """Whether what was typed so far is plainly complete: its brackets close, and no operand is still to come."""
         depth = sum((letter in OPENING) - (letter in OPENING.values()) for letter in text)
+        if "\\begin" in text:
+            return depth <= 0 and text.count("\\end") >= text.count("\\begin")
         return depth <= 0 and not text.strip().endswith(_GOES_ON)
 
     # --- What is right -------------------------------------------------------------------------------------------
@@ -302,6 +320,10 @@ class Question(ABC, Generic[T]):
         """Whether later parts may follow from a right answer otherwise than from the solution."""
         return False
 
+    def is_plausible(self, _case: Case, _judged: Judged[T]) -> bool:
+        """Whether somebody has worked out an answer, so that what follows from it shows work as well."""
+        return True
+
     def rows(self, _case: Case, _reading: Reading[T]) -> tuple[Row, ...]:
         """The DH rows that an answer draws, one for each link of the robot; none where it draws none."""
         return ()
@@ -330,10 +352,12 @@ class Part:
         question: What is asked.
         prompt: The task in words; empty where the question says it all.
         credit: What it is worth.
+        shares: What an answer earns of it; as the exercise says if None.
+        withdrawn: Why it is not asked any more; empty for a part that is.
         depends: Parts whose answers it builds on.
         hints: Help, from gentle to plain.
         tolerance: How near is near enough; the exercise's own if None.
-        compare: How a table is judged: literal, same-motion or same-robot.
+        compare: How a table is judged: literal, same-motion or same-robot; empty where the file does not say.
         printed: What the document shows, if it does.
     """
 
@@ -341,10 +365,12 @@ class Part:
     question: Question[Any]
     prompt: str = ""
     credit: float = 1.0
+    shares: Shares | None = None
+    withdrawn: str = ""
     depends: tuple[str, ...] = ()
     hints: tuple[str, ...] = ()
     tolerance: Tolerance | None = None
-    compare: str = "same-robot"
+    compare: str = ""
     printed: Printed | None = None
 
     def heading(self, exercise: Exercise) -> str:
@@ -368,6 +394,7 @@ class Exercise:
         numeric: Whether answers are numbers; else they are expressions.
         unit: Unit of bare lengths on the sheet; `none` where the task has no unit.
         tolerance: How near is near enough.
+        shares: What answers earn of the credit of their parts.
         also: A second robot that is right too, with its note.
         trials: Submissions the exercise tests itself with.
         shows_expected: Whether feedback may show the right entry.
@@ -388,6 +415,7 @@ class Exercise:
     numeric: bool = False
     unit: str = "m"
     tolerance: Tolerance = DEFAULT
+    shares: Shares = USUAL
     also: tuple[Robot, str] | None = None
     trials: tuple[Trial, ...] = ()
     shows_expected: bool = False
@@ -415,6 +443,16 @@ class Exercise:
                 return part
         known = [part.id for part in self.parts]
         raise UnknownNameError(f"{self.id} has no part {name}", did_you_mean(name, known) or ", ".join(known))
+
+    @property
+    def asked(self) -> tuple[Part, ...]:
+        """The parts that are asked: those that were not withdrawn."""
+        return tuple(part for part in self.parts if not part.withdrawn)
+
+    @property
+    def credit(self) -> float:
+        """What all parts are worth together."""
+        return sum(part.credit for part in self.asked)
 
     def before(self, part: Part) -> Iterator[Part]:
         """The parts that a part builds on, directly or through others, each once."""
@@ -471,3 +509,8 @@ class Case:
     def tolerance(self) -> Tolerance:
         """How near is near enough."""
         return self.part.tolerance or self.exercise.tolerance
+
+    @property
+    def shares(self) -> Shares:
+        """What an answer earns of the credit of the part."""
+        return self.part.shares or self.exercise.shares

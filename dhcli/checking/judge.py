@@ -8,8 +8,9 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from dhcli.checking.diagnosis.result import Diagnosis, Slip
+from dhcli.checking.earning import earned
 from dhcli.checking.exercise import MISPRINTED, Case, Causes, Exercise, Judged, Memo, Part, Reading, Shown
-from dhcli.checking.pasted import UnreadableError, refuse_blanks
+from dhcli.checking.pasted import UnreadableError, WrongUnitError, refuse_blanks
 from dhcli.checking.verdicts import COUNTED, INVERSE, TOO_FEW, TRANSPOSED, UNSOLVED, Mark, Verdict, worst
 from dhcli.errors import DhcliError, NotationError, Place, UnknownNameError, did_you_mean
 from dhcli.kinematics.robot import Value
@@ -34,12 +35,16 @@ class SheetMark:
     Attributes:
         exercise: The exercise.
         parts: The parts that were looked at, in order.
+        withdrawn: Parts that it answers and that are not asked any more; they neither earn nor cost anything.
         why: Whether a person has asked for the names of slips; else there are only hints.
+        walked: Whether it is judged part by part while a person answers, who may type `why` and `hint`.
     """
 
     exercise: Exercise
     parts: tuple[PartMark, ...]
     why: bool = False
+    walked: bool = False
+    withdrawn: tuple[Part, ...] = ()
 
     @property
     def verdict(self) -> Verdict:
@@ -110,6 +115,7 @@ class Judge:
 
         Raises:
             UnknownNameError: An answer, or the part asked for, belongs to no part of the exercise.
+            DhcliError: The part asked for was withdrawn.
         """
         for name in (*answers, *((only,) if only else ())):
             self.exercise.part(name)
@@ -118,8 +124,13 @@ class Judge:
             one = self.judged(part, answers.get(part.id, ""), (places or {}).get(part.id))
             one = replace(one, mark=self.explained(part, one))
             judged[part.id] = replace(one, mark=self._followed(part, one, judged))
-        parts = (part for part in self.exercise.parts if only in (None, part.id))
-        return SheetMark(self.exercise, tuple(PartMark(part, judged[part.id].mark) for part in parts))
+        parts = [part for part in self.exercise.asked if only in (None, part.id)]
+        if not parts:
+            raise DhcliError(f"{only} was withdrawn: {self.exercise.part(only or '').withdrawn}")
+        blank = Verdict.SKIPPED
+        gone = (part for part in self.exercise.parts if part.withdrawn and judged[part.id].mark.verdict is not blank)
+        marks = tuple(PartMark(part, judged[part.id].mark) for part in parts)
+        return SheetMark(self.exercise, marks, withdrawn=() if only else tuple(gone))
 
     def expected(self, part: Part, style: str = "short") -> str:
         """The right answer to a part as a person would type it."""
@@ -191,7 +202,10 @@ class Judge:
         try:
             refuse_blanks(answer)
             reading = Reading(answer, part.question.read(case, answer, place))
-            return Judged(part.question.mark(case, reading), reading)
+            return Judged(_credited(case, part.question.mark(case, reading)), reading)
+        except WrongUnitError as error:
+            mark = Mark(Verdict.CANNOT_READ, answer.strip(), remarks=error.remarks, other_unit=error.unit)
+            return Judged(_credited(case, mark), reading)
         except UnreadableError as error:
             remarks = error.remarks
         except NotationError as error:
@@ -223,8 +237,7 @@ class Judge:
         own = {
             name: one.reading
             for name, one in earlier.items()
-            if one.reading is not None
-            and (one.mark.verdict in UNSOLVED or self.exercise.part(name).question.differs(one.mark))
+            if one.reading is not None and self._may_lead(self.exercise.part(name), one)
         }
         used = part.question.follows(self._case(part), judged.reading, own)
         if not used:
@@ -235,6 +248,12 @@ class Judge:
         return replace(
             mark, earned=1.0, remarks=(f"{remark}; this part keeps its credit",), diagnosis=Diagnosis(follows=used)
         )
+
+    def _may_lead(self, part: Part, judged: Judged[Any]) -> bool:
+        """Whether an answer differs from the solution, and is one that a person may go on from."""
+        if part.question.differs(judged.mark):
+            return True
+        return judged.mark.verdict in UNSOLVED and part.question.is_plausible(self._case(part), judged)
 
 
 def check(exercise: Exercise, part: str, answer: str) -> Mark:
@@ -254,6 +273,11 @@ def check(exercise: Exercise, part: str, answer: str) -> Mark:
     if not all(isinstance(text, str) for text in (part, answer)):
         raise DhcliError("the name of a part and the answer to it are texts", 'check(exercise, "a1", "[c1 -s1 ...]")')
     return Judge(exercise).check(exercise.part(part), answer)
+
+
+def _credited(case: Case, mark: Mark) -> Mark:
+    """A mark with what it earns by the rules of the exercise."""
+    return replace(mark, earned=earned(case.shares, case.part.question, mark, numeric=case.exercise.numeric))
 
 
 def is_explained(part: Part, mark: Mark) -> bool:

@@ -19,9 +19,10 @@ from dhcli.checking.orientations import (
     turned,
 )
 from dhcli.checking.pasted import UnreadableError
-from dhcli.checking.symbolic import has_decimals, same
+from dhcli.checking.symbolic import is_exactly
 from dhcli.checking.tolerance import (
     LEAST_DECIMALS,
+    NOT_EXACT,
     ZERO,
     Tolerance,
     is_rounding_of,
@@ -30,11 +31,19 @@ from dhcli.checking.tolerance import (
     without_unit,
 )
 from dhcli.checking.truth import Truth, is_length
-from dhcli.checking.verdicts import INVERSE, TOO_FEW, TRANSPOSED, CellMark, Mark, Verdict, worst
+from dhcli.checking.verdicts import (
+    INVERSE,
+    TOO_FEW,
+    TRANSPOSED,
+    UNSOLVED,
+    CellMark,
+    Mark,
+    Verdict,
+    worst,
+)
 from dhcli.checking.wanted import Wanted
 from dhcli.kinematics.pose import rounded
 from dhcli.kinematics.values import numbers
-from dhcli.notation.quantity import LENGTH_UNITS
 from dhcli.notation.walk import symbols
 
 LEAST_TURN = 0.1
@@ -51,7 +60,7 @@ def mark_numbers(
     exercise: Exercise,
     tolerance: Tolerance,
 ) -> Mark:
-    """Judge an answer in numbers.
+    """Judge an answer in numbers, its bare lengths in the unit of the sheet.
 
     Args:
         question: The question.
@@ -61,32 +70,29 @@ def mark_numbers(
         tolerance: Largest errors that count as right.
 
     Raises:
-        UnreadableError: An entry has no finite value, or every length is right in another unit.
+        UnreadableError: An entry has no finite value.
     """
     assert truth.numbers is not None  # noqa: S101  the caller has looked
     typed = _values(entries, exercise)
-    limits = _limits(question, truth, tolerance)
+    limits = limits_of(question, truth, tolerance)
     cells = tuple(
         _cell(question, truth, entries[r][c], typed[r][c], limits[r][c], tolerance, (r, c), exercise)
         for r in range(len(typed))
         for c in range(len(typed[r]))
     )
     verdict = worst(cell.verdict for cell in cells)
-    if verdict in (Verdict.WRONG, Verdict.CLOSE):
-        _check_units(question, truth, typed, limits, exercise)
-        if _is_rounded(question, truth, entries, typed, limits, float(exercise.metres)):
-            verdict = Verdict.ROUNDED
+    unit = float(exercise.metres)
+    if verdict in UNSOLVED and _is_rounded(question, truth, entries, typed, limits, unit):
+        verdict = Verdict.ROUNDED
     if verdict is Verdict.ROUNDED:
         cells = tuple(replace(c, verdict=Verdict.ROUNDED) if c.verdict is not Verdict.RIGHT else c for c in cells)
         remarks: tuple[str, ...] = ("right to the digits typed; more digits are wanted",)
     else:
         remarks = _remarks(question, truth.numbers, typed, cells, _slack(entries), exercise.unit)
-        if verdict is not Verdict.RIGHT and _is_rounded(
-            question, truth, entries, typed, limits, float(exercise.metres), least=0
-        ):
+        if verdict is not Verdict.RIGHT and _is_rounded(question, truth, entries, typed, limits, unit, least=0):
             remarks = (TOO_FEW,)  # no more is wrong: no angle, no distance
     if tolerance.exact and verdict is Verdict.RIGHT and not _is_exact(truth, entries, exercise):
-        verdict, remarks = Verdict.ROUNDED, ("this task wants exact values, such as sqrt(2)/2 for 0.7071", *remarks)
+        verdict, remarks = Verdict.ROUNDED, (NOT_EXACT, *remarks)
     return Mark(verdict, cells=cells, remarks=remarks, earned=_earned(question, cells, typed, verdict))
 
 
@@ -106,8 +112,13 @@ def _values(entries: Entries, exercise: Exercise) -> list[list[float]]:
     return typed
 
 
-def _limits(question: Wanted, truth: Truth, tolerance: Tolerance) -> list[list[float]]:
+def limits_of(question: Wanted, truth: Truth, tolerance: Tolerance) -> list[list[float]]:
+    """What each entry may be off: a length by a share of the robot, a direction cosine by its own tolerance."""
     position = tolerance.position if tolerance.position is not None else max(RELATIVE * truth.size, ZERO)
+    if question.piece == "vector" and not is_length(question, 0, 0):  # a direction of any length
+        position = tolerance.rotation
+        longest = max((abs(row[0]) for row in truth.numbers or ()), default=1.0)
+        return [[position * max(1.0, longest)] for _ in truth.rows]
     return [
         [position if is_length(question, r, c) else tolerance.rotation for c in range(len(row))]
         for r, row in enumerate(truth.rows)
@@ -138,28 +149,6 @@ def _cell(  # noqa: PLR0913, PLR0917  everything an entry is judged by
     return CellMark(row, column, verdict, entry.text, rounded(right / scale), counted=counted)
 
 
-def _check_units(
-    question: Wanted, truth: Truth, typed: list[list[float]], limits: list[list[float]], exercise: Exercise
-) -> None:
-    """Refuse an answer whose lengths would all be right in another unit, and whose rest is right."""
-    assert truth.numbers is not None  # noqa: S101
-    if exercise.unit == "none":
-        return
-    for other in ("mm", "cm", "m"):
-        factor = float(LENGTH_UNITS[other] / exercise.metres)
-        if factor == 1:
-            continue
-        right = moved = True
-        for r, row in enumerate(typed):
-            for c, value in enumerate(row):
-                length = is_length(question, r, c)
-                scaled = value * factor if length else value
-                right = right and judge(scaled, truth.numbers[r][c], limits[r][c]) is Verdict.RIGHT
-                moved = moved and (not length or abs(value) <= limits[r][c] or value != scaled)
-        if right and moved:
-            raise UnreadableError(f"right in {other}; this sheet is in {exercise.unit}")
-
-
 def _is_rounded(  # noqa: PLR0913, PLR0917  everything that digits are judged by
     question: Wanted,
     truth: Truth,
@@ -183,9 +172,9 @@ def _is_rounded(  # noqa: PLR0913, PLR0917  everything that digits are judged by
 
 
 def _is_exact(truth: Truth, entries: Entries, exercise: Exercise) -> bool:
-    """Whether every entry with a decimal is the truth itself, as 0.5 is for cos 60° and 0.8660 for cos 30° is not."""
+    """Whether every entry is the truth itself."""
     return all(
-        not has_decimals(entry.expr) or same(entry.expr, right, exercise.values)
+        is_exactly(entry.expr, right, exercise)
         for row, rights in zip(entries, truth.rows, strict=True)
         for entry, right in zip(row, rights, strict=True)
     )

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import re
 
-from dhcli.notation.pasted import EntriesError, rows_of, without_label
+from dhcli.notation.pasted import EntriesError, rows_of
+from dhcli.notation.pasted import without_label as _without_label
 
-__all__ = ["UnreadableError", "as_matrix", "refuse_blanks", "without_label"]
+__all__ = ["UnreadableError", "WrongUnitError", "as_matrix", "refuse_blanks", "without_label"]
 
+_EQUATION = re.compile(r"[\s\d.,+*/^()·×−-]{1,60}=")  # noqa: RUF001
 _UNFILLED = re.compile(r"(?<![\w}])_(?![\w{])")
 
 
@@ -22,6 +24,31 @@ class UnreadableError(Exception):
         """Say what would be read."""
         super().__init__("; ".join(remarks))
         self.remarks = remarks
+
+
+class WrongUnitError(UnreadableError):
+    """An answer that is right throughout in another unit.
+
+    Attributes:
+        unit: That unit.
+    """
+
+    def __init__(self, unit: str, remark: str, how: str = "") -> None:
+        """Say which unit it is in, how right it is there if not quite, and which unit is wanted."""
+        super().__init__(f"right in {unit}{how}; {remark}")
+        self.unit = unit
+
+
+def without_label(text: str) -> str:
+    """A text without `T_03 =` in front, and without what a screen shows around a matrix.
+
+    Raises:
+        UnreadableError: What stands in front is a number and names nothing, `7 = 6`.
+    """
+    equation = _EQUATION.match(text)
+    if equation:
+        raise UnreadableError(f"{equation[0].strip()} ... is an equation between numbers; write the answer alone")
+    return _without_label(text)
 
 
 def refuse_blanks(text: str) -> None:

@@ -2,27 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
-from itertools import islice
+from functools import partial
 
-from dhcli.algebra.equality import equal
+from dhcli.algebra.equality import equal_in_floats, equal_in_residues
 from dhcli.algebra.floats import Floats
-from dhcli.algebra.points import general
-from dhcli.checking.entries import Entries, Entry
+from dhcli.algebra.points import all_round
+from dhcli.checking.entries import Entries, Entry, as_read
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.truth import Truth
+from dhcli.checking.reach import reach_of
+from dhcli.checking.truth import Truth, is_length
+from dhcli.checking.units import on_sheet
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
 from dhcli.checking.wanted import Wanted
 from dhcli.kinematics.robot import Value
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr, Number
-from dhcli.notation.walk import rebuild, substitute, symbols, walk
+from dhcli.notation.walk import rebuild, substitute, walk
 from dhcli.notation.writer import write
 
-POINTS = 6
-SEED = 7
+MOST_OFF = 0.05
+"""What decimals in the place of exact values may be off in all, as a share of the size of the truth: that of 0.10."""
+
+REST = 1e-12
 
 
 def mark_symbols(question: Wanted, truth: Truth, entries: Entries, exercise: Exercise) -> Mark:
@@ -34,7 +38,9 @@ def mark_symbols(question: Wanted, truth: Truth, entries: Entries, exercise: Exe
         entries: The answer as read, in the shape of the question.
         exercise: The exercise, for its values and its way of writing.
     """
-    cells = tuple(_cell(truth, entry, (r, c), exercise) for r, row in enumerate(entries) for c, entry in enumerate(row))
+    cells = tuple(
+        _cell(question, truth, entry, (r, c), exercise) for r, row in enumerate(entries) for c, entry in enumerate(row)
+    )
     bad = [cell for cell in cells if cell.verdict is not Verdict.RIGHT]
     verdict = Verdict.RIGHT
     if bad:
@@ -54,11 +60,34 @@ def mark_symbols(question: Wanted, truth: Truth, entries: Entries, exercise: Exe
     return Mark(verdict, cells=cells, remarks=remarks, earned=earned)
 
 
-def same(first: Expr, second: Expr, values: Mapping[str, Value]) -> bool:
-    """Whether two expressions are equal, for all values or at the values given."""
-    if equal(first, second):
+def same(first: Expr, second: Expr, values: Mapping[str, Value], exercise: Exercise | None = None) -> bool:
+    """Whether two expressions are equal, for all values or at the values given.
+
+    Args:
+        first: An expression.
+        second: Another.
+        values: Values that may stand for their names.
+        exercise: Says which values the other names have, where residues cannot decide.
+    """
+    if _are_equal(first, second, exercise):
         return True
-    return bool(values) and equal(put(first, values), put(second, values))
+    return bool(values) and _are_equal(put(first, values), put(second, values), exercise)
+
+
+def _are_equal(first: Expr, second: Expr, exercise: Exercise | None) -> bool:
+    known = equal_in_residues(first, second)
+    if known is None:
+        return equal_in_floats(first, second, reach_of(exercise) if exercise is not None else None)
+    return known
+
+
+def is_exactly(typed: Expr, right: Expr, exercise: Exercise) -> bool:
+    """Whether an expression is the right one itself, as 0.5 is cos 60°, and 0.8660 or 13/15 is not cos 30°."""
+    exact, truth = put(typed, exercise.values), put(right, exercise.values)
+    known = equal_in_residues(exact, truth)
+    if known is None:  # floats tell only what is no exact number: it has digits
+        return not has_decimals(typed) and same(exact, truth, {}, exercise)
+    return known
 
 
 def put(expr: Expr, values: Mapping[str, Value]) -> Expr:
@@ -68,17 +97,23 @@ def put(expr: Expr, values: Mapping[str, Value]) -> Expr:
     return substitute(expr, lengths, angles)
 
 
-def _cell(truth: Truth, entry: Entry, place: tuple[int, int], exercise: Exercise) -> CellMark:
+def _cell(question: Wanted, truth: Truth, entry: Entry, place: tuple[int, int], exercise: Exercise) -> CellMark:
     row, column = place
     right = truth.rows[row][column]
     counted = not truth.is_structural(row, column)
-    expected = write(right, "short", exercise.writing)
-    if same(entry.expr, right, exercise.values):
+    expected = write(_on_sheet(question, right, place, exercise), "short", exercise.writing)
+    if same(entry.expr, right, exercise.values, exercise):
         return CellMark(row, column, Verdict.RIGHT, entry.text, expected, counted=counted)
-    if has_decimals(entry.expr) and _about_equal(entry.expr, right, exercise.values):
+    read = partial(as_read, question, row, column, exercise)
+    if has_decimals(entry.typed) and about_equal(entry.typed, right, exercise, read):
         return CellMark(row, column, Verdict.ROUNDED, entry.text, expected, counted=counted)
     note = counterexample(entry.expr, right, exercise)
     return CellMark(row, column, Verdict.WRONG, entry.text, expected, note, counted)
+
+
+def _on_sheet(question: Wanted, right: Expr, place: tuple[int, int], exercise: Exercise) -> Expr:
+    """A right entry as it is written on the sheet."""
+    return on_sheet(right, exercise.metres, exercise.scope) if is_length(question, *place) else right
 
 
 def has_decimals(expr: Expr) -> bool:
@@ -86,15 +121,29 @@ def has_decimals(expr: Expr) -> bool:
     return any(isinstance(n, Number) and n.places is not None and n.value.denominator != 1 for n in walk(expr))
 
 
-def _about_equal(typed: Expr, right: Expr, given: Mapping[str, Value]) -> bool:
-    """Whether an answer agrees at several points when each decimal may be off by half a unit of its last digit."""
-    typed, right = put(typed, given), put(right, given)
-    shifted = [_shifted(typed, index) for index in range(sum(_is_decimal(node) for node in walk(typed)))]
-    for values in islice(general(symbols(typed) | symbols(right), SEED), POINTS):
-        point = Floats(values)
-        value, slack = point.value(typed), 1e-12
-        slack += sum(abs(point.value(other) - value) for other in shifted)
-        if not abs(value - point.value(right)) <= slack:
+def about_equal(typed: Expr, right: Expr, exercise: Exercise, read: Callable[[Expr], Expr]) -> bool:
+    """Whether an answer agrees at forty points when each decimal may be off by half a unit of its last digit.
+
+    However often a decimal stands in it, all together are never worth more than a share of the truth: a zero that is
+    made of decimals is not half of everything.
+
+    Args:
+        typed: The answer as it was typed, for its digits.
+        right: The truth.
+        exercise: For its values, whose own digits do not matter.
+        read: What was typed, in metres.
+    """
+    reach, values = reach_of(exercise), exercise.values
+    others = (_shifted(typed, index) for index in range(sum(_is_decimal(node) for node in walk(typed))))
+    shifted = [put(read(other), values) for other in others]
+    typed, right = put(read(typed), values), put(right, values)
+    points = [Floats(drawn) for drawn in all_round((typed, right), reach)]
+    truths = [over.value(right) for over in points]
+    most = MOST_OFF * max((abs(truth) for truth in truths), default=0.0)
+    for over, truth in zip(points, truths, strict=True):
+        value = over.value(typed)
+        slack = min(most, sum(abs(over.value(other) - value) for other in shifted))
+        if not abs(value - truth) <= slack + REST:
             return False
     return True
 
@@ -120,17 +169,11 @@ def _shifted(expr: Expr, index: int) -> Expr:
 
 
 def counterexample(typed: Expr, right: Expr, exercise: Exercise) -> str:
-    """A point where the answer differs from the truth, with both numbers."""
+    """Where an answer holds, if it does anywhere, and a point where it differs from the truth, with both numbers."""
+    from dhcli.checking.branches import explained
+
     typed, right = put(typed, exercise.values), put(right, exercise.values)
-    for drawn in islice(general(symbols(typed) | symbols(right), SEED), POINTS):
-        values = {name: round(value, 1) for name, value in drawn.items()}
-        over = Floats(values)
-        one, other = over.value(typed), over.value(right)
-        if abs(one - other) > 1e-6:  # noqa: PLR2004
-            where = ", ".join(f"{name} = {value:g}" for name, value in values.items())
-            at = f"at {where}: " if where else ""
-            return f"{at}yours gives {one:.4g}, the right one {other:.4g}"
-    return ""
+    return explained(typed, right, reach_of(exercise), writing=exercise.writing)
 
 
 def _half_right(cells: tuple[CellMark, ...]) -> tuple[str, ...]:

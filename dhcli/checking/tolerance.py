@@ -14,6 +14,9 @@ ZERO = 1e-12
 LEAST_DECIMALS = 2
 CLOSE_FACTOR = 10.0
 
+NOT_EXACT = "this task wants exact values, such as sqrt(2)/2 for 0.7071"
+"""What is said of a value that is only near the right one where exact ones are asked for."""
+
 
 @dataclass(frozen=True, slots=True)
 class Tolerance:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import islice
 from typing import TypeVar
 
 from dhcli.algebra.arithmetic import Arithmetic, plus, settled, times
 from dhcli.algebra.floats import Floats
+from dhcli.algebra.points import CIRCLE, GENERAL, SEED, draws
 from dhcli.algebra.terms import TERMS
 from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.wanted import Composed, Span, Wanted
@@ -16,14 +18,17 @@ from dhcli.kinematics.fold import fold
 from dhcli.kinematics.forward import put_in, textbook_form
 from dhcli.kinematics.frames import between, frame
 from dhcli.kinematics.merge import merge
-from dhcli.kinematics.moves import Chain, expressions, inverse, names
+from dhcli.kinematics.moves import Chain, angle_names, expressions, inverse, names
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import numbers
 from dhcli.notation.names import natural_key
-from dhcli.notation.tree import Expr, Number
-from dhcli.notation.walk import symbols
+from dhcli.notation.tree import Expr, Number, Symbol, number
+from dhcli.notation.walk import symbols, walk
 
 N = TypeVar("N")
+
+SAMPLES = 3
+"""Points at which an entry that is always 0 or 1 is told from the others."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,10 +76,16 @@ def _compute(question: Wanted, case: Case) -> Truth:
     exercise = case.exercise
     chain = chain_of(question, exercise.robot)
     values = dict(exercise.values)
-    rows = _in_symbols(chain, question, case)
     named = names(chain) | _point_names(question)
+    is_known = not named - values.keys()
+    try:
+        rows = _in_symbols(chain, question, case)
+    except RobotError:
+        if not exercise.numeric or not is_known:
+            raise
+        rows = _sampled(chain, question, named)  # too long for anybody to read, but numbers are not
     structural = _structural(question, rows, is_constant=not named)
-    if named - values.keys():
+    if not is_known:
         return Truth(rows, None, 0.0, structural)
     over = Floats(numbers(values))
 
@@ -95,6 +106,20 @@ def _in_symbols(chain: Chain, question: Wanted, case: Case) -> tuple[tuple[Expr,
         known = lasting[question] = chain, piece_of(textbook_form(chain), question, TERMS)
     rows: tuple[tuple[Expr, ...], ...] = known[1]
     return rows
+
+
+def _sampled(chain: Chain, question: Wanted, named: frozenset[str]) -> tuple[tuple[Expr, ...], ...]:
+    """A name for each entry of an answer that is too long to be written; one that is 0, 1 or -1 everywhere is that."""
+    turning = angle_names(chain)
+    reach = {name: CIRCLE if name in turning else GENERAL for name in sorted(named)}
+    points = [Floats(values) for values in islice(draws(reach, SEED), SAMPLES)]
+    several = [piece_of(fold(merge(chain), over), question, over) for over in points]
+
+    def entry(row: int, column: int) -> Expr:
+        found = {round(one[row][column], 9) + 0.0 for one in several}
+        return number(int(found.pop())) if found in ({0.0}, {1.0}, {-1.0}) else Symbol("…")
+
+    return tuple(tuple(entry(r, c) for c in range(len(several[0][r]))) for r in range(len(several[0])))
 
 
 def chain_of(question: Wanted, robot: Robot | None) -> Chain:
@@ -139,8 +164,10 @@ def _dot(line: tuple[N, ...], coordinates: tuple[N | int, ...], over: Arithmetic
 
 def is_length(question: Wanted, row: int, column: int) -> bool:
     """Whether an entry of the answer is a length; the others are direction cosines or fixed."""
-    if question.piece in ("position", "point", "vector"):
+    if question.piece in ("position", "point"):
         return True
+    if question.piece == "vector":  # a direction, unless its coordinates are lengths
+        return any(question.measured) or any(type(node) is Symbol for one in question.point for node in walk(one))
     if question.piece == "entry":
         row, column = question.index
     return question.piece in ("pose", "entry") and column == 3 and row < 3  # noqa: PLR2004

@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, replace
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.entries import check_names
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.pasted import UnreadableError, without_label
-from dhcli.checking.tolerance import Tolerance, is_rounding_of, judge
+from dhcli.checking.pasted import UnreadableError, WrongUnitError, without_label
+from dhcli.checking.tolerance import NOT_EXACT, Tolerance, is_rounding_of, judge, without_unit
+from dhcli.checking.units import in_metres, is_measure, on_sheet
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
 from dhcli.errors import Place
 from dhcli.kinematics.robot import Value
 from dhcli.kinematics.values import numbers
-from dhcli.notation.angle import Angle
+from dhcli.notation.angle import FULL_TURN, Angle
 from dhcli.notation.parser import parse
-from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_length
+from dhcli.notation.quantity import Bare, DimensionError, has_angle_unit, is_inverse, to_angle, to_length
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write, write_angle
@@ -29,6 +31,21 @@ class TypedValue:
     expr: Expr
 
 
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """A right value, and what it is.
+
+    Attributes:
+        value: An exact angle; an expression in radians where an inverse function stands in it; a length [m]; a number.
+        is_length: Whether bare numbers for it are in the unit of the sheet.
+        is_angle: Whether it is an angle.
+    """
+
+    value: Value
+    is_length: bool = False
+    is_angle: bool = False
+
+
 def read_value(exercise: Exercise, text: str, place: Place | None) -> TypedValue:
     """Read a single value.
 
@@ -39,42 +56,109 @@ def read_value(exercise: Exercise, text: str, place: Place | None) -> TypedValue
     return TypedValue(text.strip(), parse(text, exercise.scope, place or Place("answer")))
 
 
-def mark_value(exercise: Exercise, right: Value, answer: TypedValue, tolerance: Tolerance) -> Mark:
+def quantity_of(expr: Expr, exercise: Exercise) -> Quantity:
+    """An expression as an angle if its units, its names or its functions say so, else as a length or a number.
+
+    Exact angles have the values of the task put in where answers are numbers.
+    """
+    from dhcli.checking.angles import in_radians
+
+    scope, inside = exercise.scope, symbols(expr)
+    if is_inverse(expr):
+        return Quantity(in_radians(expr, scope), is_angle=True)
+    if has_angle_unit(expr) or (inside and all(scope.is_angle(name) for name in inside)):
+        try:
+            angle = to_angle(expr)
+            return Quantity(_with_given(angle, exercise) if exercise.numeric else angle, is_angle=True)
+        except DimensionError:
+            pass  # a cosine of an angle is a number
+    measure = is_measure(expr, scope)
+    return Quantity(to_length(in_metres(expr, exercise.metres, scope) if measure else expr), measure)
+
+
+def mark_value(exercise: Exercise, right: Quantity, answer: TypedValue, tolerance: Tolerance) -> Mark:
     """Judge a single angle, length or number.
 
     Raises:
         UnreadableError: It is of another kind, holds an unknown name, or is right in another unit.
     """
-    typed_expr = answer.expr
+    typed = _as_asked(answer.expr, right, exercise, "deg")
+    check_names(exercise, typed.value.names if isinstance(typed.value, Angle) else symbols(typed.value))
+    reading, shown = spelled_value(typed, exercise), spelled_value(right, exercise)
+    verdict = _verdict(exercise, typed, right, answer.expr, tolerance)
+    if right.is_angle and verdict is not Verdict.RIGHT:
+        in_radians = _as_asked(answer.expr, right, exercise, "rad")
+        if _verdict(exercise, in_radians, right, answer.expr, tolerance) is Verdict.RIGHT:
+            raise WrongUnitError("radians", f"a bare angle is in degrees: write {shown} or {answer.text} rad")
+    remarks: tuple[str, ...] = ()
+    if tolerance.exact and verdict is Verdict.RIGHT and not _is_exact(typed, right, exercise):
+        verdict, remarks = Verdict.ROUNDED, (NOT_EXACT,)
+    note = _note(typed, right, exercise) if verdict is Verdict.WRONG else ""
+    earned = float(verdict in (Verdict.RIGHT, Verdict.ROUNDED))
+    return Mark(verdict, reading, (CellMark(0, 0, verdict, reading, shown, note),), remarks, earned, shown)
+
+
+def spelled_value(right: Quantity, exercise: Exercise) -> str:
+    """A value as a person would type it on the sheet."""
+    value = right.value
+    if isinstance(value, Angle):
+        return write_angle(value, "short", exercise.writing)
+    if right.is_angle:
+        from dhcli.checking.angles import shown_angle
+
+        return shown_angle(value, exercise)
+    if right.is_length:
+        value = on_sheet(value, exercise.metres, exercise.scope)
+    return write(value, "short", exercise.writing)
+
+
+def _as_asked(expr: Expr, right: Quantity, exercise: Exercise, bare: Bare) -> Quantity:
+    """What was typed, read as the kind of quantity that is asked for.
+
+    Raises:
+        UnreadableError: It is another kind.
+    """
     try:
-        typed: Value = to_angle(typed_expr, bare="deg") if isinstance(right, Angle) else to_length(typed_expr)
+        return _read_as(expr, right, exercise, bare)
     except DimensionError as error:
         raise UnreadableError(error.message + (f" ({error.hint})" if error.hint else "")) from None
-    check_names(exercise, typed.names if isinstance(typed, Angle) else symbols(typed))
-    reading, shown = spelled_value(typed, exercise), spelled_value(right, exercise)
-    verdict = _verdict_of_value(exercise, typed, right, typed_expr, tolerance)
-    if isinstance(right, Angle) and verdict is not Verdict.RIGHT:
-        in_radians = to_angle(typed_expr)
-        if _verdict_of_value(exercise, in_radians, right, typed_expr, tolerance) is Verdict.RIGHT:
-            raise UnreadableError(f"right in radians; a bare angle is in degrees: write {shown} or {answer.text} rad")
-    cell = CellMark(0, 0, verdict, reading, shown)
-    earned = float(verdict in (Verdict.RIGHT, Verdict.ROUNDED))
-    return Mark(verdict, reading, (cell,), earned=earned, expected=shown)
 
 
-def _verdict_of_value(
-    exercise: Exercise, typed: Value, right: Value, typed_expr: Expr, tolerance: Tolerance
+def _read_as(expr: Expr, right: Quantity, exercise: Exercise, bare: Bare) -> Quantity:
+    from dhcli.checking.angles import in_radians
+
+    if not right.is_angle:
+        length = in_metres(expr, exercise.metres, exercise.scope) if right.is_length else expr
+        return replace(right, value=to_length(length))
+    if isinstance(right.value, Angle) and not is_inverse(expr):
+        return replace(right, value=to_angle(expr, bare=bare))
+    return replace(right, value=in_radians(expr, exercise.scope, bare))
+
+
+def _verdict(
+    exercise: Exercise, answer: Quantity, quantity: Quantity, typed_expr: Expr, tolerance: Tolerance
 ) -> Verdict:
-    from dhcli.checking.symbolic import put, same
+    from dhcli.checking.symbolic import about_equal, has_decimals, put, same
 
-    if isinstance(right, Angle) or isinstance(typed, Angle):
-        difference = constant_of(typed, exercise) - constant_of(right, exercise)
-        if difference.terms:
-            return Verdict.WRONG
-        off = abs((float(difference.degrees) + float(difference.radians) * 57.29577951308232 + 180) % 360 - 180)
-        return judge(off, 0.0, tolerance.angle)
-    if same(typed, right, exercise.values):
+    typed, right = answer.value, quantity.value
+    if isinstance(typed, Angle) and isinstance(right, Angle):
+        difference = _with_given(typed, exercise) - _with_given(right, exercise)
+        return Verdict.WRONG if difference.terms else judge(_degrees_apart(difference), 0.0, tolerance.angle)
+    if isinstance(typed, Angle) or isinstance(right, Angle) or quantity.is_angle:
+        from dhcli.checking.angles import in_radians, judge_angle
+
+        scope = exercise.scope
+        return judge_angle(in_radians(typed, scope), in_radians(right, scope), exercise, tolerance)
+    if same(typed, right, exercise.values, exercise):
         return Verdict.RIGHT
+
+    def read(expr: Expr) -> Expr:
+        found = _read_as(expr, quantity, exercise, "deg").value
+        assert isinstance(found, Expr)  # noqa: S101  no angle is asked for here
+        return found
+
+    if not exercise.numeric and has_decimals(typed_expr) and about_equal(typed_expr, right, exercise, read):
+        return Verdict.ROUNDED
     typed, right = put(typed, exercise.values), put(right, exercise.values)
     if symbols(typed) or symbols(right):
         return Verdict.WRONG
@@ -82,32 +166,53 @@ def _verdict_of_value(
     truth = over.value(right)
     limit = tolerance.position if tolerance.position is not None else 1e-3 * max(abs(truth), 1e-9)
     verdict = judge(over.value(typed), truth, limit)
-    if verdict is not Verdict.RIGHT and is_rounding_of(typed_expr, truth):
-        return Verdict.ROUNDED
+    if verdict is not Verdict.RIGHT:
+        number, unit = without_unit(typed_expr, float(exercise.metres) if quantity.is_length else 1.0)
+        if is_rounding_of(number, truth / unit):
+            return Verdict.ROUNDED
     return verdict
 
 
-def spelled_value(value: Value, exercise: Exercise) -> str:
-    """A value as a person would type it."""
-    if isinstance(value, Angle):
-        return write_angle(value, "short", exercise.writing)
-    return write(value, "short", exercise.writing)
+def _degrees_apart(difference: Angle) -> float:
+    """The constant part of an angle between -180° and 180°, reduced exactly before a float exists."""
+    degrees = float(difference.degrees % FULL_TURN) + math.degrees(float(difference.radians) % math.tau)
+    return (degrees + 180) % 360 - 180
 
 
-def quantity_of(expr: Expr, exercise: Exercise) -> Value:
-    """An expression as an angle if its units or its names say so, else as a length or number; exact in numbers."""
-    inside = symbols(expr)
-    if has_angle_unit(expr) or (inside and all(exercise.scope.is_angle(name) for name in inside)):
-        try:
-            angle = to_angle(expr)
-            return constant_of(angle, exercise) if exercise.numeric else angle
-        except DimensionError:
-            pass  # a cosine of an angle is a number
-    return to_length(expr)
+def _is_exact(typed: Quantity, right: Quantity, exercise: Exercise) -> bool:
+    """Whether a value is the right one and not only near it."""
+    from dhcli.checking.symbolic import is_exactly
+
+    if isinstance(typed.value, Angle) and isinstance(right.value, Angle):
+        apart = _with_given(typed.value, exercise) - _with_given(right.value, exercise)
+        return not apart.terms and not apart.radians and not apart.degrees % FULL_TURN
+    if right.is_angle:
+        from dhcli.checking.angles import EXACT, in_radians, judge_angle
+
+        both = in_radians(typed.value, exercise.scope), in_radians(right.value, exercise.scope)
+        return judge_angle(both[0], both[1], exercise, EXACT) is Verdict.RIGHT
+    return (
+        isinstance(typed.value, Expr)
+        and isinstance(right.value, Expr)
+        and is_exactly(typed.value, right.value, exercise)
+    )
 
 
-def constant_of(value: Value, exercise: Exercise) -> Angle:
-    """An angle with the values that the task gives; zero for a length."""
-    if not isinstance(value, Angle):
-        return Angle()
-    return value.substitute({name: v for name, v in exercise.given.items() if isinstance(v, Angle)})
+def _note(typed: Quantity, right: Quantity, exercise: Exercise) -> str:
+    """Where a wrong value holds, if it does anywhere, and numbers to think about."""
+    from dhcli.checking.symbolic import counterexample
+
+    if isinstance(typed.value, Expr) and isinstance(right.value, Expr) and not right.is_angle:
+        is_open = symbols(typed.value) | symbols(right.value)
+        return counterexample(typed.value, right.value, exercise) if is_open and not exercise.numeric else ""
+    if isinstance(typed.value, Angle) and isinstance(right.value, Angle):
+        return ""
+    from dhcli.checking.angles import branch_of, in_radians
+
+    scope = exercise.scope
+    return branch_of(in_radians(typed.value, scope), in_radians(right.value, scope), exercise)
+
+
+def _with_given(angle: Angle, exercise: Exercise) -> Angle:
+    """An angle with the values that the task gives."""
+    return angle.substitute({name: v for name, v in exercise.given.items() if isinstance(v, Angle)})

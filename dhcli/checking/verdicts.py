@@ -57,6 +57,9 @@ INVERSE = "this is the inverse: it shows the reference from the frame"
 TRANSPOSED = "the rotation is transposed: its columns, not its rows, are the axes of the frame described"
 """What is seen without a search; where the slip is found it has its name there."""
 
+IN_OTHER_UNIT = "the lengths are in "
+"""How the remark begins that the rest of an answer is judged in another unit than that of the sheet."""
+
 UNSOLVED = (Verdict.WRONG, Verdict.CLOSE)
 
 
@@ -100,6 +103,8 @@ class Mark:
         earned: Share of the credit, 0 to 1.
         expected: The right answer as text.
         diagnosis: Why it is wrong, where that was looked for and found.
+        other_unit: The unit in which all of it is right, where nothing else is wrong with it.
+        found: Of the moves of a link, the share that is right whatever their order; 0 for everything else.
     """
 
     verdict: Verdict
@@ -109,3 +114,5 @@ class Mark:
     earned: float = 0.0
     expected: str = ""
     diagnosis: Diagnosis | None = None
+    other_unit: str = ""
+    found: float = 0.0

@@ -13,9 +13,10 @@ from typing import Literal, TypeAlias
 from dhcli.errors import NotationError, Place, Problem
 from dhcli.kinematics.moves import Chain, read_chain
 from dhcli.notation.matrix import parse_matrix
-from dhcli.notation.quantity import DimensionError, to_length
+from dhcli.notation.quantity import LENGTH_UNITS, DimensionError, to_length
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import Expr
+from dhcli.notation.tree import Expr, Unit
+from dhcli.notation.walk import walk
 
 
 class NotAskedError(Exception):
@@ -70,6 +71,7 @@ class Wanted:
         piece: What is asked of it.
         index: Row and column of an entry from 0; for an axis its column and 0.
         point: Coordinates of a point or a vector in the frame described.
+        measured: Whether each of these was written with a unit of length.
     """
 
     source: Source
@@ -77,6 +79,7 @@ class Wanted:
     piece: Piece = "pose"
     index: tuple[int, int] = (0, 0)
     point: tuple[Expr, ...] = ()
+    measured: tuple[bool, ...] = ()
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -116,8 +119,13 @@ def read_wanted(text: str, scope: Scope, place: Place | None) -> Wanted:
         if len(cells) != 3:  # noqa: PLR2004
             raise NotationError(Problem(f"a {match['kind']} has three coordinates, not {len(cells)}", place))
         kind: Piece = "point" if match["kind"] == "point" else "vector"
-        return Wanted(source, inverse, kind, point=tuple(_length(cell, place) for cell in cells))
+        measured = tuple(_has_length_unit(cell) for cell in cells)
+        return Wanted(source, inverse, kind, point=tuple(_length(cell, place) for cell in cells), measured=measured)
     return Wanted(source, inverse, "rotation" if match["piece"] == "rotation" else "position")
+
+
+def _has_length_unit(expr: Expr) -> bool:
+    return any(isinstance(node, Unit) and node.name in LENGTH_UNITS for node in walk(expr))
 
 
 def _length(expr: Expr, place: Place | None) -> Expr:

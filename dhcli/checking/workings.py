@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from fractions import Fraction
+from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.terms import TERMS
@@ -10,6 +12,7 @@ from dhcli.checking.entries import entries_text
 from dhcli.checking.exercise import Case, Exercise, Rows, Shown
 from dhcli.checking.tolerance import ZERO as NOTHING
 from dhcli.checking.truth import chain_of, is_length, truth_of
+from dhcli.checking.units import on_sheet
 from dhcli.checking.wanted import Composed, Span, Wanted
 from dhcli.kinematics.conventions import ORDER
 from dhcli.kinematics.fold import fold
@@ -22,8 +25,10 @@ from dhcli.kinematics.values import numbers
 from dhcli.notation.matrix import bracketed
 from dhcli.notation.names import natural_key
 from dhcli.notation.quantity import value_text
-from dhcli.notation.tree import ONE, Expr, Number, Sum, multiply, number
+from dhcli.notation.tree import Expr, Sum
 from dhcli.notation.writer import write
+
+Entries: TypeAlias = tuple[tuple[Expr, ...], ...]
 
 MOST_DECIMALS = 6
 """Decimals of an answer that is shown to be copied, if it is right with them."""
@@ -78,17 +83,24 @@ def _moves(exercise: Exercise, chain: Chain) -> Iterator[Shown]:
     """The frame after each move, from left to right."""
     for count, move in enumerate(chain, 1):
         reached = chain[:count]
-        rows = _product(exercise, reached) if exercise.numeric else fold(reached, TERMS)
+        rows = _product(exercise, reached) if exercise.numeric else _in_unit_of_sheet(fold(reached, TERMS), exercise)
         yield Shown(f"Move {count}: {spelled(move)}", rows)
 
 
 def _product(exercise: Exercise, chain: Chain) -> Rows:
     """The product of a chain with what the task gives: in textbook form, or in numbers in the unit of the sheet."""
     if not exercise.numeric:
-        return textbook_form(put_in(chain, exercise.given))
+        rows = textbook_form(put_in(chain, exercise.given))
+        return _in_unit_of_sheet(rows, exercise)
     unit = float(exercise.metres)
     *upper, bottom = in_numbers(chain, exercise.values)
     return (*((*row[:3], row[3] / unit) for row in upper), bottom)
+
+
+def _in_unit_of_sheet(rows: Entries, exercise: Exercise) -> Entries:
+    """A matrix in symbols with the numbers in its lengths in the unit of the sheet."""
+    *upper, bottom = rows
+    return (*((*row[:3], on_sheet(row[3], exercise.metres, exercise.scope)) for row in upper), bottom)
 
 
 def _values(exercise: Exercise, chain: Chain) -> str:
@@ -116,14 +128,27 @@ def as_text(case: Case, question: Wanted, style: str = "short") -> str:
                 for r, row in enumerate(truth.numbers)
             )
         )
-    return entries_text(tuple(tuple(write(entry, style, exercise.writing) for entry in row) for row in truth.rows))
+    return entries_text(_written(question, truth.rows, exercise, style))
+
+
+def _written(question: Wanted, rows: tuple[tuple[Expr, ...], ...], exercise: Exercise, style: str) -> list[list[str]]:
+    """Entries in symbols as they are typed, the numbers in lengths in the unit of the sheet."""
+
+    def shown(entry: Expr, row: int, column: int) -> Expr:
+        length = is_length(question, row, column)
+        return on_sheet(entry, exercise.metres, exercise.scope) if length else entry
+
+    return [
+        [write(shown(entry, r, c), style, exercise.writing) for c, entry in enumerate(row)]
+        for r, row in enumerate(rows)
+    ]
 
 
 def shortest(case: Case, question: Wanted, is_right: Callable[[str], bool]) -> str:
     """The right answer as it may be typed: a column in one pair of brackets, numbers with as few digits as will do."""
     exercise, truth = case.exercise, truth_of(question, case)
     if not exercise.numeric or truth.numbers is None:
-        return _matrix([[write(entry, "short", exercise.writing) for entry in row] for row in truth.rows])
+        return _matrix(_written(question, truth.rows, exercise, "short"))
     for digits in (MOST_DECIMALS, 2 * MOST_DECIMALS):
         cells = [
             [rounded(value / _unit(question, exercise, r, c), digits) for c, value in enumerate(row)]
@@ -143,9 +168,12 @@ def product_lines(case: Case, question: Wanted, rows: Rows) -> Iterator[str]:
         rows: The matrix, shape (4, 4); lengths of numbers in the unit of the sheet.
     """
     exercise, truth = case.exercise, truth_of(question, case)
-    scale = float(exercise.metres) if exercise.numeric else 1.0
+    unit = exercise.metres if is_length(question, 0, 0) else Fraction(1)
+    scale = float(unit) if exercise.numeric else 1.0
     over = Floats(numbers(exercise.values))
-    column: list[Expr | float] = [over.value(v) / scale if exercise.numeric else v for v in question.point]
+    column: list[Expr | float] = [
+        over.value(v) / scale if exercise.numeric else on_sheet(v, unit, exercise.scope) for v in question.point
+    ]
     column.append(float(question.piece == "point"))
     for k, name in enumerate("xyz"):
         terms = [
@@ -153,7 +181,7 @@ def product_lines(case: Case, question: Wanted, rows: Rows) -> Iterator[str]:
             for entry, factor in zip(rows[k], column, strict=True)
         ]
         total = " + ".join(term for term in terms if term) or "0"
-        value: Expr | float = truth.rows[k][0]
+        value: Expr | float = on_sheet(truth.rows[k][0], unit, exercise.scope)
         if truth.numbers is not None and exercise.numeric:
             value = truth.numbers[k][0] / scale
         result = rounded(value, DIGITS) if isinstance(value, float) else write(value, "short", exercise.writing)
@@ -163,8 +191,8 @@ def product_lines(case: Case, question: Wanted, rows: Rows) -> Iterator[str]:
 
 def coordinates(question: Wanted, exercise: Exercise) -> str:
     """The point or the vector of a question, in the unit of the sheet: `20, -30, 50`."""
-    scale = number(1 / exercise.metres) if exercise.numeric else ONE
-    shown = [multiply(scale, value) if isinstance(value, Number) else value for value in question.point]
+    unit = exercise.metres if is_length(question, 0, 0) else Fraction(1)
+    shown = [on_sheet(value, unit, exercise.scope) for value in question.point]
     return ", ".join(write(value, "short", exercise.writing) for value in shown)
 
 

@@ -39,6 +39,7 @@ class PartGrade:
         reading: The answer as it was read.
         remarks: What the student should know, and where to look.
         slips: Names of the mistakes that explain the answer, each by itself, the likeliest first.
+        other_unit: The unit in which all of the answer is right, where nothing else is wrong with it.
     """
 
     part: str
@@ -48,6 +49,7 @@ class PartGrade:
     reading: str = ""
     remarks: tuple[str, ...] = ()
     slips: tuple[str, ...] = ()
+    other_unit: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,6 +81,13 @@ class Graded:
     def credit(self) -> float:
         """Credit there was to earn."""
         return sum(part.credit for part in self.parts)
+
+    @property
+    def other_unit(self) -> str:
+        """The unit that some or all of its answers are in, where nothing else is wrong with any of them; else empty."""
+        units = {part.other_unit for part in self.parts if part.other_unit}
+        fine = {Verdict.RIGHT, Verdict.EQUIVALENT, Verdict.ROUNDED, Verdict.SKIPPED}
+        return units.pop() if len(units) == 1 and all(p.other_unit or p.verdict in fine for p in self.parts) else ""
 
 
 def grade(submission: Submission, only: str | None = None) -> Graded:
@@ -195,7 +204,9 @@ def _part_grade(one: PartMark) -> PartGrade:
     note = next((cell.note for cell in mark.cells if cell.note), "")
     hints = mark.diagnosis.hints[:_HINTS] if mark.diagnosis else ()
     remarks = (*mark.remarks, *((note,) if note else ()), *hints)
-    return PartGrade(one.part.id, mark.verdict, mark.earned * credit, credit, mark.reading, remarks, _slips(mark))
+    return PartGrade(
+        one.part.id, mark.verdict, mark.earned * credit, credit, mark.reading, remarks, _slips(mark), mark.other_unit
+    )
 
 
 def _slips(mark: Mark) -> tuple[str, ...]:

@@ -51,8 +51,8 @@ class ClassReport:
         parts: The figures of each part, exercise by exercise.
         spread: How many sheets earned at least each of `STEPS`, and less than the next [%].
         mean: Mean share of the credit; None if nothing could be graded.
-        notices: What a person should look at: variants that several sheets share, or one has not, and students who
-            handed in an exercise twice.
+        notices: What a person should look at: variants that several sheets share, or one has not, sheets on
+            which nothing but a unit is wrong, and students who handed in an exercise twice.
     """
 
     folder: Folder
@@ -108,6 +108,9 @@ def _notices(rows: Sequence[Graded]) -> Iterator[str]:
                 yield f"{exercise}: variant {variant}: {plural(len(same), 'sheet')} ({_whose(same)})"
         if "" in drawn and len(drawn) > 1:
             yield f"{exercise}: no variant: {plural(len(drawn['']), 'sheet')} ({_whose(drawn[''])})"
+        for unit in sorted({row.other_unit for row in sheets} - {""}):
+            same = [row for row in sheets if row.other_unit == unit]
+            yield f"{exercise}: right but for the unit, {unit}: {plural(len(same), 'sheet')} ({_whose(same)})"
         for folder, same in handed_in.items():
             if len(same) > 1:
                 yield f"{exercise}: {len(same)} sheets in {folder}"

@@ -141,8 +141,13 @@ class Registration:
         return Match(maps[-1], senses, tuple(reversed(zeros)), tool, tuple(reversed(maps)))
 
 
-def error_of(match: Match, truth: Arm, other: Arm, point: Point, size: float) -> tuple[float, float]:
-    """Largest difference between `T'(q)` and `B T(σq + q0) E` at seeded poses: of a direction cosine, and [m]."""
+def error_of(
+    match: Match, truth: Arm, other: Arm, point: Point, size: float, enough: tuple[float, float] = (math.inf, math.inf)
+) -> tuple[float, float]:
+    """Largest difference between `T'(q)` and `B T(σq + q0) E` at seeded poses: of a direction cosine, and [m].
+
+    No more poses are looked at once the differences are larger than is `enough`.
+    """
     turn = shift = 0.0
     reach = {screw.name: math.pi if screw.turns else size for screw in truth.screws(point)[0]}
     for q in islice(draws({name: (-far, far) for name, far in reach.items()}, SEED), POSES):
@@ -156,6 +161,10 @@ def error_of(match: Match, truth: Arm, other: Arm, point: Point, size: float) ->
             turn, *(abs(x - y) for r, s in zip(one.rows, two.rows, strict=True) for x, y in zip(r, s, strict=True))
         )
         shift = max(shift, length(plus(one.offset, two.offset, -1)))
+        if not all(math.isfinite(x) for pose in (one, two) for row in pose.motion for x in row):
+            return math.inf, math.inf  # what is no number agrees with nothing
+        if turn > enough[0] or shift > enough[1]:
+            break
     return turn, shift
 
 

@@ -39,7 +39,8 @@ def findings(judge: Judge) -> Iterator[Finding]:
     yield from _texts(exercise)
     yield from _blank_sheet(judge)
     yield from _within_limits(exercise)
-    for index, part in enumerate(exercise.parts):
+    asked = [(index, part) for index, part in enumerate(exercise.parts) if not part.withdrawn]
+    for index, part in asked:
         yield from _help(part, ("parts", index))
         yield from judge.findings(part, ("parts", index))
     tolerances = tuple(_tolerances(exercise))
@@ -47,7 +48,7 @@ def findings(judge: Judge) -> Iterator[Finding]:
     if missing := _missing(exercise):
         yield missing  # nothing can be judged without it
         return
-    for index, part in enumerate(exercise.parts):
+    for index, part in asked:
         yield from _solution(judge, part, ("parts", index))
         yield from _given_away(judge, part, ("parts", index))
         yield from _printed(judge, part)
@@ -92,7 +93,7 @@ def _missing(exercise: Exercise) -> Finding | None:
     """Names without a value, where numbers are asked for."""
     if not exercise.numeric:
         return None
-    names = list(dict.fromkeys(name for part in exercise.parts for name in part.question.unvalued(exercise)))
+    names = list(dict.fromkeys(name for part in exercise.asked for name in part.question.unvalued(exercise)))
     if not names:
         return None
     angles = exercise.robot.angles if exercise.robot else frozenset()
@@ -103,7 +104,8 @@ def _missing(exercise: Exercise) -> Finding | None:
 
 def _blank_sheet(judge: Judge) -> Iterator[Finding]:
     """Whoever hands in nothing has solved nothing."""
-    for index, one in enumerate(judge.sheet({part.id: "_" for part in judge.exercise.parts}).parts):
+    for one in judge.sheet({part.id: "_" for part in judge.exercise.parts}).parts:
+        index = judge.exercise.parts.index(one.part)
         if one.mark.verdict is not Verdict.SKIPPED or one.mark.earned:
             yield Finding(("parts", index), f"{one.part.id}: a blank answer is judged {one.mark.verdict.word}")
 
@@ -165,6 +167,8 @@ def _wrong(judged: Mark) -> str:
 def _trials(judge: Judge) -> Iterator[Finding]:
     exercise = judge.exercise
     for index, trial in enumerate(exercise.trials):
+        if exercise.part(trial.part).withdrawn:
+            continue
         try:
             answer = typed(judge, trial)
         except DhcliError as error:
@@ -177,7 +181,7 @@ def _trials(judge: Judge) -> Iterator[Finding]:
     verdicts = {trial.verdict for trial in exercise.trials}
     for verdict in (Verdict.RIGHT, Verdict.WRONG):
         if verdict.word not in verdicts:
-            hint = f"tests: - {{part: {exercise.parts[0].id}, answer: ..., verdict: {verdict.word}}}"
+            hint = f"tests: - {{part: {exercise.asked[0].id}, answer: ..., verdict: {verdict.word}}}"
             yield Finding(("tests",), f"tests: none is {verdict.word}", hint)
 
 

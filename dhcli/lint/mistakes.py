@@ -33,7 +33,7 @@ def typed(judge: Judge, trial: Trial) -> str:
 def findings(judge: Judge) -> Iterator[Finding]:
     """What the pose of an exercise in numbers hides, with a pose that shows it; an error where it is half of all."""
     for index, part in enumerate(judge.exercise.parts if judge.exercise.numeric else ()):
-        unseen = judge.hidden(part)
+        unseen = () if part.withdrawn else judge.hidden(part)
         if not unseen:
             continue
         names = ", ".join(slip.name for slip in unseen[:MOST_NAMED]) + (", ..." if len(unseen) > MOST_NAMED else "")

@@ -83,7 +83,7 @@ def _seeds(judge: Judge) -> Iterator[Finding]:
             where, name = min(hidden)
             message = f"variant {seed}: no pose was found that shows every mistake; at this one {where} hides {name}"
             yield Finding(("variants",), message, "widen the ranges, or narrow the tolerance", is_warning=True)
-        for part in drawn.exercise.parts:
+        for part in drawn.exercise.asked:
             verdict = _own_verdict(drawn, part)
             if verdict is not Verdict.RIGHT and verdict is not None:
                 message = f"variant {seed}: the solution of {part.id} is judged {verdict.word}"

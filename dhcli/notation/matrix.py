@@ -18,7 +18,7 @@ from dhcli.notation.scope import OPEN, Scope
 from dhcli.notation.tokens import MOST_CHARACTERS, Source, Token, tokenize
 from dhcli.notation.tree import Expr
 
-MOST_CELLS = 64
+MOST_CELLS = 256
 MOST_WRAPPINGS = 8
 """Brackets around a matrix that are taken off, such as those of `np.array([[...]])`."""
 

@@ -111,7 +111,7 @@ def test_unequal_is_unequal(one: str, other: str) -> None:
         ("2^(1/3)^3", "2", False),
         ("(2^(1/3))^3", "2", True),
         ("acos(2)", "acos(3)", False),
-        ("asin(sin(a))", "a", True),
+        ("asin(sin(a))", "a", False),
     ],
 )
 def test_what_residues_cannot_hold_is_judged_in_floats(one: str, other: str, verdict: bool) -> None:

@@ -97,7 +97,7 @@ def test_primes_are_told_from_other_numbers() -> None:
     assert is_prime(2**127 - 1)
 
 
-@pytest.mark.parametrize("text", ["cos(0.3)", "cos(1/3 deg)", "√37", "√(a+b)", "acos(a)", "a^(1/3)", "atan2(a, b)"])
+@pytest.mark.parametrize("text", ["cos(1/3 deg)", "√37", "√(a+b)", "acos(a)", "a^(1/3)", "atan2(a, b)"])
 def test_residues_refuse_what_the_field_does_not_hold(text: str) -> None:
     """So that the judge knows to use floats."""
     expr = parse(text)

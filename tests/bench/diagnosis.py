@@ -2,7 +2,8 @@
 
 PAIRS pairs of slips are drawn for each part (2), and every part is looked at, or each EVERYth. Each mistake that
 changes an answer is made, the answer it leads to is typed, and the diagnosis of that text is held against the mistake.
-Mistakes that give the same text count as one. An answer is `alike` if all that is named for it gives the same answer
+Mistakes that give the same text count as one. Of the mistakes in the terms of a formula, which are hundreds in a pose,
+some are drawn for each part. An answer is `alike` if all that is named for it gives the same answer
 at every value of joints and lengths, as where a single entry was asked: the question itself cannot tell them apart.
 """
 
@@ -21,8 +22,10 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 
 from dhcli import load_exercise, load_robot
 from dhcli.checking.diagnosis.matrix_causes import typed_text
+from dhcli.checking.diagnosis.mistakes import IN_TERMS
 from dhcli.checking.diagnosis.result import Diagnosis
 from dhcli.checking.diagnosis.search import matches, same, search_of
+from dhcli.checking.diagnosis.slips import candidates
 from dhcli.checking.diagnosis.typed import typed_answer
 from dhcli.checking.exercise import Case, Exercise, Part
 from dhcli.checking.judge import Judge
@@ -120,6 +123,34 @@ def singles(judge: Judge, part: Part, tally: Tally) -> None:
                 tally.wrong += is_right or not agree(judge, part, answer, other)
 
 
+def in_terms(judge: Judge, part: Part, tally: Tally, draw: random.Random) -> None:
+    """Some of the mistakes in the terms of the entries of a part, each in one entry."""
+    question = part.question
+    if judge.exercise.numeric or not isinstance(question, MatrixQuestion):
+        return
+    case, search = Case(part, judge.memo), search_of(question, judge.memo)
+    right = search.general.entries(search.right)
+    every = {one.slips[0].name: one for one in candidates(search.right, search.setting, among=IN_TERMS)}
+    wrong = [one for one in every.values() if not same(search.general.entries(one.work), right)]
+    for one in draw.sample(wrong, min(TERMS, len(wrong))):
+        answer, wanted = typed_text(case, one.work), one.slips[0].name
+        judged = judge.judged(part, answer)
+        if judged.mark.verdict not in UNSOLVED:
+            continue
+        start = time.perf_counter()
+        found = judge.explained(part, judged).diagnosis or Diagnosis()
+        tally.seconds.append(time.perf_counter() - start)
+        tally.made += 1
+        tally.named += bool(found.causes)
+        unique = found.ids == (wanted,)
+        others = [judge.answer_with(part, name) for name in found.ids if name not in (wanted, "misprint")]
+        fits = [agree(judge, part, answer, other) for other in others]
+        tally.unique += unique
+        tally.alike += not unique and bool(found.causes) and all(fits)
+        tally.wrong += len(fits) - sum(fits)
+        tally.few += bool(found.causes) and len(found.ids) <= 3
+
+
 def agree(judge: Judge, part: Part, answer: str, other: str) -> bool:
     """Whether two answers say the same: to the digits typed, or as expressions."""
     if answer == other or not isinstance(part.question, MatrixQuestion):
@@ -179,15 +210,22 @@ MANY = 100
 """Pairs of PUMA 560 that are tried."""
 
 
+TERMS = 12
+"""Mistakes in the terms of a formula that are tried in each part."""
+
+
 def main() -> None:
     """Print the table."""
     count, every = (*map(int, sys.argv[1:]), *(2, 1)[len(sys.argv) - 1 :])
     draw = random.Random(1)  # noqa: S311
     single: dict[str, Tally] = {}
     double: dict[str, Tally] = {}
+    of_terms: dict[str, Tally] = {}
     for group, judge, part in islice(parts(), 0, None, every):
         singles(judge, part, single.setdefault(group, Tally()))
         pairs(judge, part, double.setdefault(group, Tally()), count, draw)
+        if not judge.exercise.numeric:
+            in_terms(judge, part, of_terms.setdefault(group, Tally()), random.Random(1))  # noqa: S311
     puma = {"PUMA 560, symbols": False, "PUMA 560, numbers": True}
     of_puma = {title: (Tally(), Tally()) for title in puma}
     for title, numeric in puma.items():
@@ -196,7 +234,7 @@ def main() -> None:
         pairs(judge, judge.exercise.parts[0], of_puma[title][1], MANY, draw)
     heads = ("made", 7), ("unique", 8), ("alike", 8), ("of rest", 8), ("of <= 3", 8), ("named", 8), ("wrong", 6)
     print(" " * 34 + " ".join(f"{head:>{width}}" for head, width in (*heads, ("median ms", 9), ("most ms", 7))))
-    for title, tallies in (("one slip", single), ("two slips", double)):
+    for title, tallies in (("one slip", single), ("in terms", of_terms), ("two slips", double)):
         for group, tally in tallies.items():
             print(tally.line(f"{title}: {group}"))
     for k, title in enumerate(("one slip", "two slips")):

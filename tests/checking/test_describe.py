@@ -9,12 +9,19 @@ from dhcli.files.yaml.exercises import read_exercise
 from tests.judging import mark
 
 
-@pytest.mark.parametrize(("unit", "shown"), [("mm", "(200, 0, 0)"), ("m", "(0.2, 0, 0)"), ("none", "(0.2, 0, 0)")])
-@pytest.mark.parametrize("piece", ["point", "vector"])
+@pytest.mark.parametrize("unit", ["mm", "m", "none"])
+@pytest.mark.parametrize(
+    ("piece", "typed", "shown"),
+    [
+        ("point", "(0.2, 0, 0)", "(0.2, 0, 0)"),
+        ("point", "(200, 0, 0)", "(200, 0, 0)"),
+        ("vector", "(0.6, 0, 0.8)", "(0.6, 0, 0.8)"),
+    ],
+)
 def test_points_and_vectors_are_shown_in_the_unit_in_which_the_answer_is_judged(
-    piece: str, unit: str, shown: str
+    piece: str, typed: str, shown: str, unit: str
 ) -> None:
-    """Turned by half a turn, what is shown comes back with its sign changed."""
+    """Turned by half a turn, what is shown comes back with its sign changed; a direction has no unit."""
     exercise = read_exercise(
         f"""
         format: 1
@@ -23,13 +30,14 @@ def test_points_and_vectors_are_shown_in_the_unit_in_which_the_answer_is_judged(
         task: x
         numeric: true
         unit: {unit}
-        tolerance: {{position: 0.0001}}
+        tolerance: {{position: 0.00001}}
         parts:
-          - {{id: turned, ask: '{piece} (0.2, 0, 0) of product "Rot(z, 180°)"'}}
+          - {{id: turned, ask: '{piece} {typed} of product "Rot(z, 180°)"'}}
         """,
         "x.yaml",
         "x",
     )
     [part] = exercise.parts
     assert f"the {piece} {shown}" in part.question.describe(exercise)
-    assert mark(exercise, part, f"-{shown[1:-1]}").verdict is Verdict.RIGHT
+    x, y, z = (float(number) for number in shown[1:-1].split(","))
+    assert mark(exercise, part, f"{-x}, {-y}, {z}").verdict is Verdict.RIGHT

@@ -34,7 +34,7 @@ def test_a_sheet_is_graded_against_its_exercise(tmp_path: Path) -> None:
     assert (grades["blocks"].verdict, grades["blocks"].earned, grades["blocks"].credit) == (Verdict.RIGHT, 1, 1)
     assert grades["d02"].verdict is Verdict.WRONG
     assert 0 < grades["d02"].earned < grades["d02"].credit
-    assert "yours gives" in grades["d02"].remarks[-1]
+    assert any("yours gives" in remark for remark in grades["d02"].remarks)
     assert grades["t02"].verdict is Verdict.SKIPPED
     assert row.credit == sum(part.credit for part in row.parts) > row.earned > 1
 

@@ -60,3 +60,15 @@ def test_a_class_without_grades_has_no_mean() -> None:
     """Nothing is divided by nothing."""
     report = report_on(FOLDER, [CLASS[4], row("7", PartGrade("a", R, 0, 0))])
     assert (report.mean, sum(report.spread)) == (None, 0)
+
+
+def test_a_sheet_that_is_right_but_for_a_unit_is_worth_a_look() -> None:
+    """One that is also wrong is not; a part left blank, or right in any unit, does not matter."""
+    other = PartGrade("a", Verdict.CANNOT_READ, 1, 2, other_unit="mm")
+    rows = (
+        row("1", other, PartGrade("b", R, 3, 3)),
+        row("2", other, PartGrade("b", S, 0, 3), PartGrade("c", Verdict.ROUNDED, 1, 1)),
+        row("3", other, PartGrade("b", W, 0, 3)),
+        row("4", PartGrade("a", R, 2, 2), PartGrade("b", R, 3, 3)),
+    )
+    assert report_on(FOLDER, rows).notices == ("course/one: right but for the unit, mm: 2 sheets (1, 2)",)

@@ -12,6 +12,7 @@ import os
 import re
 import select
 import signal
+import struct
 import subprocess
 import sys
 from collections.abc import Iterator, Sequence
@@ -29,17 +30,26 @@ from tests.cli.running import STREAMS
 ROOT = Path(__file__).parents[2]
 PATIENCE = 30.0
 """Seconds after which what has not come will not come."""
+MOMENT = 1.0
+"""Seconds after which a person presses a key again."""
 
 
 class Terminal:
     """A command that runs on a terminal of its own."""
 
-    def __init__(self, folder: Path, *words: str, no_color: str = "1", own_process: bool = False) -> None:
-        """Start `dhcli` with these words in a folder, by default without colour and in this process."""
+    def __init__(
+        self, folder: Path, *words: str, no_color: str = "1", own_process: bool = False, columns: int = 0
+    ) -> None:
+        """Start `dhcli` with these words in a folder, by default without colour and in this process.
+
+        It has 100 columns, or as many as are said and can be changed then.
+        """
         import pty
 
         self.screen, other = pty.openpty()
-        environment = {"COLUMNS": "100", "NO_COLOR": no_color}
+        environment = {"COLUMNS": "0" if columns else "100", "NO_COLOR": no_color, "TERM": "xterm"}
+        if columns:
+            self.resize(columns)
         runner = _Process if own_process else _Thread
         self.running = runner(folder, words, other, environment)
         self.seen = ""
@@ -56,10 +66,24 @@ class Terminal:
         """Press keys."""
         os.write(self.screen, text.encode())
 
+    def resize(self, columns: int) -> None:
+        """Make the window wider or narrower."""
+        import fcntl
+        import termios
+
+        fcntl.ioctl(self.screen, termios.TIOCSWINSZ, struct.pack("HHHH", 40, columns, 0, 0))
+
     def interrupt(self) -> None:
-        """What Ctrl-C does to a process of its own."""
+        """What Ctrl-C does to a process of its own, which shows something then.
+
+        A signal that comes after a line editor has shown its prompt and before it waits for keys is seen by Python at
+        the next one only; a person presses Ctrl-C again.
+        """
         assert isinstance(self.running, _Process)
-        self.running.process.send_signal(signal.SIGINT)
+        for _ in range(int(PATIENCE / MOMENT)):
+            self.running.process.send_signal(signal.SIGINT)
+            if select.select([self.screen], [], [], MOMENT)[0]:
+                return
 
     def until(self, pattern: str) -> str:
         """Wait until something is shown; what was shown up to it, which is then forgotten."""

@@ -13,13 +13,19 @@ from dhcli.files.progress import Try, path_of_progress, read_progress
 from tests.cli.running import Run
 from tests.cli.terminal import Terminal
 
+ROOT = Path(__file__).parents[2]
+
 PLANAR = "yim/planar-two-links"
 A1 = "[c1 -s1 0 a1*c1; s1 c1 0 a1*s1; 0 0 1 0; 0 0 0 1]"
 MISPRINT = "[c1 -s1 0 a1*c1; s1 c1 0 a1*c1; 0 0 1 0; 0 0 0 1]"
 NUMBERS = "[0.2588 -0.9659 0 0.4241; 0.9659 0.2588 0 0.4898; 0 0 1 0; 0 0 0 1]"
+ROWS = [r"c_1 & -s_1 & 0 & a_1 c_1 \\", r"s_1 & c_1 & 0 & a_1 s_1 \\", r"0 & 0 & 1 & 0 \\", "0 & 0 & 0 & 1"]
+LATEX = [r"\begin{bmatrix}", *ROWS, r"\end{bmatrix}"]
+ARRAY = [r"\begin{array}{cccc}", *ROWS, r"\end{array}"]
+ROW_2 = [r"a2 & 0 & 0 & \theta_2", r"\end{array}"]
 AT = ("check", "planar-2r", "--q", "30°, 45°")
 
-DATA = {"exercise", "variant", "verdict", "passed", "earned", "credit", "parts"}
+DATA = {"exercise", "variant", "verdict", "passed", "earned", "credit", "parts", "withdrawn"}
 PART = {"part", "verdict", "passed", "earned", "credit", "cause"}
 CAUSE = {"rationale", "help", "expected", "actual", "diagnosis"}
 
@@ -255,7 +261,7 @@ def test_without_an_answer_and_without_a_terminal_it_never_waits(dhcli: Run, wor
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (("check", "nobody"), "there is no exercise and no robot 'nobody'"),
+        (("check", "nobody"), "there is no robot and no exercise 'nobody'"),
         (("check", "planar-2r"), "planar-2r is a robot: say at which joint values, or ask for symbols"),
         (("check", PLANAR, "--q", "0,0", "--answer", "1"), "is an exercise and says itself what is asked"),
         (("check", PLANAR, "--answer", "1"), "has 8 parts: say which one is answered"),
@@ -327,6 +333,43 @@ def test_a_table_is_checked_against_a_robot(dhcli: Run, tmp_path: Path) -> None:
     assert dhcli("check", "planar-2r", "--table", "wrong.yaml").code == 1
     (tmp_path / "broken.yaml").write_text("links: 1\n", "utf-8")
     assert dhcli("check", "planar-2r", "--table", "broken.yaml").code == 2
+
+
+def test_a_table_is_compared_as_one_says(dhcli: Run, tmp_path: Path) -> None:
+    """As the same robot by default; the same motion, or the cells alone, on request."""
+    text = (ROOT / "robots" / "ur5e.yaml").read_text("utf-8")
+    (tmp_path / "mine.yaml").write_text(text.replace("a2: -425 mm", "a2: 425 mm"), "utf-8")
+    asked = ("check", "ur5e", "--table", "mine.yaml")
+    robot = dhcli(*asked)
+    assert (robot.code, robot.out.split()[1]) == (0, "EQUIVALENT")
+    assert "your theta2 has another zero (180°)" in robot.out
+    assert dhcli(*asked, "--compare", "same-robot").out == robot.out
+    motion = dhcli(*asked, "--compare", "same-motion")
+    assert (motion.code, motion.out.split()[1]) == (1, "WRONG")
+    assert "the same robot, but this comparison fixes base" in motion.out
+    literal = dhcli(*asked, "--compare", "literal")
+    assert (literal.code, literal.out.split()[1]) == (1, "WRONG")
+    assert "a right table of the same robot" in literal.out
+
+
+def test_a_comparison_that_is_not_known_is_refused(dhcli: Run, tmp_path: Path) -> None:
+    """Or one of nothing."""
+    (tmp_path / "mine.yaml").write_text((ROOT / "robots" / "ur5e.yaml").read_text("utf-8"), "utf-8")
+    wrong = dhcli("check", "ur5e", "--table", "mine.yaml", "--compare", "samerobot")
+    assert (wrong.code, "did you mean same-robot" in wrong.err) == (2, True)
+    nothing = dhcli("check", "ur5e", "--q", "0,0,0,0,0,0", "--compare", "literal", "--answer", "1")
+    assert (nothing.code, "--table FILE" in nothing.err) == (2, True)
+
+
+def test_a_tool_that_no_table_holds_is_told(dhcli: Run, tmp_path: Path) -> None:
+    """The file's own poses go on to it, those of the robot do not."""
+    text = (ROOT / "robots" / "ur5e.yaml").read_text("utf-8")
+    (tmp_path / "mine.yaml").write_text(text + "tool: Trans(0, 0, 100 mm)\n", "utf-8")
+    told = "beside the table: tool: of mine differs from ur5e, and was not compared"
+    assert told in dhcli("check", "ur5e", "--table", "mine.yaml").out
+    same = (ROOT / "robots" / "zhou-6r.yaml").read_text("utf-8")
+    (tmp_path / "same.yaml").write_text(same, "utf-8")
+    assert "beside the table" not in dhcli("check", "zhou-6r", "--table", "same.yaml").out
 
 
 # ---------------------------------------------------------------------------------------------------- tolerances
@@ -437,7 +480,7 @@ def test_on_a_terminal_the_parts_are_asked_one_by_one(tmp_path: Path) -> None:
     with Terminal(tmp_path, "check", "yim/planar-two-links") as screen:
         assert "Planar arm with two links" in screen.until("table> ")
         screen.type("?\n")
-        assert "hint: Parallel axes have no twist" in screen.until("table> ")
+        assert "hint 1 of 2: Parallel axes have no twist" in screen.until("table> ")
         screen.type("a1 0 0 theta1\n")
         screen.until(r"\.\.\. ")
         screen.type("a2 0 0 theta2\n")
@@ -491,6 +534,9 @@ def test_a_wrong_answer_may_be_tried_again(tmp_path: Path) -> None:
         (PLANAR, "a1", ["c1 -s1 0 a1*c1", "s1 c1 0 a1*s1", "0 0 1 0", "0 0 0 1", ""], "RIGHT"),
         (PLANAR, "a1", ["c1, -s1, 0, a1*c1;", "s1, c1, 0, a1*s1;", "0, 0, 1, 0;", "0, 0, 0, 1"], "RIGHT"),
         (PLANAR, "table", ["a1,0,0,theta1", "a2,0,0,theta2", ""], "RIGHT"),
+        (PLANAR, "a1", LATEX, "RIGHT"),
+        (PLANAR, "a1", ["A_1 = \\left[", *ARRAY, "\\right]"], "RIGHT"),
+        (PLANAR, "table", [r"\begin{array}{cccc}", r"a1 & 0 & 0 & \theta_1\\", *ROW_2], "RIGHT"),
     ],
 )
 def test_an_answer_is_judged_as_soon_as_it_is_whole(
@@ -527,7 +573,7 @@ def test_a_robot_is_asked_on_a_terminal_too(tmp_path: Path) -> None:
 
 @terminal
 def test_ctrl_c_ends_a_walk_with_130(tmp_path: Path) -> None:
-    """What was answered so far is kept."""
+    """What was answered so far is kept, and summed up."""
     with Terminal(tmp_path, "check", PLANAR, own_process=True) as screen:
         screen.until("table> ")
         screen.type("\n")
@@ -536,6 +582,7 @@ def test_ctrl_c_ends_a_walk_with_130(tmp_path: Path) -> None:
         screen.until("a2> ")
         screen.interrupt()
         assert screen.end() == 130
+        assert "1 of 8 parts solved, 2 of 13 credits" in screen.seen
         assert "Traceback" not in screen.seen
     assert read_progress()[0] == {PLANAR: {"a1": Try("RIGHT", 1)}}
 

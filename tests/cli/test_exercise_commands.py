@@ -297,3 +297,57 @@ def test_watch_refuses_a_sheet_of_another_exercise(tmp_path: Path) -> None:
     (tmp_path / SHEET).write_text("format: 1\nexercise: yim/dh-factors\nanswers: {order: _}\n", "utf-8")
     with Terminal(tmp_path, "watch", PLANAR, own_process=True) as screen:
         assert "is a sheet of yim/dh-factors, not of yim/planar-two-links" in screen.until("q quit|hint")
+
+
+@terminal
+def test_a_save_that_changes_nothing_is_no_try(tmp_path: Path) -> None:
+    """Nor is a hint, a name, another look or another part's answer; an answer that is new is one."""
+    path = tmp_path / SHEET
+    write(path, "  a1: '1'\n")
+    with Terminal(tmp_path, "watch", PLANAR, own_process=True) as screen:
+        screen.until("q quit")
+        for key in "hwr":
+            screen.type(key)
+            screen.until("q quit")
+        write(path, "  a1: '1'\n")
+        screen.until("q quit")
+        write(path, "  a1: '1'\n  a2: '2'\n")
+        screen.until("q quit")
+        write(path, "  a1: '3'\n  a2: '2'\n")
+        screen.until("q quit")
+        screen.type("q")
+        assert screen.end() == 0
+    tries = {part: done.tries for part, done in read_progress()[0][PLANAR].items()}
+    assert tries == {"a1": 2, "a2": 1}
+
+
+@terminal
+@pytest.mark.parametrize("options", [(), ("--why",)])
+def test_watch_names_slips_where_it_is_asked(tmp_path: Path, options: tuple[str, ...]) -> None:
+    """By the option, or by a key that takes it back too."""
+    turned = A1.replace("-s1", "s1").replace("; s1 c1", "; -s1 c1")
+    write(tmp_path / SHEET, f"  a1: '{turned}'\n")
+    with Terminal(tmp_path, "watch", PLANAR, *options, own_process=True) as screen:
+        shown = [screen.until("q quit")]
+        for _ in range(2):
+            screen.type("w")
+            shown.append(screen.until("q quit"))
+        screen.type("q")
+        assert screen.end() == 0
+    is_named = ["why: the rotation is transposed" in text for text in shown]
+    assert is_named == ([True, False, True] if options else [False, True, False])
+
+
+@terminal
+def test_watch_draws_anew_in_a_window_of_another_size(tmp_path: Path) -> None:
+    """Without another look at the sheet, which would be another try; lines fit the window."""
+    write(tmp_path / SHEET, "  a1: '1'\n")
+    with Terminal(tmp_path, "watch", PLANAR, own_process=True, columns=100) as screen:
+        wide = screen.until("q quit")
+        screen.resize(50)
+        narrow = screen.until("q quit")
+        screen.type("q")
+        assert screen.end() == 0
+    longest = [max(map(len, text.split("\x1b[H")[-1].split("\n"))) for text in (wide, narrow)]
+    assert longest[0] > 50 >= longest[1]
+    assert read_progress()[0][PLANAR]["a1"].tries == 1

@@ -25,7 +25,7 @@ REPORT = {
     *("folder", "sheets", "graded", "failed", "empty", "others", "notices", "mean", "distribution", "parts", "results"),
 }
 RESULT = {"student", "sheet", "exercise", "variant", "earned", "credit", "parts", "problems"}
-PART = {"part", "verdict", "passed", "earned", "credit", "actual", "rationale", "slips"}
+PART = {"part", "verdict", "passed", "earned", "credit", "actual", "rationale", "slips", "unit"}
 FIGURES = {"exercise", "part", "credit", "mean", "verdicts", "slips"}
 
 
@@ -111,7 +111,7 @@ def test_a_spreadsheet_has_a_row_for_each_sheet(dhcli: Run, tmp_path: Path) -> N
     with (tmp_path / "grades.csv").open(newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     assert [row["student"] for row in rows] == [f"student-{n}" for n in range(1, 6)]
-    assert [row["earned"] for row in rows] == ["10.0", "8.0", "7.0", "2.0", ""]
+    assert [row["earned"] for row in rows] == ["10.0", "8.0", "7.0", "3.0", ""]
     assert rows[1]["t02 verdict"] == "WRONG"
 
 

@@ -146,6 +146,22 @@ def test_a_table_of_one_motion_needs_a_task_that_leaves_nothing_open(tmp_path: P
     assert found.message.endswith("does not state: positive sense")
     stated += " Positive sense: the\n  right-hand rule."
     assert findings(tmp_path, same.replace("task: Find the pose of the end.", stated)) == []
+    (found,) = findings(tmp_path, CLEAN.replace("task: Find the pose of the end.", stated))
+    assert (found.message, found.hint) == (
+        "table: same-robot leaves frames, zeros and senses free, and the task fixes them all",
+        "compare: same-motion",
+    )
+
+
+def test_a_table_says_by_name_how_it_is_compared(tmp_path: Path) -> None:
+    """The default follows from the task; whoever reads the file should not have to work it out."""
+    silent = CLEAN.replace("    compare: same-robot\n", "")
+    (found,) = findings(tmp_path, silent)
+    assert (found.at, found.message) == ("20:5", "table: does not say how tables are compared")
+    assert found.hint.startswith("compare: same-robot; the task does not state: base frame, end frame")
+    stated = "task: The base frame, the end frame, each joint zero and each positive sense are those of the figure."
+    (found,) = findings(tmp_path, silent.replace("task: Find the pose of the end.", stated))
+    assert found.hint == "compare: same-motion; the task fixes all that it needs"
 
 
 @cases(
@@ -248,7 +264,7 @@ source: a test
 robot: scara
 task: Write down a table.
 parts:
-  - {id: table, ask: table standard, hints: [three rows]}
+  - {id: table, ask: table standard, compare: same-robot, hints: [three rows]}
 tests:
   - {part: table, answer: "[1 2; 3 4]", verdict: CAN'T READ}
 """
@@ -333,3 +349,14 @@ tests:
     path.write_text(text, "utf-8")
     found = [finding.message for finding in exercises.findings(Judge(load_exercise(str(path))))]
     assert any("shows its answer" in message for message in found) is told
+
+
+def test_a_part_that_was_withdrawn_is_not_looked_at(tmp_path: Path) -> None:
+    """It may be as faulty as it is; the others, and their places, are as before."""
+    broken = CLEAN.replace('tip: "0.5, 0.475, 0"', 'tip: "9, 9, 9"').replace("hints: [two rows]", "credit: 0")
+    gone = broken.replace("    prompt: Where is the end?", "    withdrawn: the figure is wrong")
+    told = findings(tmp_path, broken)
+    assert len(told) > 2
+    left = [one for one in findings(tmp_path, gone) if "tests: none is RIGHT" not in str(one)]
+    assert left
+    assert all("table" in str(one) for one in left)

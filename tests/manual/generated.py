@@ -52,7 +52,7 @@ def _help_of(*words: str) -> list[str]:
 
 def mistakes_page() -> str:
     """Every mistake that dhcli knows, by name."""
-    from dhcli.checking.diagnosis.mistakes import MISTAKES
+    from dhcli.checking.diagnosis.mistakes import EVERY
 
     lines = [
         "# Mistakes by name",
@@ -63,7 +63,7 @@ def mistakes_page() -> str:
         "| name | what has happened |",
         "|---|---|",
     ]
-    lines += [f"| `{one.id}` | {_words(one.words)} |" for one in MISTAKES]
+    lines += [f"| `{one.id}` | {_words(one.words)} |" for one in EVERY]
     return "\n".join([*lines, ""])
 
 

@@ -146,8 +146,8 @@ def test_what_is_no_matrix_is_told_with_its_column(text: str, message: str) -> N
     assert str(caught.value).split(" (known")[0].split(" (did you")[0] == message
 
 
-def test_at_most_64_cells_are_read() -> None:
-    """Eight by eight, and not one more."""
-    assert len(parse_matrix("; ".join(["1 2 3 4 5 6 7 8"] * 8))) == 8
-    with pytest.raises(NotationError, match="a matrix of more than 64 cells is not read"):
-        parse_matrix(" ".join(["1"] * 65))
+def test_at_most_256_cells_are_read() -> None:
+    """A table of sixty-four rows, and not one more."""
+    assert len(parse_matrix("; ".join(["1 2 3 4"] * 64))) == 64
+    with pytest.raises(NotationError, match="a matrix of more than 256 cells is not read"):
+        parse_matrix(" ".join(["1"] * 257))

@@ -20,7 +20,8 @@ MOST = {"singles": 0.05, "pairs": 0.01}
 
 EXACT = 1e-9
 WHOLE = 0.1
-"""How often people who guess write 0, or 1 and -1 for a direction: no pair is believed because of those."""
+"""How often people who guess write 0, or 1 and -1 for a direction: no pair is believed because of those, and no slip
+where every entry is one of them, unless the right ones are, too."""
 
 OUTER = 8
 """A part of so many is left out of a range at either end."""
@@ -64,13 +65,24 @@ def is_chance(stage: str, given: Iterable[Sequence[float]], typed: Evidence) -> 
     wrong = typed.wrong
     left = [one for one in given if typed.is_wrong_at(one) == wrong]
     shares: dict[bool, list[float]] = {True: [], False: []}
+    is_guess = stage == "pairs" or (_are_whole(typed.values, typed) and not _are_whole(typed.truth, typed))
     for k in wrong:
         spread = _spread([typed.truth[k], *(one[k] for one in left)])
         share = min(1.0, 2 * typed.slack[k] / spread) if spread > EXACT else 1.0
-        is_whole = any(abs(typed.values[k] - w) <= EXACT for w in ((0,) if typed.lengths[k] else (0, 1, -1)))
-        shares[typed.lengths[k]].append(max(share, WHOLE) if is_whole and stage == "pairs" else share)
+        shares[typed.lengths[k]].append(
+            max(share, WHOLE) if is_guess and _is_whole(typed.values[k], is_length=typed.lengths[k]) else share
+        )
     free = 2 if len(typed.values) <= 3 else 3  # noqa: PLR2004  of a direction, and of a rotation
     return len(left) * math.prod((*shares[True], *sorted(shares[False])[:free])) > MOST[stage]
+
+
+def _is_whole(value: float, *, is_length: bool) -> bool:
+    """Whether an entry is one that people type who guess."""
+    return any(abs(value - whole) <= EXACT for whole in ((0,) if is_length else (0, 1, -1)))
+
+
+def _are_whole(values: Sequence[float], typed: Evidence) -> bool:
+    return all(_is_whole(value, is_length=length) for value, length in zip(values, typed.lengths, strict=True))
 
 
 def _spread(values: list[float]) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dhcli.checking.diagnosis.by_entry import entry_causes
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.diagnosis.search import search_of
 from dhcli.checking.diagnosis.slips import candidates, setting_of
@@ -9,7 +10,9 @@ from dhcli.checking.diagnosis.typed import TypedMatrix, typed_answer
 from dhcli.checking.diagnosis.work import Work, right_work, terms
 from dhcli.checking.entries import Entries, entries_text
 from dhcli.checking.exercise import Case, Causes, Exercise
-from dhcli.checking.truth import is_length
+from dhcli.checking.other_unit import plain_unit
+from dhcli.checking.truth import is_length, truth_of
+from dhcli.checking.units import on_sheet
 from dhcli.checking.wanted import Wanted
 from dhcli.notation.quantity import LENGTH_UNITS
 from dhcli.notation.writer import write
@@ -17,16 +20,40 @@ from dhcli.notation.writer import write
 OTHER_UNIT = {"mm": "m", "m": "mm"}
 
 
+MOST_BESIDES = 2
+"""Slips besides a unit that are named; more are chance."""
+
+
 def matrix_causes(case: Case, question: Wanted, entries: Entries) -> Causes:
     """The mistakes that give just a matrix, one or two; or one besides the unit of the lengths."""
     typed = typed_answer(case, question, entries)
     if typed is None:
         return ()
+    exercise = case.exercise
+    if typed.is_general and not exercise.numeric:
+        return _in_symbols(typed)
+    unit = "" if typed.is_general else plain_unit(question, truth_of(question, case), entries, exercise, case.tolerance)
+    if unit:
+        return _in_other_unit(exercise, typed, unit)
     for slack in typed.slacks:
         causes = typed.search.causes(typed.values, slack, typed.slacks[0])
         if causes:
             return tuple(cause.slips for cause in causes)
-    return _in_other_unit(case.exercise, typed)
+    return _in_other_unit(exercise, typed, OTHER_UNIT.get(exercise.unit, ""))
+
+
+def _in_symbols(typed: TypedMatrix) -> Causes:
+    """One mistake in the work, one in the terms that were written down, two in the work, more in the terms."""
+
+    def in_work(stage: str) -> Causes:
+        found = typed.search.causes(typed.values, typed.slacks[0], stages=(stage,))
+        return tuple(cause.slips for cause in found)
+
+    singles = in_work("singles")
+    if singles:
+        return singles
+    in_terms = entry_causes(typed)
+    return in_terms.one or in_work("pairs") or in_terms.more
 
 
 def answer_with(case: Case, question: Wanted, name: str) -> str | None:
@@ -43,7 +70,17 @@ def typed_text(case: Case, work: Work) -> str:
     """What a student types: expressions, or numbers in the unit of the sheet to six decimals."""
     exercise, question = case.exercise, work.question
     if not exercise.numeric:
-        rows = [[write(entry, "short", exercise.writing) for entry in row] for row in terms(work, {})]
+        rows = [
+            [
+                write(
+                    on_sheet(entry, exercise.metres, exercise.scope) if is_length(question, r, c) else entry,
+                    "short",
+                    exercise.writing,
+                )
+                for c, entry in enumerate(row)
+            ]
+            for r, row in enumerate(terms(work, {}))
+        ]
     else:
         unit = float(exercise.metres)
         entries = search_of(question, case.memo).entries(work)
@@ -54,17 +91,16 @@ def typed_text(case: Case, work: Work) -> str:
     return entries_text(rows)
 
 
-def _in_other_unit(exercise: Exercise, typed: TypedMatrix) -> Causes:
-    """The one slip besides the unit of the lengths, metres for millimetres or the other way round."""
-    if typed.is_general or exercise.unit not in OTHER_UNIT:
+def _in_other_unit(exercise: Exercise, typed: TypedMatrix, unit: str) -> Causes:
+    """The slips besides the unit of the lengths, such as metres for millimetres; none where many would do."""
+    if typed.is_general or not unit:
         return ()
-    unit = OTHER_UNIT[exercise.unit]
     other = typed.scaled(float(LENGTH_UNITS[unit] / LENGTH_UNITS[exercise.unit]))
     if other.values == typed.values:
         return ()
     causes = other.search.causes(other.values, other.slacks[0], stages=("singles",))
     slip = Slip(f"in-{unit}", f"the lengths are in {unit}, not {exercise.unit}", "look at the unit of the sheet")
-    return ((*causes[0].slips, slip),) if len(causes) == 1 else ()
+    return tuple((*one.slips, slip) for one in causes) if len(causes) <= MOST_BESIDES else ()
 
 
 def _six_decimals(value: float) -> str:

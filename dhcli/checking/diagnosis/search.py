@@ -18,7 +18,7 @@ from dhcli.algebra.points import general
 from dhcli.checking.diagnosis.chance import Evidence, is_chance, lengths_of
 from dhcli.checking.diagnosis.mistakes import MISTAKES
 from dhcli.checking.diagnosis.slips import Candidate, candidates, setting_of
-from dhcli.checking.diagnosis.work import Bench, Folds, Matrix, Work, right_work
+from dhcli.checking.diagnosis.work import Bench, Folds, Matrix, Multiplied, Work, right_work
 from dhcli.checking.exercise import Memo
 from dhcli.checking.truth import chain_of, is_length
 from dhcli.checking.wanted import Wanted
@@ -60,6 +60,8 @@ class Search:
         """
         exercise = memo.exercise
         self.setting = memo.of("setting", lambda: setting_of(exercise))
+        if like:
+            self.setting.share_links(like.setting)
         self.right: Work = like.right if like else right_work(question, exercise.robot, self.setting)
         needed = names(chain_of(question, exercise.robot)).union(*(symbols(e) for e in question.point))
         known = dict(exercise.values)
@@ -112,7 +114,8 @@ class Search:
     @cached_property
     def pairs(self) -> tuple[Candidate, ...]:
         """Two mistakes at once, the one of the earlier level first; none where there are too many to look through."""
-        if len(self.singles) ** 2 * len(self.right.steps) > MOST_WORK:
+        paired = sum(not one.mistake.alone for one in self.singles)
+        if paired**2 * len(self.right.steps) > MOST_WORK:
             return ()
         found: list[Candidate] = []
         place = {one.slips[0].name: k for k, one in enumerate(self.singles)}
@@ -140,7 +143,7 @@ class Search:
             near: What an entry may be off where a mistake gives 0, which many do; as much as others by default.
             stages: Whether single mistakes are looked for, or pairs, or both.
         """
-        if self.is_known and not any(_flat(typed[0])):
+        if self.is_known and is_zero(typed[0]):
             return ()
         for stage in stages:
             likely = self._likely(stage, typed[0], slack, near or slack)
@@ -197,7 +200,8 @@ class Search:
         known = [self.general.matrix(self.right)]
         right = self.general.entries(self.right)
         for one in found:
-            if same(self.general.entries(one.work), right):
+            entries = self.general.entries(one.work)
+            if same(entries, right) or (one.work.multiplied is Multiplied.ELEMENTWISE and is_zero(entries)):
                 continue
             if one.work.question is not self.right.question or one.work.entry:  # written otherwise, the matrix is right
                 kept.append(one)
@@ -233,6 +237,11 @@ def search_of(question: Wanted, memo: Memo) -> Search:
 def point(free: frozenset[str], known: dict[str, Value], seed: int) -> Floats:
     """Values for all names: those known, and for the others some between 0.2 and 1.3, the same for everybody."""
     return Floats({**next(general(free, seed)), **numbers(known)})
+
+
+def is_zero(entries: Numbers) -> bool:
+    """Whether nothing but zeros was typed, above the bottom row of a pose: nobody has worked out anything."""
+    return not any(abs(entry) > SAME for row in entries[:3] for entry in row)
 
 
 def _flat(entries: Numbers) -> array[float]:

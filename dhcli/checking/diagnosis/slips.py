@@ -10,7 +10,7 @@ from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.diagnosis.work import Factor, Setting, Work
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.wanted import Span, Wanted
-from dhcli.kinematics.conventions import Convention
+from dhcli.kinematics.conventions import Convention, Row
 from dhcli.kinematics.robot import Robot
 
 
@@ -38,6 +38,7 @@ def setting_of(exercise: Exercise) -> Setting:
         values=exercise.values,
         numeric=exercise.numeric,
         writing=exercise.writing,
+        robot=robot,
         unit=exercise.metres if exercise.unit != "none" else exercise.metres * 0,
     )
 
@@ -83,19 +84,27 @@ def slip_of(mistake: Mistake, where: str) -> Slip:
 def table_candidates(exercise: Exercise, convention: Convention, name: str = "") -> tuple[Candidate, ...]:
     """Single mistakes in the cells of the right table, or those of the kind that is named.
 
-    None where the robot has no table in this convention.
+    None where the robot has no table in this convention. An angle that stands in two rows is not among them: it cannot
+    be read. Of cells that several mistakes lead to, one that is made in several rows is not named.
     """
     robot = exercise.robot
     if robot is None or robot.convention is not convention:
         return ()
     work = table_work(robot)
-    found = candidates(work, replace(setting_of(exercise), numeric=False), name=name)
-    rows = [step.row for step in work.steps]
-    return tuple(
-        candidate
-        for candidate in found
-        if candidate.mistake.level is Level.TABLE and [step.row for step in candidate.work.steps] != rows
-    )
+    seen, kept = [_rows(work)], []
+    for candidate in candidates(work, replace(setting_of(exercise), numeric=False), name=name):
+        rows, mistake = _rows(candidate.work), candidate.mistake
+        angles = [angle for row in rows for angle in row.theta.names & set(robot.variables)]
+        is_readable = len(angles) == len(set(angles))
+        is_known = rows == seen[0] or (mistake.alone and rows in seen)
+        if mistake.level is Level.TABLE and is_readable and not is_known:
+            kept.append(candidate)
+            seen.append(rows)
+    return tuple(kept)
+
+
+def _rows(work: Work) -> list[Row]:
+    return [step.row for step in work.steps if step.row is not None]
 
 
 def table_work(robot: Robot) -> Work:

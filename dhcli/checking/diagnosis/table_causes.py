@@ -16,7 +16,9 @@ from dhcli.checking.diagnosis.work import Bench, product
 from dhcli.checking.exercise import Case, Causes, Exercise
 from dhcli.checking.tables.answer import ends_on_axis
 from dhcli.checking.tables.cells import given_values, own_values
-from dhcli.checking.tables.motions import Values, may_be_same, same_robot
+from dhcli.checking.tables.comparing import SAME_ROBOT, compare_of
+from dhcli.checking.tables.motions import may_be_same, same_robot
+from dhcli.checking.tables.samples import Values
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import RobotError
 from dhcli.kinematics.axes import Arm
@@ -50,7 +52,7 @@ def table_causes(case: Case, convention: Convention, rows: tuple[Row, ...]) -> C
         return tuple(one.slips for one in to_the_cell or moving_so)
     by_row = compared.by_row(every)
     found = same_in_rows(by_row)
-    if not found and case.part.compare == "same-robot":
+    if not found and compare_of(case) == SAME_ROBOT:
         found = _same_robot(case, robot, chain, every)
     return found or each_in_a_row(by_row)
 
@@ -98,7 +100,7 @@ def _same_robot(case: Case, robot: Robot, chain: Chain, every: tuple[Candidate, 
     for candidate in every:
         try:
             other = Arm.of(tuple(move for step in candidate.work.steps for move in step.chain), robot.variables)
-            if not may_be_same(other, typed, values, end_free=end_free):
+            if not may_be_same(other, typed, values, tolerance, end_free=end_free):
                 continue
             outcome = same_robot(other, typed, values, tolerance, end_free=end_free)
         except RobotError:  # the slip leaves no robot to compare with

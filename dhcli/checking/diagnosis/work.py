@@ -86,6 +86,10 @@ class Work:
         return replace(self, steps=(*self.steps[:index], step, *self.steps[index + 1 :]))
 
 
+LINK = "link"
+"""Under which the factors of a robot are kept, each with its name."""
+
+
 @dataclass(frozen=True, slots=True)
 class Setting:
     """What a mistake may depend on besides the work.
@@ -97,6 +101,7 @@ class Setting:
         numeric: Whether the answer is in numbers.
         writing: How joint angles are written.
         unit: Metres in a bare length of the sheet; 0 where there is no unit.
+        robot: The robot, if there is one.
         factors: Factors made so far: one that several works hold is one object, and evaluated once.
     """
 
@@ -106,7 +111,13 @@ class Setting:
     numeric: bool = False
     writing: Joints = THETAS
     unit: Fraction = Fraction(1)
+    robot: Robot | None = None
     factors: dict[object, Factor | None] = field(default_factory=dict, init=False, repr=False, compare=False)
+
+    def share_links(self, other: Setting) -> None:
+        """Take the links of the same robot from another setting, so that what is made of them can be shared, too."""
+        links = {key: one for key, one in other.factors.items() if isinstance(key, tuple) and key[0] == LINK}
+        self.factors.update(links)
 
     def factor(self, key: object, make: Callable[[], Factor | None]) -> Factor | None:
         """The factor of a key, made when it is first asked for; None where a mistake changes nothing."""
@@ -133,12 +144,23 @@ def right_work(question: Wanted, robot: Robot | None, setting: Setting) -> Work:
     if robot is None:
         raise RobotError("this question needs a robot", "name one under robot:")
     first, last = (robot.frames.index(frame(robot, name)) for name in (source.start, source.end))
+    steps = steps_between(robot, setting, min(first, last), max(first, last))
+    return Work(question, steps, inverted=question.inverse is not (first > last))
+
+
+def steps_between(robot: Robot, setting: Setting, first: int, last: int) -> tuple[Factor, ...]:
+    """The factors from one frame of a robot to a later one, without those that move nothing.
+
+    Args:
+        robot: The robot.
+        setting: Keeps the factors, which all works share.
+        first: Place of the one frame in the order of the robot.
+        last: Place of the other.
+    """
     ends = [("base", robot.base, None), ("tool", robot.tool, None)]
     parts = [ends[0], *((str(link.number), link.moves, link.row) for link in robot.links), ends[1]]
-    wanted = parts[min(first, last) : max(first, last)]
-    every = (setting.factor(("link", part[0]), partial(Factor, *part)) for part in wanted)
-    steps = tuple(step for step in every if step is not None and step.chain)
-    return Work(question, steps, inverted=question.inverse is not (first > last))
+    every = (setting.factor((LINK, part[0]), partial(Factor, *part)) for part in parts[first:last])
+    return tuple(step for step in every if step is not None and step.chain)
 
 
 MOST_SHARED = 2_000

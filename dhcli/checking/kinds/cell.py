@@ -11,15 +11,20 @@ from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
 from dhcli.checking.kinds.linked import found_link, link_of, place_of, read_number
 from dhcli.checking.pasted import UnreadableError
-from dhcli.checking.values import TypedValue, mark_value, read_value, spelled_value
+from dhcli.checking.values import Quantity, TypedValue, mark_value, read_value, spelled_value
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import DhcliError, NotationError, Place, Problem, RobotError
 from dhcli.kinematics.conventions import COLUMNS, Row
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.notation.scope import Scope
+from dhcli.notation.tree import multiply
 
 if TYPE_CHECKING:
     from dhcli.checking.diagnosis.alternatives import Alternative
+
+
+LENGTHS = ("a", "d")
+"""Columns of lengths; the others are angles."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +55,7 @@ class CellQuestion(Question[TypedValue]):
         return f"{self.column} of link {self.link}"
 
     def expected(self, case: Case, _style: str = "short") -> str:
-        return spelled_value(getattr(link_of(case.exercise, self.link).row, self.column), case.exercise)
+        return spelled_value(self._quantity(getattr(link_of(case.exercise, self.link).row, self.column)), case.exercise)
 
     def steps(self, case: Case) -> Iterable[Shown]:
         from dhcli.checking.tables.steps import MEANINGS
@@ -69,7 +74,12 @@ class CellQuestion(Question[TypedValue]):
         return self._mark(case, getattr(row, self.column), reading.value)
 
     def _mark(self, case: Case, right: Value, typed: TypedValue) -> Mark:
-        return mark_value(case.memo.of("of table", lambda: _of_table(case.exercise)), right, typed, case.tolerance)
+        exercise = case.memo.of("of table", lambda: _of_table(case.exercise))
+        return mark_value(exercise, self._quantity(right), typed, case.tolerance)
+
+    def _quantity(self, value: Value) -> Quantity:
+        """A cell: a length with the unit of the sheet, or an angle."""
+        return Quantity(value, is_length=self.column in LENGTHS, is_angle=self.column not in LENGTHS)
 
     def slips(self, case: Case) -> Iterable[Slip]:
         from dhcli.checking.diagnosis.alternatives import changing
@@ -89,7 +99,8 @@ class CellQuestion(Question[TypedValue]):
     def _alternatives(self, case: Case, name: str = "") -> Iterator[Alternative[TypedValue]]:
         """A slip in the row, or the same column of the row before or behind."""
         from dhcli.checking.diagnosis.alternatives import Alternative
-        from dhcli.checking.diagnosis.slips import table_candidates
+        from dhcli.checking.diagnosis.mistakes.changes import scale_of
+        from dhcli.checking.diagnosis.slips import setting_of, table_candidates
 
         robot = case.exercise.robot
         if robot is None:
@@ -98,10 +109,14 @@ class CellQuestion(Question[TypedValue]):
         def asked(slip: Slip, row: Row | None) -> Iterator[Alternative[TypedValue]]:
             if row is not None:
                 value: Value = getattr(row, self.column)
-                yield Alternative(slip, spelled_value(value, case.exercise), partial(self._mark, case, value))
+                yield Alternative(
+                    slip, spelled_value(self._quantity(value), case.exercise), partial(self._mark, case, value)
+                )
 
         index = place_of(robot, self.link)
         for one in table_candidates(case.exercise, robot.convention, name):
+            if one.mistake.alone:  # a cell does not show what has happened in several rows
+                continue
             yield from asked(one.slips[0], one.work.steps[index].row)
         for other in (index - 1, index + 1):
             if 0 <= other < len(robot.links):
@@ -109,6 +124,11 @@ class CellQuestion(Question[TypedValue]):
                 words = f"this is {self.column} of row {number}"
                 hint = f"which row holds this {self.column} in this convention?"
                 yield from asked(Slip(f"neighbour {number}", words, hint), robot.links[other].row)
+        right, factor = robot.links[index].row, scale_of(setting_of(case.exercise))
+        if right is not None and factor is not None and self.column in LENGTHS:
+            slip = Slip("in-mm", "the unit is another, mm for m", "look at the unit of the sheet")
+            a, d = (multiply(factor, length) for length in (right.a, right.d))
+            yield from asked(slip, replace(right, a=a, d=d))
 
     def follows(self, case: Case, reading: Reading[TypedValue], earlier: Mapping[str, Reading[Any]]) -> tuple[str, ...]:
         robot = case.exercise.robot

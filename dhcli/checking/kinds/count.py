@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar, Self
 
-from dhcli.algebra.floats import Floats
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Besides, Case, Causes, Exercise, Question, Reading, Shown
 from dhcli.checking.pasted import UnreadableError, without_label
@@ -15,7 +13,7 @@ from dhcli.checking.verdicts import COUNTED, Mark, Verdict
 from dhcli.errors import DhcliError, NotationError, Place, Problem
 from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import Unit
+from dhcli.notation.tree import Number, Unit
 from dhcli.notation.walk import walk
 
 if TYPE_CHECKING:
@@ -89,10 +87,9 @@ class CountQuestion(Question[int]):
         expr = parse(without_label(text), Scope(), place or Place("answer"))
         if any(isinstance(node, Unit) for node in walk(expr)):
             raise UnreadableError("a count is a whole number and has no unit")
-        value = Floats().value(expr)
-        if not math.isfinite(value) or value != round(value) or abs(value) > LARGEST:
+        if not isinstance(expr, Number) or expr.value.denominator != 1 or abs(expr.value) > LARGEST:
             raise UnreadableError("a count is a whole number")
-        return int(value)
+        return int(expr.value)
 
     def mark(self, _case: Case, reading: Reading[int]) -> Mark:
         right, typed = self._right(), reading.value

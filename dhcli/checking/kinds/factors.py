@@ -3,25 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING, ClassVar, Self
 
-from dhcli.algebra.terms import TERMS
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
 from dhcli.checking.kinds.linked import found_link, link_of, place_of, read_number
 from dhcli.checking.pasted import without_label
+from dhcli.checking.tolerance import NOT_EXACT, Tolerance
+from dhcli.checking.units import chain_in_metres, move_in_metres
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.checking.wanted import Span, Wanted
 from dhcli.errors import Place
 from dhcli.kinematics.conventions import ORDER, moves_of
 from dhcli.kinematics.forward import spelled
-from dhcli.kinematics.moves import Chain, Fixed, Rot, Trans, along, read_chain
+from dhcli.kinematics.moves import Chain
 from dhcli.kinematics.robot import Robot
-from dhcli.notation.factors import AXES
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import ZERO
 
 if TYPE_CHECKING:
     from dhcli.checking.diagnosis.alternatives import Alternative
@@ -60,10 +59,11 @@ class FactorsQuestion(Question[Chain]):
             yield Shown(ORDER[case.exercise.robot.convention])
 
     def read(self, case: Case, text: str, place: Place | None = None) -> Chain:
-        return read_chain(without_label(text), case.exercise.scope, place or Place("answer"))
+        exercise = case.exercise
+        return chain_in_metres(without_label(text), exercise.metres, exercise.scope, place or Place("answer"))
 
     def mark(self, case: Case, reading: Reading[Chain]) -> Mark:
-        return _mark(case.exercise, link_of(case.exercise, self.link).moves, reading.value)
+        return _mark(case.exercise, link_of(case.exercise, self.link).moves, reading.value, case.tolerance)
 
     def slips(self, case: Case) -> Iterable[Slip]:
         return (one.slip for one in self._changing(case))
@@ -96,7 +96,9 @@ class FactorsQuestion(Question[Chain]):
         link = robot.links[index]
 
         def asked(slip: Slip, chain: Chain) -> Alternative[Chain]:
-            return Alternative(slip, _spelled(chain, exercise), partial(_mark, exercise, chain))
+            return Alternative(
+                slip, _spelled(chain, exercise), partial(_mark, exercise, chain, tolerance=case.tolerance)
+            )
 
         if link.row is not None and robot.convention in OTHER:
             words = "the moves stand in the order of the other convention"
@@ -112,42 +114,29 @@ class FactorsQuestion(Question[Chain]):
 
 def _spelled(chain: Chain, exercise: Exercise) -> str:
     """Moves as a person would type them."""
-    return " ".join(spelled(move, exercise.writing) for move in chain)
+    unit, scope = 1 / exercise.metres, exercise.scope
+    return " ".join(spelled(move_in_metres(move, unit, scope), exercise.writing) for move in chain)
 
 
-def _mark(exercise: Exercise, right: Chain, typed: Chain) -> Mark:
-    moving, wanted = _elementary(typed), _elementary(right)
-    same_moves = sorted(moving) == sorted(wanted)
+def _mark(exercise: Exercise, right: Chain, typed: Chain, tolerance: Tolerance) -> Mark:
+    from dhcli.checking.moves import Comparison
+
+    compared = Comparison(exercise, right, tolerance)
+    moving, wanted = compared.elementary(typed), compared.elementary(right)
+    matched = compared.matched(moving, wanted)
+    same_moves = matched == len(wanted) == len(moving)
     remarks: tuple[str, ...] = ()
-    verdict = Verdict.RIGHT if same_moves and _same_product(typed, right) else Verdict.WRONG
+    verdict = Verdict.RIGHT if same_moves and compared.same_product(typed) else Verdict.WRONG
     if verdict is Verdict.WRONG and same_moves:
         remarks = ("the moves are right, their order is not",)
     elif verdict is Verdict.WRONG:
-        remarks = (f"{len(set(moving) & set(wanted))} of {len(set(wanted))} moves are right",)
+        remarks = (f"{matched} of {len(wanted)} moves are right",)
     earned = float(verdict is Verdict.RIGHT)
+    if verdict is Verdict.RIGHT and tolerance.exact:
+        strict = Comparison(exercise, right, replace(tolerance, angle=0.0, position=0.0))
+        if strict.matched(strict.elementary(typed), strict.elementary(right)) < len(wanted):
+            verdict, remarks = Verdict.ROUNDED, (NOT_EXACT,)
     shown = _spelled(right, exercise)
-    return Mark(verdict, _spelled(typed, exercise), remarks=remarks, earned=earned, expected=shown)
-
-
-def _elementary(chain: Chain) -> list[str]:
-    """The moves about and along single axes that move anything, as text."""
-    from dhcli.checking.symbolic import same
-
-    found: list[str] = []
-    for move in chain:
-        if isinstance(move, Rot) and not move.angle.is_zero:
-            found.append(spelled(move))
-        elif isinstance(move, Trans):
-            pairs = zip(AXES, move.offset, strict=True)
-            found += [spelled(along(axis, length)) for axis, length in pairs if not same(length, ZERO, {})]
-        elif isinstance(move, Fixed):
-            found.append(spelled(move))
-    return found
-
-
-def _same_product(first: Chain, second: Chain) -> bool:
-    from dhcli.checking.symbolic import same
-    from dhcli.kinematics.fold import fold
-
-    rows = zip(fold(first, TERMS), fold(second, TERMS), strict=True)
-    return all(same(a, b, {}) for one, other in rows for a, b in zip(one, other, strict=True))
+    surplus = max(0, len(moving) - len(wanted))  # one that is too many costs what one earns
+    found = max(0, matched - surplus) / len(wanted) if wanted else 0.0
+    return Mark(verdict, _spelled(typed, exercise), remarks=remarks, earned=earned, expected=shown, found=found)

@@ -8,6 +8,7 @@ from dhcli.checking.exercise import Case, Exercise, Memo, Part
 from dhcli.checking.kinds.registry import read_question
 from dhcli.checking.kinds.table import TableQuestion
 from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.tables.comparing import SAME_ROBOT
 from dhcli.errors import NotationError
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.robot import Robot, Value
@@ -38,7 +39,14 @@ def question_answered(exercises: Sequence[Exercise], answer: str) -> Exercise:
     return exercises[0]
 
 
-def question_about_table(robot: Robot, convention: Convention) -> Exercise:
-    """The DH table of a robot in one of the conventions."""
-    part = Part("table", TableQuestion(convention))
+def question_about_table(robot: Robot, convention: Convention, compare: str = SAME_ROBOT, note: str = "") -> Exercise:
+    """The DH table of a robot in one of the conventions.
+
+    Args:
+        robot: The robot.
+        convention: The convention of the answer.
+        compare: `literal`, `same-motion` or `same-robot`.
+        note: What to tell beside the verdict.
+    """
+    part = Part("table", TableQuestion(convention, note), compare=compare)
     return Exercise(robot.name, robot.title, robot.source, "", (part,), robot)

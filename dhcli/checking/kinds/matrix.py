@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import Any, ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
@@ -11,13 +12,14 @@ from dhcli.checking.entries import Entries, entries_text, read_entries
 from dhcli.checking.exercise import Case, Causes, Exercise, Judged, Matrices, Points, Question, Reading, Shown
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.pasted import UnreadableError
-from dhcli.checking.truth import names_in, truth_of, unvalued
-from dhcli.checking.verdicts import UNSOLVED, Mark, Verdict
-from dhcli.checking.wanted import Span, Wanted, read_wanted
-from dhcli.errors import DhcliError, Place
+from dhcli.checking.truth import is_length, names_in, truth_of, unvalued
+from dhcli.checking.verdicts import IN_OTHER_UNIT, UNSOLVED, Mark, Verdict
+from dhcli.checking.wanted import Composed, Span, Wanted, read_wanted
+from dhcli.errors import DhcliError, NotationError, Place, Problem
 from dhcli.kinematics.frames import frame
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.operators import OPENING
+from dhcli.notation.quantity import DimensionError
 from dhcli.notation.scope import Scope
 from dhcli.notation.writer import write
 
@@ -45,7 +47,23 @@ class MatrixQuestion(Wanted, Question[Entries]):
     def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
         """A link, a pose, a product, an inverse, or a piece of one."""
         found = read_wanted(text, scope, place)
-        return cls(found.source, found.inverse, found.piece, found.index, found.point)
+        return cls(found.source, found.inverse, found.piece, found.index, found.point, found.measured)
+
+    def in_unit(self, unit: Fraction, scope: Scope) -> Self:
+        """Bare coordinates of a point, and bare lengths of a product, are in the unit of the sheet."""
+        from dhcli.checking.units import chain_in_metres, in_metres
+
+        source = self.source
+        if isinstance(source, Composed):
+            source = Composed(chain_in_metres(source.text, unit, scope), source.text)
+        if self.piece not in ("point", "vector") or not is_length(self, 0, 0):
+            return replace(self, source=source)
+        pairs = zip(self.point, self.measured, strict=True)
+        try:
+            point = tuple(one if measured else in_metres(one, unit, scope) for one, measured in pairs)
+        except DimensionError as error:
+            raise NotationError(Problem(error.message, None, error.hint)) from None
+        return replace(self, source=source, point=point)
 
     def check(self, robot: Robot | None) -> None:
         if isinstance(self.source, Span):
@@ -102,10 +120,13 @@ class MatrixQuestion(Wanted, Question[Entries]):
     def has_cosines(self) -> bool:
         return True
 
+    def is_length(self, row: int, column: int) -> bool:
+        return is_length(self, row, column)
+
     def is_whole(self, text: str) -> bool:
         if not Question.is_whole(self, text):
             return False
-        if self.shape == (1, 1) or text.strip().startswith(("[", "array", "np.")):
+        if self.shape == (1, 1) or "\\end" in text or text.strip().startswith(("[", "array", "np.")):
             return True
         rows, columns = self.shape
         apart = outside_brackets(text)
@@ -143,16 +164,20 @@ class MatrixQuestion(Wanted, Question[Entries]):
         return read_entries(self, case.exercise, text, place)
 
     def mark(self, case: Case, reading: Reading[Entries]) -> Mark:
-        from dhcli.checking.numeric import mark_numbers
+        from dhcli.checking.diagnosis.plausible import at_a_point, is_trivial
+        from dhcli.checking.other_unit import mark_measured
         from dhcli.checking.symbolic import mark_symbols
 
         exercise, entries = case.exercise, reading.value
         truth = truth_of(self, case)
         if exercise.numeric:
             self.need_values(exercise)
-            judged = mark_numbers(self, truth, entries, exercise, case.tolerance)
+            judged = mark_measured(self, truth, entries, exercise, case.tolerance)
         else:
             judged = mark_symbols(self, truth, entries, exercise)
+        is_open = judged.verdict in UNSOLVED or (judged.verdict is Verdict.ROUNDED and not exercise.numeric)
+        if is_open and is_trivial(at_a_point(entries, exercise.values)):
+            judged = replace(judged, earned=0.0)  # what is right in it was not worked out
         typed = tuple(tuple(write(entry.typed, "short", exercise.writing) for entry in row) for row in entries)
         columns = self.shape[1]
         shown = [cell.expected for cell in judged.cells]
@@ -173,7 +198,7 @@ class MatrixQuestion(Wanted, Question[Entries]):
         for cell in cells:
             r, c = cell.row, cell.column
             typed, shown = judged.reading.value[r][c].expr, printed.reading.value[r][c].expr
-            if cell.verdict in UNSOLVED and same(typed, shown, exercise.values):
+            if cell.verdict in UNSOLVED and same(typed, shown, exercise.values, exercise):
                 where = "this" if len(cells) == 1 else f"entry ({r + 1},{c + 1})"
                 right = f", the right entry is {cell.expected}" if exercise.shows_expected else ""
                 remarks.append(f"{where} is what the document prints; it is a misprint{right}")
@@ -208,6 +233,8 @@ class MatrixQuestion(Wanted, Question[Entries]):
         from dhcli.checking.diagnosis.geometry import HALVES, geometry
         from dhcli.checking.diagnosis.typed import typed_answer
 
+        if mark.remarks and mark.remarks[0].startswith(IN_OTHER_UNIT):
+            return mark
         try:
             typed = typed_answer(case, self, reading.value)
         except (UnreadableError, DhcliError):
@@ -218,8 +245,22 @@ class MatrixQuestion(Wanted, Question[Entries]):
 
     def follows(self, case: Case, reading: Reading[Entries], earlier: Mapping[str, Reading[Any]]) -> tuple[str, ...]:
         from dhcli.checking.diagnosis.following import follows
+        from dhcli.checking.diagnosis.plausible import at_a_point, is_trivial
 
+        if is_trivial(at_a_point(reading.value, case.exercise.values)):
+            return ()
         return follows(case, self, reading.value, earlier)
+
+    def is_plausible(self, case: Case, judged: Judged[Entries]) -> bool:
+        from dhcli.checking.diagnosis.plausible import HALF, at_a_point, has_name, is_motion, is_trivial
+
+        if judged.reading is None:
+            return False
+        values, mark = at_a_point(judged.reading.value, case.exercise.values), judged.mark
+        if is_trivial(values) or has_name(mark):
+            return not is_trivial(values)
+        is_from_here = not case.exercise.numeric or mark.earned >= HALF
+        return is_from_here and (self.piece != "pose" or is_motion(values))
 
     def leads(
         self, case: Case, reading: Reading[Entries], span: tuple[int, int], _points: Points

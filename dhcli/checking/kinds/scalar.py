@@ -11,8 +11,9 @@ from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
 from dhcli.checking.values import TypedValue, mark_value, quantity_of, read_value, spelled_value
 from dhcli.checking.verdicts import Mark
-from dhcli.errors import Place
+from dhcli.errors import NotationError, Place, Problem
 from dhcli.notation.parser import parse_quantity
+from dhcli.notation.quantity import DimensionError, is_inverse
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr, Trig
 from dhcli.notation.walk import symbols, walk
@@ -38,7 +39,10 @@ class ScalarQuestion(Question[TypedValue]):
         rest = text.removeprefix("scalar").strip()
         if place is not None and place.column is not None:
             place = replace(place, column=place.column + len(text) - len(rest))
-        return cls(parse_quantity(rest, scope, place), rest)
+        expr = parse_quantity(rest, scope, place)
+        if is_inverse(expr):
+            _check_angle(expr, scope, place)
+        return cls(expr, rest)
 
     def describe(self, _exercise: Exercise) -> str:
         return "one value"
@@ -95,3 +99,13 @@ class ScalarQuestion(Question[TypedValue]):
                     spelled_value(value, case.exercise),
                     partial(mark_value, case.exercise, value, tolerance=case.tolerance),
                 )
+
+
+def _check_angle(expr: Expr, scope: Scope, place: Place | None) -> None:
+    """Make sure that what holds an inverse function is an angle, and not the sum of one and a length."""
+    from dhcli.checking.angles import in_radians
+
+    try:
+        in_radians(expr, scope)
+    except DimensionError as error:
+        raise NotationError(Problem(error.message, place, error.hint)) from None

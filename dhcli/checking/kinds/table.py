@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Causes, Exercise, Matrices, Points, Question, Reading, Shown
+from dhcli.checking.exercise import Case, Causes, Exercise, Judged, Matrices, Points, Question, Reading, Shown
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.tables.typed_rows import TypedRow, read_table
 from dhcli.checking.verdicts import Mark
@@ -19,23 +19,27 @@ from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.validity import Finding
 from dhcli.notation.scope import Scope
 
-STATED = ("base frame", "end frame", "joint zero", "positive sense")
-"""What a task says where only one table can be right."""
-
 FIRST = 1
 """Index of frame 0, behind the base."""
 
 
 @dataclass(frozen=True, slots=True)
 class TableQuestion(Question[tuple[TypedRow, ...]]):
-    """The DH table of the robot in one of the conventions."""
+    """The DH table of the robot in one of the conventions.
+
+    Attributes:
+        convention: The convention.
+        note: What is told beside every verdict, of a table that was made on the spot.
+    """
 
     convention: Convention
+    note: str = ""
 
     words: ClassVar = ("table",)
     examples: ClassVar = ("table standard",)
     keys: ClassVar = ("compare",)
     is_in_table: ClassVar = True
+    earns_by_row: ClassVar = True
 
     @classmethod
     def asked(cls, text: str, _scope: Scope, place: Place | None) -> Self:
@@ -60,7 +64,7 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
             yield "columns: " + "  ".join(exercise.robot.columns) + "; angles in degrees"
 
     def is_whole(self, text: str) -> bool:
-        return Question.is_whole(self, text) and text.strip().startswith("[")
+        return Question.is_whole(self, text) and (text.strip().startswith("[") or "\\end" in text)
 
     def expected(self, case: Case, _style: str = "short") -> str:
         from dhcli.checking.tables.marking import write_table
@@ -80,12 +84,19 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
                 return
 
     def findings(self, case: Case, where: tuple[str | int, ...]) -> Iterable[Finding]:
-        if case.part.compare != "same-motion":
-            return
-        task = " ".join(case.exercise.task.lower().split())
-        if missing := [words for words in STATED if words not in task]:
-            message = f"{case.part.id}: same-motion wants one table, and the task does not state: {', '.join(missing)}"
+        from dhcli.checking.tables.comparing import SAME_MOTION, SAME_ROBOT, compare_of, unstated
+
+        name, compare, missing = case.part.id, case.part.compare, unstated(case.exercise.task)
+        if not compare:
+            wanted = compare_of(case)
+            fixes = f"the task does not state: {', '.join(missing)}" if missing else "the task fixes all that it needs"
+            yield Finding(where, f"{name}: does not say how tables are compared", f"compare: {wanted}; {fixes}")
+        if compare == SAME_MOTION and missing:
+            message = f"{name}: same-motion wants one table, and the task does not state: {', '.join(missing)}"
             yield Finding((*where, "compare"), message, "state it, or compare: same-robot")
+        if compare == SAME_ROBOT and not missing:
+            message = f"{name}: same-robot leaves frames, zeros and senses free, and the task fixes them all"
+            yield Finding((*where, "compare"), message, "compare: same-motion")
 
     def read(self, case: Case, text: str, place: Place | None = None) -> tuple[TypedRow, ...]:
         from dhcli.checking.tables.marking import robot_of
@@ -94,9 +105,11 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         return read_table(text, robot, exercise.scope, robot.columns, exercise.unit, place)
 
     def mark(self, case: Case, reading: Reading[tuple[TypedRow, ...]]) -> Mark:
+        from dhcli.checking.tables.comparing import compare_of
         from dhcli.checking.tables.marking import mark_table
 
-        return mark_table(case.exercise, self.convention, reading.value, case.part.compare, case.tolerance)
+        mark = mark_table(case.exercise, self.convention, reading.value, compare_of(case), case.tolerance)
+        return replace(mark, remarks=(*mark.remarks, self.note)) if self.note else mark
 
     def slips(self, case: Case) -> Iterable[Slip]:
         from dhcli.checking.diagnosis.slips import table_candidates
@@ -116,11 +129,29 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
 
     def causes(self, case: Case, reading: Reading[tuple[TypedRow, ...]]) -> Causes:
         from dhcli.checking.diagnosis.table_causes import table_causes
+        from dhcli.checking.tables.comparing import LITERAL, compare_of
+        from dhcli.checking.tables.marking import answer_of
+        from dhcli.checking.tables.reasons import is_of_other_convention, reason_of
 
-        return table_causes(case, self.convention, _settled(case, reading))
+        answer = answer_of(case.exercise, self.convention, reading.value, compare_of(case), case.tolerance)
+        if not is_of_other_convention(answer):
+            causes = table_causes(case, self.convention, _settled(case, reading))
+            if causes or answer.misfit or answer.compare == LITERAL:
+                return causes
+        slip = reason_of(answer).slip
+        return ((slip,),) if slip else ()
 
     def differs(self, mark: Mark) -> bool:
         return mark.verdict.passed is True and bool(mark.remarks)
+
+    def is_plausible(self, case: Case, judged: Judged[tuple[TypedRow, ...]]) -> bool:
+        from dhcli.checking.diagnosis.plausible import has_right_joints
+
+        robot = case.exercise.robot
+        if robot is None or judged.reading is None:
+            return False
+        right = [link.row for link in robot.links if link.row is not None]
+        return has_right_joints(_settled(case, judged.reading), right, robot.variables)
 
     def rows(self, case: Case, reading: Reading[tuple[TypedRow, ...]]) -> tuple[Row, ...]:
         robot = case.exercise.robot

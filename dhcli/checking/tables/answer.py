@@ -6,10 +6,12 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.pasted import UnreadableError
-from dhcli.checking.tables.cells import given_values, in_other_unit, mark_cells, own_values, settled
+from dhcli.checking.pasted import WrongUnitError
+from dhcli.checking.tables.cells import given_values, mark_cells, own_values, settled
+from dhcli.checking.tables.comparing import LITERAL, SAME_MOTION
 from dhcli.checking.tables.freedoms import Drawn, Slack, end_freedoms, frame_freedoms, joint_freedoms
-from dhcli.checking.tables.motions import Outcome, Values, same_motion, same_robot
+from dhcli.checking.tables.motions import LARGEST, Outcome, is_but_for_end, same_motion, same_robot
+from dhcli.checking.tables.samples import Values, size_of_arm
 from dhcli.checking.tables.typed_rows import TypedRow, misplaced, variable_of
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import CellMark, Verdict, worst
@@ -17,11 +19,14 @@ from dhcli.kinematics.axes import Arm
 from dhcli.kinematics.conventions import Convention, Row, moves_of
 from dhcli.kinematics.frames import between
 from dhcli.kinematics.robot import Robot
-from dhcli.notation.quantity import LENGTH_UNITS
+from dhcli.kinematics.same_robot import Match
 from dhcli.notation.tree import ZERO
 
 FULL_TURN = 7
 """Above this many radians a bare number was meant in degrees."""
+
+FINER = 3
+"""How often what counts as no difference is made smaller, until the freedom that was used is seen."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +50,11 @@ class TableAnswer:
     tolerance: Tolerance
     compare: str
     end_free: bool
+
+    @property
+    def asker(self) -> str:
+        """Who fixes what is compared."""
+        return "this task" if self.exercise.task.strip() else "this comparison"
 
     @property
     def plain(self) -> tuple[Row, ...]:
@@ -94,23 +104,42 @@ class TableAnswer:
         """Compare the rows, or others in their place, with the robot."""
         other = self.arm(self.plain if rows is None else rows, convention or self.convention)
         values = Values(given_values(self.exercise), own_values(self.exercise))
-        if self.compare == "same-motion" and not end_free:
-            return same_motion(self.truth, other, values, self.tolerance)
+        if self.compare == SAME_MOTION and not end_free:
+            same = same_motion(self.truth, other, values, self.tolerance)
+            if same.verdict is Verdict.RIGHT or not self.end_free:
+                return same
+            ended = same_robot(self.truth, other, values, self.tolerance, end_free=True)
+            return ended if ended.match is not None and is_but_for_end(ended.match) else same
         return same_robot(self.truth, other, values, self.tolerance, end_free=self.end_free or end_free)
+
+    def is_oversized(self, outcome: Outcome) -> bool:
+        """Whether lengths were typed that no robot of this size has."""
+        arm = self.arm(self.plain, self.convention)
+        return not size_of_arm(arm, outcome.point) <= LARGEST * outcome.size
 
     def is_right(self, rows: tuple[Row, ...]) -> bool:
         """Whether other rows in the place of these would be right."""
-        if self.compare == "literal":
+        if self.compare == LITERAL:
             typed = tuple(replace(old, row=row) for old, row in zip(self.rows, rows, strict=True))
             cells = replace(self, rows=typed).cells
             return bool(cells) and worst(cell.verdict for cell in cells) is Verdict.RIGHT
         return self.judged(rows).verdict is Verdict.RIGHT
 
     def freedoms(self, outcome: Outcome) -> tuple[tuple[str, ...], tuple[str, ...]]:
-        """What is drawn otherwise than in the solution, and what is counted otherwise."""
+        """What is drawn otherwise than in the solution, and what is counted otherwise; a freedom used is named."""
         if outcome.match is None:
             return (), ()
-        truth, match, slack = self.truth, outcome.match, self.slack(outcome)
+        slack = self.slack(outcome)
+        found = self._freedoms(outcome, outcome.match, slack)
+        for _ in range(FINER if outcome.is_free else 0):
+            if any(found):
+                break
+            slack = slack.finer()
+            found = self._freedoms(outcome, outcome.match, slack)
+        return found if any(found) or not outcome.is_free else (("your frames are others by a hair",), ())
+
+    def _freedoms(self, outcome: Outcome, match: Match, slack: Slack) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        truth = self.truth
         movers = [variable_of(row, self.robot.variables) for row in self.table]
         if movers and movers == [variable_of(row, self.robot.variables) for row in self.plain]:
             own = tuple(moves_of(row, self.convention) for row in self.table)
@@ -126,7 +155,7 @@ class TableAnswer:
     def slack(self, outcome: Outcome) -> Slack:
         """What counts as no difference between two frames."""
         if outcome.rounded:
-            return Slack(5 * self.tolerance.rotation, 5 * self.tolerance.rotation * outcome.size)
+            return Slack(self.tolerance.rotation, self.tolerance.rotation * outcome.size, in_numbers=True)
         return Slack(1e-5, 1e-6 * outcome.size)
 
     def check_units(self) -> None:
@@ -142,12 +171,12 @@ class TableAnswer:
         plausible = all(abs(angle.radians) <= FULL_TURN for angle in angles)
         if swapped != self.plain and plausible and self.is_right(swapped):
             here, there = ("degrees", "radians") if any(angle.radians for angle in angles) else ("radians", "degrees")
-            raise UnreadableError(f"right in {there}; the angles of this sheet are in {here}: write -90° or -pi/2")
+            raise WrongUnitError(there, f"the angles of this sheet are in {here}: write -90° or -pi/2")
         unit = self.exercise.unit
         for other in ("mm", "cm", "m"):
-            rows = tuple(in_other_unit(row, LENGTH_UNITS[other] / LENGTH_UNITS[unit]) for row in self.plain)
+            rows = tuple(typed.in_unit(other) for typed in self.rows)
             if other != unit and rows != self.plain and self.is_right(rows):
-                raise UnreadableError(f"right in {other}; this sheet is in {unit}")
+                raise WrongUnitError(other, f"this sheet is in {unit}")
 
 
 def own_rows(robot: Robot) -> tuple[Row, ...]:

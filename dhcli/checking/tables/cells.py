@@ -19,7 +19,7 @@ from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
 from dhcli.notation.matrix import bracketed
 from dhcli.notation.styles import Joints
-from dhcli.notation.tree import Expr, Number, Sum, add, multiply
+from dhcli.notation.tree import Number
 from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write, write_angle
 
@@ -47,11 +47,6 @@ def spelled(value: Value, joints: Joints) -> str:
 def table_text(rows: Sequence[Row], columns: Sequence[str], joints: Joints) -> str:
     """A table as a matrix that can be read again."""
     return bracketed((spelled(getattr(row, column), joints) for column in columns) for row in rows)
-
-
-def in_other_unit(row: Row, factor: Fraction) -> Row:
-    """The row with its bare lengths in another unit; letters stay."""
-    return Row(_times(row.a, factor), row.alpha, _times(row.d, factor), row.theta)
 
 
 def settled(row: Row, tolerance: Tolerance) -> Row:
@@ -118,11 +113,11 @@ def _judged(value: Value, right: Value, exercise: Exercise, tolerance: Tolerance
             apart = Angle() if value.names else apart.substitute(own)
             if value.names or apart.terms:
                 return Verdict.WRONG
-        off = (float(apart.degrees) + math.degrees(apart.radians) + 180) % 360 - 180
+        off = (float((apart.degrees + 180) % 360) + math.degrees(apart.radians)) % 360 - 180
         return judge(off, 0.0, tolerance.angle)
     if isinstance(value, Angle) or isinstance(right, Angle):
         return Verdict.WRONG
-    if same(value, right, given_values(exercise)):
+    if same(value, right, given_values(exercise), exercise):
         return Verdict.RIGHT
     value, right = put(value, given_values(exercise)), put(right, own_values(exercise))
     if symbols(value) or symbols(right):
@@ -133,14 +128,8 @@ def _judged(value: Value, right: Value, exercise: Exercise, tolerance: Tolerance
 
 
 def _settled(angle: Angle, tolerance: Tolerance) -> Angle:
-    degrees = float(angle.degrees) + math.degrees(angle.radians)
+    degrees = angle.degrees + Fraction(math.degrees(angle.radians)) if angle.radians else angle.degrees
     meant = STEP * round(degrees / STEP)
-    if abs(degrees - meant) > tolerance.angle:
+    if not abs(degrees - meant) <= tolerance.angle:
         return angle
     return Angle(angle.terms, Fraction(meant))
-
-
-def _times(expr: Expr, factor: Fraction) -> Expr:
-    if isinstance(expr, Sum):
-        return add(*(_times(term, factor) for term in expr.terms))
-    return expr if symbols(expr) else multiply(expr, Number(factor))

@@ -10,14 +10,18 @@ from __future__ import annotations
 from dataclasses import replace
 
 from dhcli.checking.tables.answer import TableAnswer
-from dhcli.checking.tables.motions import Outcome
+from dhcli.checking.tables.comparing import SAME_ROBOT
+from dhcli.checking.tables.motions import Outcome, oddity
 from dhcli.checking.tables.typed_rows import variable_of
+from dhcli.checking.verdicts import Verdict
 from dhcli.geometry.vectors import cross, length
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.same_robot import Miss
+from dhcli.notation.angle import Angle
 from dhcli.notation.tree import negate
 from dhcli.notation.walk import symbols
 
+HALF_TURN = Angle.in_degrees(180)
 PARALLEL = 1e-6
 """Sine below which two axes of the right robot count as parallel."""
 
@@ -52,6 +56,19 @@ def end_rows(answer: TableAnswer, outcome: Outcome, *, is_along: bool) -> str:
     if answer.convention is Convention.MODIFIED and last == start + 1:
         rows = f"d and theta in {rows}"
     return rows + (_along_parallels(answer, outcome, agreed) if is_along else "")
+
+
+def mending_twists(answer: TableAnswer) -> str:
+    """The rows further up in which half a turn of the twist turns the end frame back, in the plainest way."""
+    robot, last = replace(answer, compare=SAME_ROBOT), _row_of(answer, len(answer.robot.variables) - 1)
+    found: dict[int, tuple[int, int]] = {}
+    for index, row in enumerate(answer.plain[:last]):
+        turned = replace(row, alpha=row.alpha + HALF_TURN)
+        outcome = robot.judged((*answer.plain[:index], turned, *answer.plain[index + 1 :]))
+        if outcome.verdict is Verdict.RIGHT and outcome.match is not None:
+            found[index] = oddity(outcome.match)
+    plainest = [index for index, odd in found.items() if odd == min(found.values())]
+    return f", and at alpha in {_named(plainest, answer)}" if plainest else ""
 
 
 def _agreed(names: list[str]) -> str:

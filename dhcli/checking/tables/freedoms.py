@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from dhcli.algebra.floats import Floats
 from dhcli.geometry.rigid import Rigid
@@ -36,10 +36,21 @@ class Drawn:
 
 @dataclass(frozen=True, slots=True)
 class Slack:
-    """What counts as no difference: an angle [rad] and a length [m]."""
+    """What counts as no difference: an angle [rad] and a length [m]; and whether lengths are told as numbers."""
 
     angle: float
     length: float
+    in_numbers: bool = False
+
+    def finer(self) -> Slack:
+        """A tenth of it, to name what is too small to be seen at first."""
+        return replace(self, angle=self.angle / 10, length=self.length / 10)
+
+    def told(self, *lengths: float) -> str:
+        """By how much something is shifted; nothing where lengths are letters."""
+        if not self.in_numbers:
+            return ""
+        return " by " + " and ".join(f"{1000 * length:+.3g} mm" for length in lengths)
 
 
 def frame_freedoms(drawn: Drawn, match: Match, variables: Sequence[str], point: Point, slack: Slack) -> tuple[str, ...]:
@@ -69,20 +80,22 @@ def joint_freedoms(
             if abs(degrees * DEGREE) > slack.angle:
                 found.append(f"your {name} has another zero ({_signed(degrees)})")
         elif abs(zero) > slack.length:
-            found.append(f"your {name} has another zero")
+            amount = f" ({1000 * zero:+.3g} mm)" if slack.in_numbers else ""
+            found.append(f"your {name} has another zero{amount}")
     return tuple(found)
 
 
 def end_freedoms(name: str, frame: Rigid, slack: Slack) -> tuple[str, ...]:
     """How a base or end frame lies in the solution's, in a few words; nothing if it is the same."""
-    shifted = [f"{axis}" for axis, offset in zip("xyz", frame.offset, strict=True) if abs(offset) > slack.length]
+    shifted = [axis for axis, offset in zip("xyz", frame.offset, strict=True) if abs(offset) > slack.length]
+    by = slack.told(*(offset for offset in frame.offset if abs(offset) > slack.length))
     said = []
     if frame.tilt() > slack.angle:
         turns = {axis: frame.angle_about(unit) for axis, unit in _AXES.items()}
         about = [axis for axis, unit in _AXES.items() if abs(frame.turned(unit)["xyz".index(axis)] - 1) <= slack.angle]
         said.append(f"turned by {_signed(turns[about[0]] / DEGREE)} about {about[0]}" if about else "turned")
     if shifted:
-        said.append("shifted along " + " and ".join(shifted))
+        said.append("shifted along " + " and ".join(shifted) + by)
     return (f"your {name} frame is " + " and ".join(said),) if said else ()
 
 
@@ -128,7 +141,7 @@ def _shifted(drawn: Drawn, apart: list[Rigid], movers: list[str | None], slack: 
         if along and start is None:
             start = index
         if not along and start is not None:
-            yield _split(drawn.first, start, index - 1, last)
+            yield _split(drawn.first, start, index - 1, last, slack.told(apart[start].offset[2]))
             start = None
         if sideways:
             row = index if drawn.convention is Convention.STANDARD else index - 1
@@ -141,11 +154,11 @@ def _shifted(drawn: Drawn, apart: list[Rigid], movers: list[str | None], slack: 
             )
 
 
-def _split(first: int, start: int, end: int, last: int) -> str:
+def _split(first: int, start: int, end: int, last: int, by: str) -> str:
     if start == 0:
-        return f"your frame {first - 1} sits elsewhere along z{first - 1}"
+        return f"your frame {first - 1} sits elsewhere along z{first - 1}{by and ',' + by}"
     if end == last:
-        return f"your frame {first - 1 + last} sits elsewhere along z{first - 1 + last}"
+        return f"your frame {first - 1 + last} sits elsewhere along z{first - 1 + last}{by and ',' + by}"
     return f"you split d{first - 1 + start} and d{first + end} along the parallel axes differently"
 
 

@@ -40,11 +40,13 @@ class Heads:
         columns: Their order.
         bare: What an angle without a unit is in.
         unit: What a length without a unit is in.
+        says_unit: Whether they say that unit themselves.
     """
 
     columns: tuple[str, ...]
     bare: Bare = "deg"
     unit: str = "m"
+    says_unit: bool = False
 
 
 def plain_text(text: str) -> str:
@@ -143,8 +145,9 @@ def without_heads(tokens: list[Token], known: Heads) -> tuple[list[Token], Heads
         if column and token.text in UNITS:
             units[column] = token.text
     bare: Bare = "rad" if any(units[angle].startswith("rad") for angle in ANGLES) else known.bare
-    unit = next((units[length] for length in ("a", "d") if units[length] in LENGTH_UNITS), known.unit)
-    return _without_numbering([*tokens[:start], *tokens[end:]]), Heads(found, bare, unit)
+    unit = next((units[length] for length in ("a", "d") if units[length] in LENGTH_UNITS), "")
+    heads = Heads(found, bare, unit or known.unit, says_unit=bool(unit))
+    return _without_numbering([*tokens[:start], *tokens[end:]]), heads
 
 
 def _end_of_heads(tokens: list[Token], start: int) -> int:

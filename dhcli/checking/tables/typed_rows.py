@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import islice
 
+from dhcli.algebra.floats import Floats
+from dhcli.algebra.points import general
 from dhcli.checking.entries import LARGEST
 from dhcli.checking.pasted import UnreadableError, without_label
 from dhcli.checking.tables.spelling import ANGLES, Heads, in_order, plain_text, without_heads, without_stars
 from dhcli.errors import NotationError, Place
 from dhcli.kinematics.conventions import COLUMNS, Row
 from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
 from dhcli.notation.matrix import Cell, read_matrix
 from dhcli.notation.quantity import (
@@ -26,6 +31,8 @@ from dhcli.notation.tokens import Source, tokenize
 from dhcli.notation.tree import Constant, Expr, Number, Sum, Symbol, Trig, Unit, add, multiply
 from dhcli.notation.walk import symbols, walk
 
+SEED, TRIES = 29, 4
+
 
 @dataclass(frozen=True, slots=True)
 class TypedRow:
@@ -35,11 +42,20 @@ class TypedRow:
         row: The row: lengths in metres, exact angles.
         cells: The cell of each column, with its text and its offset in the answer.
         swapped: The row if bare angles were meant in radians; where the heads say radians, in degrees.
+        says_unit: Whether the heads say the unit of lengths.
     """
 
     row: Row
     cells: Mapping[str, Cell]
     swapped: Row
+    says_unit: bool = False
+
+    def in_unit(self, unit: str) -> Row:
+        """The row with its bare lengths in another unit; letters, and what is written with its unit, stay."""
+        if self.says_unit:
+            return self.row
+        a, d = (to_length(_in_unit(self.cells[column].expr, unit)) for column in ("a", "d"))
+        return replace(self.row, a=a, d=d)
 
 
 def read_table(
@@ -115,7 +131,7 @@ def _row(cells: Sequence[Cell], number: int, heads: Heads, robot: Robot, scope: 
     alpha, theta = (_angle(named[column], f"row {number}, {column}", heads.bare, scope) for column in ANGLES)
     row = Row(a, alpha, d, theta)
     alpha, theta = (_angle(named[column], f"row {number}, {column}", other, scope) for column in ANGLES)
-    return TypedRow(row, named, replace(row, alpha=alpha, theta=theta))
+    return TypedRow(row, named, replace(row, alpha=alpha, theta=theta), heads.says_unit)
 
 
 def _angle(cell: Cell, where: str, bare: Bare, scope: Scope) -> Angle:
@@ -142,7 +158,21 @@ def _length(cell: Cell, where: str, unit: str, robot: Robot, scope: Scope) -> Ex
     for name in symbols(expr) & set(robot.variables):
         if not is_affine(expr, name):
             raise UnreadableError(f"{where}: {cell.text} is not {name} plus a constant")
+    if not _is_real(expr, robot):
+        raise UnreadableError(f"{where}: {cell.text} is not a finite number; a length is one")
     return expr
+
+
+def _is_real(expr: Expr, robot: Robot) -> bool:
+    """Whether a length has a finite value, be it at the robot's own lengths or at any others."""
+    if isinstance(expr, Symbol):
+        return True
+    own = numbers({name: value for name, value in robot.parameters.items() if value is not None})
+    points = ({**drawn, **known} for drawn in islice(general(symbols(expr), SEED), TRIES) for known in (own, {}))
+    try:
+        return any(math.isfinite(Floats(point).value(expr)) for point in points)
+    except OverflowError:  # a number beyond all floats
+        return False
 
 
 def _in_unit(expr: Expr, unit: str) -> Expr:

@@ -59,6 +59,14 @@ def check(
         str | None,
         typer.Option(metavar="FILE", help="A DH table: a robot file in either convention.", rich_help_panel=_QUESTION),
     ] = None,
+    compare: Annotated[
+        str | None,
+        typer.Option(
+            metavar="HOW",
+            help="How the table is compared: same-robot (the default), same-motion or literal.",
+            rich_help_panel=_QUESTION,
+        ),
+    ] = None,
     as_: Annotated[
         str | None,
         typer.Option(
@@ -93,17 +101,20 @@ def check(
     from dhcli.cli.shell.quiz import RobotOptions, exercise_of, exit_code, remember, with_tolerance
     from dhcli.errors import DhcliError
     from dhcli.files.yaml.sheets import judged_sheet, read_sheet
+    from dhcli.kinematics.values import warnings
 
     delivery = Delivery("check", format_, output=output, force=force)
     delivery.chosen("marks")
-    asked = RobotOptions(q, pose, tuple(set_ or ()), deg, symbolic, from_, to, table, as_, entry)
+    asked = RobotOptions(q, pose, tuple(set_ or ()), deg, symbolic, from_, to, table, as_, entry, compare)
     answer = None if answer is None else _text(answer)
     exercise, typed = exercise_of(name, asked, answer or "")
+    warned = tuple(warnings(exercise.robot, exercise.given)) if asked.given and exercise.robot else ()
     exercise = with_tolerance(exercise, tol_rotation, tol_position, decimals)
     if sum(source is not None for source in (sheet, answer, table)) > 1:
         raise DhcliError("a sheet, --answer and --table are three ways to give an answer", "use one of them")
     if sheet is None and answer is None and table is None:
-        return _walk(variant_of(Judge(exercise), variant), part)
+        delivery.warn(warned)
+        return _walk(variant_of(Judge(exercise), variant), part, why=why)
     if sheet is not None:
         read = read_sheet(sheet)
         exercise.accepts(read.exercise, sheet)
@@ -113,11 +124,11 @@ def check(
         only = _meant(exercise, part)
         marked = judge.sheet({only: typed if answer is None else answer}, only=only)
     remember(marked)
-    delivery.hand_over("marks", replace(marked, why=why))
+    delivery.hand_over("marks", replace(marked, why=why), warned)
     return exit_code(marked.verdict)
 
 
-def _walk(judge: Judge, part: str | None) -> ExitStatus:
+def _walk(judge: Judge, part: str | None, *, why: bool) -> ExitStatus:
     """Ask part by part, on a terminal only: a script must never wait."""
     from dhcli.cli.shell.quiz import exit_code
     from dhcli.errors import DhcliError
@@ -129,17 +140,17 @@ def _walk(judge: Judge, part: str | None) -> ExitStatus:
         raise DhcliError("there is no answer to check: name a sheet", hint)
     from dhcli.cli.shell.walk import walk
 
-    return exit_code(walk(judge, part).verdict)
+    return exit_code(walk(judge, part, why=why).verdict)
 
 
 def _meant(exercise: Exercise, part: str | None) -> str:
     """The one part that an answer is to."""
     from dhcli.errors import DhcliError
 
-    if part is None and len(exercise.parts) > 1:
-        names = ", ".join(one.id for one in exercise.parts)
-        raise DhcliError(f"{exercise.id} has {len(exercise.parts)} parts: say which one is answered", f"--part {names}")
-    return exercise.part(part).id if part else exercise.parts[0].id
+    if part is None and len(exercise.asked) > 1:
+        names = ", ".join(one.id for one in exercise.asked)
+        raise DhcliError(f"{exercise.id} has {len(exercise.asked)} parts: say which one is answered", f"--part {names}")
+    return exercise.part(part).id if part else exercise.asked[0].id
 
 
 def _text(answer: str) -> str:

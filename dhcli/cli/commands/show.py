@@ -86,6 +86,14 @@ def _load(kind: str, name: str, variant: str | None, ends: Ends) -> object:
         from dhcli.files.yaml.linkages import load_linkage
 
         return load_linkage(name)
+    from dhcli.errors import UnknownNameError
+    from dhcli.files.library.kinds import unknown
+    from dhcli.files.library.lookup import Kind
     from dhcli.files.yaml.robots import load_robot
 
-    return load_robot(name, base=ends.base, tip=ends.tip, as_typed=ends.as_typed)
+    try:
+        return load_robot(name, base=ends.base, tip=ends.tip, as_typed=ends.as_typed)
+    except UnknownNameError as error:
+        if ends.base is not None or ends.tip is not None:
+            raise  # it may be a link that is not known
+        raise unknown(name, tuple(Kind), error) from None

@@ -37,7 +37,7 @@ def solution(
 
     judge = variant_of(Judge(load_exercise(name)), variant)
     exercise = judge.exercise
-    parts = (exercise.part(part),) if part else exercise.parts
+    parts = (exercise.part(part),) if part else exercise.asked
     if not yes:
         ask_once(exercise, parts)
     paper = Paper.of(sys.stdout)

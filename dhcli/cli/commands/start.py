@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from typing import Annotated
 
 import typer
@@ -46,5 +47,6 @@ def start(
     write_file(path, text, force=force)
     tell(f"wrote {path}")
     if shown(exercise):
-        tell(f"dhcli draw {named} draws the arm")
+        drawn = f" --variant {shlex.quote(variant)}" if variant else ""
+        tell(f"dhcli draw {named}{drawn} draws the arm")
     tell(f"next: fill it in, then dhcli check {named} {path}, or dhcli watch {named} {path}")

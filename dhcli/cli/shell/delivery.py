@@ -54,7 +54,7 @@ class Delivery:
         else:
             text = render(kind, result, look)
         self._write(text)
-        self._warn(warned)
+        self.warn(warned)
 
     def chosen(self, kind: str) -> str:
         """The format: the one asked for, else that of the file's suffix, else a table.
@@ -89,7 +89,8 @@ class Delivery:
         write_file(self.output, text, force=self.force)
         tell(f"wrote {self.output}")
 
-    def _warn(self, warnings: Iterable[str]) -> None:
+    def warn(self, warnings: Iterable[str]) -> None:
+        """Tell what a person should know all the same."""
         if warned := list(warnings):
             from dhcli.render.text.problems import warning_line
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, cast
@@ -17,7 +18,7 @@ from dhcli.kinematics.transform import Wanted, compose, read_product
 from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import parameter_values
 from dhcli.notation.parser import parse
-from dhcli.notation.quantity import Bare, DimensionError, to_angle
+from dhcli.notation.quantity import Bare, DimensionError, has_angle_unit, to_angle
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr
 
@@ -191,10 +192,15 @@ def _angles(text: str, option: str, bare: Bare) -> tuple[float, float, float]:
     pieces = list(split(text))
     if len(pieces) != 3:  # noqa: PLR2004
         raise DhcliError(Problem(f"three angles are wanted, not {len(pieces)}", Place(option), "write 0,90°,0"))
+    exprs = [parse(piece, Scope(), Place(option)) for _, piece in pieces]
     try:
-        a, b, c = (to_angle(parse(piece, Scope(), Place(option)), bare=bare).constant() for _, piece in pieces)
+        a, b, c = (to_angle(expr, bare=bare).constant() for expr in exprs)
     except DimensionError as error:
         raise DhcliError(Problem(error.message, Place(option), error.hint)) from None
+    for expr, angle in zip(exprs, (a, b, c), strict=True):
+        if bare == "rad" and not has_angle_unit(expr) and abs(angle) > 2 * math.pi:
+            hint = f"write {angle:g}°, or --deg"
+            raise DhcliError(Problem(f"{angle:g} rad is more than a turn", Place(option), hint))
     return a, b, c
 
 

@@ -33,6 +33,7 @@ class RobotOptions:
         table: The file with a DH table to compare; its convention is the one asked for.
         form: What of the pose is answered, or how: position, rotation, rpy, zyz, quaternion and so on.
         entry: Row and column of the one entry that is answered.
+        compare: How the table is compared.
     """
 
     q: str | None = None
@@ -45,6 +46,7 @@ class RobotOptions:
     table: str | None = None
     form: str | None = None
     entry: str | None = None
+    compare: str | None = None
 
     @property
     def given(self) -> bool:
@@ -64,7 +66,7 @@ def exercise_of(name: str, asked: RobotOptions, answer: str = "") -> tuple[Exerc
         UnknownNameError: Neither an exercise nor a robot has this name.
         DhcliError: Options of a question stand with an exercise, or a robot without a question.
     """
-    from dhcli.files.library.kinds import kind_of
+    from dhcli.files.library.kinds import kind_of, unknown
     from dhcli.files.library.lookup import Kind
     from dhcli.files.yaml.exercises import load_exercise
     from dhcli.files.yaml.robots import load_robot
@@ -78,9 +80,7 @@ def exercise_of(name: str, asked: RobotOptions, answer: str = "") -> tuple[Exerc
     try:
         robot = load_robot(name)
     except UnknownNameError as error:
-        problem = error.problems[0]
-        hint = f"{problem.hint}; dhcli list exercises shows the exercises"
-        raise UnknownNameError(f"there is no exercise and no robot '{name}'", hint) from None
+        raise unknown(name, (Kind.ROBOTS, Kind.EXERCISES), error) from None
     return _about(robot, asked, answer)
 
 
@@ -90,10 +90,12 @@ def _about(robot: Robot, asked: RobotOptions, answer: str) -> tuple[Exercise, st
     from dhcli.kinematics.frames import ends
 
     if asked.table is not None:
-        from dhcli.files.yaml.sheets import read_table
+        from dhcli.files.yaml.tables import read_table
 
         table = read_table(asked.table, robot)
-        return question_about_table(robot, table.convention), table.text
+        return question_about_table(robot, table.convention, _comparison(asked), table.note), table.text
+    if asked.compare is not None:
+        raise DhcliError("--compare says how a table is compared, and there is none", "--table FILE")
     if not asked.symbolic and asked.q is None and asked.pose is None and robot.variables:
         hint = f"dhcli check {robot.name} --q 0.3,... or --symbolic, and --answer '[...]'"
         raise DhcliError(f"{robot.name} is a robot: say at which joint values, or ask for symbols", hint)
@@ -102,6 +104,16 @@ def _about(robot: Robot, asked: RobotOptions, answer: str) -> tuple[Exercise, st
     asks = [f"{piece}pose {start}..{end}" for piece in _pieces(asked)]
     exercises = [question_about(robot, ask, numeric=not asked.symbolic, given=values) for ask in asks]
     return question_answered(exercises, answer), ""
+
+
+def _comparison(asked: RobotOptions) -> str:
+    """How a table is compared: as the same robot unless the options say otherwise."""
+    from dhcli.checking.tables.comparing import COMPARED, SAME_ROBOT
+
+    how = asked.compare or SAME_ROBOT
+    if how not in COMPARED:
+        raise UnknownNameError(f"tables are not compared as '{how}'", did_you_mean(how, COMPARED))
+    return how
 
 
 def _pieces(asked: RobotOptions) -> tuple[str, ...]:
@@ -169,7 +181,7 @@ def remember(marked: SheetMark) -> None:
 def first_open(exercise: Exercise, best: Mapping[str, str]) -> Part:
     """The first part that is not solved yet; the first of all if all are."""
     solved = {Verdict.RIGHT.word, Verdict.EQUIVALENT.word}
-    return next((part for part in exercise.parts if best.get(part.id) not in solved), exercise.parts[0])
+    return next((part for part in exercise.asked if best.get(part.id) not in solved), exercise.asked[0])
 
 
 def _not_negative(option: str, value: float) -> float:

@@ -3,88 +3,215 @@
 from __future__ import annotations
 
 import sys
+from dataclasses import dataclass, field, replace
+from enum import Enum
 
-from dhcli.checking.exercise import Part
+from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.judge import Judge, PartMark, SheetMark
 from dhcli.checking.verdicts import Mark, Verdict
-from dhcli.cli.shell.console import write_out
+from dhcli.cli.shell.console import tell, write_out
+from dhcli.cli.shell.lines import Typing, recalled
 from dhcli.cli.shell.quiz import remember
+from dhcli.files.progress import SOLVED, read_progress
 from dhcli.render.look import Look, render
 from dhcli.render.paper import Paper
-from dhcli.render.text.marks import question_text, sum_line
+from dhcli.render.text.marks import question_text, sum_line, why_lines
 from dhcli.render.text.prose import prose_lines
 
-HELP = "An empty line ends a matrix or a table; ? is a hint, an empty answer skips the part, Ctrl-D ends."
+HELP = "An empty line ends a matrix or a table, and leaves a part. Besides answers: hint, why, back, skip, help."
+COMMANDS = {
+    "hint": "the next hint; ? is short for it",
+    "why": "the slip behind your last answer, by its name",
+    "skip": "leave this part and go on, as an empty line does",
+    "back": "to the part before",
+    "help": "this list",
+    "Ctrl-D": "ends, as Ctrl-C does, and sums up",
+}
+ARROWS = "The arrow keys edit a line and bring back what you typed."
 AGAIN = "Try again, or go on with an empty line."
 _TRY_AGAIN = (Verdict.WRONG, Verdict.CLOSE, Verdict.CANNOT_READ)
 
 
-def walk(judge: Judge, only: str | None = None) -> SheetMark:
-    """Ask each part, judge it, and go on; what was answered counts as progress.
+class Step(Enum):
+    """Where to go from a part."""
+
+    ON = 1
+    BACK = -1
+    END = 0
+
+
+def walk(judge: Judge, only: str | None = None, *, why: bool = False) -> SheetMark:
+    """Ask each part that is not solved yet, judge it, and go on; what was answered counts as progress.
 
     Args:
         judge: The judge of the exercise.
-        only: The one part to ask; all by default.
+        only: The one part to ask, solved or not; all by default.
+        why: Whether slips are named at once.
+
+    Raises:
+        KeyboardInterrupt: Ctrl-C has ended it; it was summed up all the same.
     """
-    exercise, paper = judge.exercise, Paper.of(sys.stdout)
-    _write(prose_lines(exercise.title, paper), paper, "bold")
-    _write(prose_lines(exercise.task.strip(), paper), paper)
-    if exercise.given:
-        _write(["", *prose_lines(f"given: {exercise.given_text}", paper)], paper)
-    _write(["", *prose_lines(HELP, paper)], paper, "dim")
-    marks: list[PartMark] = []
-    for part in [exercise.part(only)] if only else exercise.parts:
-        write_out(f"\n{question_text(exercise, part, paper)}")
-        settled, has_ended = _settle(judge, part, paper)
-        marks += settled
-        if has_ended:
-            break
-    asked = {one.part.id for one in marks}
-    left = (PartMark(part, Mark(Verdict.SKIPPED)) for part in exercise.parts if part.id not in asked and not only)
-    marked = SheetMark(exercise, (*marks, *left))
-    if len(marked.parts) > 1:
-        write_out(f"\n{sum_line(marked)}\n")
-    return marked
+    walked = _Walk(judge, why, {} if only else _solved_before(judge.exercise))
+    parts = (judge.exercise.part(only),) if only else judge.exercise.asked
+    try:
+        walked.begin(parts)
+    except KeyboardInterrupt:
+        write_out("\n")
+        walked.sum_up(parts)
+        raise
+    return walked.sum_up(parts)
 
 
-def _settle(judge: Judge, part: Part, paper: Paper) -> tuple[tuple[PartMark, ...], bool]:
-    """Ask a part until it is solved or left; its last judgement, and whether the input has ended."""
-    settled: tuple[PartMark, ...] = ()
-    while True:
-        answer = _ask(part, paper)
-        if answer is None or (settled and not answer.strip()):
-            return settled, answer is None
-        marked = judge.sheet({part.id: answer}, only=part.id)
+def _solved_before(exercise: Exercise) -> dict[str, PartMark]:
+    """The parts that this user has solved; a variant has numbers of its own, which may not have been solved."""
+    if "/" not in exercise.id or exercise.variant:
+        return {}
+    progress, message = read_progress()
+    if message:
+        tell(f"dhcli: {message}")
+    done = progress.get(exercise.id, {})
+    best = [(part, done[part.id].best) for part in exercise.asked if part.id in done]
+    verdicts = {verdict.word: verdict for verdict in Verdict}
+    return {p.id: PartMark(p, Mark(verdicts[word], earned=1.0)) for p, word in best if word in SOLVED}
+
+
+@dataclass(slots=True)
+class _Walk:
+    """A walk, as far as it has come.
+
+    Attributes:
+        judge: The judge of the exercise.
+        names: Whether slips are named at once.
+        marks: The last judgement of each part.
+        answers: The last answer to each part, from which later ones may follow.
+        hints: How many hints were shown for each part.
+        typing: Where lines come from.
+        paper: Where it is written.
+    """
+
+    judge: Judge
+    names: bool
+    marks: dict[str, PartMark]
+    answers: dict[str, str] = field(default_factory=dict)
+    hints: dict[str, int] = field(default_factory=dict)
+    typing: Typing = field(default_factory=Typing)
+    paper: Paper = field(default_factory=lambda: Paper.of(sys.stdout))
+
+    def begin(self, parts: tuple[Part, ...]) -> None:
+        """Ask the parts in order, those that are solved only on the way back."""
+        self.introduce()
+        if self.marks.keys() >= {part.id for part in parts}:
+            again = f"dhcli check {self.judge.exercise.id} --part {parts[0].id}"
+            self.write(f"All parts are solved; {again} asks one again.")
+            return
+        if self.marks:
+            self.write(f"Solved already, and not asked again: {', '.join(self.marks)}.", "dim")
+        place = self.next_open(parts, 0)
+        while place < len(parts):
+            write_out(f"\n{question_text(self.judge.exercise, parts[place], self.paper)}")
+            step = self.settle(parts[place])
+            if step is Step.END:
+                return
+            if step is Step.ON:
+                place = self.next_open(parts, place + 1)
+            elif place:
+                place -= 1
+            else:
+                self.write("This is the first part.", "dim")
+
+    def next_open(self, parts: tuple[Part, ...], place: int) -> int:
+        """The next part that is not solved, from a place on; beyond the end if all are."""
+        done = {name for name, one in self.marks.items() if one.mark.verdict.passed}
+        return next((k for k in range(place, len(parts)) if parts[k].id not in done), len(parts))
+
+    def introduce(self) -> None:
+        """The task, and how answers are given."""
+        exercise = self.judge.exercise
+        self.write(exercise.title, "bold")
+        self.write(exercise.task.strip())
+        if exercise.given:
+            self.write(f"\ngiven: {exercise.given_text}")
+        self.write(f"\n{HELP}", "dim")
+
+    def settle(self, part: Part) -> Step:
+        """Ask a part until it is solved or left."""
+        is_tried = False
+        while True:
+            answer = self.ask(part)
+            if isinstance(answer, Step):
+                return answer
+            if is_tried and not answer.strip():
+                return Step.ON
+            marked = self.judged(part, answer)
+            write_out(render("marks", replace(marked, why=self.names, walked=True), Look(paper=self.paper)))
+            if marked.verdict not in _TRY_AGAIN:
+                return Step.ON
+            is_tried = True
+            self.write(AGAIN, "dim")
+
+    def judged(self, part: Part, answer: str) -> SheetMark:
+        """An answer judged, beside those before it that it may follow from."""
+        before = {one.id for one in self.judge.exercise.before(part)}
+        earlier = {name: text for name, text in self.answers.items() if name in before}
+        marked = self.judge.sheet({**earlier, part.id: answer}, only=part.id)
         remember(marked)
-        settled = marked.parts
-        write_out(render("marks", marked, Look(paper=paper)))
-        if marked.verdict not in _TRY_AGAIN:
-            return settled, False
-        _write(prose_lines(AGAIN, paper), paper, "dim")
+        if marked.verdict is not Verdict.SKIPPED:
+            self.answers[part.id] = answer
+            self.marks[part.id] = marked.parts[0]
+        return marked
 
+    def ask(self, part: Part) -> str | Step:
+        """The answer to a part, or where to go without one."""
+        lines: list[str] = []
+        while True:
+            line = self.typing.line("... " if lines else f"{self.paper.spell(part.id)}> ")
+            if line is None:
+                if lines:
+                    break
+                return Step.END
+            word = "" if line.strip() in self.judge.exercise.scope.names else line.strip().lower()
+            if word in ("skip", "back"):
+                return Step.ON if word == "skip" else Step.BACK
+            if word in ("?", "hint", "why", "help"):
+                self.tell(part, word)
+                continue
+            lines.append(line)
+            if not line.strip() or part.question.is_whole("\n".join(lines)):
+                break
+        rows, _ = part.question.blank(self.judge.exercise)
+        self.typing.keep(recalled(lines, is_matrix=part.question.in_rows or rows > 1))
+        return "\n".join(lines)
 
-def _ask(part: Part, paper: Paper) -> str | None:
-    """The answer to a part, or None at the end of the input."""
-    lines: list[str] = []
-    shown = 0
-    while True:
-        write_out(f"{paper.spell(part.id)}> " if not lines else "... ")
-        sys.stdout.flush()
-        line = sys.stdin.readline()
-        if not line:
-            write_out("\n")
-            return "\n".join(lines) if lines else None
-        if line.strip() == "?":
-            hint = part.hints[min(shown, len(part.hints) - 1)] if part.hints else "there is no hint for this part"
-            shown += 1
-            _write(prose_lines(f"hint: {hint}", paper), paper)
-        elif line.strip():
-            lines.append(line.rstrip("\n"))
-            if part.question.is_whole("\n".join(lines)):
-                return "\n".join(lines)
+    def tell(self, part: Part, word: str) -> None:
+        """What a person asks for besides answering."""
+        if word == "help":
+            width = max(map(len, COMMANDS))
+            for name, text in COMMANDS.items():
+                self.write(text, first=f"  {name:{width}}  ", rest=" " * (width + 4))
+            self.write(ARROWS)
+        elif word == "why":
+            for line in why_lines(self.marks.get(part.id), self.paper):
+                write_out(f"{line}\n")
+        elif part.hints:
+            number = min(self.hints.get(part.id, 0), len(part.hints) - 1)
+            self.hints[part.id] = number + 1
+            self.write(f"hint {number + 1} of {len(part.hints)}: {part.hints[number]}")
         else:
-            return "\n".join(lines)
+            self.write("there is no hint for this part")
 
+    def sum_up(self, parts: tuple[Part, ...]) -> SheetMark:
+        """The last judgement of each part, with the sum told; what was not answered is skipped."""
+        blank = Mark(Verdict.SKIPPED)
+        marked = SheetMark(
+            self.judge.exercise, tuple(self.marks.get(part.id) or PartMark(part, blank) for part in parts)
+        )
+        if len(parts) > 1:
+            write_out(f"\n{sum_line(marked)}\n")
+        sys.stdout.flush()
+        return marked
 
-def _write(lines: list[str], paper: Paper, *inks: str) -> None:
-    write_out("".join(f"{paper.ink(line, *inks)}\n" for line in lines))
+    def write(self, text: str, *inks: str, first: str = "", rest: str = "") -> None:
+        """Prose on the terminal."""
+        lead = "\n" if text.startswith("\n") else ""
+        lines = prose_lines(text, self.paper, first, rest)
+        write_out(lead + "".join(f"{self.paper.ink(line, *inks)}\n" for line in lines))

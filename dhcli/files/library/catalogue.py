@@ -28,7 +28,7 @@ class Listed:
         title: What it is called; empty if it cannot be read.
         joints: The joints as letters, such as RRP; empty where there are none.
         problems: What is wrong with it.
-        parts: How many parts an exercise has; else 0.
+        parts: The parts that an exercise asks; else none.
         solved: Of an exercise, how many of its parts this user has solved, such as 3/8; else empty.
     """
 
@@ -37,7 +37,7 @@ class Listed:
     title: str = ""
     joints: str = ""
     problems: tuple[Problem, ...] = ()
-    parts: int = 0
+    parts: tuple[str, ...] = ()
     solved: str = ""
 
 
@@ -50,7 +50,7 @@ class Row(NamedTuple):
 
     title: str
     joints: str
-    parts: int = 0
+    parts: tuple[str, ...] = ()
 
     def of(self, kind: Kind, entry: Entry) -> Listed:
         """As it is listed."""
@@ -91,7 +91,9 @@ def _exercise(entry: Entry) -> Row:
     from dhcli.files.yaml.exercises import load_exercise
 
     exercise = load_exercise(entry.path)
-    return Row(exercise.title, exercise.robot.pattern if exercise.robot else "", len(exercise.parts))
+    return Row(
+        exercise.title, exercise.robot.pattern if exercise.robot else "", tuple(part.id for part in exercise.asked)
+    )
 
 
 def _linkage(entry: Entry) -> Row:
@@ -114,7 +116,8 @@ def _with_progress(one: Listed) -> Listed:
         return one
     from dhcli.files.progress import solved_parts
 
-    return replace(one, solved=f"{len(solved_parts(one.entry.name))}/{one.parts}")
+    done = {*one.parts} & {*solved_parts(one.entry.name)}
+    return replace(one, solved=f"{len(done)}/{len(one.parts)}")
 
 
 def _state(library: dict[Kind, tuple[Entry, ...]]) -> list[Any]:
@@ -150,7 +153,8 @@ def _remembered(state: list[Any]) -> dict[str, Row] | None:
         if kept["state"] != state:
             return None
         return {
-            str(path): Row(str(title), str(joints), int(parts)) for path, (title, joints, parts) in kept["rows"].items()
+            str(path): Row(str(title), str(joints), tuple(map(str, parts)))
+            for path, (title, joints, parts) in kept["rows"].items()
         }
     except (OSError, ValueError, TypeError, KeyError, AttributeError, RecursionError):
         return None

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from dhcli.errors import FileError
-from dhcli.files.library.lookup import Kind, entries
+from collections.abc import Sequence
+from os.path import isfile
+
+from dhcli.errors import FileError, UnknownNameError
+from dhcli.files.library.lookup import Kind, entries, similar
 from dhcli.files.reading import read_text
 from dhcli.files.yaml.exercises import full_id
 
@@ -25,7 +28,25 @@ def kind_of(name: str) -> Kind:
     for kind, wanted in ((Kind.EXERCISES, full_id(name)), (Kind.LINKAGES, name)):
         if any(entry.name == wanted for entry in entries(kind)):
             return kind
+    course, slash, _ = name.partition("/")
+    if slash and not isfile(name) and any(entry.name.startswith(f"{course}/") for entry in entries(Kind.EXERCISES)):
+        return Kind.EXERCISES  # misspelled, and whoever loads it says so
     return Kind.ROBOTS
+
+
+def unknown(name: str, kinds: Sequence[Kind], error: UnknownNameError) -> UnknownNameError:
+    """The error for a name that nothing of several kinds has.
+
+    Args:
+        name: What was typed.
+        kinds: What could be meant, the likeliest first.
+        error: What was said when one of the kinds was searched.
+    """
+    nouns = [f"no {kind.noun}" for kind in kinds]
+    said = error.problems[0].hint.partition("; dhcli list")[0]
+    near = said if said and not said.startswith(("did you mean", "dhcli list")) else similar(name, kinds)
+    hint = "; ".join(filter(None, (near, "dhcli list shows what there is")))
+    return UnknownNameError(f"there is {', '.join(nouns[:-1])} and {nouns[-1]} '{name}'", hint)
 
 
 def _kind_of_file(path: str) -> Kind:

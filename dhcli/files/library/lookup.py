@@ -9,18 +9,22 @@ An entry of `$DHCLI_PATH` that has neither `robots/` nor `exercises/` is itself 
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from enum import Enum
 from pathlib import Path
 
-from dhcli.errors import UnknownNameError, did_you_mean
+from dhcli.errors import UnknownNameError, did_you_mean, nearest
 
 BUILT_IN = "built-in"
 OWN = "builtin:"
 """What a name begins with that means the file that dhcli brings along."""
 MOST_BEGUN = 4
 """Names that are suggested for the beginning of one."""
+MOST_SIMILAR = 3
+"""Names that are suggested for one that is misspelled."""
+AS_SIMILAR = 0.1
+"""How much less like it a name may be than the nearest of all kinds, to be suggested beside it."""
 LEAST_TYPED = 3
 """Letters by which names are found that hold them anywhere."""
 _SUFFIXES = (".yaml", ".yml")
@@ -147,6 +151,29 @@ def _hint(kind: Kind, name: str, known: tuple[Entry, ...]) -> str:
         if os.path.isfile(path):
             hints = [f"for the file in this folder type ./{path}"]
     return "; ".join(hint for hint in (*hints, f"dhcli list {kind.value} shows what there is") if hint)
+
+
+def similar(name: str, kinds: Iterable[Kind]) -> str:
+    """A hint at what a user may mean by a name, among several kinds of things; empty if nothing is near.
+
+    Args:
+        name: What was typed; an exercise is found by the last part of its name too.
+        kinds: What could be meant, the likeliest first.
+    """
+    from difflib import SequenceMatcher
+
+    known = {kind: entries(kind) for kind in kinds}
+    if begun := _begun(name, tuple(entry for found in known.values() for entry in found)):
+        return begun
+    near: dict[str, float] = {}
+    typed = name.lower()
+    for found in known.values():
+        full = {entry.name if "/" in name else entry.name.split("/")[-1]: entry.name for entry in found}
+        for match in nearest(name, full):
+            near[full[match]] = SequenceMatcher(None, typed, match.lower()).ratio()
+    least = max(near.values(), default=0.0) - AS_SIMILAR
+    best = sorted((one for one in near if near[one] >= least), key=lambda one: -near[one])[:MOST_SIMILAR]
+    return f"did you mean {' or '.join(best)}?" if best else ""
 
 
 def _begun(name: str, known: tuple[Entry, ...]) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from fractions import Fraction
 from pathlib import Path
 
 from dhcli.checking.exercise import Exercise
@@ -11,6 +12,7 @@ from dhcli.checking.written import Printed, Range, Trial, answer_scope
 from dhcli.errors import DhcliError, FileError, Problem, did_you_mean
 from dhcli.files.library.lookup import Kind, check_typed, entries, find
 from dhcli.files.reading import read_text, source_of
+from dhcli.files.yaml.credits import read_shares
 from dhcli.files.yaml.fields import Problems
 from dhcli.files.yaml.parts import PartReader
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
@@ -40,6 +42,7 @@ KEYS = (
     "numeric",
     "unit",
     "tolerance",
+    "credit",
     "also",
     "parts",
     "printed",
@@ -111,11 +114,15 @@ class _Loader:
         self.read_given()
         self.printed = self.read_printed()
         self.tolerance = read_tolerance(self.fields)
+        self.shares = read_shares(self.fields)
         has_robot = "robot" in self.fields
         scope = answer_scope(self.robot, (*self.given, *self.names))
         if has_robot and self.robot is None:
             scope = Scope(is_open=True)  # its names are not known, and that it was not found is told
-        self.parts = PartReader(self.problems, scope, self.robot, has_robot, self.tolerance, self.printed, [])
+        unit = LENGTH_UNITS.get(self.unit, Fraction(1))
+        self.parts = PartReader(
+            self.problems, scope, self.robot, has_robot, unit, self.tolerance, self.shares, self.printed, []
+        )
 
     def exercise(self) -> Exercise:
         nodes = self.fields.sequence("parts", example="- {id: a1, ask: link 1}")
@@ -123,6 +130,9 @@ class _Loader:
         if not nodes and isinstance(self.fields.get("parts"), PlacedSequence):
             place = self.fields.place_of("parts")
             self.problems.add(place, "parts: an exercise has at least one", "write - {id: a1, ask: link 1}")
+        if parts_ and all(part.withdrawn for part in parts_):
+            place = self.fields.place_of("parts")
+            self.problems.add(place, "parts: all are withdrawn", "an exercise asks at least one")
         nodes = self.fields.sequence("tests", example="- {part: a1, answer: ..., verdict: WRONG}")
         trials = tuple(self.trial(node) for node in nodes)
         also = self.also()
@@ -148,6 +158,7 @@ class _Loader:
             numeric=read_flag(self.fields, "numeric"),
             unit=self.unit,
             tolerance=self.tolerance,
+            shares=self.shares,
             also=also,
             trials=trials,
             shows_expected=feedback == "expected",

@@ -3,25 +3,27 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import Any
 
+from dhcli.checking.credit import Shares
 from dhcli.checking.exercise import Part, Question
 from dhcli.checking.kinds.registry import keys, read_question
+from dhcli.checking.tables.comparing import COMPARED
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.written import Printed
 from dhcli.errors import DhcliError, NotationError, Place, did_you_mean
+from dhcli.files.yaml.credits import read_credit
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedNode, PlacedScalar
 from dhcli.files.yaml.tolerances import read_decimals
-from dhcli.files.yaml.typed import read_flag, read_number, read_texts, read_whole
+from dhcli.files.yaml.typed import read_flag, read_texts, read_whole
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.scope import Scope
 
-KEYS = ("id", "ask", "prompt", "credit", "depends", "hints", *keys(), "exact", "decimals")
+KEYS = ("id", "ask", "prompt", "credit", "withdrawn", "depends", "hints", *keys(), "exact", "decimals")
 OF_ALL = ("numeric", "unit", "tolerance", "given", "names", "printed", "feedback", "variants", "also", "tests")
 """Keys that stand at the top of a file and hold for all parts."""
-
-COMPARED = ("literal", "same-motion", "same-robot")
 
 
 @dataclass(slots=True)
@@ -33,7 +35,9 @@ class PartReader:
         scope: The names that questions may use.
         robot: The robot, if there is one.
         has_robot: Whether the file names a robot, which may not have been found.
+        unit: Metres in a bare length of a sheet.
         tolerance: The tolerance of the exercise.
+        shares: What answers earn in the exercise.
         printed: What the document prints, by part.
         ids: The ids so far, also of parts that cannot be read.
     """
@@ -42,7 +46,9 @@ class PartReader:
     scope: Scope
     robot: Robot | None
     has_robot: bool
+    unit: Fraction
     tolerance: Tolerance
+    shares: Shares
     printed: dict[str, Printed]
     ids: list[str]
 
@@ -57,12 +63,14 @@ class PartReader:
         question = self.question(fields, ask) if ask is not None and name else None
         if question is None:
             return None
-        credit = read_number(fields, "credit")
+        credit, shares = read_credit(fields, self.shares)
         return Part(
             id=name,
             question=question,
             prompt=fields.text("prompt"),
-            credit=1.0 if credit is None else credit,
+            credit=credit,
+            shares=shares,
+            withdrawn=fields.text("withdrawn"),
             depends=depends,
             hints=read_texts(fields, "hints"),
             tolerance=self.own_tolerance(fields),
@@ -88,6 +96,8 @@ class PartReader:
         """What is asked; None if it cannot be read."""
         try:
             question = read_question(ask.text, self.scope, ask.place_of(0))
+            if self.unit != 1:
+                question = question.in_unit(self.unit, self.scope)
         except NotationError as error:
             self.problems.take(error)
             return None
@@ -114,9 +124,9 @@ class PartReader:
         return tolerance
 
     def compare(self, fields: Fields) -> str:
-        """How a table is judged."""
-        text = fields.text("compare", "same-robot")
-        if text not in COMPARED:
+        """How a table is judged; empty where the file leaves it to the task."""
+        text = fields.text("compare")
+        if "compare" in fields and text not in COMPARED:
             hint = did_you_mean(text, COMPARED)
             self.problems.add(fields.place_of("compare"), f"compare: '{text}' is not known", hint)
         return text

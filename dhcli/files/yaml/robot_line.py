@@ -30,7 +30,7 @@ def values_text(exercise: Exercise) -> Mapping[str, str]:
 
 def _needs_table(exercise: Exercise) -> bool:
     """Whether a pose of the robot is asked for, and nothing that its table would give away."""
-    questions = [part.question for part in exercise.parts]
+    questions = [part.question for part in exercise.asked]
     return any(question.needs_table for question in questions) and not any(one.is_in_table for one in questions)
 
 

@@ -8,22 +8,16 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from dhcli.checking.earning import worth, worth_of
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.judge import Judge, SheetMark
 from dhcli.checking.variants import variant_of
-from dhcli.errors import DhcliError, FileError, Place, Problem
+from dhcli.errors import DhcliError, FileError, Place
 from dhcli.files.reading import read_text, source_of
-from dhcli.files.yaml.fields import Problems
+from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
 from dhcli.files.yaml.prose import folded
 from dhcli.files.yaml.robot_line import robot_line, values_text
-from dhcli.files.yaml.robots import load_robot
-from dhcli.kinematics.conventions import COLUMNS, Convention
-from dhcli.kinematics.robot import Robot
-from dhcli.notation.angle import Angle
-from dhcli.notation.tree import Expr
-from dhcli.notation.walk import substitute
-from dhcli.notation.writer import write, write_angle
 from dhcli.safe import one_line, yaml_scalar
 
 KEYS = ("exercise", "answers", "variant", "given", "name")
@@ -71,9 +65,18 @@ def read_sheet(path: Path | str) -> Sheet:
     answers = {key: _answer(node) for key, (_, node) in fields.mapping("answers").entries.items()}
     values = fields.mapping("given")
     given = {key: values.text(key) for key in values.entries}
-    exercise, variant, name = (fields.text(key) for key in ("exercise", "variant", "name"))
+    exercise, variant = fields.text("exercise"), fields.text("variant")
+    name = _name(fields)
     problems.raise_if_any(FileError)
     return Sheet(exercise, answers, variant, name, given)
+
+
+def _name(fields: Fields) -> str:
+    """Whose sheet it is; a blank that nobody has filled in is no name."""
+    node = fields.get("name")
+    if isinstance(node, PlacedScalar) and node.text.strip() in ("", BLANK):
+        return ""
+    return fields.text("name")
 
 
 def check_numbers(sheet: Sheet, exercise: Exercise, written: str) -> None:
@@ -117,49 +120,11 @@ def judged_sheet(
     return judge.sheet(texts, {name: answer.place for name, answer in sheet.answers.items()}, only)
 
 
-@dataclass(frozen=True, slots=True)
-class Table:
-    """A DH table from a file: its convention, and its rows as the text of an answer."""
-
-    convention: Convention
-    text: str
-
-
-def read_table(path: Path | str, reference: Robot) -> Table:
-    """The DH table of a robot file, to be compared with another robot.
-
-    Args:
-        path: The file.
-        reference: The robot it is compared with. A length of the file that this one does not know, or knows with
-            another value, is put in as a number; all others stay letters.
-
-    Raises:
-        FileError: It is no robot file, or has products instead of a table.
-    """
-    robot = load_robot(path if str(path) == "-" else Path(path))
-    own = {
-        name: value
-        for name, value in robot.parameters.items()
-        if value is not None and (name not in reference.parameters or reference.parameters[name] not in (None, value))
-    }
-    lengths = {name: value for name, value in own.items() if isinstance(value, Expr)}
-    angles = {name: value for name, value in own.items() if isinstance(value, Angle)}
-    lines = [", ".join(COLUMNS)]
-    for link in robot.links:
-        if link.row is None:
-            hint = "convention: standard or modified"
-            raise FileError(Problem("has products, not a DH table", Place(str(path)), hint))
-        row = link.row
-        a, d = (substitute(length, lengths, angles) for length in (row.a, row.d))
-        alpha, theta = row.alpha.substitute(angles), row.theta.substitute(angles)
-        lines.append(", ".join((write(a), write_angle(alpha), write(d), write_angle(theta))))
-    return Table(robot.convention, "\n".join(lines))
-
-
 def write_sheet(exercise: Exercise) -> str:
     """A blank sheet, with comments that show how each kind of answer is written."""
     given = f"Given: {exercise.given_text}" if exercise.given else ""
-    known = [line for text in (given, robot_line(exercise)) if text for line in _comment(text)]
+    credit = f"Worth: {worth_of(exercise)}" if worth_of(exercise) else ""
+    known = [line for text in (given, robot_line(exercise), credit) if text for line in _comment(text)]
     fill = f"Fill in each {BLANK} and save; leave a part as it is to skip it. Then:"
     lines = [
         *_comment(exercise.title),
@@ -177,7 +142,7 @@ def write_sheet(exercise: Exercise) -> str:
         *_given(exercise),
         "answers:",
     ]
-    for part in exercise.parts:
+    for part in exercise.asked:
         lines += _part_lines(exercise, part)
     return "\n".join(lines) + "\n"
 
@@ -201,7 +166,7 @@ def _comment(text: str, first: str = "# ", rest: str = "# ") -> list[str]:
 
 def _units(exercise: Exercise) -> Iterator[str]:
     """How numbers, or symbols, are written in the answers that this sheet asks for."""
-    questions = [part.question for part in exercise.parts]
+    questions = [part.question for part in exercise.asked]
     if all(question.is_plain for question in questions):
         return
     if exercise.numeric:
@@ -216,6 +181,8 @@ def _units(exercise: Exercise) -> Iterator[str]:
             else ""
         )
         yield f"Products: a1*c1, a1c1 or a1 c1{rows}."
+        if exercise.unit not in ("m", "none"):
+            yield f"Numbers beside letters: lengths in {exercise.unit} unless a unit stands with them."
 
 
 def _part_lines(exercise: Exercise, part: Part) -> Iterator[str]:
@@ -223,7 +190,8 @@ def _part_lines(exercise: Exercise, part: Part) -> Iterator[str]:
     yield ""
     if part.prompt.strip():
         yield from _comment(part.prompt.strip(), "  # ", "  # ")
-    yield from _comment(part.heading(exercise), "  # ", "  # ")
+    heading = " · ".join(filter(None, (part.heading(exercise), worth(exercise, part))))
+    yield from _comment(heading, "  # ", "  # ")
     yield from (f"  # {note}" for note in question.notes(exercise))
     for number, option in enumerate(question.statements, 1):
         yield from _comment(option, f"  #   {number}: ", "  #      ")

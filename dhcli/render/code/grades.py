@@ -99,6 +99,7 @@ def _row_content(row: Graded) -> dict[str, Any]:
                 "actual": one.reading or None,
                 "rationale": list(one.remarks),
                 "slips": list(one.slips),
+                "unit": one.other_unit or None,
             }
             for one in row.parts
         ],

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import shlex
+from dataclasses import asdict
 from typing import Any
 
+from dhcli.checking.earning import worth_of
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.figures import shown
 from dhcli.files.yaml.robot_line import robot_line
@@ -31,8 +33,13 @@ def exercise_table(exercise: Exercise, look: Look) -> str:
         given.append(robot.replace("Robot", "robot", 1))
     if given:
         lines += ["", *(line for text in given for line in prose_lines(text, paper))]
-    for part in exercise.parts:
+    for part in exercise.asked:
         lines += ["", question_text(exercise, part, paper).rstrip("\n")]
+    for part in exercise.parts:
+        if part.withdrawn:
+            lines += ["", *prose_lines(f"{part.id} was withdrawn: {part.withdrawn}", paper)]
+    if worth := worth_of(exercise):
+        lines += ["", *prose_lines(f"worth: {worth}", paper)]
     option = f" --variant {shlex.quote(exercise.variant)}" if exercise.variant else ""
     lines += ["", paper.ink(paper.spell(f"dhcli start {exercise.id}{option} writes a sheet to fill in"), "dim")]
     if shown(exercise):
@@ -56,7 +63,9 @@ def exercise_content(exercise: Exercise, _look: Look) -> dict[str, Any]:
                 "asks": part.heading(exercise),
                 "prompt": part.prompt,
                 "credit": part.credit,
+                "shares": asdict(part.shares or exercise.shares),
                 "depends": list(part.depends),
+                "withdrawn": part.withdrawn or None,
             }
             for part in exercise.parts
         ],

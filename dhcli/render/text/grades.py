@@ -6,13 +6,13 @@ from collections.abc import Iterator
 from itertools import groupby
 from textwrap import wrap
 
+from dhcli.checking.credit import plain
 from dhcli.checking.verdicts import Verdict
 from dhcli.classroom.grading import Graded
 from dhcli.classroom.report import STEPS, ClassReport, PartFigures
 from dhcli.errors import plural
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
-from dhcli.render.text.marks import plain
 from dhcli.render.text.table import table_text
 
 _SLIPS = 3

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
+from dhcli.checking.credit import plain
 from dhcli.checking.diagnosis.result import Diagnosis
+from dhcli.checking.earning import worth
 from dhcli.checking.exercise import Exercise, Part, Shown
 from dhcli.checking.judge import MISPRINT, PartMark, SheetMark, is_explained
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
@@ -39,6 +41,8 @@ def marks_table(marked: SheetMark, look: Look) -> str:
     lines = [line for part in marked.parts for line in _part_lines(marked, part, look)]
     if len(marked.parts) > 1:
         lines += ["", sum_line(marked)]
+    for part in marked.withdrawn:
+        lines += prose_lines(f"{part.id} was withdrawn and does not count: {part.withdrawn}", look.paper)
     return "\n".join(lines) + "\n"
 
 
@@ -76,7 +80,7 @@ def marks_content(marked: SheetMark, _look: Look) -> dict[str, Any]:
                 "earned": one.mark.earned * one.part.credit,
                 "credit": one.part.credit,
                 "cause": {
-                    "rationale": list(one.mark.remarks),
+                    "rationale": [*one.mark.remarks, *_notes(one.mark)],
                     "help": one.part.hints[0] if one.part.hints else None,
                     "expected": one.mark.expected if allowed else None,
                     "actual": one.mark.reading or None,
@@ -85,15 +89,17 @@ def marks_content(marked: SheetMark, _look: Look) -> dict[str, Any]:
             }
             for one in marked.parts
         ],
+        "withdrawn": [{"part": part.id, "reason": part.withdrawn} for part in marked.withdrawn],
     }
 
 
 def question_text(exercise: Exercise, part: Part, paper: Paper, *, whole: bool = False) -> str:
     """What a part asks, for a person who is about to answer; the whole of it for one who sees the solution."""
     heading = part.question.describe(exercise) if whole else part.heading(exercise)
-    asked = prose_lines(f"{part.id}: {heading}", paper)
+    asked = prose_lines(" · ".join(filter(None, (f"{part.id}: {heading}", worth(exercise, part)))), paper)
     lines = [paper.ink(line, "bold") for line in asked]
     lines += prose_lines(part.prompt.strip(), paper)
+    lines += [line for note in part.question.notes(exercise) for line in prose_lines(note, paper)]
     for n, option in enumerate(part.question.statements, 1):
         lines += prose_lines(option, paper, f"  {n}: ", "     ")
     return "\n".join(lines) + "\n"
@@ -111,9 +117,17 @@ def solution_text(exercise: Exercise, part: Part, steps: Iterable[Shown], paper:
     return "\n".join(lines) + "\n"
 
 
-def plain(value: float) -> str:
-    """A credit for people."""
-    return f"{value:.2f}".rstrip("0").rstrip(".")
+def why_lines(one: PartMark | None, paper: Paper) -> list[str]:
+    """The slip behind a wrong answer by its name, for a person who asks; or why there is nothing to name."""
+    if one is None or one.mark.verdict is Verdict.SKIPPED:
+        said = ["answer first: why names the slip behind a wrong answer"]
+    elif one.mark.verdict.passed:
+        said = ["your answer is right"]
+    elif one.mark.diagnosis and one.mark.diagnosis.follows:
+        said = list(one.mark.remarks[:1])
+    else:
+        said = list(_why(one, named=True)) or list(one.mark.remarks[:1]) or [NO_SLIP]
+    return [line for text in said for line in prose_lines(paper.spell(text), paper)]
 
 
 def _diagnosis(found: Diagnosis | None) -> dict[str, Any] | None:
@@ -145,9 +159,9 @@ def _part_lines(marked: SheetMark, one: PartMark, look: Look) -> Iterator[str]:
     yield from _cells(mark, paper)
     if exercise.shows_expected and verdict.passed is not True and mark.expected:
         yield from _lines_below(f"right: {mark.expected}", paper)
-    for line in _why(one, named=marked.why):
+    for line in _why(one, named=marked.why, asked="why" if marked.walked else "--why"):
         yield from _lines_below(line, paper)
-    if verdict in (Verdict.WRONG, Verdict.CLOSE) and one.part.hints and "/" in exercise.id:
+    if verdict in (Verdict.WRONG, Verdict.CLOSE) and one.part.hints and "/" in exercise.id and not marked.walked:
         yield paper.ink(f"    a hint: dhcli hint {exercise.id} --part {one.part.id}", "dim")
 
 
@@ -157,7 +171,7 @@ def _partial_credit(one: PartMark) -> str:
     if one.mark.verdict.passed is True or not share or not credit:
         return ""
     if share == 1:
-        kept = "full credit" if one.mark.verdict is Verdict.ROUNDED else "credit kept"
+        kept = "credit kept" if one.mark.diagnosis and one.mark.diagnosis.follows else "full credit"
         return f" ({kept}: {plain(credit)})"
     return f" ({plain(share * credit)} of {plain(credit)} credits)"
 
@@ -167,7 +181,7 @@ def _lines_below(text: str, paper: Paper) -> list[str]:
     return prose_lines(paper.spell(text), paper, _INDENT, _INDENT)
 
 
-def _why(one: PartMark, *, named: bool) -> Iterator[str]:
+def _why(one: PartMark, *, named: bool, asked: str = "--why") -> Iterator[str]:
     """Where to look; by name where a person has asked, who is told so where there is none."""
     found = one.mark.diagnosis or Diagnosis()
     if found.causes == ((MISPRINT,),):  # a remark has told which entry
@@ -178,7 +192,7 @@ def _why(one: PartMark, *, named: bool) -> Iterator[str]:
         return
     if not named:
         more = f"; and {len(found.hints) - MOST_HINTS} more" if len(found.hints) > MOST_HINTS else ""
-        yield "; ".join(found.hints[:MOST_HINTS]) + f"{more} (--why names the slip)"
+        yield "; ".join(found.hints[:MOST_HINTS]) + f"{more} ({asked} names the slip)"
         return
     if len(found.names) > 1:
         yield "each of these alone gives just your answer:"
@@ -205,9 +219,14 @@ def _cells(mark: Mark, paper: Paper) -> Iterator[str]:
     elif len(mark.cells) > 1:
         places = ", ".join(f"({cell.row + 1},{cell.column + 1})" for cell in bad)
         yield from _lines_below(f"not right: {places}", paper)
-    for cell in [cell for cell in bad if cell.note][:1]:
-        where = f"entry ({cell.row + 1},{cell.column + 1}): " if len(mark.cells) > 1 else ""
-        yield from _lines_below(where + cell.note, paper)
+    for note in _notes(mark):
+        yield from _lines_below(note, paper)
+
+
+def _notes(mark: Mark) -> Iterator[str]:
+    """The note for the first entry that is not right and has one: where it holds, and numbers to think about."""
+    for cell in [cell for cell in mark.cells if cell.note and cell.verdict is not Verdict.RIGHT][:1]:
+        yield (f"entry ({cell.row + 1},{cell.column + 1}): " if len(mark.cells) > 1 else "") + cell.note
 
 
 def _signed(cells: Sequence[CellMark], paper: Paper) -> Iterator[str]:

@@ -4,7 +4,7 @@ from functools import cache
 import pytest
 
 from dhcli import check, load_exercise, load_robot
-from dhcli.checking.diagnosis.mistakes import BY_ID, MISTAKES
+from dhcli.checking.diagnosis.mistakes import BY_ID, EVERY
 from dhcli.checking.diagnosis.slips import slip_of
 from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.kinds.made import question_about
@@ -241,8 +241,8 @@ def test_words_say_the_place_as_a_person_would() -> None:
 
 def test_every_record_has_a_name_of_its_own_and_tells_where_to_look() -> None:
     """Words and hint of each can be filled in."""
-    assert len(BY_ID) == len(MISTAKES)
-    for mistake in MISTAKES:
+    assert len(BY_ID) == len(EVERY)
+    for mistake in EVERY:
         slip = slip_of(mistake, "1,4 a2*c2")
         assert slip.words
         assert slip.hint not in ("", slip.words)

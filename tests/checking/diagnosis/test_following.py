@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from dhcli import load_exercise, load_robot
@@ -90,3 +92,62 @@ def test_a_table_that_cannot_be_read_or_has_other_rows_is_followed_by_nothing() 
         marks = {one.part.id: one.mark for one in mark_sheet(exercise, {"table": typed, "pose": pose}).parts}
         assert marks["pose"].diagnosis is not None
         assert marks["pose"].diagnosis.follows == ()
+
+
+IDENTITY = "[1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1]"
+
+
+def links(*, numeric: bool) -> Exercise:
+    """Two links of PUMA 560, and their product."""
+    robot = load_robot("puma560")
+    asked = {"t01": "link 1", "t12": "link 2", "t02": "pose 0..2"}
+    parts = tuple(
+        Part(name, read_question(text, robot.scope), depends=("t01", "t12") if name == "t02" else ())
+        for name, text in asked.items()
+    )
+    from dhcli.kinematics.values import joint_values
+
+    given = joint_values(robot, "25°,40°,65°,35°,70°,20°") if numeric else {}
+    return Exercise("e", "", "", "", parts, robot, given, numeric=numeric)
+
+
+@pytest.mark.parametrize("numeric", [False, True])
+def test_what_follows_from_the_identity_earns_nothing(*, numeric: bool) -> None:
+    """Nothing has been worked out, however well it is multiplied."""
+    sheet = mark_sheet(links(numeric=numeric), dict.fromkeys(("t01", "t12", "t02"), IDENTITY))
+    assert [one.mark.earned for one in sheet.parts] == [0, 0, 0]
+    assert all(one.mark.diagnosis is None or not one.mark.diagnosis.follows for one in sheet.parts)
+
+
+def test_what_follows_from_a_table_without_joints_earns_nothing() -> None:
+    """A table of zeros says that nothing moves."""
+    zeros = "[" + "; ".join(["0 0 0 0"] * 6) + "]"
+    answers = {"table": zeros, "pose": IDENTITY}
+    marks = {one.part.id: one.mark for one in mark_sheet(puma("pose 0..6"), answers).parts}
+    assert marks["pose"].earned == 0
+    exercise = load_exercise("puma560-table")
+    marks = {one.part.id: one.mark for one in mark_sheet(exercise, {"table": zeros, "upper": "0"}).parts}
+    assert marks["upper"].earned == 0
+
+
+def test_what_follows_from_numbers_that_have_nothing_to_do_with_the_task_earns_nothing() -> None:
+    """Such as those of another variant; a slip that is known leads on."""
+    from dhcli.kinematics.values import joint_values
+
+    exercise = links(numeric=True)
+    assert exercise.robot is not None
+    given = joint_values(exercise.robot, "31°,52°,65°,35°,70°,20°")
+    copied = {part.id: expected(replace(exercise, given=given), part) for part in exercise.parts}
+    assert [one.mark.earned for one in mark_sheet(exercise, copied).parts] == [0, 0, 0]
+    slip = {part.id: answer_with(exercise, part, "theta-sign 1") for part in exercise.parts if part.id != "t12"}
+    marks = {one.part.id: one.mark for one in mark_sheet(exercise, slip).parts}
+    assert marks["t02"].earned == 1
+
+
+def test_a_misprint_that_is_copied_leads_on() -> None:
+    """Although a matrix with a wrong entry is no rigid motion: it is known where it comes from."""
+    exercise = load_exercise("three-r-arm-tip")
+    copied = "[c2 -s2 0 b*c2; s2 c2 0 b*s2; 0 0 1 0; 0 0 0 1]"
+    own = "[c12 -s12 0 a*c1 + b*c12; s12 c12 0 a*s1 + b*s12; 0 0 1 0; 0 0 0 1]"
+    marks = {one.part.id: one.mark for one in mark_sheet(exercise, {"t12": copied, "t02": own}).parts}
+    assert marks["t02"].earned == 1

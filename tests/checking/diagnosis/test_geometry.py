@@ -35,8 +35,8 @@ def said(exercise: Exercise, answer: str) -> tuple[str, ...]:
     ("answer", "words"),
     [
         (
-            "[c12 -s12 0 a1*c1+2*a2*c12; s12 c12 0 a1*s1+2*a2*s12; 0 0 1 0; 0 0 0 1]",
-            "the rotation is right; the position is off by a2 along x2",
+            "[c12 -s12 0 a1*c1+3*a2*c12; s12 c12 0 a1*s1+3*a2*s12; 0 0 1 0; 0 0 0 1]",
+            "the rotation is right; the position is off by 2*a2 along x2",
         ),
         (
             "[c12 -s12 0 3*a1*c1+a2*c12; s12 c12 0 3*a1*s1+a2*s12; 0 0 1 0; 0 0 0 1]",
@@ -59,11 +59,11 @@ def said(exercise: Exercise, answer: str) -> tuple[str, ...]:
             "the rotation is off by -90° about z0; the position is off by a2 along z0",
         ),
         (
-            "[c1 -s1 0 a1*c1+a2*c12; s1 c1 0 a1*s1+a2*s12; 0 0 1 0; 0 0 0 1]",
-            "the rotation is off by -theta2 about z0; the position is right",
+            "[c(θ1+3θ2) -s(θ1+3θ2) 0 a1*c1+a2*c12; s(θ1+3θ2) c(θ1+3θ2) 0 a1*s1+a2*s12; 0 0 1 0; 0 0 0 1]",
+            "the rotation is off by 2*theta2 about z0; the position is right",
         ),
         (
-            "[c12 -s12 0 a1*c1+a2*c12; s12 s12 0 a1*s1+a2*s12; 0 0 1 0; 0 0 0 1]",
+            "[c12 -s12 0 a1*c1+a2*c12; s12 c1*c12 0 a1*s1+a2*s12; 0 0 1 0; 0 0 0 1]",
             "this is no rotation: column 2 has not length 1",
         ),
     ],
@@ -93,7 +93,7 @@ def test_a_piece_of_a_matrix_is_told_alone(piece: str) -> None:
     exercise = replace(about("planar-2r", "0", "2"), parts=(Part("pose", question),))
     answers = {
         "rotation": ("[c12 0 s12; s12 0 -c12; 0 1 0]", "the rotation is off by 90° about x2"),
-        "position": ("[a1*c1+2*a2*c12, a1*s1+2*a2*s12, 0]", "the position is off by a2 along x2"),
+        "position": ("[a1*c1+3*a2*c12, a1*s1+3*a2*s12, 0]", "the position is off by 2*a2 along x2"),
     }
     answer, words = answers[piece]
     assert said(exercise, answer)[0] == words

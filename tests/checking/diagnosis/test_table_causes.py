@@ -110,4 +110,5 @@ def test_of_slips_with_the_same_motion_the_one_in_the_cells_typed_is_named() -> 
         judged = check(exercise, "table", table_text(rows, exercise.robot.columns, exercise.writing))
         if judged.verdict is Verdict.WRONG:
             assert judged.diagnosis is not None
-            assert judged.diagnosis.ids == (candidate.slips[0].name,)
+            # with the twists of rows 4 and 6 swapped it is the right table in the other convention, which is said first
+            assert judged.diagnosis.ids in ((candidate.slips[0].name,), ("convention",))

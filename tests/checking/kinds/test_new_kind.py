@@ -56,8 +56,8 @@ def test_a_new_kind_is_linted(own: str, dhcli: Run) -> None:  # noqa: F811
 def test_a_new_kind_is_started_shown_hinted_and_solved(own: str, dhcli: Run) -> None:  # noqa: F811
     """Each command asks the class."""
     sheet = dhcli("start", "own/twos", "-o", "-").out
-    assert "  # even or odd: joints\n  joints: |\n    _\n" in sheet
-    assert "joints: even or odd: joints" in dhcli("show", "own/twos").out
+    assert "  # even or odd: joints · 1 credit\n  joints: |\n    _\n" in sheet
+    assert "joints: even or odd: joints · 1 credit" in dhcli("show", "own/twos").out
     assert "count them" in dhcli("hint", "own/twos").out
     solved = dhcli("solution", "own/twos", "--yes", "--part", "joints").out
     assert solved.endswith("Half of it leaves 0\n\nSo the answer is even\n")

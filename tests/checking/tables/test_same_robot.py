@@ -9,7 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from dhcli.checking.tables.motions import Values, same_motion, same_robot
+from dhcli.checking.tables.motions import same_motion, same_robot
+from dhcli.checking.tables.samples import Values
 from dhcli.checking.tolerance import DEFAULT
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import RobotError

@@ -15,7 +15,8 @@ from dhcli.files.library.lookup import Kind, entries
 from dhcli.files.yaml.exercises import load_exercise
 from dhcli.files.yaml.robot_line import values_text
 from dhcli.files.yaml.robots import load_robot
-from dhcli.files.yaml.sheets import WIDEST, Sheet, check_numbers, read_sheet, read_table, write_sheet
+from dhcli.files.yaml.sheets import WIDEST, Sheet, check_numbers, read_sheet, write_sheet
+from dhcli.files.yaml.tables import read_table
 from dhcli.kinematics.conventions import Convention
 from tests.judging import mark
 
@@ -194,7 +195,10 @@ def test_a_robot_file_is_a_table(tmp_path: Path) -> None:
     arm = load_robot("planar-2r")
     table = read_table(ROOT / "robots" / "planar-2r.yaml", arm)
     assert table.convention is Convention.STANDARD
-    assert table.text.splitlines() == ["a, alpha, d, theta", "a1, 0, 0, theta1", "a2, 0, 0, theta2"]
+    assert table.text.splitlines() == ["a [m], alpha, d [m], theta", "a1, 0, 0, theta1", "a2, 0, 0, theta2"]
+    bare = (ROOT / "robots" / "planar-2r.yaml").read_text("utf-8").replace(" mm", "").replace(" m,", ",")
+    (tmp_path / "bare.yaml").write_text(bare.replace(" m}", "}"), "utf-8")
+    assert read_table(tmp_path / "bare.yaml", arm).text.startswith("a, alpha, d, theta\n")
     with pytest.raises(FileError, match="products"):
         read_table(ROOT / "robots" / "scara.yaml", arm)
     with pytest.raises(FileError, match="no such file"):

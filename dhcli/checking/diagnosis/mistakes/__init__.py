@@ -8,15 +8,21 @@ count, in `mobility.slips`.
 
 from __future__ import annotations
 
+from dhcli.checking.diagnosis.mistakes.between_rows import BETWEEN_ROWS
+from dhcli.checking.diagnosis.mistakes.frames import OF_FRAMES
+from dhcli.checking.diagnosis.mistakes.in_terms import IN_TERMS
 from dhcli.checking.diagnosis.mistakes.matrices import IN_THE_WHOLE, IN_WRITING
 from dhcli.checking.diagnosis.mistakes.moves import IN_MOVES
 from dhcli.checking.diagnosis.mistakes.products import IN_PRODUCTS
 from dhcli.checking.diagnosis.mistakes.record import Level, Mistake
 from dhcli.checking.diagnosis.mistakes.rows import IN_ROWS
 
-__all__ = ["BY_ID", "MISTAKES", "Level", "Mistake"]
+__all__ = ["BY_ID", "EVERY", "IN_TERMS", "MISTAKES", "Level", "Mistake"]
 
-MISTAKES = (*IN_THE_WHOLE, *IN_ROWS, *IN_MOVES, *IN_PRODUCTS, *IN_WRITING)
+MISTAKES = (*IN_THE_WHOLE, *OF_FRAMES, *IN_ROWS, *BETWEEN_ROWS, *IN_MOVES, *IN_PRODUCTS, *IN_WRITING)
 """Every mistake about a matrix or a table, in the order in which they are tried and named."""
 
-BY_ID = {mistake.id: mistake for mistake in MISTAKES}
+EVERY = (*MISTAKES, *IN_TERMS)
+"""Also those in the terms of a formula, which are looked for only in entries that are wrong."""
+
+BY_ID = {mistake.id: mistake for mistake in EVERY}

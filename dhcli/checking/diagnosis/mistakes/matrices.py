@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from dataclasses import replace
 from itertools import combinations
 
@@ -17,8 +16,7 @@ from dhcli.checking.diagnosis.mistakes.rewritings import (
     without_rotation,
 )
 from dhcli.checking.diagnosis.result import Rank
-from dhcli.checking.diagnosis.terms import flipped, shown
-from dhcli.checking.diagnosis.work import Rewriting, Setting, Work, inverse, terms
+from dhcli.checking.diagnosis.work import Rewriting, Setting, Work, inverse
 from dhcli.notation.factors import AXES
 from dhcli.notation.tree import ZERO, negate
 
@@ -202,27 +200,6 @@ def direction(work: Work, _setting: Setting) -> Made:
     """All coordinates of the answer with the other sign."""
     if work.question.shape == (3, 1):
         yield "", _rewritten(work, Negative((0, 1, 2)))
-
-
-@IN_WRITING(
-    "term-sign",
-    "the sign of {term} in entry ({entry}) is turned round",
-    "look at the signs of the terms in row {row}",
-    rank=Rank.SYMPTOM,
-    alone=True,
-)
-def term_sign(work: Work, setting: Setting) -> Made:
-    """One term of a sum with the other sign, wherever the sum stands in an entry; a number shows no terms."""
-    if setting.numeric:
-        return
-    for r, row in enumerate(terms(work, {})):
-        for c, entry in enumerate(row):
-            seen: Counter[str] = Counter()
-            for term, changed in flipped(entry):
-                text = shown(term, setting.writing)
-                seen[text] += 1
-                again = f" no. {seen[text]}" if seen[text] > 1 else ""
-                yield f"{r + 1},{c + 1} {text}{again}", replace(work, entry=(r, c, changed))
 
 
 @IN_WRITING(

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from dhcli.checking.diagnosis.mistakes.changes import RIGHT_ANGLE, other_unit, scale_of
 from dhcli.checking.diagnosis.mistakes.record import Catalogue, Level, Made
+from dhcli.checking.diagnosis.result import Rank
 from dhcli.checking.diagnosis.work import Factor, Setting, Work
 from dhcli.kinematics.moves import Move, Rot, Trans, along
 from dhcli.notation.angle import Angle
@@ -22,10 +23,29 @@ def turn_sign(work: Work, _setting: Setting) -> Made:
     return _turns(work, lambda angle: None if angle.quarter_turns() in (0, 2) else -angle)
 
 
+@IN_MOVES("turn-offset", "the offset of the turn in move {where} is forgotten", "look at the zero of move {where}")
+def turn_offset(work: Work, _setting: Setting) -> Made:
+    """The variable alone."""
+    return _turns(work, lambda angle: Angle(angle.terms) if angle.terms else None)
+
+
+@IN_MOVES("turn-signs", "every turn by a joint goes the other way", "which way are the turns positive?", alone=True)
+def turn_signs(work: Work, setting: Setting) -> Made:
+    """All turns that a joint makes the other way, where that is more than one."""
+    moving, changed, count = set(setting.variables), work, 0
+    for index, k, _, move in _moves(work):
+        if isinstance(move, Rot) and move.angle.names & moving:
+            changed = changed.with_step(index, _with_move(changed.steps[index], k, replace(move, angle=-move.angle)))
+            count += 1
+    if count > 1:
+        yield "", changed
+
+
 @IN_MOVES(
     "turn-sin-cos",
     "sine and cosine of the turn in move {where} have changed places",
     "look at sine and cosine of the turn in move {where}",
+    rank=Rank.SYMPTOM,
 )
 def turn_sine_cosine(work: Work, _setting: Setting) -> Made:
     """Cos for sin: the complement of the angle."""

@@ -22,6 +22,7 @@ from dhcli.checking.diagnosis.mistakes.changes import (
     value_of,
 )
 from dhcli.checking.diagnosis.mistakes.record import Catalogue, Level, Made
+from dhcli.checking.diagnosis.result import Rank
 from dhcli.checking.diagnosis.work import Factor, Setting, Work
 from dhcli.kinematics.conventions import Row, moves_of
 from dhcli.notation.angle import Angle
@@ -32,11 +33,11 @@ from dhcli.notation.walk import symbols
 class _Rows(Catalogue):
     """Mistakes in rows."""
 
-    def in_each(self, *record: str, of_values: bool = False) -> Callable[[Change], Change]:
+    def in_each(self, *record: str, of_values: bool = False, rank: Rank = Rank.PLACE) -> Callable[[Change], Change]:
         """A mistake that may be made in any one row: its name, its words and its hint; of what changes the row."""
 
         def taken(change: Change) -> Change:
-            self(*record, of_values=of_values)(each(change))
+            self(*record, of_values=of_values, rank=rank)(each(change))
             return change
 
         return taken
@@ -178,6 +179,7 @@ def convention(work: Work, setting: Setting) -> Made:
     "sin-cos",
     "sine and cosine of the angle in row {where} have changed places",
     "look at sine and cosine in row {where}",
+    rank=Rank.SYMPTOM,
 )
 def sine_cosine(row: Row, _setting: Setting) -> Row | None:
     """Cos for sin: the complement of the angle."""

@@ -1,0 +1,93 @@
+"""Numbers in another unit than that of the sheet: seen where lengths are plainly in it, with what else is wrong."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from dhcli.checking.entries import Entries, in_unit_of
+from dhcli.checking.exercise import Exercise
+from dhcli.checking.numeric import limits_of, mark_numbers
+from dhcli.checking.pasted import WrongUnitError
+from dhcli.checking.tolerance import Tolerance
+from dhcli.checking.truth import Truth, is_length
+from dhcli.checking.verdicts import IN_OTHER_UNIT, UNSOLVED, Mark, Verdict
+from dhcli.checking.wanted import Wanted
+
+SOLVED = (Verdict.RIGHT, Verdict.ROUNDED)
+
+CLEAR = 10
+"""Tolerances above which a length is right in another unit by no chance: near zero many are."""
+
+
+def mark_measured(question: Wanted, truth: Truth, entries: Entries, exercise: Exercise, tolerance: Tolerance) -> Mark:
+    """Judge an answer in numbers, whatever unit its lengths are in.
+
+    Args:
+        question: The question.
+        truth: The right answer, with numbers.
+        entries: The answer as read, in the shape of the question.
+        exercise: The exercise, for its values and the unit of the sheet.
+        tolerance: Largest errors that count as right.
+
+    Raises:
+        UnreadableError: An entry has no finite value, or the answer is right in another unit.
+    """
+    judged = mark_numbers(question, truth, entries, exercise, tolerance)
+    if judged.verdict in UNSOLVED and exercise.unit != "none":
+        return _in_other_unit(question, truth, entries, exercise, tolerance, judged) or judged
+    return judged
+
+
+def _in_other_unit(
+    question: Wanted, truth: Truth, entries: Entries, exercise: Exercise, tolerance: Tolerance, own: Mark
+) -> Mark | None:
+    """The judgement of a wrong answer whose lengths are plainly in another unit: what else is wrong is said in that.
+
+    Raises:
+        UnreadableError: Nothing else is wrong.
+    """
+    unit, other = _plain_unit(question, truth, entries, exercise, tolerance, own)
+    if other is None:
+        return None
+    if other.verdict in SOLVED:
+        digits = ", to the digits typed" if other.verdict is Verdict.ROUNDED else ""
+        raise WrongUnitError(unit, f"this sheet is in {exercise.unit}", digits)
+    cells = tuple(replace(cell, expected=one.expected) for cell, one in zip(other.cells, own.cells, strict=True))
+    remark = f"{IN_OTHER_UNIT}{unit}; this sheet is in {exercise.unit}: the rest is judged in {unit}"
+    return Mark(Verdict.WRONG, cells=cells, remarks=(remark, *other.remarks), earned=own.earned)
+
+
+def plain_unit(question: Wanted, truth: Truth, entries: Entries, exercise: Exercise, tolerance: Tolerance) -> str:
+    """The unit, not that of the sheet, in which the lengths of a wrong answer plainly are; empty if there is none."""
+    if exercise.unit == "none" or truth.numbers is None:
+        return ""
+    own = mark_numbers(question, truth, entries, exercise, tolerance)
+    return _plain_unit(question, truth, entries, exercise, tolerance, own)[0]
+
+
+def _plain_unit(
+    question: Wanted, truth: Truth, entries: Entries, exercise: Exercise, tolerance: Tolerance, own: Mark
+) -> tuple[str, Mark | None]:
+    """The unit in which the lengths plainly are, and the judgement in it."""
+    for unit in ("mm", "cm", "m"):
+        if unit != exercise.unit:
+            there = replace(exercise, unit=unit)
+            other = mark_numbers(question, truth, in_unit_of(question, entries, there), there, tolerance)
+            if _is_plainly(question, truth, own, other, tolerance):
+                return unit, other
+    return "", None
+
+
+def _is_plainly(question: Wanted, truth: Truth, own: Mark, other: Mark, tolerance: Tolerance) -> bool:
+    """Whether lengths that are not near zero are right in another unit, and none in that of the sheet."""
+    assert truth.numbers is not None  # noqa: S101
+    limits, found = limits_of(question, truth, tolerance), False
+    for here, there in zip(own.cells, other.cells, strict=True):
+        r, c = here.row, here.column
+        if not is_length(question, r, c) or abs(truth.numbers[r][c]) <= limits[r][c]:
+            continue
+        if here.verdict in SOLVED and there.verdict not in SOLVED:
+            return False
+        is_clear = abs(truth.numbers[r][c]) > CLEAR * limits[r][c]
+        found = found or (is_clear and there.verdict in SOLVED and here.verdict not in SOLVED)
+    return found

@@ -1,0 +1,130 @@
+"""Where two chains are compared: at values drawn for their letters, or at those of the robot for answers in numbers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import islice
+
+from dhcli.algebra.floats import Floats
+from dhcli.algebra.points import GENERAL, draws, general
+from dhcli.checking.symbolic import has_decimals
+from dhcli.kinematics.axes import Arm, Point
+from dhcli.kinematics.moves import Chain, Fixed, Rot, angle_names, expressions, names
+from dhcli.kinematics.robot import Value
+from dhcli.kinematics.values import numbers
+from dhcli.notation.angle import Angle
+from dhcli.notation.tree import Number, Sum
+from dhcli.notation.walk import symbols, walk
+
+SEED = 5
+POINTS = 40
+STRETCH = (1.5, 2.5)
+"""By how much letters are longer at the second point: a wrong one of two equal lengths is then seen."""
+
+
+@dataclass(frozen=True, slots=True)
+class Values:
+    """What is known of the names.
+
+    Attributes:
+        given: Values that the task states; they may stand for their names.
+        own: Values of the robot, for answers in numbers.
+    """
+
+    given: Mapping[str, Value]
+    own: Mapping[str, Value]
+
+
+def general_points(truth: Arm, other: Arm, values: Values) -> Iterator[Point]:
+    """Seeded values of all names but the variables, of the sign that they have; what is given stays as given."""
+    free = (names(truth.chain) | names(other.chain)) - set(truth.variables) - set(other.variables)
+    given, own = numbers(values.given), _known(values)
+    return ({name: _signed(x, own.get(name)) for name, x in drawn.items()} | given for drawn in general(free, SEED))
+
+
+def points_of_values(truth: Arm, other: Arm, values: Values) -> tuple[Point, ...]:
+    """Where an answer in numbers is judged: at the values that the robot has; a name without one is drawn.
+
+    A letter that the answer keeps, and that the right table has once, has another length at a second point: so the
+    wrong one of two lengths that happen to be equal is still found.
+    """
+    drawn = dict(next(general_points(truth, other, values)))
+    if not has_lengths(other.chain):
+        return (drawn,)
+    own = {name: value for name, value in _known(values).items() if name in drawn}
+    first = {**drawn, **own, **numbers(values.given)}
+    cells = [symbols(expr) for expr in expressions(truth.chain)]
+    kept = names(other.chain) & {name for name, value in own.items() if not isinstance(value, Angle)}
+    letters = sorted(name for name in kept - values.given.keys() if sum(name in cell for cell in cells) == 1)
+    if not letters:
+        return (first,)
+    longer = next(draws(dict.fromkeys(letters, STRETCH), SEED))
+    return first, {**first, **{name: _float(own[name]) * by for name, by in longer.items()}}
+
+
+def points_all_round(chains: tuple[Chain, Chain], truth: Arm, values: Values) -> Iterator[Point]:
+    """Where chains of which no proof is known are compared: angles all round the circle, slides of both signs."""
+    own = _known(values)
+    turning = angle_names(chains[0]) | angle_names(chains[1])
+    ranges: dict[str, tuple[float, float]] = {}
+    for name in sorted(names(chains[0]) | names(chains[1])):
+        if name in turning:
+            ranges[name] = (-math.pi, math.pi)
+        elif name in truth.variables:
+            ranges[name] = (-GENERAL[1], GENERAL[1])
+        else:
+            low, high = (_signed(x, own.get(name)) for x in GENERAL)
+            ranges[name] = (low, high)
+    return islice(draws(ranges, SEED), POINTS)
+
+
+def has_numbers(chain: Chain) -> bool:
+    """Whether lengths in numbers, or decimals and angles that may be rounded, stand in a chain."""
+    if any(has_decimals(expr) for expr in expressions(chain)):
+        return True
+    return has_lengths(chain) or any(
+        isinstance(move, Rot) and (move.angle.radians or move.angle.degrees.denominator != 1) for move in chain
+    )
+
+
+def has_lengths(chain: Chain) -> bool:
+    """Whether lengths in numbers stand in a chain."""
+    return any(
+        not symbols(term) and any(isinstance(node, Number) and node.value for node in walk(term))
+        for move in chain
+        if not isinstance(move, Rot)
+        for expr in expressions((move,))
+        for term in (expr.terms if isinstance(expr, Sum) else (expr,))
+    )
+
+
+def size_of_arm(arm: Arm, point: Point) -> float:
+    """Sum of all lengths in the zero pose [m], or one metre where there is none."""
+    over = Floats({**point, **dict.fromkeys(arm.variables, 0.0)})
+    total = 0.0
+    for move in arm.chain:
+        if isinstance(move, Fixed):
+            total += sum(abs(over.value(row[3])) for row in move.rows)
+        elif not isinstance(move, Rot):
+            total += sum(abs(over.value(expr)) for expr in move.offset)
+    return total or 1.0
+
+
+def _known(values: Values) -> dict[str, Angle | float]:
+    """The values of the robot that are plain numbers."""
+    return dict(numbers({name: value for name, value in values.own.items() if not _names_in(value)}))
+
+
+def _names_in(value: Value) -> frozenset[str]:
+    return value.names if isinstance(value, Angle) else symbols(value)
+
+
+def _signed(drawn: float, own: Angle | float | None) -> float:
+    """A length of the sign that it has: the square root of its square is not the same length."""
+    return drawn if own is None or isinstance(own, Angle) else math.copysign(drawn, own)
+
+
+def _float(value: Angle | float) -> float:
+    return 0.0 if isinstance(value, Angle) else value

@@ -1,0 +1,124 @@
+"""Single values and moves: angles by inverse functions, turns, numbers for letters, chains as long as fk computes."""
+
+from __future__ import annotations
+
+import pytest
+
+from dhcli.checking.kinds.made import question_about, question_about_table
+from dhcli.checking.verdicts import Verdict
+from dhcli.files.yaml.robots import read_robot
+from dhcli.kinematics.conventions import Convention
+from dhcli.kinematics.forward import forward
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.values import joint_values
+from tests.checking.mutated_kinds import exercise_of, written
+from tests.judging import checked, expected, mark
+
+RIGHT, CLOSE, WRONG, UNREAD = Verdict.RIGHT, Verdict.CLOSE, Verdict.WRONG, Verdict.CANNOT_READ
+
+
+@pytest.mark.parametrize("ask", ["scalar atan2(a2, a1)", "scalar acos(a1/sqrt(a1^2 + a2^2))"])
+@pytest.mark.parametrize(
+    ("answer", "verdict"),
+    [
+        ("36.87", RIGHT),
+        ("36.87°", RIGHT),
+        ("396.87°", RIGHT),
+        ("0.6435 rad", RIGHT),
+        ("atan(3/4)", RIGHT),
+        ("atan2(3 mm, 4 mm)", RIGHT),
+        ("37.2", CLOSE),
+        ("53.13", WRONG),
+        ("0.6435", UNREAD),
+        ("0.6435 m", UNREAD),
+        ("a1", UNREAD),
+    ],
+)
+def test_an_inverse_function_is_an_angle(ask: str, answer: str, verdict: Verdict) -> None:
+    """In degrees or radians, modulo a full turn; a length is none."""
+    given = {"a1": "0.4 m", "a2": "0.3 m"}
+    exercise, part = exercise_of(ask, given=given, numeric=True, unit="mm")
+    assert mark(exercise, part, answer).verdict is verdict
+
+
+def test_an_angle_by_an_inverse_function_is_shown_in_degrees() -> None:
+    """Where it has a value; else as it is written."""
+    given = {"a1": "0.4 m", "a2": "0.3 m"}
+    assert expected(*exercise_of("scalar atan2(a2, a1)", given=given, numeric=True)) == "36.8699°"
+    assert expected(*exercise_of("scalar atan2(a2, a1)")) == "atan2(a2, a1)"
+
+
+@pytest.mark.parametrize(
+    ("answer", "verdict"),
+    [
+        ("Rot(z, theta1) Trans(a1, 0, 0)", RIGHT),
+        ("Rot(z, 30°) Trans(400, 0, 0)", RIGHT),
+        ("Rot(z, -330°) Trans(0.4 m, 0, 0) Rot(x, 360°)", RIGHT),
+        ("Rot(z, 30.04°) Trans(400.3, 0, 0)", RIGHT),
+        ("Rot(z, 31°) Trans(400, 0, 0)", WRONG),
+        ("Rot(z, 30°) Trans(0.4, 0, 0)", WRONG),
+        ("Trans(400, 0, 0) Rot(z, 30°)", WRONG),
+        ("Rot(z, 30°)", WRONG),
+        ("Rot(z, 30°) Trans(200, 0, 0) Trans(200, 0, 0) Rot(y, 5°)", WRONG),
+    ],
+)
+def test_moves_may_be_in_numbers(answer: str, verdict: Verdict) -> None:
+    """At the values given and within the tolerance, lengths in the unit of the sheet."""
+    given = {"theta1": "30°", "a1": "0.4 m"}
+    exercise, part = exercise_of("factors 1", given=given, numeric=True, unit="mm")
+    assert mark(exercise, part, answer).verdict is verdict
+
+
+@pytest.mark.parametrize(("turned", "verdict"), [("-180°", RIGHT), ("540°", RIGHT), ("pi", RIGHT), ("0", WRONG)])
+def test_turns_are_the_same_modulo_a_full_one(turned: str, verdict: Verdict) -> None:
+    """In symbols too."""
+    exercise, part = exercise_of("factors 2", robot="scara-yim")
+    right = expected(exercise, part)
+    assert "180°" in right
+    assert mark(exercise, part, right.replace("180°", turned)).verdict is verdict
+
+
+def test_moves_in_another_order_are_told() -> None:
+    """They are all there."""
+    exercise, part = exercise_of("factors 1")
+    assert mark(exercise, part, "Trans(a1, 0, 0) Rot(z, theta1)").remarks == (
+        "the moves are right, their order is not",
+    )
+
+
+def long_robot(joints: int) -> Robot:
+    """An arm whose pose in symbols nobody could read."""
+    names = [f"theta{k}" for k in range(1, joints + 1)]
+    rows = "\n".join(f"  - {{alpha: 90°, a: 0.1, d: 0.05, theta: {name}}}" for name in names)
+    text = f"format: 1\ntitle: x\nsource: x\nconvention: standard\nvariables: [{', '.join(names)}]\nlinks:\n{rows}\n"
+    return read_robot(text, "long.yaml", "long")
+
+
+def test_a_pose_of_fifteen_joints_is_judged_as_fk_computes_it() -> None:
+    """Right as it is, wrong with a sign turned round."""
+    robot = long_robot(15)
+    q = ", ".join(f"{10 + 7 * k}°" for k in range(15))
+    exercise = question_about(robot, "pose 0..15", numeric=True, given=joint_values(robot, q))
+    [part] = exercise.parts
+    rows = [[f"{float(entry):.6f}" for entry in row] for row in forward(robot, q).matrix.tolist()]
+    assert mark(exercise, part, written(rows)).verdict is RIGHT
+    rows[0][3] = f"{-float(rows[0][3]):.6f}"
+    judged = mark(exercise, part, written(rows))
+    assert judged.verdict is WRONG
+    assert judged.earned == pytest.approx(3 / 4)
+
+
+def test_a_table_of_seventeen_rows_is_read() -> None:
+    """As many as a robot may have."""
+    exercise = question_about_table(long_robot(17), Convention.STANDARD)
+    [part] = exercise.parts
+    assert mark(exercise, part, expected(exercise, part)).verdict in (RIGHT, Verdict.EQUIVALENT)
+
+
+def test_a_cell_in_another_unit_has_its_name() -> None:
+    """Metres on a sheet in millimetres."""
+    exercise, part = exercise_of("cell a 1", numeric=True, unit="mm")
+    judged = checked(exercise, part, "0.4")
+    assert judged.verdict is WRONG
+    assert judged.diagnosis is not None
+    assert judged.diagnosis.causes[0][0].name == "in-mm"
