@@ -19,8 +19,10 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from dhcli.checking.judge import check as check
     from dhcli.errors import DhcliError as DhcliError
+    from dhcli.files.library.lookup import list_robots as list_robots
     from dhcli.files.yaml.exercises import load_exercise as load_exercise
     from dhcli.files.yaml.robots import load_robot as load_robot
+    from dhcli.files.yaml.writing import save_robot as save_robot
     from dhcli.geometry.many import axis_angles as axis_angles
     from dhcli.geometry.many import quaternions as quaternions
     from dhcli.geometry.many import roll_pitch_yaw as roll_pitch_yaw
@@ -69,11 +71,13 @@ _HOMES = {
     "inverse_batch": "dhcli.kinematics.inverse.batch",
     "jacobian": "dhcli.kinematics.velocity.many",
     "joint_rates": "dhcli.kinematics.velocity.rates",
+    "list_robots": "dhcli.files.library.lookup",
     "load_exercise": "dhcli.files.yaml.exercises",
     "load_robot": "dhcli.files.yaml.robots",
     "manipulability": "dhcli.kinematics.velocity.measures",
     "quaternions": "dhcli.geometry.many",
     "roll_pitch_yaw": "dhcli.geometry.many",
+    "save_robot": "dhcli.files.yaml.writing",
     "singularities": "dhcli.kinematics.singular.finding",
     "sweep": "dhcli.kinematics.sweep.asked",
     "symbolic": "dhcli.kinematics.forward",
@@ -103,11 +107,13 @@ __all__ = [
     "inverse_batch",
     "jacobian",
     "joint_rates",
+    "list_robots",
     "load_exercise",
     "load_robot",
     "manipulability",
     "quaternions",
     "roll_pitch_yaw",
+    "save_robot",
     "singularities",
     "sweep",
     "symbolic",

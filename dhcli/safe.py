@@ -72,3 +72,13 @@ def latex(text: str) -> str:
 def html(text: str) -> str:
     """Plain text in HTML and SVG, also between the quotes of an attribute."""
     return _html.escape(one_line(text), quote=True)
+
+
+def xml_attribute(text: str) -> str:
+    """The value of an attribute in XML, with its quotes."""
+    return f'"{html(text)}"'
+
+
+def xml_comment(text: str) -> str:
+    """A comment of XML on one line, which nothing in the text can end: two hyphens may not stand in one."""
+    return f"<!-- {re.sub('-{2,}', '-', one_line(text))} -->"

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from typer._click import Command, Context, HelpFormatter
 
 PANELS = {
-    "Compute": ("fk", "ik", "sweep", "jacobian", "singularities", "rates", "torques", "transform", "dof"),
+    "Compute": ("fk", "ik", "sweep", "jacobian", "singularities", "rates", "torques", "transform", "describe", "dof"),
     "See": ("draw",),
     "Exercises": ("start", "check", "watch", "hint", "solution"),
     "Classes": ("grade",),

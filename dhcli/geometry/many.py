@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 
 from dhcli.errors import RobotError
-from dhcli.geometry.euler import RollPitchYaw
+from dhcli.geometry.euler import Order, RollPitchYaw
 from dhcli.geometry.rotations import AxisAngle, Quaternion, RotationVector
 
 if TYPE_CHECKING:
@@ -50,7 +50,7 @@ def axis_angles(poses: Table) -> Table:
     return table(AxisAngle, poses)
 
 
-def table(form: type[Form], poses: Table) -> Table:
+def table(form: type[Form] | Order, poses: Table) -> Table:
     """The numbers of one form of rotation for many poses, shape (N, width)."""
     return np.stack(form.of(rotations(poses)).numbers, axis=1)
 

@@ -74,6 +74,7 @@ class Description:
     notes: str = ""
     derived: Mapping[str, Formula] = field(default_factory=dict)
     remarks: tuple[str, ...] = ()
+    tools: Mapping[str, Chain] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         """Take what a caller gives as what it plainly means, and let nobody change a mapping in place.
@@ -98,6 +99,7 @@ class Description:
                 name: _values(given, f"limits.{name}", [name in turning] * 2, 'write ("-90°", "90°")')
                 for name, given in mapping_of(self.limits, "limits").items()
             },
+            "tools": {name: chain_of(given, name) for name, given in mapping_of(self.tools, "tools").items()},
             "poses": {
                 name: _values(given, f"poses.{name}", [joint in turning for joint in self.variables])
                 for name, given in mapping_of(self.poses, "poses").items()
@@ -122,7 +124,7 @@ class Description:
     @cached_property
     def angles(self) -> frozenset[str]:
         """Every name that stands for an angle."""
-        chain = self.chain
+        chain = (*self.chain, *(move for tool in self.tools.values() for move in tool))
         inside = {
             name
             for expr in expressions(chain)

@@ -10,7 +10,8 @@ import numpy as np
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
-from dhcli.geometry.many import locked, table
+from dhcli.geometry.euler import Order
+from dhcli.geometry.many import rotations, table
 from dhcli.kinematics.batch import forward_batch
 from dhcli.kinematics.frames import ORIGIN, View
 from dhcli.kinematics.placement import ORIENTATIONS, check_forms
@@ -72,10 +73,14 @@ class PoseRows:
         return pieces[0] if len(pieces) == 1 else np.concatenate(pieces, axis=1)
 
     def locked(self, poses: NDArray[np.float64]) -> int:
-        """In how many rows roll and yaw cannot be told apart, where they are asked for."""
-        if "rpy" not in self.forms:
+        """In how many rows of angles that are asked for only two of the three can be told."""
+        named = [ORIENTATIONS.get("fixed-xyz" if form == "rpy" else form) for form in self.forms]
+        asked = [form for form in named if isinstance(form, Order)]
+        if not asked:
             return 0
-        return int(locked(poses.reshape(-1, 4, 4)).reshape(len(poses), -1).any(axis=1).sum())
+        flat = rotations(poses.reshape(-1, 4, 4))
+        found = np.logical_or.reduce([np.asarray(order.of(flat).locked) for order in asked])
+        return int(found.reshape(len(poses), -1).any(axis=1).sum())
 
 
 def _said(poses: NDArray[np.float64], form: str) -> NDArray[np.float64]:

@@ -9,7 +9,7 @@ from typing import TypeAlias
 from dhcli.errors import Place
 from dhcli.geometry.motion import inverse as undone
 from dhcli.notation.angle import Angle
-from dhcli.notation.factors import AXES, Axis, Factor, parse_factors
+from dhcli.notation.factors import AXES, Axis, Factor, in_order_of_motion, parse_factors
 from dhcli.notation.scope import OPEN, Scope
 from dhcli.notation.tree import ZERO, Expr, Number, negate
 from dhcli.notation.walk import substitute, symbols
@@ -70,7 +70,7 @@ def read_chain(text: str, scope: Scope = OPEN, place: Place | None = None, remar
     Raises:
         NotationError: With the column and what would be read.
     """
-    return tuple(from_factor(factor) for factor in parse_factors(text, scope, place, remarks))
+    return tuple(from_factor(factor) for factor in in_order_of_motion(parse_factors(text, scope, place, remarks)))
 
 
 def from_factor(factor: Factor) -> Move:

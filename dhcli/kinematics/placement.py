@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Any, TypeAlias, cast
 
 from dhcli.errors import RobotError, UnknownNameError, did_you_mean
-from dhcli.geometry.euler import RollPitchYaw
-from dhcli.geometry.rotations import AxisAngle, Quaternion
+from dhcli.geometry.euler import AXES, ORDERS, EulerAngles, Order, RollPitchYaw
+from dhcli.geometry.rotations import AxisAngle, Quaternion, RotationVector
 from dhcli.kinematics.pose import Pose
 from dhcli.notation.tree import Expr
 
@@ -35,14 +35,35 @@ class Matrix:
     rows: tuple[tuple[float, ...], ...] | tuple[tuple[Expr, ...], ...]
 
 
-Orientation: TypeAlias = RollPitchYaw[Any] | AxisAngle[Any] | Quaternion[Any]
-Placement: TypeAlias = Matrix | Position | RollPitchYaw[float] | AxisAngle[float] | Quaternion[float]
+Orientation: TypeAlias = (
+    type[RollPitchYaw[Any]] | type[AxisAngle[Any]] | type[Quaternion[Any]] | type[RotationVector[Any]] | Order
+)
+"""What makes one of these of a rotation, by its `of`."""
 
-ORIENTATIONS: dict[str, type[Orientation]] = {"rpy": RollPitchYaw, "axis-angle": AxisAngle, "quaternion": Quaternion}
+Placement: TypeAlias = (
+    Matrix
+    | Position
+    | RollPitchYaw[float]
+    | AxisAngle[float]
+    | Quaternion[float]
+    | RotationVector[float]
+    | EulerAngles[float]
+)
+
+ORIENTATIONS: dict[str, Orientation] = {
+    "rpy": RollPitchYaw,
+    "axis-angle": AxisAngle,
+    "quaternion": Quaternion,
+    "rotation-vector": RotationVector,
+    **{f"{'fixed-' * order.fixed}{order.axes}": order for order in ORDERS},
+}
 """The ways to say an orientation without a matrix, by the names a user gives them."""
 
 FORMS = (*ORIENTATIONS, "position", "matrix")
 """All ways to say where a frame is."""
+
+LISTED = "rpy, axis-angle, quaternion, rotation-vector, position, matrix, zyz and all orders of axes, fixed-xyz"
+"""The same for people."""
 
 
 def placements(pose: Pose[float] | Pose[Expr], forms: Iterable[str]) -> dict[str, Placement]:
@@ -74,8 +95,8 @@ def check_forms(forms: Iterable[str]) -> Iterator[str]:
     """
     for form in forms:
         if form not in FORMS:
-            hint = did_you_mean(form, FORMS)
-            raise UnknownNameError(f"there is no way to say a pose as {form}", hint or "known: " + ", ".join(FORMS))
+            hint = did_you_mean(form, [known for known in FORMS if known[-3:] not in AXES])
+            raise UnknownNameError(f"there is no way to say a pose as {form}", hint or f"known: {LISTED}")
         yield form
 
 
@@ -88,9 +109,18 @@ def _placement(pose: Pose[float] | Pose[Expr], form: str) -> Placement:
 
 
 def locked_warnings(said: Mapping[str, Placement]) -> tuple[str, ...]:
-    """What a person should know of an orientation at the pole of roll, pitch and yaw."""
-    if any(isinstance(placement, RollPitchYaw) and placement.locked for placement in said.values()):
-        return (
-            "pitch is ±90°, where roll and yaw turn about one axis: only their sum or difference counts, roll is 0",
-        )
-    return ()
+    """What a person should know of three angles of which only two can be told."""
+    found = []
+    for form, placement in said.items():
+        if isinstance(placement, RollPitchYaw) and placement.locked:
+            found.append(
+                "pitch is ±90°, where roll and yaw turn about one axis: only their sum or difference counts, roll is 0"
+            )
+        elif isinstance(placement, EulerAngles) and placement.locked:
+            middle = "0° or 180°" if placement.order.is_proper else "±90°"
+            which = "first" if placement.order.fixed else "last"
+            found.append(
+                f"{form}: the middle angle is {middle}, where the other two turn about one axis: only their sum or "
+                f"difference counts, the {which} was chosen as 0"
+            )
+    return tuple(found)

@@ -24,9 +24,9 @@ if TYPE_CHECKING:
     import sympy
     from numpy.typing import DTypeLike, NDArray
 
-    from dhcli.geometry.euler import RollPitchYaw
+    from dhcli.geometry.euler import EulerAngles, RollPitchYaw
     from dhcli.geometry.motion import Motion
-    from dhcli.geometry.rotations import AxisAngle, Quaternion
+    from dhcli.geometry.rotations import AxisAngle, Quaternion, RotationVector
 
 N = TypeVar("N")
 
@@ -118,6 +118,28 @@ class Pose(Generic[N]):
         from dhcli.geometry.rotations import AxisAngle
 
         return AxisAngle.of(self.in_numbers().rotation)
+
+    @property
+    def rotation_vector(self) -> RotationVector[float]:
+        """The unit axis times the angle [rad]."""
+        from dhcli.geometry.rotations import RotationVector
+
+        return RotationVector.of(self.in_numbers().rotation)
+
+    def euler(self, axes: str, *, fixed: bool = False) -> EulerAngles[float]:
+        """Three turns about axes in this order, such as `zyz`; `other` of the result is the other triple.
+
+        Args:
+            axes: Three of x, y and z, no axis twice in a row.
+            fixed: Whether the axes stay where they are; else each turn carries those after it along.
+
+        Raises:
+            UnknownNameError: There is no such order.
+            RobotError: An entry holds a symbol.
+        """
+        from dhcli.geometry.euler import euler
+
+        return euler(axes, fixed=fixed).of(self.in_numbers().rotation)
 
     def in_numbers(self) -> Pose[float]:
         """This pose in floats: itself, or what its expressions come to where none holds a symbol.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import fields
 from types import MappingProxyType
 
@@ -32,6 +33,7 @@ class Robot(Description):
         columns: Order of the columns in which the table was written.
         notes: What else a reader should know.
         derived: Formulas of those parameters that follow from others; their values stand among the parameters.
+        tools: Tools by name, each with the moves from the last frame to its own, to take in the place of `tool`.
         remarks: What was taken for something else when it was read, such as 1.5708 rad for 90°.
 
     Raises:
@@ -42,6 +44,34 @@ class Robot(Description):
         """Refuse to exist with anything wrong."""
         super().__post_init__()
         check(self)
+
+    @classmethod
+    def from_dh(
+        cls,
+        rows: Iterable[Mapping[str, float | str] | Sequence[float | str]],
+        *,
+        variables: Sequence[str],
+        convention: str = "standard",
+        parameters: Mapping[str, float | str | Value] | None = None,
+        name: str = "robot",
+    ) -> Robot:
+        """A robot from the rows of its table; see `dhcli.kinematics.building.from_dh`."""
+        from dhcli.kinematics.building import from_dh
+
+        return from_dh(cls, rows, variables=variables, convention=convention, parameters=parameters, name=name)
+
+    def copy(
+        self,
+        *,
+        tool: str | None = None,
+        base: str | None = None,
+        parameters: Mapping[str, float | str | Value] | None = None,
+        name: str | None = None,
+    ) -> Robot:
+        """The same robot with another tool, base or other lengths; see `dhcli.kinematics.building.copy`."""
+        from dhcli.kinematics.building import copy
+
+        return copy(self, tool=tool, base=base, parameters=parameters, name=name)
 
     def __reduce__(self) -> tuple[type[Robot], tuple[object, ...]]:
         """Copied and sent to other processes by its fields, which a read-only view of a mapping could not be."""

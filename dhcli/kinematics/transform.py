@@ -18,7 +18,7 @@ from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.question import AnyPose, SeenPoint, folded
 from dhcli.kinematics.robot import Value
 from dhcli.kinematics.sharpened import sharpened
-from dhcli.notation.factors import Factor, parse_factors
+from dhcli.notation.factors import Factor, moves_of, parse_factors
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
 from dhcli.notation.pasted import pose_matrix
@@ -44,12 +44,14 @@ class Stage:
         chain: It and the moves before it, in the order in which they are multiplied.
         end: The frame that they reach.
         symbolic: Whether they are multiplied in terms; else in floats.
+        about: Whether the move is about the current frame or about the fixed one.
     """
 
     text: str
     chain: Chain
     end: str
     symbolic: bool
+    about: Order = "current"
 
     @cached_property
     def pose(self) -> AnyPose:
@@ -109,14 +111,21 @@ class Product:
     """Moves as they were typed.
 
     Attributes:
-        moves: The moves.
+        groups: The moves; a rotation about any axis is three in a group.
         texts: How each was typed.
+        abouts: Whether each is about the fixed or the current frame, where that is said with it.
         remarks: What was taken for something else, such as 1.5708 rad for 90°.
     """
 
-    moves: Chain
+    groups: tuple[Chain, ...]
     texts: tuple[str, ...]
+    abouts: tuple[Order | Literal[""], ...]
     remarks: tuple[str, ...] = ()
+
+    @property
+    def moves(self) -> Chain:
+        """All moves as they were typed."""
+        return tuple(move for group in self.groups for move in group)
 
 
 def read_product(text: str, place: Place, symbols: Sequence[str] = ()) -> Product:
@@ -130,20 +139,25 @@ def read_product(text: str, place: Place, symbols: Sequence[str] = ()) -> Produc
     Raises:
         NotationError: It cannot be read, or a matrix in it is no pose.
     """
-    moves: list[Move] = []
+    groups: list[Chain] = []
     texts: list[str] = []
+    abouts: list[Order | Literal[""]] = []
     remarks: list[str] = []
-    for factor in _factors(text, place, usual(symbols), remarks):
-        move = from_factor(factor)
-        if isinstance(move, Fixed):
-            where = _place_in(text, factor.start, place)
-            if fault := not_a_rotation(move.rows):
-                hint = "its first three columns must be perpendicular unit vectors, right-handed"
-                raise NotationError(Problem(f"this matrix is no pose: {fault}", where, hint))
-            (move,) = sharpened((move,), remarks)
-        moves.append(move)
-        texts.append(spelled(move) if isinstance(move, Rot | Trans) else _title(factor.text))
-    return Product(tuple(moves), tuple(texts), tuple(dict.fromkeys(remarks)))
+    for factors in moves_of(_factors(text, place, usual(symbols), remarks)):
+        moves = sharpened(tuple(_checked(factor, text, place) for factor in factors), remarks)
+        alone = moves[0] if len(moves) == 1 else None
+        groups.append(moves)
+        texts.append(spelled(alone) if isinstance(alone, Rot | Trans) else _title(factors))
+        abouts.append(factors[0].about)
+    return Product(tuple(groups), tuple(texts), tuple(abouts), tuple(dict.fromkeys(remarks)))
+
+
+def _checked(factor: Factor, text: str, place: Place) -> Move:
+    move = from_factor(factor)
+    if isinstance(move, Fixed) and (fault := not_a_rotation(move.rows)):
+        hint = "its first three columns must be perpendicular unit vectors, right-handed"
+        raise NotationError(Problem(f"this matrix is no pose: {fault}", _place_in(text, factor.start, place), hint))
+    return move
 
 
 def _factors(text: str, place: Place, scope: Scope, remarks: list[str]) -> tuple[Factor, ...]:
@@ -157,9 +171,13 @@ def _factors(text: str, place: Place, scope: Scope, remarks: list[str]) -> tuple
     return parse_factors(matrix, scope, place, remarks)
 
 
-def _title(matrix: str) -> str:
-    """What a matrix is called in a heading: itself where it was typed short, in one line."""
-    return matrix if len(matrix) <= _SHORT and matrix.startswith("[") and "\n" not in matrix else "[4x4 matrix]"
+def _title(factors: Sequence[Factor]) -> str:
+    """What a matrix or a rotation is called in a heading: itself where it was typed short, in one line."""
+    text = factors[0].text
+    if len(factors) == 1 and not text.startswith(("[", "quat")):
+        return "[4x4 matrix]"
+    back = "^-1" * (factors[0].inverse and not factors[0].about)
+    return f"{text}{back}" if len(text) <= _SHORT and "\n" not in text else "[4x4 matrix]"
 
 
 def values_for(product: Product, settings: Mapping[str, str], place: Place) -> dict[str, Value]:
@@ -198,26 +216,27 @@ def compose(product: Product, values: Mapping[str, Value], wanted: Wanted) -> Tr
     Raises:
         RobotError: An entry is not a real number, or there are too many moves for formulas.
     """
-    moves = put_in(product.moves, values)
+    groups = [put_in(group, values) for group in product.groups]
+    moves = tuple(move for group in groups for move in group)
     points, vectors = (put_in(tuple(Trans(*triple) for triple in t), values) for t in (wanted.points, wanted.vectors))
     exact = wanted.symbolic or bool(names((*moves, *points, *vectors)))
     if exact and len(moves) > MOST_IN_LETTERS:
         message = f"{len(moves)} moves are more than the {MOST_IN_LETTERS} that are multiplied in letters"
         raise RobotError(message, "give every letter a value with --set, or multiply a part at a time")
-    so_far = [moves[: i + 1] if wanted.order == "current" else moves[i::-1] for i in range(len(moves))]
-    steps = tuple(
-        Stage(text, chain, str(i), exact) for i, (text, chain) in enumerate(zip(product.texts, so_far, strict=True), 1)
-    )
-    chain = so_far[-1]
+    chain: Chain = ()
+    steps = []
+    for i, (text, group, about) in enumerate(zip(product.texts, groups, product.abouts, strict=True), 1):
+        chain = (*group, *chain) if (about or wanted.order) == "fixed" else (*chain, *group)
+        steps.append(Stage(text, chain, str(i), exact, about or wanted.order))
     turning = tuple(turned for move in chain if (turned := _turning(move)) is not None)
 
     def seen(triple: Point, end: Move, before: Chain) -> SeenPoint:
-        frame = str(len(moves))
+        frame = str(len(steps))
         return SeenPoint(triple, folded((*before, end), "0", frame, symbolic=exact).position, frame, "0")
 
     said = placements(steps[-1].pose, wanted.forms)
     return Transform(
-        steps,
+        tuple(steps),
         wanted.order,
         points=tuple(seen(point, end, chain) for point, end in zip(wanted.points, points, strict=True)),
         vectors=tuple(seen(vector, end, turning) for vector, end in zip(wanted.vectors, vectors, strict=True)),

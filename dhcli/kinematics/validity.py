@@ -133,13 +133,15 @@ def _inside_angle(expr: Expr, name: str) -> bool:
 
 
 def _frames(robot: Description) -> Iterator[Finding]:
-    for part, chain in (("base", robot.base), ("tool", robot.tool)):
+    tools = ((("tools", name), chain) for name, chain in robot.tools.items())
+    for where, chain in ((("base",), robot.base), (("tool",), robot.tool), *tools):
+        part = where[-1]
         for name in sorted(names(chain)):
             if name in robot.variables:
-                yield Finding((part,), f"{name} is a joint variable, and {part} does not move", "make it a link")
+                yield Finding(where, f"{name} is a joint variable, and {part} does not move", "make it a link")
             elif name not in robot.parameters:
-                yield Finding((part,), f"{name} is not declared", did_you_mean(name, robot.parameters))
-        yield from _matrices(chain, (part,))
+                yield Finding(where, f"{name} is not declared", did_you_mean(name, robot.parameters))
+        yield from _matrices(chain, where)
 
 
 def _matrices(chain: Chain, where: tuple[str | int, ...]) -> Iterator[Finding]:

@@ -9,10 +9,10 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean, plural
-from dhcli.kinematics.derived import replaced
+from dhcli.kinematics.derived import Value, replaced
+from dhcli.kinematics.description import Description
 from dhcli.kinematics.given import mapping_of
 from dhcli.kinematics.moves import Chain, names
-from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.validity import in_floats
 from dhcli.notation.angle import Angle
 from dhcli.notation.names import canonical
@@ -38,7 +38,9 @@ _ONE_VALUE = re.compile(r"([^\s=,;]+=)?[-+−–]?(\d|\.|√|π|pi|\()[^\s;]*(?<
 """A value without a blank in it, or a name with one."""
 
 
-def joint_values(robot: Robot, q: JointInput, *, bare: Bare = "rad", place: Place | None = None) -> dict[str, Value]:
+def joint_values(
+    robot: Description, q: JointInput, *, bare: Bare = "rad", place: Place | None = None
+) -> dict[str, Value]:
     """Values of the joints that are given, in whatever form.
 
     Args:
@@ -69,7 +71,7 @@ def joint_values(robot: Robot, q: JointInput, *, bare: Bare = "rad", place: Plac
 
 
 def given_parameters(
-    robot: Robot, given: Mapping[str, float | str | Value], place: Place | None = None
+    robot: Description, given: Mapping[str, float | str | Value], place: Place | None = None
 ) -> dict[str, Value]:
     """Values of those lengths and constant angles that a person gives.
 
@@ -82,7 +84,7 @@ def given_parameters(
 
 
 def parameter_values(
-    robot: Robot, given: Mapping[str, float | str | Value], place: Place | None = None
+    robot: Description, given: Mapping[str, float | str | Value], place: Place | None = None
 ) -> dict[str, Value]:
     """Values of all lengths and constant angles that have one: the robot's own, and those given instead.
 
@@ -95,7 +97,7 @@ def parameter_values(
         raise RobotError(Problem(f"with these values: {error.message}", place, error.hint)) from None
 
 
-def require(robot: Robot, chain: Chain, values: Values) -> None:
+def require(robot: Description, chain: Chain, values: Values) -> None:
     """Make sure that every name of a chain has a value.
 
     Raises:
@@ -117,7 +119,7 @@ def require(robot: Robot, chain: Chain, values: Values) -> None:
         raise RobotError(problems)
 
 
-def warnings(robot: Robot, values: Values) -> Iterator[str]:
+def warnings(robot: Description, values: Values) -> Iterator[str]:
     """What a person should know of a robot and of joint values that can be computed all the same."""
     yield from robot.remarks
     for joint in robot.joints:
@@ -135,7 +137,7 @@ def warnings(robot: Robot, values: Values) -> Iterator[str]:
                 yield f"{joint.name} = {shown} is outside its limits, {bounds}"
 
 
-def is_within_limits(robot: Robot, name: str, number: float) -> bool:
+def is_within_limits(robot: Description, name: str, number: float) -> bool:
     """Whether a joint can stand at a value [rad or m]; where it has no limits, at any."""
     if name not in robot.limits:
         return True
@@ -153,7 +155,7 @@ def numbers(values: Values) -> dict[str, Angle | float]:
     return {name: value if isinstance(value, Angle) else in_floats(value) for name, value in values.items()}
 
 
-def read_value(robot: Robot, name: str, text: str, *, bare: Bare, place: Place) -> Value:
+def read_value(robot: Description, name: str, text: str, *, bare: Bare, place: Place) -> Value:
     """Read the value of one name, an angle or a length by what the name stands for."""
     expr = parse(text, Scope(), place)
     try:
@@ -166,7 +168,7 @@ def read_value(robot: Robot, name: str, text: str, *, bare: Bare, place: Place) 
         raise NotationError(Problem(error.message + kind, place, error.hint)) from None
 
 
-def joint_called(robot: Robot, name: str, place: Place | None = None) -> str:
+def joint_called(robot: Description, name: str, place: Place | None = None) -> str:
     """The joint variable that a person means: `θ1`, `theta_1` and `q1` are theta1.
 
     Raises:
@@ -179,7 +181,7 @@ def joint_called(robot: Robot, name: str, place: Place | None = None) -> str:
     raise RobotError(Problem(f"{robot.name} has no joint {name:.60}", place, did_you_mean(name, robot.variables)))
 
 
-def _from_text(robot: Robot, text: str, bare: Bare, place: Place) -> dict[str, Value]:
+def _from_text(robot: Description, text: str, bare: Bare, place: Place) -> dict[str, Value]:
     if text.strip() in robot.poses:
         return dict(zip(robot.variables, robot.poses[text.strip()], strict=True))
     parts = list(_split(text))
@@ -199,7 +201,9 @@ def _from_text(robot: Robot, text: str, bare: Bare, place: Place) -> dict[str, V
     }
 
 
-def _assignments(robot: Robot, parts: list[tuple[int, str]], text: str, bare: Bare, place: Place) -> dict[str, Value]:
+def _assignments(
+    robot: Description, parts: list[tuple[int, str]], text: str, bare: Bare, place: Place
+) -> dict[str, Value]:
     values: dict[str, Value] = {}
     for offset, part in parts:
         name, equals, value = part.partition("=")
@@ -227,7 +231,7 @@ def _split(text: str) -> Iterator[tuple[int, str]]:
     yield _stripped(text[start:end], start)
 
 
-def _between_blanks(robot: Robot, text: str) -> list[tuple[int, str]]:
+def _between_blanks(robot: Description, text: str) -> list[tuple[int, str]]:
     """A value for each joint with only blanks between them, `0.3 30° 0,1`, with offsets; nothing if it is not that."""
     inner = re.sub(r"^\s*\[|\]\s*$", " ", text)
     pieces = [(found.start(), found[0]) for found in re.finditer(r"\S+", inner)]
@@ -247,7 +251,7 @@ def _at(place: Place, text: str, offset: int) -> Place:
     return Place(place.source, place.line, (place.column or 1) + offset, place.text or text)
 
 
-def _value(robot: Robot, name: str, value: float | str | Value, bare: Bare, place: Place | None) -> Value:
+def _value(robot: Description, name: str, value: float | str | Value, bare: Bare, place: Place | None) -> Value:
     if isinstance(value, Angle | Expr):
         return value
     if isinstance(value, str):
@@ -270,7 +274,7 @@ def _places(value: Fraction) -> int | None:
     return None if value.denominator == 1 else value.denominator.bit_length() - 1
 
 
-def _parameter(robot: Robot, name: str, place: Place | None) -> str:
+def _parameter(robot: Description, name: str, place: Place | None) -> str:
     for parameter in robot.parameters:
         if canonical(parameter) == canonical(name):
             return parameter
@@ -280,14 +284,14 @@ def _parameter(robot: Robot, name: str, place: Place | None) -> str:
     raise RobotError(Problem(f"{robot.name} has no length called {name}", place, hint))
 
 
-def _check_count(robot: Robot, count: int, place: Place | None) -> None:
+def _check_count(robot: Description, count: int, place: Place | None) -> None:
     wanted = len(robot.variables)
     if count != wanted:
         message = f"{robot.name} has {plural(wanted, 'joint')}, {plural(count, 'value')} given"
         raise RobotError(Problem(message, place, _joints_hint(robot, place)))
 
 
-def _joints_hint(robot: Robot, place: Place | None) -> str:
+def _joints_hint(robot: Description, place: Place | None) -> str:
     """What the joints want: by `--q` where it was typed, and for a program without a word of the command line."""
     is_typed = place is not None and place.source.startswith("--")
     if not robot.variables:

@@ -6,8 +6,9 @@ Reads the spelling only; what a move does to a frame is the business of kinemati
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import groupby
 from typing import Literal
 
 from dhcli.errors import Place
@@ -31,6 +32,9 @@ AXES: tuple[Axis, ...] = ("x", "y", "z")
 _ROTATION = re.compile(r"(?:Rot|rot|Rotate|R)_?\{?([xyz])?\}?")
 _TRANSLATION = re.compile(r"(?:Trans|trans|Transl|transl|Translate|T|D)_?\{?([xyz])?\}?")
 _INVERSE = frozenset(("inv", "inverse", "Inv"))
+_WHERE = frozenset(("fixed", "current"))
+_TURNS = {"rpy": 3, "euler": 4, "quaternion": 4, "quat": 4, "rotvec": 3, "rotation_vector": 3}
+"""Rotations by several numbers, and how many each takes."""
 EXAMPLE = "write Trans(1, 2, 3) Rot(z, 90°), or a matrix [1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1]"
 
 
@@ -46,7 +50,8 @@ class Factor:
         offset: Three lengths of a translation [m].
         rows: Entries of a literal 4x4 matrix.
         inverse: Whether the inverse is meant.
-        start: Offset in the text.
+        start: Offset in the text; factors that one move stands for have the same.
+        about: Whether it is said that the move is about the fixed or the current frame; empty if not.
     """
 
     kind: Literal["rot", "trans", "matrix"]
@@ -57,6 +62,21 @@ class Factor:
     rows: tuple[tuple[Expr, ...], ...] = ()
     inverse: bool = False
     start: int = 0
+    about: Literal["", "fixed", "current"] = ""
+
+
+def moves_of(factors: Sequence[Factor]) -> Iterator[list[Factor]]:
+    """Factors move by move: a rotation about any axis is one move, and so is what stands in `fixed(...)`."""
+    for _, group in groupby(factors, key=lambda factor: factor.start):
+        yield list(group)
+
+
+def in_order_of_motion(factors: Sequence[Factor]) -> list[Factor]:
+    """Factors as they are multiplied: a move about the fixed frame stands before all that were typed before it."""
+    ordered: list[Factor] = []
+    for group in moves_of(factors):
+        ordered = group + ordered if group[0].about == "fixed" else ordered + group
+    return ordered
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,13 +137,22 @@ def _product(reading: _Reading, tokens: Sequence[Token], *, inverse: bool, depth
         turned = inverse != (end > closing)
         if token.kind == "word" and token.text in _INVERSE:
             part = _product(reading, inside, inverse=not turned, depth=depth + 1)
-            factors.extend(part)
+            factors.extend(part[::-1] if inverse else part)
         elif token.text == "(":
-            factors.extend(_product(reading, inside, inverse=turned, depth=depth + 1))
+            part = _product(reading, inside, inverse=turned, depth=depth + 1)
+            factors.extend(part[::-1] if inverse else part)
+        elif token.kind == "word" and token.text in _WHERE:
+            if depth or turned:
+                raise source.error(token.start, f"{token.text}(...) stands by itself", "not in brackets, nor inverted")
+            part = _product(reading, inside, inverse=False, depth=depth + 1)
+            about: Literal["fixed", "current"] = "fixed" if token.text == "fixed" else "current"
+            text = source.text[inside[0].start : inside[-1].end] if inside else ""
+            factors.extend(replace(factor, about=about, start=token.start, text=text) for factor in part)
         elif token.kind == "sign" or token.text in ("begin", "array", "matrix", "Matrix"):
             factors.append(_matrix(reading, tokens[i : closing + 1], inverse=turned))
         else:
-            factors.append(_move(reading, token, inside, tokens[closing], inverse=turned))
+            part = _moves(reading, token, inside, tokens[closing], inverse=turned)
+            factors.extend(part[::-1] if turned != inverse else part)
         i = end + 1
     return factors[::-1] if inverse else factors
 
@@ -156,6 +185,51 @@ def _matrix(reading: _Reading, tokens: Sequence[Token], *, inverse: bool) -> Fac
         if cell.expr != right:
             raise source.error(start, "the last row of a pose is 0 0 0 1", "lengths stand in the fourth column")
     return Factor("matrix", text, rows=rows, inverse=inverse, start=start)
+
+
+def _moves(reading: _Reading, word: Token, inside: Sequence[Token], close: Token, *, inverse: bool) -> list[Factor]:
+    """A move, which several factors may stand for: a rotation about any axis, or by several numbers."""
+    source, scope = reading.source, reading.scope
+    arguments = _arguments(inside)
+    name = word.text if word.text in _TURNS else ""
+    any_axis = word.text in ("Rot", "rot") and len(arguments) == 2 and arguments[0][0].text in ("[", "(")  # noqa: PLR2004
+    if not name and not any_axis:
+        return [_move(reading, word, inside, close, inverse=inverse)]
+    from dhcli.notation import turns  # few products have one
+
+    text = source.text[word.start : close.end]
+
+    def angles(parts: list[list[Token]]) -> list[Angle]:
+        return [_angle(reading, _parse(source, part, scope, close), part[0].start) for part in parts]
+
+    def numbers(parts: list[list[Token]]) -> list[Expr]:
+        return [_length(source, _parse(source, part, scope, close), part[0].start) for part in parts]
+
+    if name and len(arguments) != _TURNS[name]:
+        example = turns.EXAMPLES[name]
+        raise source.error(word.start, f"{name} takes {_TURNS[name]} values, not {len(arguments)}", f"write {example}")
+    if any_axis and len(axis := _arguments(arguments[0][1:-1])) != len(AXES):
+        raise source.error(word.start, f"an axis has three coordinates, not {len(axis)}", "write Rot([1, 2, 2], 40°)")
+    try:
+        if any_axis:
+            parts = turns.about(numbers(axis), angles(arguments[1:])[0])
+        elif name == "rpy":
+            parts = turns.in_order("fixed xyz", angles(arguments))
+        elif name == "euler":
+            order = source.text[arguments[0][0].start : arguments[0][-1].end]
+            parts = turns.in_order(order, angles(arguments[1:]))
+        elif name in ("quaternion", "quat"):
+            parts = turns.by_quaternion(numbers(arguments))
+        else:
+            parts = turns.by_vector(angles(arguments))
+    except DimensionError as error:
+        raise source.error(word.start, error.message, error.hint) from None
+    return [
+        Factor("rot", text, axis=part.axis, angle=part.angle, inverse=inverse, start=word.start)
+        if isinstance(part, turns.Turn)
+        else Factor("matrix", text, rows=part.rows, inverse=inverse, start=word.start)
+        for part in parts
+    ]
 
 
 def _move(reading: _Reading, word: Token, inside: Sequence[Token], close: Token, *, inverse: bool) -> Factor:

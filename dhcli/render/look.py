@@ -36,6 +36,7 @@ _NOUNS = {
     "singularities": "singularities",
     "torques": "torques",
     "velocity": "rates and velocities",
+    "description": "a description",
 }
 """What each kind of result is called in messages."""
 
@@ -124,6 +125,9 @@ _RENDERERS = {
     ("velocity", "numpy"): "dhcli.render.code.velocity:velocity_code",
     ("velocity", "sympy"): "dhcli.render.code.velocity:velocity_code",
     ("velocity", "csv"): "dhcli.render.code.velocity:velocity_csv",
+    ("description", "table"): "dhcli.render.text.describe:description_table",
+    ("description", "yaml"): "dhcli.render.code.robots:description_yaml",
+    ("description", "urdf"): "dhcli.render.code.robots:description_urdf",
 }
 """Where the renderer of each kind of result and format stands; it is imported when it is needed."""
 
@@ -151,6 +155,7 @@ _CONTENTS = {
     "singularities": "dhcli.render.json.velocity:singular_content",
     "torques": "dhcli.render.json.velocity:torques_content",
     "velocity": "dhcli.render.json.velocity:velocity_content",
+    "description": "dhcli.render.text.describe:description_content",
 }
 """Where each kind of result becomes what stands under `data` in JSON."""
 

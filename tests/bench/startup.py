@@ -24,6 +24,7 @@ COMMANDS = (
     "torques planar-2r --q 0.3,0.5 --force 0,10,0",
     "transform Trans(8,-6,14)Rot(y,90°)",
     "show puma560",
+    "describe puma560 --as standard",
     "draw puma560",
     "list",
     "check planar-two-links --part d02 --answer a1*c1+a2*c12,a1*s1+a2*s12,0",

@@ -34,7 +34,7 @@ def test_bad_input_ends_with_2(dhcli: Run) -> None:
 def test_a_bug_ends_with_3_and_a_short_message(dhcli: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     """How to report it, and no traceback."""
 
-    def broken(name: str) -> None:
+    def broken(name: str, **_: object) -> None:
         raise ZeroDivisionError(name)
 
     monkeypatch.setattr("dhcli.files.yaml.robots.load_robot", broken)
@@ -47,7 +47,7 @@ def test_a_bug_ends_with_3_and_a_short_message(dhcli: Run, monkeypatch: pytest.M
 def test_a_bug_shows_its_traceback_when_asked(monkeypatch: pytest.MonkeyPatch) -> None:
     """DHCLI_DEBUG is for those who mend it."""
 
-    def broken(name: str) -> None:
+    def broken(name: str, **_: object) -> None:
         raise ZeroDivisionError(name)
 
     monkeypatch.setattr("dhcli.files.yaml.robots.load_robot", broken)
@@ -207,7 +207,7 @@ def test_a_robot_has_exactly_these_keys(dhcli: Run) -> None:
     data = dhcli("show", "puma560", "--format", "json").data
     assert set(data) == {
         *("name", "title", "source", "notes", "convention", "pattern", "frames", "columns", "links", "joints"),
-        *("parameters", "poses", "base", "tool"),
+        *("parameters", "poses", "base", "tool", "tools"),
     }
     assert set(data["links"][0]) == {"number", "a", "alpha", "d", "theta"}
     assert set(data["joints"][0]) == {"name", "kind", "link", "limits"}

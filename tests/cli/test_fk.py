@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import sympy
 
-from dhcli import forward, load_robot, symbolic
+from dhcli import forward, load_robot, save_robot, symbolic
 from tests.cli.running import Done, Run
 
 Q = "0.3,0.5,0.1"
@@ -323,3 +323,98 @@ def test_a_named_pose_may_be_varied(dhcli: Run) -> None:
     done = dhcli("fk", "puma560", "--pose", "ready", "--q", "0,0,0,0,0,0")
     assert done.code == 2
     assert "--q NAME=VALUE varies a pose" in done.err
+
+
+def test_the_heading_says_what_the_pose_leaves_out(dhcli: Run, tmp_path: Path) -> None:
+    """Base and tool of the file, where it has them, and only where both ends are the first and the last frame."""
+    text = (Path(__file__).parents[2] / "robots" / "planar-2r.yaml").read_text("utf-8")
+    cases = {
+        "": (None, None),
+        "tool: Trans(0, 0, 0.1)\n": ("without tool: --to tool has it", "--to tool"),
+        "base: Trans(0, 0, 1)\n": ("without base: --from base has it", "--from base"),
+        "base: Trans(0, 0, 1)\ntool: Rot(x, 30°)\n": (
+            "without base and tool: --from base --to tool has both",
+            "--from base --to tool",
+        ),
+    }
+    path = tmp_path / "arm.yaml"
+    for more, (said, options) in cases.items():
+        path.write_text(text + more, "utf-8")
+        for way in (("-s",), ("-s", "--inverse"), ("--q", "0,0", "--as", "rpy"), ("-s", "--point", "0,0,0")):
+            out = dhcli("fk", str(path), *way).out
+            assert (said in out) if said else ("without" not in out), (more, way)
+            assert options is None or "without" not in dhcli("fk", str(path), *way, *options.split()).out
+        assert "without" not in dhcli("fk", str(path), "-s", "--to", "1").out
+
+
+def test_a_tool_that_is_typed_stands_behind_the_last_frame(dhcli: Run, tmp_path: Path) -> None:
+    """The pose is that of the robot times that of the tool, for one pose and for rows; that of the file gives way."""
+    moves = "Trans(0.1,0,l3) Rot(x,90°)"
+    tool = np.array([[1, 0, 0, 0.1], [0, 0, -1, 0], [0, 1, 0, 0.2], [0, 0, 0, 1]])
+    expected = forward(load_robot("scara"), [0.3, 0.5, 0.1]).matrix @ tool
+    assert np.allclose(_matrix(dhcli("fk", "scara", "--q", Q, "--tool", moves, "--format", "json")), expected)
+    assert dhcli("fk", "scara", "--q", Q, "--tool", moves).out.startswith("T_{0,tool} of scara: tool seen")
+    back = dhcli("fk", "scara", "--q", Q, "--tool", moves, "--from", "tool", "--to", "0", "--format", "json")
+    assert np.allclose(_matrix(back) @ expected, np.eye(4))
+    (tmp_path / "q.csv").write_text("theta1,theta2,d3\n0.3,0.5,0.1\n", "utf-8")
+    rows = dhcli("fk", "scara", "--in", str(tmp_path / "q.csv"), "--tool", moves, "--as", "position").out.splitlines()
+    assert np.allclose([float(cell) for cell in rows[1].split(",")], expected[:3, 3])
+    own = load_robot("zhou-6r")
+    bare = forward(own.copy(tool="Trans(0,0,1)"), "zero", end="tool").matrix
+    assert np.allclose(
+        _matrix(dhcli("fk", "zhou-6r", "--pose", "zero", "--tool", "Trans(0,0,1)", "--format", "json")), bare
+    )
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--tool", "Trans(0,0,0.1)", "--to", "2"), "--to 2 does not reach it"),
+        (("--tool", "Trans(0,0,l9)"), "--tool:11: l9 is not a name"),
+        (("--tool", "gripper"), "--tool"),
+        (("--tool", ""), "--tool"),
+    ],
+)
+def test_a_tool_that_cannot_be_is_refused(dhcli: Run, words: tuple[str, ...], said: str) -> None:
+    """With the place in what was typed."""
+    done = dhcli("fk", "scara", "--q", Q, *words)
+    assert done.code == 2
+    assert said in done.err
+
+
+def test_a_tool_of_the_file_is_asked_for_by_name(dhcli: Run, tmp_path: Path) -> None:
+    """As if its moves were typed, with lengths of the robot; `show` lists it, and saving keeps it."""
+    text = (Path(__file__).parents[2] / "robots" / "scara.yaml").read_text("utf-8")
+    path, copy = tmp_path / "arm.yaml", tmp_path / "copy.yaml"
+    path.write_text(text + "tools: {gripper: 'Trans(0,0,l3) Rot(z,30°)', none: 'Trans(0,0,0)'}\n", "utf-8")
+    arm = load_robot(path)
+    save_robot(arm, copy)
+    assert load_robot(copy).tools == arm.tools
+    for robot in (path, copy):
+        named, typed = (
+            dhcli("fk", str(robot), "--q", Q, "--tool", tool, "--format", "csv").out
+            for tool in ("gripper", "Trans(0,0,l3) Rot(z,30°)")
+        )
+        assert named == typed
+    assert "tool gripper  Trans(0, 0, l3) Rot(z, 30°)" in dhcli("show", str(path)).out
+    wrong = dhcli("fk", str(path), "--q", Q, "--tool", "griper")
+    assert (wrong.code, "did you mean gripper?" in wrong.err) == (2, True)
+    save_robot(arm, tmp_path / "arm.urdf")
+    assert load_robot(tmp_path / "arm.urdf").tools == {}
+    said = dhcli("describe", str(path), "--as", "modified", "--numbers")
+    assert "the tools of the file are left out" in said.out
+
+
+def test_a_tool_that_moves_is_refused_where_it_stands(dhcli: Run, tmp_path: Path) -> None:
+    """A joint variable in it, a name that is none, a matrix that is no rotation."""
+    text = (Path(__file__).parents[2] / "robots" / "scara.yaml").read_text("utf-8")
+    path = tmp_path / "arm.yaml"
+    line = text.count("\n") + 2
+    for moves, said in {
+        "Rot(z, theta1)": "theta1 is a joint variable",
+        "Trans(0, 0, l9)": "l9 is not a name",
+        "[2 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1]": "",
+    }.items():
+        path.write_text(f"{text}tools:\n  gripper: '{moves}'\n", "utf-8")
+        done = dhcli("fk", str(path), "--q", Q)
+        assert (done.code, f"arm.yaml:{line}:" in done.err, said in done.err) == (2, True, True), done.err

@@ -12,12 +12,13 @@ import io
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
+from xml.etree import ElementTree as ET
 
 import pytest
 
 import dhcli
 from dhcli.render import look
-from dhcli.safe import comment, csv_cell, docstring, html, latex, one_line
+from dhcli.safe import comment, csv_cell, docstring, html, latex, one_line, xml_attribute, xml_comment
 from tests.cli.running import Run
 
 EVIL = "e\x1b[31m\x9b2J\u202e\u200b\u2028\x85\r\nimport os"
@@ -110,6 +111,7 @@ def command_lines() -> Iterator[tuple[str, ...]]:
         "point": ("fk", robot, "-s", "--point", "1,2,3"),
         "placement": ("fk", robot, "--pose", "home", "--as", "rpy"),
         "robot": ("show", robot),
+        "description": ("describe", robot, "--steps", "--as", "standard"),
         "linkage": ("show", linkage),
         "mobility": ("dof", linkage),
         "mobility at joint values": ("dof", robot, "--pose", "home"),
@@ -219,6 +221,14 @@ def test_latex_gets_no_command(text: str, shown: str | None) -> None:
 def test_html_gets_no_tag_and_no_end_of_an_attribute() -> None:
     """Neither do its quotes end one."""
     assert html("<b a='x' b=\"y\">&\x1b\n") == "&lt;b a=&#x27;x&#x27; b=&quot;y&quot;&gt;&amp;  "
+
+
+def test_xml_is_read_with_what_was_put_in() -> None:
+    """Whatever stands in an attribute, and whatever would end a comment."""
+    for text in ("--><evil/>", "a---", "<b a='x' b=\"y\">&", EVIL):
+        root = ET.fromstring(f"<r a={xml_attribute(text)}>{xml_comment(text)}</r>")  # noqa: S314  our own
+        assert root.get("a") == one_line(text)
+        assert list(root) == []
 
 
 def test_a_comment_is_one_line() -> None:

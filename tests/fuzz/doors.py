@@ -130,6 +130,30 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("check", "scara", "--pose", "zero", "--entry", "1,4", "--answer", "0"),
     ("check", "scara", "--pose", "zero", "--as", "position", "--answer", "0, 0.5, 0.4"),
     ("show", "scara", "--draw"),
+    ("fk", "./arm.urdf", "--base", "base_link", "--tip", "hand", "--as-typed", "-s"),
+    ("fk", "scara", "--pose", "pick", "--tool", "Trans(0,0,l1) Rot(z,30°)"),
+    ("show", "./arm.urdf", "--base", "base_link", "--tip", "hand", "--as-typed"),
+    ("ik", "./arm.urdf", "--base", "base_link", "--tip", "hand", "--as-typed", "--q", "0,0,0"),
+    ("jacobian", "./arm.urdf", "--base", "base_link", "--tip", "hand", "--as-typed", "-s"),
+    ("rates", "./arm.urdf", "--base", "base_link", "--tip", "hand", "--as-typed", "-s", "--rates", "1,2,3"),
+    ("torques", "./arm.urdf", "--base", "base_link", "--tip", "hand", "--as-typed", "-s", "--force", "1,0,0"),
+    ("singularities", "./arm.urdf", "--base", "base_link", "--tip", "hand", "--as-typed"),
+    (
+        "sweep",
+        "./arm.urdf",
+        "--base",
+        "base_link",
+        "--tip",
+        "hand",
+        "--as-typed",
+        "--over",
+        "q1 n 3",
+        "--q",
+        "q2=0,q3=0",
+    ),
+    ("describe", "./arm.urdf", "--base", "base_link", "--tip", "hand", "--as-typed", "--as", "modified"),
+    ("describe", "zhou-3r", "--as", "standard", "--steps", "--set", "a=0.3", "--numbers", "--format", "json"),
+    ("describe", "puma560", "--as", "axes", "--pose", "ready", "-o", "d.yaml", "--force"),
     ("draw", "yim/planar-in-numbers", "--variant", "alice", "--solution", "--worksheet", "-o", "w.svg"),
     ("ik", "planar-2r", "--q", "10,20", "--deg", "--set", "a1=1", "--task", "position", "--from", "0", "--to", "2"),
     ("ik", "puma560", "--pose", "ready", "--near", "ready", "--branch", "elbow up", "--within-limits", "--digits", "3"),
@@ -230,6 +254,10 @@ FILES: dict[str, tuple[str, tuple[tuple[str, ...], ...]]] = {
         "robots/puma560.yaml",
         (("fk", "./x.yaml", "-s", "--format", "numpy"), ("check", "puma560", "--table", "x.yaml")),
     ),
+    "urdf": (
+        "tests/data/urdf/three-joints.urdf",
+        (("fk", "./x.urdf", "--q", "0,0,0"), ("describe", "./x.urdf", "--as", "standard"), ("show", "./x.urdf")),
+    ),
     "linkage": ("robots/linkages/planar-four-bar.yaml", (("show", "./x.yaml"), ("dof", "x.yaml"), ("lint", "x.yaml"))),
     "spatial": ("robots/linkages/bennett.yaml", (("dof", "x.yaml", "--format", "json"),)),
     "exercise": (
@@ -289,6 +317,7 @@ def _line(chance: random.Random) -> Case:
         "robot.yaml": source("robot"),
         "exercise.yaml": source("exercise"),
     }
+    files |= {"arm.urdf": source("urdf")}
     files |= {"class/one/s.yaml": source("sheet"), "sheet.yaml": source("sheet")}
     return Case(tuple(word.replace("\0", "") for word in words), files, chance.choice(("", IDENTITY)))
 
@@ -297,9 +326,10 @@ def _file(chance: random.Random) -> Case:
     kind = chance.choice(sorted(FILES))
     words = chance.choice(FILES[kind][1])
     content = source(kind)
+    name = "x.urdf" if kind == "urdf" else "x.yaml"
     if chance.random() < 0.1:
-        return Case(words, {"x.yaml": mutated_bytes(content, chance)})
-    return Case(words, {"x.yaml": mutated(content.decode(), chance).encode("utf-8", "surrogatepass")})
+        return Case(words, {name: mutated_bytes(content, chance)})
+    return Case(words, {name: mutated(content.decode(), chance).encode("utf-8", "surrogatepass")})
 
 
 def _rows(chance: random.Random) -> Case:

@@ -127,10 +127,10 @@ def test_a_page_that_names_an_unknown_option_is_caught() -> None:
 
 def test_every_key_of_a_file_format_is_documented() -> None:
     """Keys that a loader knows stand as code on the page about its files."""
-    from dhcli.files.yaml import exercises, joints, linkages, parts, robots, sheets, tolerances
+    from dhcli.files.yaml import exercises, joints, linkages, parts, robot_loader, sheets, tolerances
 
     known = {
-        "robot-files": {*robots.KEYS},
+        "robot-files": {*robot_loader.KEYS},
         "exercise-files": {*exercises.KEYS, *parts.KEYS, *tolerances.KEYS, *sheets.KEYS},
         "linkage-files": {*linkages.KEYS, *joints.JOINT_KEYS, *joints.LOOP_KEYS},
     }

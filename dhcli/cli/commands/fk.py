@@ -8,6 +8,8 @@ import typer
 
 from dhcli.cli.shell.options import (
     WHERE,
+    AsTyped,
+    Base,
     Digits,
     Force,
     Format,
@@ -17,6 +19,7 @@ from dhcli.cli.shell.options import (
     SeenFrom,
     Settings,
     Spelling,
+    Tip,
     complete_frame,
     complete_pose,
 )
@@ -74,6 +77,14 @@ def fk(
         str | None,
         typer.Option(metavar="FRAME", help="Of this frame.", rich_help_panel=WHERE, autocompletion=complete_frame),
     ] = None,
+    tool: Annotated[
+        str | None,
+        typer.Option(
+            metavar="TOOL",
+            help="Of the end of this tool: one that the file names, or 'Trans(0,0,0.1) Rot(z,45°)'.",
+            rich_help_panel=WHERE,
+        ),
+    ] = None,
     inverse: Annotated[bool, typer.Option("--inverse", help="The other way round.", rich_help_panel=WHERE)] = False,
     point: Annotated[
         str | None, typer.Option(metavar="X,Y,Z", help="Where a point of the end frame is.", rich_help_panel=WHERE)
@@ -103,6 +114,9 @@ def fk(
         ),
     ] = False,
     as_: Forms = None,
+    base: Base = None,
+    tip: Tip = None,
+    as_typed: AsTyped = False,
     format_: Format = None,
     style: Spelling = None,
     digits: Digits = None,
@@ -110,6 +124,9 @@ def fk(
     force: Force = False,
 ) -> None:
     """Pose of a robot's end frame: in numbers from joint values, or in symbols as the textbook prints it."""
+    from dhcli.cli.shell.given import values_of, with_tool
+    from dhcli.files.yaml.robots import load_robot
+
     if in_ is not None or skip_bad or ignore_columns or index:
         from dhcli.cli.shell.batch import asked_of_rows, check_options, fk_rows, rows_wanted
         from dhcli.cli.shell.rows import RowDelivery
@@ -117,18 +134,21 @@ def fk(
         others: dict[str, object] = {"--pose": pose, "--symbolic": symbolic, "--let": let, "--links": links}
         others |= {"--factors": factors, "--style": style, "--digits": digits}
         path = check_options(in_, robot, others)
-        wanted = rows_wanted(robot, from_, to, set_ or [], as_ or [], point, inverse=inverse, every=frames)
+        arm = load_robot(robot, base=base, tip=tip, as_typed=as_typed)
+        if tool is not None:
+            arm, to = with_tool(arm, tool, from_, to)
+        wanted = rows_wanted(arm, from_, to, set_ or [], as_ or [], point, inverse=inverse, every=frames)
         asked = asked_of_rows(wanted.robot, q, degrees=deg, ignores=ignore_columns)
         fk_rows(wanted, asked, path, RowDelivery(format_, output, force), skip_bad=skip_bad, index=index)
         return
     from dhcli.cli.shell.asking import ask, kind_of
     from dhcli.cli.shell.delivery import Delivery
-    from dhcli.cli.shell.given import values_of
-    from dhcli.files.yaml.robots import load_robot
     from dhcli.kinematics.question import answer
 
     delivery = Delivery("fk", format_, digits, style, output, force)
-    arm = load_robot(robot)
+    arm = load_robot(robot, base=base, tip=tip, as_typed=as_typed)
+    if tool is not None:
+        arm, to = with_tool(arm, tool, from_, to)
     question = ask(
         arm,
         from_,

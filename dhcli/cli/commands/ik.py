@@ -8,11 +8,14 @@ import typer
 
 from dhcli.cli.shell.options import (
     WHERE,
+    AsTyped,
+    Base,
     Digits,
     Force,
     RobotName,
     SeenFrom,
     Settings,
+    Tip,
     complete_frame,
     complete_pose,
     format_option,
@@ -172,6 +175,9 @@ def ik(
         str | None,
         typer.Option(metavar="FRAME", help="Of this frame.", rich_help_panel=WHERE, autocompletion=complete_frame),
     ] = None,
+    base: Base = None,
+    tip: Tip = None,
+    as_typed: AsTyped = False,
     format_: Annotated[str | None, format_option("table", "json", "csv", "latex", "numpy", "matlab", "c")] = None,
     digits: Digits = None,
     output: Annotated[str | None, output_option(".json", ".csv", ".tex", ".py", ".m", ".c", ".txt")] = None,
@@ -194,11 +200,27 @@ def ik(
         others: dict[str, object] = {"--q": q, "--pose": pose, "--target": target, "--position": position, "--rpy": rpy}
         others |= {"--quaternion": quaternion, "--pointing": pointing, "--branch": branch, "--family": family}
         others |= {"--all-turns": all_turns, "--derive": derive, "--digits": digits}
-        rows = RowWish(in_, each, task, near, hold or [], set_ or [], from_, to, within_limits, deg, follow, skip_bad)
+        rows = RowWish(
+            in_,
+            each,
+            task,
+            near,
+            hold or [],
+            set_ or [],
+            from_,
+            to,
+            within_limits,
+            deg,
+            follow,
+            skip_bad,
+            base,
+            tip,
+            as_typed,
+        )
         return solve_rows(robot, rows, others, format_, output, force=force)
     delivery = Delivery("ik", format_, digits, None, output, force)
     delivery.chosen("derivation" if derive else "inverse")
-    arm = load_robot(robot)
+    arm = load_robot(robot, base=base, tip=tip, as_typed=as_typed)
     goal = Goal(q, pose, target, position, rpy, quaternion, pointing, task)
     if derive:
         delivery.hand_over("derivation", derived(arm, goal, from_, to))

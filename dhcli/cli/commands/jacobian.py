@@ -8,7 +8,9 @@ import typer
 
 from dhcli.cli.shell.options import (
     Against,
+    AsTyped,
     Axes,
+    Base,
     Degrees,
     Digits,
     EndPoint,
@@ -22,6 +24,7 @@ from dhcli.cli.shell.options import (
     Settings,
     Spelling,
     Symbolic,
+    Tip,
 )
 
 ROWS = "Rows"
@@ -97,6 +100,9 @@ def jacobian(
         bool,
         typer.Option("--index", help="First column: where the row stands in FILE, as in errors.", rich_help_panel=MANY),
     ] = False,
+    base: Base = None,
+    tip: Tip = None,
+    as_typed: AsTyped = False,
     format_: Format = None,
     style: Spelling = None,
     digits: Digits = None,
@@ -115,7 +121,7 @@ def jacobian(
 
         others: dict[str, object] = {"--pose": pose, "--symbolic": symbolic, "--let": let}
         check_options(rows, robot, others | {"--style": style, "--digits": digits})
-    arm = load_robot(robot)
+    arm = load_robot(robot, base=base, tip=tip, as_typed=as_typed)
     view = view_of(arm, from_, to, in_, point, "--point")
     form = form_of(part, order, analytic)
     if space or body:

@@ -8,8 +8,10 @@ import typer
 
 from dhcli.cli.shell.options import (
     Against,
+    AsTyped,
     AtPoint,
     Axes,
+    Base,
     Degrees,
     Digits,
     Force,
@@ -22,6 +24,7 @@ from dhcli.cli.shell.options import (
     Settings,
     Spelling,
     Symbolic,
+    Tip,
 )
 
 EXAMPLES = """
@@ -64,6 +67,9 @@ def rates(
     to: Moving = None,
     in_: Axes = None,
     at: AtPoint = None,
+    base: Base = None,
+    tip: Tip = None,
+    as_typed: AsTyped = False,
     format_: Format = None,
     style: Spelling = None,
     digits: Digits = None,
@@ -89,7 +95,7 @@ def rates(
         raise DhcliError("--damped is about joint rates for a velocity", "give --velocity VX,VY,VZ")
     delivery = Delivery("rates", format_, digits, style, output, force)
     delivery.chosen("velocity")
-    arm = load_robot(robot)
+    arm = load_robot(robot, base=base, tip=tip, as_typed=as_typed)
     view = view_of(arm, from_, to, in_, at, "--at")
     values = values_of(arm, q, pose, set_ or [], degrees=deg, symbolic=symbolic)
     if wanted:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, NamedTuple, cast
 
 import typer
 
-from dhcli.cli.shell.options import Force, RobotName, Variant, format_option, output_option
+from dhcli.cli.shell.options import AsTyped, Base, Force, RobotName, Tip, Variant, format_option, output_option
 from dhcli.errors import DhcliError
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.robot import Robot
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -20,9 +23,20 @@ dhcli show planar-in-numbers --variant alice
 """
 
 
+class Ends(NamedTuple):
+    """Which chain of a URDF is meant, and whether its numbers stay as they are."""
+
+    base: str | None
+    tip: str | None
+    as_typed: bool
+
+
 def show(
     name: RobotName,
     variant: Variant = None,
+    base: Base = None,
+    tip: Tip = None,
+    as_typed: AsTyped = False,
     format_: Annotated[str | None, format_option("table", "json", "latex", "csv")] = None,
     output: Annotated[str | None, output_option(".json", ".tex", ".csv", ".txt")] = None,
     force: Force = False,
@@ -35,15 +49,18 @@ def show(
     delivery = Delivery("show", format_, output=output, force=force)
     kind = kind_of(name).noun
     delivery.chosen(kind)
-    result = _load(kind, name, variant)
+    ends = {"--base": base, "--tip": tip, "--as-typed": as_typed or None}
+    if kind != "robot" and (given := [option for option, value in ends.items() if value is not None]):
+        raise DhcliError(f"{' and '.join(given)} choose links of a URDF, and {name} is no robot", "leave them out")
+    result = _load(kind, name, variant, Ends(base, tip, as_typed))
     if draw and (kind == "exercise" or delivery.chosen(kind) != "table" or output is not None):
         raise DhcliError("--draw puts a picture under the table of a robot or a linkage", "dhcli draw writes files")
     delivery.hand_over(kind, result, getattr(result, "remarks", ()))
     if draw:
-        _draw(name)
+        _draw(result if kind == "robot" else name)
 
 
-def _draw(name: str) -> None:
+def _draw(what: object) -> None:
     """The picture of a robot or a linkage, on standard output."""
     import sys
 
@@ -52,10 +69,11 @@ def _draw(name: str) -> None:
     from dhcli.render.paper import Paper
     from dhcli.render.pictures.picture import Picture
 
-    write_out("\n" + Picture(find(name)).terminal(Paper.of(sys.stdout)))
+    drawn = find(what) if isinstance(what, str) else cast("Robot", what)
+    write_out("\n" + Picture(drawn).terminal(Paper.of(sys.stdout)))
 
 
-def _load(kind: str, name: str, variant: str | None) -> object:
+def _load(kind: str, name: str, variant: str | None, ends: Ends) -> object:
     if kind == "exercise":
         from dhcli.checking.judge import Judge
         from dhcli.checking.variants import variant_of
@@ -74,6 +92,8 @@ def _load(kind: str, name: str, variant: str | None) -> object:
     from dhcli.files.yaml.robots import load_robot
 
     try:
-        return load_robot(name)
+        return load_robot(name, base=ends.base, tip=ends.tip, as_typed=ends.as_typed)
     except UnknownNameError as error:
+        if ends.base is not None or ends.tip is not None:
+            raise  # it may be a link that is not known
         raise unknown(name, tuple(Kind), error) from None

@@ -9,6 +9,8 @@ import typer
 from dhcli.cli.shell.options import (
     WHERE,
     Against,
+    AsTyped,
+    Base,
     Degrees,
     EndPoint,
     Force,
@@ -20,6 +22,7 @@ from dhcli.cli.shell.options import (
     RobotName,
     Settings,
     Spelling,
+    Tip,
 )
 
 EXAMPLES = """
@@ -52,6 +55,9 @@ def singularities(
             rich_help_panel=WHERE,
         ),
     ] = None,
+    base: Base = None,
+    tip: Tip = None,
+    as_typed: AsTyped = False,
     format_: Format = None,
     style: Spelling = None,
     output: Output = None,
@@ -67,7 +73,7 @@ def singularities(
 
     delivery = Delivery("singularities", format_, None, style, output, force)
     delivery.chosen("singularities")
-    arm = load_robot(robot)
+    arm = load_robot(robot, base=base, tip=tip, as_typed=as_typed)
     view = view_of(arm, from_, to, None, point, "--point")
     at_values = q is not None or pose is not None
     given = values_of(arm, None, None, set_ or [], degrees=deg, symbolic=True)

@@ -11,11 +11,14 @@ import typer
 
 from dhcli.cli.shell.options import (
     WHERE,
+    AsTyped,
+    Base,
     Digits,
     Force,
     RobotName,
     SeenFrom,
     Settings,
+    Tip,
     complete_frame,
     complete_joint,
     complete_pose,
@@ -70,6 +73,9 @@ def sweep(
     point: Annotated[
         str | None, typer.Option(metavar="X,Y,Z", help="A point of that frame instead.", rich_help_panel=WHERE)
     ] = None,
+    base: Base = None,
+    tip: Tip = None,
+    as_typed: AsTyped = False,
     format_: Annotated[
         str | None,
         typer.Option("--format", metavar="NAME", help="Of the summary: table, json or csv.", rich_help_panel="Output"),
@@ -100,7 +106,7 @@ def sweep(
     delivery = Delivery("sweep", format_, digits)
     delivery.chosen("sweep")
     points = _points(output, force=force)
-    arm = load_robot(robot)
+    arm = load_robot(robot, base=base, tip=tip, as_typed=as_typed)
     values = values_of(arm, q, pose, set_ or [], degrees=deg, symbolic=False)
     seen = None if point is None else point_of(point, "--point", open_scope(arm))
     target = target_of(arm, View.of(arm, from_, to, point=seen), values)

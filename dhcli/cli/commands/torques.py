@@ -8,8 +8,10 @@ import typer
 
 from dhcli.cli.shell.options import (
     Against,
+    AsTyped,
     AtPoint,
     Axes,
+    Base,
     Degrees,
     Digits,
     Format,
@@ -21,6 +23,7 @@ from dhcli.cli.shell.options import (
     Settings,
     Spelling,
     Symbolic,
+    Tip,
 )
 
 EXAMPLES = """
@@ -51,6 +54,9 @@ def torques(
     to: Moving = None,
     in_: Axes = None,
     at: AtPoint = None,
+    base: Base = None,
+    tip: Tip = None,
+    as_typed: AsTyped = False,
     format_: Format = None,
     style: Spelling = None,
     digits: Digits = None,
@@ -73,7 +79,7 @@ def torques(
         raise DhcliError("torques of what?", "--force 0,0,10 or --moment 0,0,1: what the end exerts")
     delivery = Delivery("torques", format_, digits, style, output, overwrite)
     delivery.chosen("torques")
-    arm = load_robot(robot)
+    arm = load_robot(robot, base=base, tip=tip, as_typed=as_typed)
     view = view_of(arm, from_, to, in_, at, "--at")
     wrench = vector_of(push or "0,0,0", "--force", FORCE, arm), vector_of(moment or "0,0,0", "--moment", MOMENT, arm)
     values = values_of(arm, q, pose, set_ or [], degrees=deg, symbolic=symbolic)

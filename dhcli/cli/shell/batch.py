@@ -16,7 +16,6 @@ from dhcli.files.rows.blocks import MOST, Block
 from dhcli.files.rows.columns import JointTable
 from dhcli.files.rows.formats import Rows, joint_rows
 from dhcli.files.rows.source import open_source
-from dhcli.files.yaml.robots import load_robot
 from dhcli.kinematics.frames import View
 from dhcli.kinematics.many import PoseRows, is_real, numbered
 from dhcli.kinematics.robot import Robot
@@ -61,7 +60,7 @@ def check_options(path: str | None, robot: str, others: Mapping[str, object]) ->
 
 
 def rows_wanted(
-    robot: str,
+    arm: Robot,
     start: str | None,
     end: str | None,
     settings: Sequence[str],
@@ -74,11 +73,10 @@ def rows_wanted(
     """What the options ask of each row; see `fk`.
 
     Raises:
-        DhcliError: There is no such robot, frame or form, a length has no value, or the point is none.
+        DhcliError: There is no such frame or form, a length has no value, or the point is none.
     """
     if point is not None and (forms or every):
         raise DhcliError(f"--point and {'--as' if forms else '--frames'} ask for different things", "use one of them")
-    arm = load_robot(robot)
     view = View.of(arm, start, end, inverse=inverse)
     lengths = parameter_values(arm, settings_of(settings), Place("--set", text=" ".join(settings)))
     if point is None:

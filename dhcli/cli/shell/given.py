@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean, plural
 from dhcli.kinematics.frames import Point
+from dhcli.kinematics.moves import read_chain
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import given_parameters, joint_values, parameter_values
 from dhcli.notation.names import canonical
@@ -29,6 +30,25 @@ def values_of(
     posed = {} if pose is None else named_pose(robot, pose)
     text, where = (q, Place("--q")) if q is None or not q.startswith("@") else text_of_file(q[1:])
     return {**lengths, **posed, **joint_values(robot, text, bare="deg" if degrees else "rad", place=where)}
+
+
+def with_tool(robot: Robot, moves: str, start: str | None, end: str | None) -> tuple[Robot, str | None]:
+    """The robot with a tool that was typed, and the frame that is meant: the tool, where no other was named.
+
+    Raises:
+        DhcliError: The frames named do not reach as far as the tool, or the moves cannot be read.
+    """
+    if end is not None and "tool" not in (start, end):
+        raise DhcliError(f"--tool is behind the last frame, and --to {end} does not reach it", "use --to tool")
+    if moves.strip() in robot.tools:
+        chain = robot.tools[moves.strip()]
+    elif moves.strip().replace("-", "_").isidentifier():
+        hint = did_you_mean(moves.strip(), robot.tools) or "write moves: --tool 'Trans(0,0,0.1)'"
+        raise UnknownNameError(Problem(f"{robot.name} has no tool called {moves.strip()}", Place("--tool"), hint))
+    else:
+        chain = read_chain(moves, Scope(lengths=tuple(robot.parameters)), Place("--tool", text=moves))
+    end = "tool" if end is None and start != "tool" else end
+    return replace(robot, tool=chain), end
 
 
 def named_pose(robot: Robot, name: str) -> dict[str, Value]:

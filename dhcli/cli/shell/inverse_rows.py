@@ -124,6 +124,9 @@ class RowWish:
     degrees: bool
     follow: bool = False
     skip_bad: bool = False
+    base: str | None = None
+    tip: str | None = None
+    as_typed: bool = False
 
 
 def _check_follow(wish: RowWish) -> None:
@@ -162,7 +165,7 @@ def solve_rows(
     check_rows(typed, wish.path, others)
     delivery = RowDelivery(format_, output, force)
     delivery.chosen()
-    robot = load_robot(typed)
+    robot = load_robot(typed, base=wish.base, tip=wish.tip, as_typed=wish.as_typed)
     task = None if wish.task is None else task_of(Goal(None, None, None, None, None, None, None, wish.task))
     low, high = ends(robot, wish.start, wish.end)
     lengths = parameter_values(robot, settings_of(wish.settings), Place("--set", text=" ".join(wish.settings)))

@@ -17,10 +17,24 @@ def complete_robot(incomplete: str) -> list[str]:
     return [entry.name for entry in entries(Kind.ROBOTS) if entry.name.startswith(incomplete)]
 
 
+_URDF = "URDF"
+Base: TypeAlias = Annotated[
+    str | None,
+    typer.Option("--base", metavar="LINK", help="Link of a URDF that is frame 0.", rich_help_panel=_URDF),
+]
+Tip: TypeAlias = Annotated[
+    str | None,
+    typer.Option("--tip", metavar="LINK", help="Link of a URDF that is the last frame.", rich_help_panel=_URDF),
+]
+AsTyped: TypeAlias = Annotated[
+    bool, typer.Option("--as-typed", help="1.5708 in a URDF stays what it is.", rich_help_panel=_URDF)
+]
 RobotName: TypeAlias = Annotated[
     str,
     typer.Argument(
-        metavar="ROBOT", help="A name of the library, a YAML file, or - for stdin.", autocompletion=complete_robot
+        metavar="ROBOT",
+        help="A name of the library, a YAML or URDF file, or - for stdin.",
+        autocompletion=complete_robot,
     ),
 ]
 
@@ -97,8 +111,9 @@ Settings: TypeAlias = Annotated[
 def complete_forms(incomplete: str) -> list[str]:
     """Ways to say a pose, behind those that are typed already."""
     before, comma, begun = incomplete.rpartition(",")
-    names = ("rpy", "axis-angle", "quaternion", "position", "matrix")
-    return [f"{before}{comma}{name}" for name in names if name.startswith(begun)]
+    from dhcli.kinematics.placement import FORMS
+
+    return [f"{before}{comma}{name}" for name in FORMS if name.startswith(begun)]
 
 
 Forms: TypeAlias = Annotated[
@@ -106,7 +121,8 @@ Forms: TypeAlias = Annotated[
     typer.Option(
         "--as",
         metavar="FORM",
-        help="rpy, axis-angle, quaternion, position or matrix; repeatable, or with commas.",
+        help="rpy, axis-angle, quaternion, rotation-vector, position, matrix, zyz or any order of axes, fixed-xyz; "
+        "repeatable, or with commas.",
         autocompletion=complete_forms,
     ),
 ]

@@ -17,6 +17,8 @@ from pathlib import Path
 from dhcli.errors import UnknownNameError, did_you_mean, nearest
 
 BUILT_IN = "built-in"
+OWN = "builtin:"
+"""What a name begins with that means the file that dhcli brings along."""
 MOST_BEGUN = 4
 """Names that are suggested for the beginning of one."""
 MOST_SIMILAR = 3
@@ -26,6 +28,8 @@ AS_SIMILAR = 0.1
 LEAST_TYPED = 3
 """Letters by which names are found that hold them anywhere."""
 _SUFFIXES = (".yaml", ".yml")
+_PATHS = (*_SUFFIXES, ".urdf", ".xml", ".xacro")
+"""What the name of a file ends in, where it is no name of the library."""
 _PACKAGE = Path(__file__).parents[2]
 
 
@@ -76,6 +80,11 @@ def entries(kind: Kind) -> tuple[Entry, ...]:
     return tuple(found)
 
 
+def list_robots() -> tuple[str, ...]:
+    """The names of all robots that `load_robot` finds, in alphabetical order."""
+    return tuple(sorted({entry.name for entry in entries(Kind.ROBOTS)}))
+
+
 def find(kind: Kind, name: str) -> Path:
     """The file that a user means.
 
@@ -94,6 +103,9 @@ def find(kind: Kind, name: str) -> Path:
     if _is_path(kind, name):
         return Path(name)
     known = entries(kind)
+    if name.startswith(OWN):  # the library's own, whatever file of the user's has the same name
+        name = name.removeprefix(OWN)
+        known = tuple(entry for entry in known if entry.origin == BUILT_IN)
     for entry in known:
         if entry.name == name:
             return entry.path
@@ -119,7 +131,7 @@ def check_typed(kind: Kind, name: object) -> None:
 
 def _is_path(kind: Kind, name: str) -> bool:
     """Whether a text is a path and not a name."""
-    if name == "-" or name.lower().endswith(_SUFFIXES):
+    if name == "-" or name.lower().endswith(_PATHS):
         return True
     separators = {"/", os.sep, os.altsep or os.sep}
     if not any(separator in name for separator in separators):

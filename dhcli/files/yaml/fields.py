@@ -14,6 +14,8 @@ from dhcli.errors import DhcliError, FileError, Place, Problem, did_you_mean
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
 
 FORMAT = 1
+OWN = "x-"
+"""Keys that begin so are the author's own; dhcli does not look at them."""
 
 
 @dataclass(slots=True)
@@ -84,6 +86,8 @@ class Problems:
         known = None if known is None else tuple(known)
         entries = {}
         for key, value in node.entries:
+            if known is not None and key.text.startswith(OWN):
+                continue
             if known is None or key.text in known:
                 entries[key.text] = (key, value)
             elif key.text in above:

@@ -98,6 +98,9 @@ def read_yaml(text: str, source: str, refused: list[Problem] | None = None) -> P
     import yaml
 
     text = text.lstrip("\ufeff")
+    if text.lstrip().startswith(("<?xml", "<robot")):
+        hint = "dhcli fk, show and describe take one in the place of a robot: dhcli describe arm.urdf --as standard"
+        raise FileError(Problem("this is a URDF or other XML, not YAML", Place(source, 1, 1), hint))
     builder = _Builder([*_LINE_BREAK.split(text), ""], source)  # one line more: a mark may stand after the last
     builder.refuse_unreadable()
     loader = yaml.CBaseLoader if yaml.__with_libyaml__ else yaml.BaseLoader  # the first is five times as fast

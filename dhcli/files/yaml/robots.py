@@ -1,61 +1,54 @@
-"""Robot files: the textbook's table as YAML, read with every problem at once."""
+"""Robot files, by name or by path: the textbook's table as YAML, and a URDF."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+import re
 from pathlib import Path
 
-from dhcli.errors import FileError, NotationError, Place, Problem, did_you_mean
+from dhcli.errors import FileError, Place, Problem
 from dhcli.files.library.lookup import Kind, check_typed, find
-from dhcli.files.reading import read_text, source_of
-from dhcli.files.yaml.fields import Fields, Problems
-from dhcli.files.yaml.parameters import Parameters
-from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, read_yaml
-from dhcli.files.yaml.typed import has_unit_of_angle, read_flag, read_value, read_whole
-from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
-from dhcli.kinematics.moves import Chain, angle_names, expressions, names, read_chain
-from dhcli.kinematics.robot import Link, Robot, Value
-from dhcli.kinematics.sharpened import sharpened
-from dhcli.kinematics.validity import Finding, InvalidRobotError
-from dhcli.notation.angle import Angle
-from dhcli.notation.names import canonical
-from dhcli.notation.scope import Scope
-from dhcli.notation.tokens import is_name
-from dhcli.notation.tree import ZERO, Expr, Trig
-from dhcli.notation.walk import walk
+from dhcli.files.reading import LIMIT, read_text, source_of
+from dhcli.files.yaml.placed import read_yaml
+from dhcli.files.yaml.robot_loader import Loader
+from dhcli.kinematics.robot import Robot
 
-KEYS = (
-    "title",
-    "source",
-    "notes",
-    "convention",
-    "exact",
-    "variables",
-    "parameters",
-    "links",
-    "first",
-    "base",
-    "tool",
-    "limits",
-    "poses",
-)
-REQUIRED = ("title", "source", "convention", "variables", "links")
+XML = (".urdf", ".xml", ".xacro")
+XML_LIMIT = 20_000_000
+"""What the name of a URDF ends in, and the most bytes of one; meshes stand in files of their own."""
+DRAWN = re.compile(r"^convention:\s*['\"]?(axes|screws)['\"]?\s*(?:#.*)?$", re.MULTILINE)
+"""How a file says that it gives axes or screws in the place of links."""
 
 
-def load_robot(name: str | Path) -> Robot:
-    """Load a robot by name or from a file.
+def load_robot(name: str | Path, *, base: str | None = None, tip: str | None = None, as_typed: bool = False) -> Robot:
+    """Load a robot by name or from a file, a YAML of dhcli's or a URDF.
 
     Args:
         name: A name of the library such as `puma560`, a path, or `-` for standard input.
+        base: The link of a URDF that is frame 0; by default its root.
+        tip: The link of a URDF that is the last frame; by default the only one at the end of a chain that moves.
+        as_typed: Whether 1.5708 in a URDF stays what it is, and is not taken as 90°.
 
     Raises:
-        UnknownNameError: No robot has this name; the nearest are listed.
+        UnknownNameError: No robot has this name, or the URDF has no such link; the nearest are listed.
         FileError: The file is no robot; every problem, each with file, line and column.
     """
     check_typed(Kind.ROBOTS, name)
     path = name if isinstance(name, Path) else find(Kind.ROBOTS, name)
-    text = read_text("-" if str(path) == "-" else path)
-    return read_robot(text, source_of(path), "stdin" if str(path) == "-" else path.stem)
+    called = "stdin" if str(path) == "-" else path.stem
+    text = read_text("-" if str(path) == "-" else path, limit=XML_LIMIT if path.suffix.lower() in XML else LIMIT)
+    if is_xml(text):
+        from dhcli.files.urdf.robots import read_urdf  # most robots are YAML
+
+        return read_urdf(text, source_of(path), called, base=base, tip=tip, as_typed=as_typed)
+    if base is not None or tip is not None or as_typed:
+        hint = "frames of a robot file are named with --from and --to"
+        raise FileError(Problem("only a URDF has links to choose from", Place(source_of(path)), hint))
+    return read_robot(text, source_of(path), called)
+
+
+def is_xml(text: str) -> bool:
+    """Whether a text is XML."""
+    return text.lstrip().startswith("<")
 
 
 def read_robot(text: str, source: str, name: str) -> Robot:
@@ -70,231 +63,9 @@ def read_robot(text: str, source: str, name: str) -> Robot:
         FileError: With all problems.
     """
     refused: list[Problem] = []
-    return _Loader(read_yaml(text, source, refused), name, refused).robot()
+    if drawn := DRAWN.search(text):
+        from dhcli.files.yaml.drawn import DrawnLoader, with_semicolons  # few robots are drawn
 
-
-class _Loader:
-    """One pass over a file; what is wrong is collected, and something harmless taken in its place."""
-
-    def __init__(self, root: PlacedNode, name: str, refused: list[Problem]) -> None:
-        self.problems = Problems(refused)
-        self.name = name
-        self.fields = self.problems.document(root, known=KEYS, required=REQUIRED)
-        self.places: dict[tuple[str | int, ...], Place] = {}
-        self.variables = tuple(self.names("variables", self.fields.sequence("variables")))
-        self.parameters = self.fields.mapping("parameters")
-        self.scope = Scope(lengths=(*self.variables, *self.parameters.entries))
-        self.convention = self.read_convention()
-        self.remarks: list[str] | None = None if self.fields.text("exact") == "false" else []
-        read_flag(self.fields, "exact")
-        self.columns: tuple[str, ...] = COLUMNS
-        self.unclear: frozenset[str] = frozenset()
-        self.is_broken = False
-
-    def robot(self) -> Robot:
-        first = self.read_first()
-        before = len(self.problems.found)
-        links = tuple(self.link(node, i, first + i) for i, node in enumerate(self.fields.sequence("links")))
-        self.is_broken = len(self.problems.found) > before or not self.variables or "convention" not in self.fields
-        movers = [name for link in links for name in names(link.moves)]
-        self.unclear = frozenset(name for name in self.variables if self.is_broken or movers.count(name) != 1)
-        base, tool = self.chain("base"), self.chain("tool")
-        chain = (*base, *(move for link in links for move in link.moves), *tool)
-        inside = {n for e in expressions(chain) for node in walk(e) if type(node) is Trig for n in node.angle.names}
-        angles = angle_names(chain) | inside
-        reader = Parameters(self.problems, self.parameters, self.remarks)
-        parameters = reader.read(lambda key: self.is_angle(key, angles))
-        limits = {key: self.limit(key, angles) for key in self.fields.mapping("limits").entries}
-        poses = {key: self.pose(key, angles) for key in self.fields.mapping("poses").entries}
-        texts = {key: self.fields.text(key) for key in ("title", "source", "notes")}
-        if not links and "links" in self.fields:
-            self.problems.add(self.fields.place_of("links"), "links: a robot has at least one link")
-        try:
-            found = Robot(
-                name=self.name,
-                convention=self.convention,
-                variables=self.variables,
-                links=links,
-                parameters=parameters,
-                base=base,
-                tool=tool,
-                first=first,
-                limits=limits,
-                poses=poses,
-                columns=self.columns,
-                derived=reader.formulas,
-                remarks=tuple(dict.fromkeys(self.remarks or ())),
-                title=texts["title"],
-                source=texts["source"],
-                notes=texts["notes"],
-            )
-        except InvalidRobotError as error:
-            for finding in self.not_told(error.findings):
-                self.problems.add(self.place_of(finding), self.key_of(finding) + finding.message, finding.hint)
-            self.problems.raise_if_any(FileError)
-            raise
-        self.problems.raise_if_any(FileError)
-        return found
-
-    def not_told(self, findings: Iterable[Finding]) -> Iterator[Finding]:
-        """The broken rules that do not come of a line, or of rows, that could not be read."""
-        told = {problem.place.line for problem in self.problems.found if problem.place is not None}
-        for finding in findings:
-            follows = self.is_broken and finding.where[0] in ("variables", "limits", "poses")
-            if self.place_of(finding).line not in told and not follows:
-                yield finding
-
-    def read_convention(self) -> Convention:
-        scalar = self.fields.scalar("convention")
-        if scalar is None:
-            return Convention.STANDARD
-        try:
-            return Convention(scalar.text)
-        except ValueError:
-            hint = did_you_mean(scalar.text, [convention.value for convention in Convention])
-            self.problems.add(scalar.place, f"convention: '{scalar.text}' is not known", hint)
-            return Convention.STANDARD
-
-    def read_first(self) -> int:
-        scalar = self.fields.scalar("first")
-        if scalar is None:
-            return 1
-        first = read_whole(self.fields, "first")
-        if first == 0:
-            self.problems.add(scalar.place, "first: links are numbered from 1")
-        return first or 1
-
-    def names(self, section: str, nodes: Iterable[PlacedNode]) -> Iterable[str]:
-        for i, node in enumerate(nodes):
-            self.places[section, i] = node.place
-            scalar = self.problems.scalar(node, section)
-            if scalar is not None and section == "variables" and not is_name(scalar.text):
-                message = f"{section}: {scalar.text!r:.60} is not a name"
-                self.problems.add(scalar.place, message, "write letters, with digits or an index: elbow_1, l_x")
-            if scalar is not None:
-                yield scalar.text
-
-    def link(self, node: PlacedNode, index: int, number: int) -> Link:
-        self.places["links", index] = node.place
-        if self.convention is Convention.PRODUCT:
-            scalar = self.problems.scalar(node, "links")
-            moves = self.moves(scalar, "links") if scalar else ()
-            return Link(number, moves, None, scalar.text if scalar else "")
-        if not isinstance(node, PlacedMapping):
-            self.problems.add(
-                node.place,
-                f"links: row {index + 1} should be a mapping",
-                "write {a: a1, alpha: 90°, d: 0, theta: theta1}, or convention: product for moves",
-            )
-            return Link(number, ())
-        fields = self.problems.mapping(node, "links", known=COLUMNS, required=COLUMNS)
-        if len(fields.entries) == len(COLUMNS) and index == 0:
-            self.columns = tuple(fields.entries)
-        cells = {column: self.cell(fields, column, index) for column in COLUMNS}
-        a, d = _as_length(cells["a"]), _as_length(cells["d"])
-        row = Row(a=a, alpha=_as_angle(cells["alpha"]), d=d, theta=_as_angle(cells["theta"]))
-        return Link(number, moves_of(row, self.convention), row)
-
-    def cell(self, fields: Fields, column: str, index: int) -> Value:
-        scalar = fields.scalar(column)
-        empty: Value = Angle() if column in ("alpha", "theta") else ZERO
-        if scalar is None:
-            return empty
-        self.places["links", index, column] = scalar.place
-        return (
-            read_value(
-                self.problems,
-                scalar,
-                column,
-                is_angle=column in ("alpha", "theta"),
-                scope=self.scope,
-                remarks=self.remarks,
-            )
-            or empty
-        )
-
-    def moves(self, scalar: PlacedScalar, key: str) -> Chain:
-        try:
-            return sharpened(read_chain(scalar.text, self.scope, scalar.place_of(0), self.remarks), self.remarks)
-        except NotationError as error:
-            self.problems.take(error)
-            return ()
-
-    def chain(self, key: str) -> Chain:
-        scalar = self.fields.scalar(key)
-        if scalar is None:
-            return ()
-        self.places[(key,)] = scalar.place
-        return self.moves(scalar, key)
-
-    def is_angle(self, key: str, angles: frozenset[str]) -> bool | None:
-        """Whether a parameter is an angle, by where it stands; None if it stands nowhere."""
-        self.places["parameters", key] = self.parameters.place_of(key)
-        if any(canonical(key) == canonical(name) for name in angles):
-            return True
-        return False if self.is_used(key) else None
-
-    def is_used(self, key: str) -> bool:
-        links = self.fields.get("links")
-        return links is not None and key in _texts(links)
-
-    def limit(self, key: str, angles: frozenset[str]) -> tuple[Value, Value]:
-        fields = self.fields.mapping("limits")
-        self.places["limits", key] = fields.place_of(key)
-        if self.variables and key not in self.variables:
-            hint = did_you_mean(key, self.variables)
-            self.problems.add(fields.place_of(key), f"limits: {key} is not a joint variable", hint)
-            return Angle(), Angle()
-        values = self.joint_list(fields, key, [key] * 2, angles)
-        if len(values) != 2:  # noqa: PLR2004  lowest and highest
-            if values:
-                self.problems.add(fields.place_of(key), f"{key}: two values are wanted", "write [lowest, highest]")
-            return Angle(), Angle()
-        return values[0], values[1]
-
-    def pose(self, key: str, angles: frozenset[str]) -> tuple[Value, ...]:
-        fields = self.fields.mapping("poses")
-        self.places["poses", key] = fields.place_of(key)
-        return self.joint_list(fields, key, self.variables, angles)
-
-    def joint_list(self, fields: Fields, key: str, joints: Sequence[str], angles: frozenset[str]) -> tuple[Value, ...]:
-        """Values of joints; what a joint is cannot be known if no row moves by it, or two do, or one cannot be read."""
-        nodes = fields.sequence(key)
-        values: list[Value] = []
-        for i, node in enumerate(nodes):
-            scalar = self.problems.scalar(node, key)
-            is_angle = joints[i] in angles if i < len(joints) else True
-            if scalar and (self.is_broken or (i < len(joints) and joints[i] in self.unclear)):
-                is_angle = has_unit_of_angle(scalar)
-            value = read_value(self.problems, scalar, key, is_angle=is_angle, remarks=self.remarks) if scalar else None
-            values.append(value if value is not None else Angle())
-        return tuple(values)
-
-    def place_of(self, finding: Finding) -> Place:
-        """Where a rule was broken, as near as the file can tell."""
-        for length in range(len(finding.where), 0, -1):
-            place = self.places.get(finding.where[:length])
-            if place is not None:
-                return place
-        return self.fields.place
-
-    def key_of(self, finding: Finding) -> str:
-        last = finding.where[-1]
-        return f"{last}: " if isinstance(last, str) else f"{finding.where[0]}: "
-
-
-def _as_length(value: Value) -> Expr:
-    return value if isinstance(value, Expr) else ZERO
-
-
-def _as_angle(value: Value) -> Angle:
-    return value if isinstance(value, Angle) else Angle()
-
-
-def _texts(node: PlacedNode) -> str:
-    """All that is written below a node."""
-    if isinstance(node, PlacedScalar):
-        return node.text
-    if isinstance(node, PlacedMapping):
-        return " ".join(_texts(value) for _, value in node.entries)
-    return " ".join(_texts(item) for item in node.items)
+        root = read_yaml(with_semicolons(text), source, refused)
+        return DrawnLoader(root, name, refused, drawn[1]).robot()
+    return Loader(read_yaml(text, source, refused), name, refused).robot()

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
+from dhcli.geometry.euler import AXES
 from dhcli.kinematics.frames import View
+from dhcli.kinematics.placement import FORMS
 from dhcli.kinematics.pose import matrix_name
 from dhcli.render.code.matrices import variable
 from dhcli.render.code.rows import Group, Layout
@@ -19,6 +21,8 @@ GROUPS = {
     "position": Group.listed("position", ("p_x", "p_y", "p_z")),
     "rpy": Group.named("rpy", {name: name for name in ("roll", "pitch", "yaw")}),
     "quaternion": Group.named("quaternion", {name: f"q_{name}" for name in "wxyz"}),
+    "rotation-vector": Group.listed("rotation-vector", ("r_x", "r_y", "r_z")),
+    **{form: Group.listed(form, [f"{form}_{k}" for k in (1, 2, 3)]) for form in FORMS if form.endswith(AXES)},
     "axis-angle": Group("axis-angle", ("axis_x", "axis_y", "axis_z", "angle"), '{"axis": [%r, %r, %r], "angle": %r}'),
 }
 """The numbers of each way to say a pose; JSON nests them as `--format json` does for one pose. Angles in radians."""

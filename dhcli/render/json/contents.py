@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from dhcli.geometry.euler import RollPitchYaw
-from dhcli.geometry.rotations import AxisAngle, Quaternion
+from dhcli.geometry.euler import EulerAngles, RollPitchYaw
+from dhcli.geometry.rotations import AxisAngle, Quaternion, RotationVector
 from dhcli.kinematics.placement import Matrix, Placement, Position
 from dhcli.kinematics.question import AnyPose, ForwardKinematics
 from dhcli.notation.styles import Joints
@@ -79,3 +79,11 @@ def _placement(placement: Placement, joints: Joints, look: Look) -> list[Any] | 
             return {"axis": [exact(value) for value in axis], "angle": exact(angle)}
         case Quaternion(w, x, y, z):
             return {key: exact(value) for key, value in zip("wxyz", (w, x, y, z), strict=True)}
+        case RotationVector():
+            return [exact(value) for value in placement.numbers]
+        case EulerAngles():
+            return {
+                "angles": [exact(value) for value in placement.angles],
+                "other": [exact(value) for value in placement.other.angles],
+                "locked": bool(placement.locked),
+            }

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from dhcli.kinematics.conventions import NAMES
+from dhcli.kinematics.frames import View
 from dhcli.kinematics.question import AnyPose, ForwardKinematics
+from dhcli.kinematics.robot import Robot
 from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Expr, Trig
 from dhcli.notation.walk import walk
@@ -65,7 +67,18 @@ def context_lines(result: ForwardKinematics, look: Look) -> Iterator[str]:
     """Convention and the values used, and what `c1` means where it is new to a reader."""
     parts = [NAMES[result.robot.convention], *value_lines(result.robot, result.values)]
     parts += ["lengths in m"] if not result.question.symbolic else _legend(result, look)
+    parts += left_out(result.robot, result.question.view) if result.question.listing is None else ()
     yield from (look.paper.ink(line, "dim") for line in packed(map(look.paper.spell, parts), look.paper))
+
+
+def left_out(robot: Robot, view: View) -> Iterator[str]:
+    """That the base or the tool of a robot is no part of a pose between its first and its last frame."""
+    if (view.start, view.end) != (robot.frames[1], robot.frames[-2]):
+        return
+    ends = {"base": ("--from base", robot.base), "tool": ("--to tool", robot.tool)}
+    away = {name: option for name, (option, chain) in ends.items() if chain}
+    if away:
+        yield f"without {' and '.join(away)}: {' '.join(away.values())} {'has it' if len(away) == 1 else 'has both'}"
 
 
 def _legend(result: ForwardKinematics, look: Look) -> list[str]:

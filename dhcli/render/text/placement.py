@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
-from dhcli.geometry.euler import RollPitchYaw
-from dhcli.geometry.rotations import AxisAngle, Quaternion
+from dhcli.geometry.euler import EulerAngles, Order, RollPitchYaw
+from dhcli.geometry.rotations import AxisAngle, Quaternion, RotationVector
 from dhcli.kinematics.placement import Matrix, Placement, Position
 from dhcli.kinematics.question import ForwardKinematics
 from dhcli.notation.styles import Joints
@@ -22,6 +22,7 @@ _CONVENTIONS = {
     Quaternion: "unit quaternion, w >= 0",
     Matrix: "homogeneous matrix, lengths in m",
     Position: "position of the origin, in m",
+    RotationVector: "unit axis times angle, in degrees; the length is the angle",
 }
 
 
@@ -37,8 +38,23 @@ def placement_lines(placements: Mapping[str, Placement], joints: Joints, look: L
     for form, placement in placements.items():
         title = paper.ink(paper.spell(form), "bold")
         yield ""
-        yield f"{title}  {paper.ink(paper.spell(_CONVENTIONS[type(placement)]), 'dim')}"
+        yield f"{title}  {paper.ink(paper.spell(_convention(placement)), 'dim')}"
         yield from _lines(placement, joints, look)
+
+
+def _convention(placement: Placement) -> str:
+    if not isinstance(placement, EulerAngles):
+        return _CONVENTIONS[type(placement)]
+    order = placement.order
+    product = " ".join(f"R{axis}({number})" for axis, number in zip(order.product, _numbers(order), strict=True))
+    middle = "0° to 180°" if order.is_proper else "-90° to 90°"
+    about = "fixed" if order.fixed else "current"
+    return f"R = {product}: about {about} axes, the second angle from {middle}"
+
+
+def _numbers(order: Order) -> str:
+    """Which angle stands where in the product."""
+    return "321" if order.fixed else "123"
 
 
 def placement_csv(result: ForwardKinematics, look: Look) -> str:
@@ -67,6 +83,15 @@ def _lines(placement: Placement, joints: Joints, look: Look) -> Iterator[str]:
             yield vector_lines(("angle ",), [math.degrees(angle)], joints, look)[0] + degree
         case Quaternion(w, x, y, z):
             yield from vector_lines("wxyz", (w, x, y, z), joints, look)
+        case RotationVector():
+            shown = [math.degrees(part) for part in placement.numbers]
+            yield from (line + degree for line in vector_lines(("r_x", "r_y", "r_z"), shown, joints, look))
+        case EulerAngles():
+            names = [f"{number} about {axis}" for number, axis in enumerate(placement.order.axes, 1)]
+            yield from (line + degree for line in vector_lines(names, placement.degrees, joints, look))
+            if not placement.locked:
+                other = ", ".join(f"{look.number(angle)}{degree}" for angle in placement.other.degrees)
+                yield look.paper.ink(f"the same rotation: {other}", "dim")
 
 
 def _values(placement: Placement) -> tuple[Expr | float, ...]:
@@ -81,3 +106,5 @@ def _values(placement: Placement) -> tuple[Expr | float, ...]:
             return (*axis, angle)
         case Quaternion(w, x, y, z):
             return (w, x, y, z)
+        case RotationVector() | EulerAngles():
+            return placement.numbers

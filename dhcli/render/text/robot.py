@@ -42,7 +42,7 @@ def robot_table(robot: Robot, look: Look) -> str:
     facts = f"{robot.name} · {NAMES[robot.convention]} · {count}"
     blocks = [
         f"{paper.ink(paper.spell(robot.title), 'bold')}\n{paper.ink(paper.spell(facts), 'dim')}\n",
-        _links(robot, look),
+        links_table(robot, look),
         *(
             block
             for block in (_joints(robot, look), _parameters(robot, look), _poses(robot, look), _ends(robot, look))
@@ -100,6 +100,7 @@ def robot_content(robot: Robot, _look: Look) -> dict[str, Any]:
         "poses": {n: [in_units(v) for v in values] for n, values in robot.poses.items()},
         "base": _product(robot, robot.base),
         "tool": _product(robot, robot.tool),
+        "tools": {name: _product(robot, chain) for name, chain in robot.tools.items()},
     }
 
 
@@ -129,7 +130,7 @@ def _row(robot: Robot, link: Link, style: str) -> list[str]:
     return cells
 
 
-def _links(robot: Robot, look: Look) -> str:
+def links_table(robot: Robot, look: Look) -> str:
     """The DH table with the order of its operations, or the products."""
     paper = look.paper
     kinds = {joint.link: joint for joint in robot.joints}
@@ -188,6 +189,7 @@ def _ends(robot: Robot, look: Look) -> str:
     """Base and tool, where there are any."""
     paper = look.paper
     ends = [(name, chain) for name, chain in (("base", robot.base), ("tool", robot.tool)) if chain]
+    ends += [(f"tool {paper.spell(name)}", chain) for name, chain in robot.tools.items()]
     return "".join(f"{paper.ink(name, 'bold')}  {paper.spell(_product(robot, chain))}\n" for name, chain in ends)
 
 

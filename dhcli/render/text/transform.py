@@ -73,17 +73,28 @@ def _triple(triple: SeenPoint, look: Look) -> dict[str, Any]:
 
 
 def _title(result: Transform, count: int) -> str:
-    texts = [step.text for step in result.steps[:count]]
-    product = " ".join(texts if result.order == "current" else texts[::-1])
-    return f"{result.steps[count - 1].pose.name} = {product}"
+    """The moves in the order in which they are multiplied."""
+    texts: list[str] = []
+    for step in result.steps[:count]:
+        texts = [step.text, *texts] if step.about == "fixed" else [*texts, step.text]
+    return f"{result.steps[count - 1].pose.name} = {' '.join(texts)}"
+
+
+def _about(result: Transform, count: int) -> str:
+    """About which frame the moves are, those apart that differ."""
+    said = "each move about the current frame" if result.order == "current" else "each move about the fixed frame 0"
+    others = [step for step in result.steps[:count] if step.about != result.order]
+    if not others:
+        return said
+    other = "the fixed frame 0" if result.order == "current" else "the current frame"
+    return f"{said}, but {', '.join(step.text for step in others)} about {other}"
 
 
 def _pose_lines(result: Transform, count: int, look: Look) -> list[str]:
     paper, pose = look.paper, result.steps[count - 1].pose
-    about = "each move about the current frame" if result.order == "current" else "each move about the fixed frame 0"
     return [
         paper.ink(paper.spell(_title(result, count)), "bold"),
-        paper.ink(f"frame {pose.frame} seen from frame 0; {about}", "dim"),
+        paper.ink(paper.spell(f"frame {pose.frame} seen from frame 0; {_about(result, count)}"), "dim"),
         *matrix_lines(pose.rows, THETAS, look),
     ]
 

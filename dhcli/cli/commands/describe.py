@@ -1,0 +1,99 @@
+"""`dhcli describe`: a robot's table from its axes, and every other description of it."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from dhcli.cli.shell.options import (
+    AsTyped,
+    Base,
+    Force,
+    RobotName,
+    Settings,
+    Tip,
+    complete_pose,
+    format_option,
+    output_option,
+)
+
+EXAMPLES = """
+[bold]Examples[/]
+
+dhcli describe puma560 --as standard
+
+dhcli describe zhou-3r --as modified --steps
+
+dhcli describe panda --as screws
+
+dhcli describe scara --as axes -o drawn.yaml
+
+dhcli describe ur5e -o ur5e.urdf
+"""
+
+_SUFFIXES = {".yaml": "yaml", ".yml": "yaml", ".urdf": "urdf"}
+
+
+def _by_suffix(output: str | None) -> str | None:
+    """The format of a robot file by its suffix; others are those of every command."""
+    return next((name for suffix, name in _SUFFIXES.items() if output and output.endswith(suffix)), None)
+
+
+def complete_form(incomplete: str) -> list[str]:
+    """The descriptions that begin like this."""
+    from dhcli.kinematics.describe.description import FORMS
+
+    return [form for form in (*FORMS, "urdf") if form.startswith(incomplete)]
+
+
+def describe(
+    robot: RobotName,
+    as_: Annotated[
+        str | None,
+        typer.Option(
+            "--as",
+            metavar="FORM",
+            help="standard, modified, axes, screws, body-screws, product or urdf.",
+            autocompletion=complete_form,
+        ),
+    ] = None,
+    steps: Annotated[
+        bool, typer.Option("--steps", help="Tell the process of Denavit and Hartenberg, step by step.")
+    ] = False,
+    pose: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME", help="Draw the robot in this named pose, not at zero.", autocompletion=complete_pose
+        ),
+    ] = None,
+    numbers: Annotated[bool, typer.Option("--numbers", help="Put the values of lengths in.")] = False,
+    set_: Settings = None,
+    base: Base = None,
+    tip: Tip = None,
+    as_typed: AsTyped = False,
+    format_: Annotated[str | None, format_option("table", "json", "yaml", "urdf")] = None,
+    output: Annotated[str | None, output_option(".yaml", ".urdf", ".json", ".txt")] = None,
+    force: Force = False,
+) -> None:
+    """Describe a robot anew: DH tables of either convention, drawn axes, screws, products; each result is proved."""
+    from dataclasses import replace
+
+    from dhcli.cli.shell.delivery import Delivery
+    from dhcli.cli.shell.given import named_pose, settings_of
+    from dhcli.errors import Place
+    from dhcli.files.yaml.robots import load_robot
+    from dhcli.kinematics.describe.description import Asked, check_form
+    from dhcli.kinematics.describe.description import describe as described
+    from dhcli.kinematics.values import given_parameters
+
+    format_ = format_ or ("urdf" if as_ == "urdf" else _by_suffix(output))
+    delivery = Delivery("describe", format_, output=output, force=force)
+    form = check_form("product" if format_ == "urdf" else as_ or "standard")
+    delivery.chosen("description")
+    arm = load_robot(robot, base=base, tip=tip, as_typed=as_typed)
+    values = given_parameters(arm, settings_of(set_ or []), Place("--set", text=" ".join(set_ or [])))
+    arm = replace(arm, parameters={**arm.parameters, **values})
+    drawn = None if pose is None else named_pose(arm, pose)
+    result = described(arm, Asked(form, steps, numbers, drawn))
+    delivery.hand_over("description", result, (*arm.remarks, *result.warnings))

@@ -1,0 +1,71 @@
+"""Numbers of a URDF as they were meant: 1.5708 is a right angle; only what was typed is judged, never a result."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from dhcli.kinematics.describe.exact import places_of
+from dhcli.notation.angle import Angle
+from dhcli.notation.tree import Number
+
+_STEPS = ((90, 2e-3), (45, 1e-3), (15, 1e-4))
+"""Multiples of so many degrees, and how far a rounded one may be from them [rad]."""
+_LEAST = 1e-6
+
+
+@dataclass(slots=True)
+class Meaning:
+    """Reads angles, and counts what it takes for round ones.
+
+    Attributes:
+        as_typed: Whether it leaves every number as it is.
+        angles: How many angles were read.
+        rounded: Each angle that was taken for a round one: its text, and degrees.
+        shifts: By how much each of them changed [rad].
+    """
+
+    as_typed: bool = False
+    angles: int = 0
+    rounded: list[tuple[str, int]] = field(default_factory=list)
+
+    def angle(self, text: str) -> tuple[Angle, float]:
+        """An angle, and by how much it differs from the text [rad]."""
+        self.angles += 1
+        value = Fraction(text)
+        if not value:
+            return Angle(), 0.0
+        degrees = None if self.as_typed else round_degrees(text)
+        if degrees is None:
+            return Angle(radians=value), 0.0
+        self.rounded.append((text, degrees))
+        return Angle.in_degrees(degrees), abs(math.radians(degrees) - float(value))
+
+
+def round_degrees(text: str) -> int | None:
+    """The multiple of 15° that a number of radians is the rounded value of; None if it is none.
+
+    >>> round_degrees("1.5708"), round_degrees("-3.14"), round_degrees("0.3"), round_degrees("1.5")
+    (90, -180, None, None)
+    """
+    value = float(text)
+    digit = _last_digit(text)
+    for step, cap in _STEPS:
+        degrees = round(math.degrees(value) / step) * step
+        if degrees and abs(math.radians(degrees) - value) <= min(max(digit, _LEAST), cap):
+            return degrees
+    return None
+
+
+def length(text: str) -> Number:
+    """A length as it was typed [m]."""
+    value = Fraction(text)
+    return Number(value, places_of(value))
+
+
+def _last_digit(text: str) -> float:
+    """What the last digit counts: 0.0001 for 1.5708."""
+    mantissa, _, exponent = text.lower().partition("e")
+    decimals = len(mantissa.partition(".")[2])
+    return float(10.0 ** (int(exponent or 0) - decimals))

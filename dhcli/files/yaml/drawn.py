@@ -1,0 +1,242 @@
+"""Robots given by their joint axes, or by their screws and the home pose, in the place of a table."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+
+from dhcli.errors import NotationError, Problem, RobotError, did_you_mean
+from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
+from dhcli.files.yaml.robot_loader import KEYS, Loader
+from dhcli.files.yaml.typed import read_value
+from dhcli.geometry.orthonormal import not_a_rotation
+from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, length, scaled
+from dhcli.kinematics.conventions import Convention
+from dhcli.kinematics.describe.description import product_text
+from dhcli.kinematics.describe.drawn import Drawing, Frame, Line, drawing_of
+from dhcli.kinematics.describe.linear import LettersError, Point, point_of
+from dhcli.kinematics.describe.products import chains_of
+from dhcli.kinematics.describe.screws import ScrewAxis, Side, lines_of
+from dhcli.kinematics.moves import Chain, Fixed
+from dhcli.kinematics.robot import Link, Value
+from dhcli.notation.angle import Angle
+from dhcli.notation.names import GREEK_NAMES, parts
+from dhcli.notation.parser import parse
+from dhcli.notation.quantity import DimensionError, to_length
+from dhcli.notation.tree import ONE, ZERO, Expr
+from dhcli.notation.walk import symbols
+
+_OTHER = tuple(key for key in KEYS if key not in ("links", "base", "tool", "tools", "first"))
+_KNOWN = {
+    "axes": (*_OTHER, "drawn", "axes", "end"),
+    "screws": (*_OTHER, "frame", "screws", "home"),
+}
+_REQUIRED = {
+    "axes": ("title", "source", "convention", "variables", "axes"),
+    "screws": ("title", "source", "convention", "variables", "screws", "home"),
+}
+_SIDES: tuple[Side, ...] = ("space", "body")
+_SIX = 6
+
+
+def with_semicolons(text: str) -> str:
+    """The same text in which a point within braces is one value: `{through: (0; 0; l1)}`; places stay."""
+    return "\n".join(_semicolons(line) for line in text.split("\n"))
+
+
+def _semicolons(line: str) -> str:
+    braces = depth = 0
+    letters = list(line)
+    for i, letter in enumerate(letters):
+        if letter == "#" and (i == 0 or letters[i - 1].isspace()):
+            break
+        braces += (letter == "{") - (letter == "}")
+        depth += (letter == "(") - (letter == ")")
+        if letter == "," and braces and depth:
+            letters[i] = ";"
+    return "".join(letters)
+
+
+class DrawnLoader(Loader):
+    """Reads axes or screws; the robot becomes a product of moves whose frames stand as the base in the pose drawn."""
+
+    def __init__(self, root: PlacedNode, name: str, refused: list[Problem], convention: str) -> None:
+        """Read the fields that every robot has."""
+        super().__init__(root, name, refused, _KNOWN[convention], _REQUIRED[convention])
+        self.given = convention
+        self.drawn: dict[str, Value] = {}
+
+    def read_convention(self) -> Convention:
+        """A product, as far as everything else is concerned."""
+        self.fields.scalar("convention")
+        return Convention.PRODUCT
+
+    def read_links(self, first: int) -> tuple[Link, ...]:
+        """A link for each joint."""
+        nodes = self.fields.sequence(self.given)
+        end = self.end("end" if self.given == "axes" else "home")
+        try:
+            lines = self.screw_lines(nodes, end) if self.given == "screws" else tuple(self.axis_lines(nodes))
+        except RobotError as error:
+            self.problems.found += [replace(p, place=self.fields.place_of(self.given)) for p in error.problems]
+            lines = ()
+        chains = tuple(chains_of(Drawing(lines, end))) if lines else ()
+        for i, node in enumerate(nodes):
+            self.places["links", i] = node.place
+        if not nodes and self.given in self.fields:
+            self.problems.add(self.fields.place_of(self.given), f"{self.given}: a robot has at least one joint")
+        return tuple(Link(first + i, chain, None, product_text(chain)) for i, chain in enumerate(chains))
+
+    def read_poses(self, angles: frozenset[str]) -> dict[str, tuple[Value, ...]]:
+        """The named poses, and the one drawn."""
+        poses = super().read_poses(angles)
+        if self.drawn:
+            if "drawn" in poses:
+                place = self.fields.mapping("poses").place_of("drawn")
+                self.problems.add(place, "poses: drawn is the name of the pose that `drawn:` gives")
+            zeros = {name: Angle() if name in angles else ZERO for name in self.variables}
+            poses["drawn"] = tuple(self.drawn.get(name, zeros[name]) for name in self.variables)
+        return poses
+
+    def end(self, key: str) -> Frame:
+        """The end frame in the pose drawn."""
+        chain: Chain = self.chain(key)
+        for move in chain:
+            if isinstance(move, Fixed) and (fault := not_a_rotation(move.rows)):
+                hint = "its first three columns must be perpendicular unit vectors, right-handed"
+                self.problems.add(self.fields.place_of(key), f"{key}: {fault}", hint)
+                return Frame()
+        try:
+            return drawing_of(chain, (), {}).end
+        except LettersError as error:
+            self.problems.add(
+                self.fields.place_of(key), f"{key}: {error.problems[0].message}", "lengths may be letters"
+            )
+            return Frame()
+
+    def axis_lines(self, nodes: tuple[PlacedNode, ...]) -> Iterator[Line]:
+        """The lines of drawn axes."""
+        drawn = self.fields.mapping("drawn")
+        for key in drawn.entries:
+            scalar = drawn.scalar(key)
+            if key not in self.variables:
+                self.problems.add(drawn.place_of(key), f"drawn: {key} is not a joint variable")
+            elif scalar:
+                turns = not self.slides_by_name(key)
+                value = read_value(self.problems, scalar, key, is_angle=turns)
+                self.drawn[key] = value if value is not None else Angle()
+        for i, node in enumerate(nodes):
+            fields = self.problems.mapping(node, f"axes: row {i + 1}", example="{theta1: +z, through: (0, 0, 0)}")
+            named = [key for key in fields.entries if key not in ("through", "slides")]
+            known = [key for key in named if key in self.variables]
+            for key in named:
+                if key not in self.variables:
+                    self.problems.add(
+                        fields.place_of(key), f"{key} is not a joint variable", did_you_mean(key, self.variables)
+                    )
+            if len(known) != 1:
+                self.problems.add(
+                    node.place, f"axes: row {i + 1} names {len(known)} joints", "write {theta1: +z, through: (0, 0, 0)}"
+                )
+                continue
+            slides = fields.text("slides") == "true" or self.slides_by_name(known[0])
+            if "through" not in fields and not slides:
+                self.problems.add(
+                    node.place,
+                    f"{known[0]} turns about a line, and a point of it is missing",
+                    "write through: (0, 0, 0), or slides: true",
+                )
+            direction = self.direction(fields.get(known[0]), known[0])
+            through = fields.get("through")
+            point = self.point(through, "through") if through is not None else {}
+            yield Line(
+                known[0], direction, None if slides else point, turns=not slides, drawn=self.drawn.get(known[0], ZERO)
+            )
+
+    def screw_lines(self, nodes: tuple[PlacedNode, ...], home: Frame) -> tuple[Line, ...]:
+        """The lines of screws, in the base."""
+        side: Side = "body" if self.fields.text("frame", "space") == "body" else "space"
+        if (text := self.fields.text("frame", "space")) not in _SIDES:
+            self.problems.add(self.fields.place_of("frame"), f"frame: should be space or body, is '{text}'")
+        screws = []
+        for i, node in enumerate(nodes):
+            fields = self.problems.mapping(node, f"screws: row {i + 1}", example="{theta1: (0, 0, 1, 0, 0, 0)}")
+            for key in fields.entries:
+                if key not in self.variables:
+                    self.problems.add(
+                        fields.place_of(key), f"{key} is not a joint variable", did_you_mean(key, self.variables)
+                    )
+                    continue
+                parts_ = self.expressions(fields.get(key), key, _SIX)
+                if len(parts_) == _SIX:
+                    screws.append(ScrewAxis(key, self.numbers(parts_[:3], fields.get(key), key), point_of(parts_[3:])))
+        return lines_of(tuple(screws), home, side)
+
+    @staticmethod
+    def slides_by_name(name: str) -> bool:
+        """Whether a variable such as d3 means a length; theta3 and q3 mean angles."""
+        stem = parts(name)[0]
+        return stem not in GREEK_NAMES | {"q"} and stem == "d"
+
+    def direction(self, node: PlacedNode | None, key: str) -> Vector:
+        """`+z`, `-x`, or three numbers, as a unit vector."""
+        text = node.text.strip() if isinstance(node, PlacedScalar) else ""
+        sign, letter = (-1.0, text[1:]) if text.startswith("-") else (1.0, text.removeprefix("+"))
+        if letter in ("x", "y", "z"):
+            return scaled(UNITS["xyz".index(letter)], sign)
+        vector = self.numbers(self.expressions(node, key, 3), node, key)
+        if not length(vector):
+            if node is not None and not self.problems.found:
+                self.problems.add(node.place, f"{key}: a direction is not zero", "write +z, -x or (0, 1, 1)")
+            return UNITS[2]
+        return scaled(vector, 1 / length(vector))
+
+    def point(self, node: PlacedNode, key: str) -> Point:
+        """Three lengths, which may be letters."""
+        found = self.expressions(node, key, 3)
+        return point_of(found) if found else {}
+
+    def numbers(self, exprs: tuple[Expr, ...], node: PlacedNode | None, key: str) -> Vector:
+        """Three plain numbers."""
+        if free := sorted(frozenset().union(*map(symbols, exprs))):
+            place = self.fields.place if node is None else node.place
+            message = f"{key}: a direction cannot depend on {', '.join(free)}"
+            self.problems.add(place, message, "lengths may be letters, directions are numbers")
+            return UNITS[2]
+        vector = point_of(exprs).get(ONE, ORIGIN) if exprs else ORIGIN
+        return vector if all(map(math.isfinite, vector)) else UNITS[2]
+
+    def expressions(self, node: PlacedNode | None, key: str, count: int) -> tuple[Expr, ...]:
+        """Expressions in brackets or in a list; none if there are not so many."""
+        pieces: list[PlacedScalar] = []
+        if isinstance(node, PlacedSequence):
+            pieces = [scalar for item in node.items if (scalar := self.problems.scalar(item, key)) is not None]
+        elif isinstance(node, PlacedScalar):
+            inside = node.text.strip().removeprefix("(").removesuffix(")")
+            pieces = [PlacedScalar(piece.strip(), node.place) for piece in _split(inside)]
+        if len(pieces) != count or isinstance(node, PlacedMapping):
+            place = self.fields.place if node is None else node.place
+            wanted = "(0, 0, l1)" if count == 3 else "(0, 0, 1, 0, 0, 0): ω, then v"  # noqa: PLR2004
+            self.problems.add(place, f"{key}: {count} values are wanted, not {len(pieces)}", f"write {wanted}")
+            return ()
+        found = []
+        for piece in pieces:
+            try:
+                found.append(to_length(parse(piece.text, self.scope, piece.place_of(0))))
+            except NotationError as error:
+                self.problems.take(error)
+            except DimensionError as error:
+                self.problems.add(piece.place, f"{key}: {error.message}", error.hint)
+        return tuple(found) if len(found) == count else ()
+
+
+def _split(text: str) -> Iterator[str]:
+    """Pieces between commas or semicolons that stand outside brackets."""
+    depth = start = 0
+    for i, letter in enumerate(text):
+        depth += (letter in "([") - (letter in ")]")
+        if letter in ",;" and not depth:
+            yield text[start:i]
+            start = i + 1
+    yield text[start:]

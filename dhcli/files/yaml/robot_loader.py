@@ -1,0 +1,308 @@
+"""The fields of a robot file, read one after another with every problem at once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from dhcli.errors import FileError, NotationError, Place, Problem, did_you_mean
+from dhcli.files.yaml.fields import Fields, Problems
+from dhcli.files.yaml.parameters import Parameters
+from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar
+from dhcli.files.yaml.typed import has_unit_of_angle, read_flag, read_value, read_whole
+from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
+from dhcli.kinematics.moves import Chain, angle_names, expressions, names, read_chain
+from dhcli.kinematics.robot import Link, Robot, Value
+from dhcli.kinematics.sharpened import sharpened
+from dhcli.kinematics.validity import Finding, InvalidRobotError
+from dhcli.notation.angle import Angle
+from dhcli.notation.names import canonical
+from dhcli.notation.scope import Scope
+from dhcli.notation.tokens import is_name
+from dhcli.notation.tree import ZERO, Expr, Trig
+from dhcli.notation.walk import walk
+
+KEYS = (
+    "title",
+    "source",
+    "notes",
+    "convention",
+    "exact",
+    "variables",
+    "parameters",
+    "links",
+    "first",
+    "base",
+    "tool",
+    "tools",
+    "limits",
+    "poses",
+)
+REQUIRED = ("title", "source", "convention", "variables", "links")
+
+
+class Loader:
+    """One pass over a file; what is wrong is collected, and something harmless taken in its place."""
+
+    def __init__(
+        self,
+        root: PlacedNode,
+        name: str,
+        refused: list[Problem],
+        known: Iterable[str] = KEYS,
+        required: Iterable[str] = REQUIRED,
+    ) -> None:
+        """Read what every robot has; the keys differ with what stands in the place of links."""
+        self.problems = Problems(refused)
+        self.name = name
+        self.fields = self.problems.document(root, known=known, required=required)
+        self.places: dict[tuple[str | int, ...], Place] = {}
+        self.variables = tuple(self.names("variables", self.fields.sequence("variables")))
+        self.parameters = self.fields.mapping("parameters")
+        self.scope = Scope(lengths=(*self.variables, *self.parameters.entries))
+        self.convention = self.read_convention()
+        self.remarks: list[str] | None = None if self.fields.text("exact") == "false" else []
+        read_flag(self.fields, "exact")
+        self.columns: tuple[str, ...] = COLUMNS
+        self.unclear: frozenset[str] = frozenset()
+        self.is_broken = False
+
+    def robot(self) -> Robot:
+        """The robot, or all that is wrong."""
+        first = self.read_first()
+        before = len(self.problems.found)
+        links = self.read_links(first)
+        self.is_broken = len(self.problems.found) > before or not self.variables or "convention" not in self.fields
+        movers = [name for link in links for name in names(link.moves)]
+        self.unclear = frozenset(name for name in self.variables if self.is_broken or movers.count(name) != 1)
+        base, tool = self.chain("base"), self.chain("tool")
+        tools = self.read_tools()
+        chain = (*base, *(move for link in links for move in link.moves), *tool)
+        chain += tuple(move for moves in tools.values() for move in moves)
+        inside = {n for e in expressions(chain) for node in walk(e) if type(node) is Trig for n in node.angle.names}
+        angles = angle_names(chain) | inside
+        reader = Parameters(self.problems, self.parameters, self.remarks)
+        parameters = reader.read(lambda key: self.is_angle(key, angles))
+        limits = {key: self.limit(key, angles) for key in self.fields.mapping("limits").entries}
+        poses = self.read_poses(angles)
+        texts = {key: self.fields.text(key) for key in ("title", "source", "notes")}
+        if not links and "links" in self.fields:
+            self.problems.add(self.fields.place_of("links"), "links: a robot has at least one link")
+        try:
+            found = Robot(
+                name=self.name,
+                convention=self.convention,
+                variables=self.variables,
+                links=links,
+                parameters=parameters,
+                base=base,
+                tool=tool,
+                tools=tools,
+                first=first,
+                limits=limits,
+                poses=poses,
+                columns=self.columns,
+                derived=reader.formulas,
+                remarks=tuple(dict.fromkeys(self.remarks or ())),
+                title=texts["title"],
+                source=texts["source"],
+                notes=texts["notes"],
+            )
+        except InvalidRobotError as error:
+            for finding in self.not_told(error.findings):
+                self.problems.add(self.place_of(finding), self.key_of(finding) + finding.message, finding.hint)
+            self.problems.raise_if_any(FileError)
+            raise
+        self.problems.raise_if_any(FileError)
+        return found
+
+    def read_links(self, first: int) -> tuple[Link, ...]:
+        """The rows, or the products."""
+        return tuple(self.link(node, i, first + i) for i, node in enumerate(self.fields.sequence("links")))
+
+    def read_poses(self, angles: frozenset[str]) -> dict[str, tuple[Value, ...]]:
+        """The named poses."""
+        return {key: self.pose(key, angles) for key in self.fields.mapping("poses").entries}
+
+    def read_tools(self) -> dict[str, Chain]:
+        """The tools by name."""
+        fields = self.fields.mapping("tools", example="gripper: Trans(0, 0, 0.1)")
+        found: dict[str, Chain] = {}
+        for key in fields.entries:
+            self.places["tools", key] = fields.place_of(key)
+            scalar = fields.scalar(key)
+            found[key] = () if scalar is None else self.moves(scalar, key)
+        return found
+
+    def not_told(self, findings: Iterable[Finding]) -> Iterator[Finding]:
+        """The broken rules that do not come of a line, or of rows, that could not be read."""
+        told = {problem.place.line for problem in self.problems.found if problem.place is not None}
+        for finding in findings:
+            follows = self.is_broken and finding.where[0] in ("variables", "limits", "poses")
+            if self.place_of(finding).line not in told and not follows:
+                yield finding
+
+    def read_convention(self) -> Convention:
+        """How the links are described."""
+        scalar = self.fields.scalar("convention")
+        if scalar is None:
+            return Convention.STANDARD
+        try:
+            return Convention(scalar.text)
+        except ValueError:
+            hint = did_you_mean(scalar.text, [*(convention.value for convention in Convention), "axes", "screws"])
+            self.problems.add(scalar.place, f"convention: '{scalar.text}' is not known", hint)
+            return Convention.STANDARD
+
+    def read_first(self) -> int:
+        """The number of the first link."""
+        scalar = self.fields.scalar("first")
+        if scalar is None:
+            return 1
+        first = read_whole(self.fields, "first")
+        if first == 0:
+            self.problems.add(scalar.place, "first: links are numbered from 1")
+        return first or 1
+
+    def names(self, section: str, nodes: Iterable[PlacedNode]) -> Iterable[str]:
+        """The names in a list, their places kept."""
+        for i, node in enumerate(nodes):
+            self.places[section, i] = node.place
+            scalar = self.problems.scalar(node, section)
+            if scalar is not None and section == "variables" and not is_name(scalar.text):
+                message = f"{section}: {scalar.text!r:.60} is not a name"
+                self.problems.add(scalar.place, message, "write letters, with digits or an index: elbow_1, l_x")
+            if scalar is not None:
+                yield scalar.text
+
+    def link(self, node: PlacedNode, index: int, number: int) -> Link:
+        """A row, or a product."""
+        self.places["links", index] = node.place
+        if self.convention is Convention.PRODUCT:
+            scalar = self.problems.scalar(node, "links")
+            moves = self.moves(scalar, "links") if scalar else ()
+            return Link(number, moves, None, scalar.text if scalar else "")
+        if not isinstance(node, PlacedMapping):
+            self.problems.add(
+                node.place,
+                f"links: row {index + 1} should be a mapping",
+                "write {a: a1, alpha: 90°, d: 0, theta: theta1}, or convention: product for moves",
+            )
+            return Link(number, ())
+        fields = self.problems.mapping(node, "links", known=COLUMNS, required=COLUMNS)
+        if len(fields.entries) == len(COLUMNS) and index == 0:
+            self.columns = tuple(fields.entries)
+        cells = {column: self.cell(fields, column, index) for column in COLUMNS}
+        a, d = _as_length(cells["a"]), _as_length(cells["d"])
+        row = Row(a=a, alpha=_as_angle(cells["alpha"]), d=d, theta=_as_angle(cells["theta"]))
+        return Link(number, moves_of(row, self.convention), row)
+
+    def cell(self, fields: Fields, column: str, index: int) -> Value:
+        """A cell of a row; nothing where it cannot be read."""
+        scalar = fields.scalar(column)
+        empty: Value = Angle() if column in ("alpha", "theta") else ZERO
+        if scalar is None:
+            return empty
+        self.places["links", index, column] = scalar.place
+        return (
+            read_value(
+                self.problems,
+                scalar,
+                column,
+                is_angle=column in ("alpha", "theta"),
+                scope=self.scope,
+                remarks=self.remarks,
+            )
+            or empty
+        )
+
+    def moves(self, scalar: PlacedScalar, key: str) -> Chain:
+        """A product of moves; none where it cannot be read."""
+        try:
+            return sharpened(read_chain(scalar.text, self.scope, scalar.place_of(0), self.remarks), self.remarks)
+        except NotationError as error:
+            self.problems.take(error)
+            return ()
+
+    def chain(self, key: str) -> Chain:
+        """The product under a key."""
+        scalar = self.fields.scalar(key)
+        if scalar is None:
+            return ()
+        self.places[(key,)] = scalar.place
+        return self.moves(scalar, key)
+
+    def is_angle(self, key: str, angles: frozenset[str]) -> bool | None:
+        """Whether a parameter is an angle, by where it stands; None if it stands nowhere."""
+        self.places["parameters", key] = self.parameters.place_of(key)
+        if any(canonical(key) == canonical(name) for name in angles):
+            return True
+        return False if self.is_used(key) else None
+
+    def is_used(self, key: str) -> bool:
+        """Whether a name stands anywhere among the links."""
+        links = self.fields.get("links")
+        return links is not None and key in _texts(links)
+
+    def limit(self, key: str, angles: frozenset[str]) -> tuple[Value, Value]:
+        """The lowest and the highest value of a joint."""
+        fields = self.fields.mapping("limits")
+        self.places["limits", key] = fields.place_of(key)
+        if self.variables and key not in self.variables:
+            hint = did_you_mean(key, self.variables)
+            self.problems.add(fields.place_of(key), f"limits: {key} is not a joint variable", hint)
+            return Angle(), Angle()
+        values = self.joint_list(fields, key, [key] * 2, angles)
+        if len(values) != 2:  # noqa: PLR2004  lowest and highest
+            if values:
+                self.problems.add(fields.place_of(key), f"{key}: two values are wanted", "write [lowest, highest]")
+            return Angle(), Angle()
+        return values[0], values[1]
+
+    def pose(self, key: str, angles: frozenset[str]) -> tuple[Value, ...]:
+        """The joint values of a named pose."""
+        fields = self.fields.mapping("poses")
+        self.places["poses", key] = fields.place_of(key)
+        return self.joint_list(fields, key, self.variables, angles)
+
+    def joint_list(self, fields: Fields, key: str, joints: Sequence[str], angles: frozenset[str]) -> tuple[Value, ...]:
+        """Values of joints; what a joint is cannot be known if no row moves by it, or two do, or one cannot be read."""
+        nodes = fields.sequence(key)
+        values: list[Value] = []
+        for i, node in enumerate(nodes):
+            scalar = self.problems.scalar(node, key)
+            is_angle = joints[i] in angles if i < len(joints) else True
+            if scalar and (self.is_broken or (i < len(joints) and joints[i] in self.unclear)):
+                is_angle = has_unit_of_angle(scalar)
+            value = read_value(self.problems, scalar, key, is_angle=is_angle, remarks=self.remarks) if scalar else None
+            values.append(value if value is not None else Angle())
+        return tuple(values)
+
+    def place_of(self, finding: Finding) -> Place:
+        """Where a rule was broken, as near as the file can tell."""
+        for length in range(len(finding.where), 0, -1):
+            place = self.places.get(finding.where[:length])
+            if place is not None:
+                return place
+        return self.fields.place
+
+    def key_of(self, finding: Finding) -> str:
+        """What the message about a broken rule begins with."""
+        last = finding.where[-1]
+        return f"{last}: " if isinstance(last, str) else f"{finding.where[0]}: "
+
+
+def _as_length(value: Value) -> Expr:
+    return value if isinstance(value, Expr) else ZERO
+
+
+def _as_angle(value: Value) -> Angle:
+    return value if isinstance(value, Angle) else Angle()
+
+
+def _texts(node: PlacedNode) -> str:
+    """All that is written below a node."""
+    if isinstance(node, PlacedScalar):
+        return node.text
+    if isinstance(node, PlacedMapping):
+        return " ".join(_texts(value) for _, value in node.entries)
+    return " ".join(_texts(item) for item in node.items)

@@ -1,0 +1,129 @@
+"""Robots made by a caller: from rows of numbers and texts, and copies with something changed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from typing import TypeVar
+
+from dhcli.errors import NotationError, Place, Problem, RobotError, UnknownNameError, did_you_mean
+from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
+from dhcli.kinematics.derived import Value
+from dhcli.kinematics.description import Description, Link
+from dhcli.kinematics.moves import read_chain
+from dhcli.kinematics.values import parameter_values
+from dhcli.notation.angle import Angle
+from dhcli.notation.parser import parse
+from dhcli.notation.quantity import DimensionError, to_angle, to_length
+from dhcli.notation.scope import Scope
+from dhcli.notation.tree import Expr, Number
+
+Cell = float | str
+Made = TypeVar("Made", bound=Description)
+
+
+def from_dh(
+    made: type[Made],
+    /,
+    rows: Iterable[Mapping[str, Cell] | Sequence[Cell]],
+    *,
+    convention: str = "standard",
+    variables: Sequence[str],
+    parameters: Mapping[str, float | str | Value] | None = None,
+    name: str = "robot",
+) -> Made:
+    """A robot from the rows of its table.
+
+    >>> from dhcli.kinematics.robot import Robot
+    >>> from_dh(Robot, [("a1", 0, 0, "q1"), (0.3, "90°", 0, "q2")], variables=["q1", "q2"], parameters={"a1": 0.4})
+    <Robot robot: robot, 2 joints RR>
+
+    Args:
+        made: What is made: Robot, or a class of its kind.
+        rows: Each a mapping with a, alpha, d and theta, or these four in this order. A number is in metres or radians;
+            a text may have units, names and offsets: `"theta1 - 90°"`.
+        convention: standard or modified.
+        variables: The joint variables in order.
+        parameters: Values of the other names, in metres and radians or as text.
+        name: What it is called.
+
+    Raises:
+        RobotError: It is no robot; with every reason.
+        NotationError: A cell cannot be read.
+    """
+    if convention not in ("standard", "modified"):
+        raise UnknownNameError(f"there is no convention {convention}", "standard or modified")
+    given = parameters or {}
+    scope = Scope(lengths=(*variables, *given))
+    kind = Convention(convention)
+    found = [_row(row, i, scope) for i, row in enumerate(rows, 1)]
+    links = tuple(Link(i, moves_of(row, kind), row) for i, row in enumerate(found, 1))
+    open_: dict[str, Value | None] = dict.fromkeys(given)
+    bare = made(name, name, "made in Python", kind, tuple(variables), links, open_)
+    return replace(bare, parameters={**open_, **parameter_values(bare, given)})
+
+
+def copy(
+    robot: Made,
+    *,
+    tool: str | None = None,
+    base: str | None = None,
+    parameters: Mapping[str, float | str | Value] | None = None,
+    name: str | None = None,
+) -> Made:
+    """The same robot with another tool, base or other lengths.
+
+    Args:
+        robot: The robot.
+        tool: Moves from its last frame to the tool, such as `"Trans(0, 0, 0.1)"`; empty for none.
+        base: Moves from the base to its first frame.
+        parameters: Lengths and angles instead of its own, in metres and radians or as text.
+        name: What the copy is called.
+
+    Raises:
+        UnknownNameError: It has no such length.
+        NotationError: The moves cannot be read.
+    """
+    scope = Scope(lengths=tuple(robot.parameters))
+    ends = {
+        end: read_chain(text, scope, Place(end)) if text.strip() else ()
+        for end, text in (("tool", tool), ("base", base))
+        if text is not None
+    }
+    values = robot.parameters if parameters is None else {**robot.parameters, **parameter_values(robot, parameters)}
+    return replace(robot, name=name or robot.name, parameters=values, **ends)  # type: ignore[arg-type]
+
+
+def _row(row: Mapping[str, Cell] | Sequence[Cell], number: int, scope: Scope) -> Row:
+    place = Place(f"row {number}")
+    if isinstance(row, Mapping):
+        if unknown := [key for key in row if key not in COLUMNS]:
+            raise RobotError(Problem(f"{unknown[0]} is no column", place, did_you_mean(unknown[0], COLUMNS)))
+        cells = [row.get(column, 0.0) for column in COLUMNS]
+    else:
+        cells = list(row)
+    if len(cells) != len(COLUMNS):
+        raise RobotError(Problem(f"{len(cells)} cells, not four", place, "a, alpha, d, theta"))
+    a, alpha, d, theta = cells
+    return Row(
+        _length(a, scope, place), _angle(alpha, scope, place), _length(d, scope, place), _angle(theta, scope, place)
+    )
+
+
+def _length(cell: Cell, scope: Scope, place: Place) -> Expr:
+    if not isinstance(cell, str):
+        return Number(Fraction(repr(float(cell))), 17)
+    try:
+        return to_length(parse(cell, scope, place))
+    except DimensionError as error:
+        raise NotationError(Problem(error.message, place, error.hint)) from None
+
+
+def _angle(cell: Cell, scope: Scope, place: Place) -> Angle:
+    if not isinstance(cell, str):
+        return Angle(radians=Fraction(repr(float(cell))))
+    try:
+        return to_angle(parse(cell, scope, place), bare="refuse")
+    except DimensionError as error:
+        raise NotationError(Problem(error.message, place, error.hint)) from None

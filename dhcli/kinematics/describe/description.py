@@ -1,0 +1,274 @@
+"""Describing a robot anew: from what it is given as to any other form, and the proof that nothing has changed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Literal, get_args
+
+from dhcli.errors import RobotError, UnknownNameError, did_you_mean
+from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
+from dhcli.kinematics.describe.drawn import Drawing, drawing_of
+from dhcli.kinematics.describe.linear import LettersError
+from dhcli.kinematics.describe.process import walk
+from dhcli.kinematics.describe.products import chains_of
+from dhcli.kinematics.describe.proof import CLOSE, Proof, proved
+from dhcli.kinematics.describe.repairing import repaired, with_table
+from dhcli.kinematics.describe.screws import ScrewAxis, Side, lines_of, screws_of
+from dhcli.kinematics.describe.words import Speaker, Step
+from dhcli.kinematics.forward import put_in, spelled
+from dhcli.kinematics.moves import Chain, Trans
+from dhcli.kinematics.robot import Link, Robot, Value
+from dhcli.kinematics.values import numbers
+from dhcli.notation.angle import Angle
+from dhcli.notation.tree import ZERO
+
+Form = Literal["standard", "modified", "axes", "screws", "body-screws", "product"]
+FORMS: tuple[Form, ...] = get_args(Form)
+
+DRAWN = "drawn"
+"""The named pose in which a robot was drawn."""
+
+
+_MISSED = 2e-12
+"""What it costs that axes count as meeting or parallel which miss that by less than 1e-12 of the size."""
+
+_ROUGH = (
+    "the table differs by {:.1g} of the reach: axes that meet, or are parallel, to 1e-12 of the size count as such, "
+    "or a normal lies far away"
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Described:
+    """A robot in another description.
+
+    Attributes:
+        given: The robot.
+        form: The description wanted.
+        robot: It, from frame base to frame tool, as a table or as a product.
+        drawing: Its axes in the pose drawn; None where the rows were only grouped anew.
+        screws: Its screws, of forms that are screws.
+        steps: The process in words, of tables from axes.
+        proof: That it is the same motion from base to tool.
+        notes: What a person should know.
+        warnings: What they should be warned of.
+        told: Whether the steps were asked for.
+    """
+
+    given: Robot
+    form: Form
+    robot: Robot
+    proof: Proof
+    drawing: Drawing | None = None
+    screws: tuple[ScrewAxis, ...] = ()
+    steps: tuple[Step, ...] = ()
+    notes: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
+    told: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """What to describe.
+
+    Attributes:
+        form: The description wanted.
+        steps: Whether the process is to be told: then a table comes from the axes, even from another table.
+        numbers: Whether lengths are to be numbers.
+        pose: The pose in which the robot is drawn; None for the one named `drawn`, else zero.
+    """
+
+    form: Form
+    steps: bool = False
+    numbers: bool = False
+    pose: Mapping[str, Value] | None = None
+
+
+def check_form(text: str) -> Form:
+    """A form by its name.
+
+    Raises:
+        UnknownNameError: There is none of this name.
+    """
+    for form in FORMS:
+        if form == text.strip().lower():
+            return form
+    raise UnknownNameError(f"there is no description {text}", did_you_mean(text, FORMS) or "known: " + ", ".join(FORMS))
+
+
+def describe(robot: Robot, asked: Asked) -> Described:
+    """Describe a robot anew.
+
+    Args:
+        robot: The robot, described in any way.
+        asked: Which description.
+
+    Raises:
+        RobotError: It has no such description, or a letter lacks a value that decides.
+    """
+    if robot.tools:
+        found = describe(replace(robot, tools={}), asked)
+        return replace(found, notes=(*found.notes, "the tools of the file are left out"))
+    robot = in_numbers(robot) if asked.numbers else robot
+    is_table = asked.form in ("standard", "modified")
+    other = {"standard": Convention.MODIFIED, "modified": Convention.STANDARD}.get(asked.form)
+    if is_table and robot.convention is other and not asked.steps and asked.pose is None:
+        return _regrouped(robot, asked.form)
+    try:
+        return _from_axes(robot, asked)
+    except LettersError as error:
+        if asked.numbers or None in robot.parameters.values():
+            raise
+        found = _from_axes(in_numbers(robot), asked)
+        return replace(found, notes=(f"in numbers: {error.problems[0].message}", *found.notes))
+
+
+NAMES = {
+    "standard": "standard DH",
+    "modified": "modified DH",
+    "axes": "joint axes",
+    "screws": "screws in the base",
+    "body-screws": "screws in the end frame",
+    "product": "products of moves",
+}
+"""What each description is called."""
+
+
+def _named(robot: Robot, form: Form) -> Robot:
+    """The robot with a title and a note that say what was made of what."""
+    note = f"Made by `dhcli describe {robot.name} --as {form}`: the same motion from base to tool."
+    known = "".join(f"\n{line}" for line in robot.notes.rstrip().split("\n")) if robot.notes else ""
+    return replace(robot, title=f"{robot.title}, as {NAMES[form]}", notes=note + known)
+
+
+def in_numbers(robot: Robot) -> Robot:
+    """The robot with the values of its lengths in their place.
+
+    Raises:
+        RobotError: A length has no value.
+    """
+    values = {name: value for name, value in robot.parameters.items() if value is not None}
+    if lacking := [name for name, value in robot.parameters.items() if value is None]:
+        raise RobotError(f"{', '.join(lacking)} has no value", "numbers need one: --set NAME=VALUE")
+    base, tool = put_in(robot.base, values), put_in(robot.tool, values)
+    links = tuple(_valued(link, values, robot.convention) for link in robot.links)
+    tools = {name: put_in(chain, values) for name, chain in robot.tools.items()}
+    return replace(robot, links=links, base=base, tool=tool, tools=tools, parameters={}, derived={})
+
+
+def _valued(link: Link, values: Mapping[str, Value], convention: Convention) -> Link:
+    moves = put_in(link.moves, values)
+    if link.row is None:
+        return Link(link.number, moves, None, product_text(moves))
+    angles = {name: value for name, value in values.items() if isinstance(value, Angle)}
+    lengths = put_in((Trans(link.row.a, link.row.d, ZERO),), values)[0]
+    assert isinstance(lengths, Trans)  # noqa: S101  it keeps its kind
+    row = Row(lengths.x, link.row.alpha.substitute(angles), lengths.y, link.row.theta.substitute(angles))
+    return Link(link.number, moves_of(row, convention), row)
+
+
+def product_text(chain: Chain) -> str:
+    """A product as a file spells it."""
+    return " * ".join(spelled(move) for move in chain)
+
+
+def _regrouped(robot: Robot, form: Form) -> Described:
+    convention = Convention(form)
+    base, rows, tool = repaired(robot, convention)
+    found = _table(robot, convention, rows, base, tool)
+    notes = ("the pairs of its table are grouped anew; nothing is computed", *_left_over(robot, found))
+    return Described(robot, form, found, _proof(robot, found), notes=notes)
+
+
+def _table(robot: Robot, convention: Convention, rows: tuple[Row, ...], base: Chain, tool: Chain) -> Robot:
+    links = with_table(rows, convention, robot.first)
+    columns = robot.columns if robot.convention is not Convention.PRODUCT else COLUMNS
+    named = _named(robot, "standard" if convention is Convention.STANDARD else "modified")
+    return replace(named, convention=convention, links=links, base=base, tool=tool, columns=columns)
+
+
+def _proof(robot: Robot, found: Robot, close: float = CLOSE) -> Proof:
+    return proved(robot.chain, found.chain, known_values(robot), close)
+
+
+def known_values(robot: Robot) -> dict[str, Angle | float]:
+    """Values of the letters that have one."""
+    return dict(numbers({name: value for name, value in robot.parameters.items() if value is not None}))
+
+
+def _from_axes(robot: Robot, asked: Asked) -> Described:
+    drawn = dict(zip(robot.variables, robot.poses.get(DRAWN, ()), strict=False)) if asked.pose is None else asked.pose
+    screws = asked.form in ("screws", "body-screws")
+    drawing = drawing_of(robot.chain, robot.variables, known_values(robot), {} if screws else drawn)
+    if not drawing.lines and asked.form != "product":
+        raise RobotError(f"{robot.name} has no joints, so it has no {asked.form}", "--as product writes it as moves")
+    if asked.form in ("standard", "modified"):
+        return _by_process(robot, Convention(asked.form), asked, drawing)
+    if screws:
+        return _screws(robot, asked.form, drawing)
+    found = as_product(_named(robot, asked.form), drawing)
+    return Described(robot, asked.form, found, _proof(robot, found), drawing)
+
+
+def _by_process(robot: Robot, convention: Convention, asked: Asked, drawing: Drawing) -> Described:
+    walked = walk(drawing)
+    found = _table(robot, convention, walked.rows(convention), walked.base(convention), walked.tool(convention))
+    names = tuple(line.name for line in drawing.lines)
+    found = replace(found, variables=names, poses=_sorted(robot, names))
+    speaker = Speaker(walked, convention, robot.first, found.writing)
+    most = max(CLOSE * walked.farthest, _MISSED) + len(names) * walked.bent
+    proof = _proof(robot, found, most)
+    return Described(
+        robot,
+        asked.form,
+        found,
+        proof,
+        drawing,
+        steps=tuple(speaker.steps()),
+        notes=_left_over(robot, found),
+        warnings=(*walked.warnings, *(_ROUGH.format(proof.error) for _ in range(proof.error > CLOSE))),
+        told=asked.steps,
+    )
+
+
+def _screws(robot: Robot, form: Form, drawing: Drawing) -> Described:
+    side: Side = "space" if form == "screws" else "body"
+    screws = screws_of(drawing, side)
+    back = replace(drawing, lines=lines_of(screws, drawing.end, side))
+    found = as_product(_named(robot, form), back)
+    return Described(robot, form, found, _proof(robot, found), drawing, screws)
+
+
+def as_product(robot: Robot, drawing: Drawing) -> Robot:
+    """A robot as products of moves, from its drawing."""
+    chains = tuple(chains_of(drawing))
+    links = tuple(Link(robot.first + i, chain, None, product_text(chain)) for i, chain in enumerate(chains))
+    names = tuple(line.name for line in drawing.lines)
+    return replace(
+        robot,
+        convention=Convention.PRODUCT,
+        variables=names,
+        links=links,
+        base=(),
+        tool=(),
+        poses=_sorted(robot, names),
+        columns=COLUMNS,
+    )
+
+
+def _sorted(robot: Robot, names: tuple[str, ...]) -> Mapping[str, tuple[Value, ...]]:
+    """The poses with their values in the order in which the chain meets the joints."""
+    order = [robot.variables.index(name) for name in names]
+    return {pose: tuple(values[i] for i in order) for pose, values in robot.poses.items()}
+
+
+def _left_over(robot: Robot, found: Robot) -> tuple[str, ...]:
+    """What went to the base and to the tool, and whether frame 0 or n has moved."""
+    said = []
+    for name, before, after in (("base", robot.base, found.base), ("tool", robot.tool, found.tool)):
+        if after and after != before:
+            said.append(f"to {name}: {' '.join(spelled(move, found.writing) for move in after)}")
+        elif before and not after:
+            said.append(f"the {name} is in the table now")
+    return tuple(said)

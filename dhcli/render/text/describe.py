@@ -1,0 +1,172 @@
+"""A robot in another description: the steps, the result, what went to base and tool, and the proof."""
+
+from __future__ import annotations
+
+import re
+import textwrap
+from collections.abc import Iterator
+from typing import Any
+
+from dhcli.algebra.terms import TERMS
+from dhcli.kinematics.conventions import Convention
+from dhcli.kinematics.describe.description import NAMES, Described
+from dhcli.kinematics.describe.exact import exact_factor
+from dhcli.kinematics.describe.linear import coordinates_of
+from dhcli.kinematics.describe.process import axis_word
+from dhcli.kinematics.describe.products import end_of
+from dhcli.kinematics.describe.words import Step
+from dhcli.kinematics.fold import fold
+from dhcli.kinematics.forward import spelled
+from dhcli.notation.tree import Expr
+from dhcli.notation.writer import write
+from dhcli.render.look import Look
+from dhcli.render.text.matrix import matrix_lines
+from dhcli.render.text.robot import links_table, robot_content
+from dhcli.render.text.table import table_text
+
+_PROSE = 100
+"""Columns at which the steps are folded at most."""
+
+_POINT = re.compile(r"\([^()]*\)")
+_JOINED = "\N{NO-BREAK SPACE}"
+"""A point is not folded."""
+
+_AXIS = {
+    "standard": "z_{i-1} is the axis of joint i",
+    "modified": "z_i is the axis of joint i",
+    "axes": "seen from the base, in the pose drawn",
+    "screws": "T = exp(S_1 q_1) ... exp(S_n q_n) M",
+    "body-screws": "T = M exp(B_1 q_1) ... exp(B_n q_n)",
+    "product": "every frame stands as the base in the pose drawn",
+}
+
+
+def description_table(result: Described, look: Look) -> str:
+    """What was found, for people."""
+    paper = look.paper
+    origin = " from its axes" if result.steps else ""
+    head = f"{result.given.title}{origin} · {NAMES[result.form]} · {_AXIS[result.form]}"
+    blocks = [paper.ink(paper.spell(head), "bold") + "\n"]
+    if result.told and result.steps:
+        blocks.append("".join(_steps(result, look)))
+    return "".join([*blocks, *_body(result, look), *(f"{paper.spell(line)}\n" for line in _facts(result))])
+
+
+def description_content(result: Described, look: Look) -> dict[str, Any]:
+    """The same as JSON holds it; lengths and directions as text, exact."""
+    found: dict[str, Any] = {
+        "robot": result.given.name,
+        "as": result.form,
+        "proof": {"kind": result.proof.kind, "error": result.proof.error},
+        "notes": list(result.notes),
+        "steps": [_step_content(step) for step in result.steps] if result.told else [],
+        "result": robot_content(result.robot, look),
+    }
+    if result.screws and result.drawing is not None:
+        found["screws"] = [
+            {
+                "joint": s.name,
+                "omega": list(map(_written, s.omega)),
+                "v": [write(e, "full") for e in coordinates_of(s.v)],
+            }
+            for s in result.screws
+        ]
+        found["home"] = " ".join(map(spelled, end_of(result.drawing.end)))
+    elif result.form == "axes" and result.drawing is not None:
+        found["axes"] = [
+            {
+                "joint": line.name,
+                "turns": line.turns,
+                "direction": list(map(_written, line.direction)),
+                "through": None if line.through is None else [write(e, "full") for e in coordinates_of(line.through)],
+            }
+            for line in result.drawing.lines
+        ]
+        found["end"] = " ".join(map(spelled, end_of(result.drawing.end)))
+    return found
+
+
+def _step_content(step: Step) -> dict[str, Any]:
+    return {
+        "step": step.number,
+        "subject": step.subject,
+        "said": step.said,
+        "rule": step.rule,
+        "free": step.free,
+        "cells": list(step.cells),
+    }
+
+
+def _steps(result: Described, look: Look) -> Iterator[str]:
+    """The steps, each under its number."""
+    paper = look.paper
+    width = min(paper.width, _PROSE)
+    for step in result.steps:
+        parts = [f"{step.subject}: {step.said}"]
+        if step.cells:
+            parts.append(", ".join(step.cells))
+        if step.rule:
+            parts.append(step.rule)
+        if step.free:
+            parts.append(f"free: {step.free}")
+        for i, part in enumerate(parts):
+            mark = f"{step.number}  " if i == 0 else "     "
+            text = _POINT.sub(lambda point: point[0].replace(" ", _JOINED), paper.spell(part))
+            lines = textwrap.wrap(
+                text,
+                width,
+                initial_indent=mark,
+                subsequent_indent=" " * 5,
+                break_long_words=False,
+                break_on_hyphens=False,
+            )
+            yield "\n".join(lines).replace(_JOINED, " ") + "\n"
+
+
+def _body(result: Described, look: Look) -> Iterator[str]:
+    if result.form == "axes" and result.drawing is not None:
+        rows = [
+            [
+                line.name,
+                "turns about" if line.turns else "slides along",
+                axis_word(line.direction),
+                "" if line.through is None else _triple(coordinates_of(line.through)),
+            ]
+            for line in result.drawing.lines
+        ]
+        yield table_text(["joint", "", "direction", "through"], rows, look.paper)
+        yield look.paper.spell(f"end  {' '.join(map(spelled, end_of(result.drawing.end)))}") + "\n"
+    elif result.screws and result.drawing is not None:
+        rows = [
+            [screw.name, _triple(tuple(exact_factor(part) for part in screw.omega)), _triple(coordinates_of(screw.v))]
+            for screw in result.screws
+        ]
+        yield table_text(["joint", "ω", "v"], rows, look.paper)
+        yield "M, the end frame with all joints at zero\n"
+        home = fold(end_of(result.drawing.end), TERMS)
+        yield "".join(f"{line}\n" for line in matrix_lines(home, result.robot.writing, look))
+    else:
+        yield links_table(result.robot, look)
+
+
+def _facts(result: Described) -> Iterator[str]:
+    ends = (("base", result.robot.base, result.given.base), ("tool", result.robot.tool, result.given.tool))
+    for name, chain, before in ends:
+        if chain and chain == before:
+            yield f"{name}  {' '.join(spelled(move, result.robot.writing) for move in chain)}"
+    yield from result.notes
+    if result.proof.kind == "exact":
+        yield "proved: the same motion from base to tool, for all values of joints and lengths"
+    else:
+        error = max(result.proof.error, 1e-16)
+        yield f"checked: the same motion from base to tool at drawn poses, to {error:.0e} of the reach"
+    if result.robot.convention is not Convention.PRODUCT and result.robot.convention is not result.given.convention:
+        yield "frames 1 to n stand elsewhere now, as the convention wants them"
+
+
+def _triple(entries: tuple[Expr, ...]) -> str:
+    return f"({', '.join(write(entry) for entry in entries)})"
+
+
+def _written(value: float) -> str:
+    return write(exact_factor(value), "full")

@@ -1,0 +1,82 @@
+"""URDF on the command line."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from tests.cli.running import run
+
+ARM = "tests/data/urdf/three-joints.urdf"
+ROOT = Path(__file__).parents[2]
+
+
+def test_a_urdf_stands_where_a_robot_does() -> None:
+    """With a tip; what was taken for round is a warning."""
+    done = run("fk", str(ROOT / ARM), "--tip", "tool0", "--q", "0,0,0", "--as", "position")
+    assert done.code == 0
+    assert "p_z = 0.3" in done.out
+    assert "3 of 12 angles are multiples of 15° rounded" in done.err
+    assert "rounded" not in run("fk", str(ROOT / ARM), "--tip", "tool0", "--q", "0,0,0", "--as-typed").err
+
+
+def test_a_urdf_becomes_a_table_and_a_table_a_urdf(tmp_path: Path) -> None:
+    """There and back."""
+    table, urdf = tmp_path / "arm.yaml", tmp_path / "arm.urdf"
+    assert run("describe", str(ROOT / ARM), "--tip", "tool0", "--as", "modified", "-o", str(table)).code == 0
+    assert run("describe", str(table), "-o", str(urdf)).code == 0
+    first = run("fk", str(ROOT / ARM), "--tip", "tool0", "--q", "0.1,0.2,0.3", "--format", "csv").out
+    again = run("fk", str(urdf), "--q", "0.1,0.2,0.3", "--format", "csv").out
+    assert [round(float(x), 12) for x in first.replace("\n", ",").split(",") if x] == [
+        round(float(x), 12) for x in again.replace("\n", ",").split(",") if x
+    ]
+
+
+def test_an_exercise_that_is_a_urdf_is_called_one(tmp_path: Path) -> None:
+    """Not "should be a mapping"."""
+    path = tmp_path / "x.yaml"
+    path.write_text("<robot name='x'/>", "utf-8")
+    done = run("start", str(path))
+    assert done.code == 2
+    assert "this is a URDF" in done.err
+
+
+def test_every_command_about_a_robot_takes_the_links_of_a_urdf(tmp_path: Path) -> None:
+    """Each answers for the chain that ends at the tip; a base further on has fewer joints."""
+    rows = tmp_path / "q.csv"
+    rows.write_text("theta1,theta2,d3\n0.1,0.2,0.3\n", "utf-8")
+    poses = tmp_path / "p.csv"
+    pose = run("fk", str(ROOT / ARM), "--tip", "tool0", "--in", str(rows), "-o", str(poses))
+    assert pose.code == 0, pose.err
+    for words in (
+        ("show",),
+        ("ik", "--q", "0.1,0.2,0.3"),
+        ("ik", "--in", str(poses)),
+        ("jacobian", "--symbolic"),
+        ("jacobian", "--rows", str(rows)),
+        ("rates", "--q", "0.1,0.2,0.3", "--rates", "1,0,0"),
+        ("torques", "--q", "0.1,0.2,0.3", "--force", "1,0,0"),
+        ("singularities",),
+        ("sweep", "--over", "theta1=0..1 step 0.5", "--q", "theta2=0,d3=0.1"),
+    ):
+        command, *others = words
+        asked = run(command, str(ROOT / ARM), *others)
+        assert asked.code == 2, words
+        assert "which one?" in asked.err
+        done = run(command, str(ROOT / ARM), "--tip", "tool0", *others)
+        assert done.code == 0, (words, done.err)
+    shown = run("show", str(ROOT / ARM), "--tip", "tool0", "--base", "upper", "--draw")
+    assert shown.code == 0, shown.err
+    assert "2 joints RP" in shown.out
+
+
+def test_ik_finds_back_what_fk_has_found_at_a_tip() -> None:
+    """With the numbers as typed, so that nothing was taken for something else."""
+    done = run("ik", str(ROOT / ARM), "--tip", "tool0", "--as-typed", "--q", "0.1,0.2,0.3", "--format", "json")
+    joints = [each["q"] for each in done.envelope["data"]["solutions"]]
+    assert any(abs(q[0] - 0.1) < 1e-9 and abs(q[1] - 0.2) < 1e-9 and abs(q[2] - 0.3) < 1e-9 for q in joints)
+
+
+def test_only_a_robot_has_links_to_choose() -> None:
+    """An exercise and a linkage say so."""
+    done = run("show", "bennett", "--tip", "hand")
+    assert (done.code, "bennett is no robot" in done.err) == (2, True)

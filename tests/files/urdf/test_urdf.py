@@ -1,0 +1,262 @@
+"""URDF read and written: against the XML walked by numpy alone, and against what other programs make of it."""
+
+from __future__ import annotations
+
+import importlib.util
+import math
+import random
+from pathlib import Path
+from xml.etree import ElementTree as ET
+
+import numpy as np
+import pytest
+
+from dhcli.errors import DhcliError, FileError
+from dhcli.files.urdf.numbers import round_degrees
+from dhcli.files.urdf.robots import read_urdf
+from dhcli.files.urdf.writing import urdf_text
+from dhcli.files.yaml.robots import load_robot, read_robot
+from dhcli.kinematics.describe.description import Asked, describe
+from dhcli.kinematics.forward import forward
+from dhcli.kinematics.robot import Robot
+
+DATA = Path(__file__).parents[2] / "data" / "urdf"
+THREE = (DATA / "three-joints.urdf").read_text("utf-8")
+ROBOTS = sorted(path.stem for path in (Path(__file__).parents[3] / "robots").glob("*.yaml"))
+EXPORTED = [name for name in ROBOTS if not name.startswith("dh-link") and name != "assembly-blocks"]
+
+
+def turned(axis: np.ndarray, angle: float) -> np.ndarray:
+    """Rodrigues' formula as a 4x4 matrix."""
+    x, y, z = axis / np.linalg.norm(axis)
+    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    pose = np.eye(4)
+    pose[:3, :3] += math.sin(angle) * cross + (1 - math.cos(angle)) * cross @ cross
+    return pose
+
+
+def placed(xyz: list[float], rpy: list[float]) -> np.ndarray:
+    """Where an origin puts a frame."""
+    roll, pitch, yaw = rpy
+    x, y, z = np.eye(3)
+    pose = turned(z, yaw) @ turned(y, pitch) @ turned(x, roll)
+    pose[:3, 3] = xyz
+    return pose
+
+
+def walked(text: str, tip: str, q: list[float]) -> np.ndarray:
+    """The pose of a link, from the numbers as they stand in the XML."""
+    joints = {joint.find("child").get("link"): joint for joint in ET.fromstring(text).iter("joint")}  # noqa: S314
+    way = []
+    while tip in joints:
+        way.insert(0, joints[tip])
+        tip = joints[tip].find("parent").get("link")
+    pose, values = np.eye(4), iter(q)
+    for joint in way:
+        origin, axis = joint.find("origin"), joint.find("axis")
+        given = {} if origin is None else origin.attrib
+        three = [[float(x) for x in given.get(key, "0 0 0").split()] for key in ("xyz", "rpy")]
+        pose = pose @ placed(*three)
+        about = np.array([float(x) for x in (axis.get("xyz") if axis is not None else "1 0 0").split()])
+        kind = joint.get("type")
+        if kind in ("revolute", "continuous"):
+            pose = pose @ turned(about, next(values))
+        elif kind == "prismatic":
+            pose[:3, 3] += pose[:3, :3] @ (about / np.linalg.norm(about)) * next(values)
+    return pose
+
+
+def drawn_urdf(draw: random.Random, count: int) -> str:
+    """A chain with joints of all kinds, axes anywhere, numbers with all digits."""
+    lines = ['<robot name="drawn"><link name="l0"/>']
+    for k in range(1, count + 1):
+        kind = draw.choice(("revolute", "continuous", "prismatic", "fixed")) if k > 1 else "revolute"
+        xyz, axis = ([draw.uniform(-1, 1) for _ in range(3)] for _ in range(2))
+        rpy = [draw.uniform(-3, 3) for _ in range(3)]
+        if draw.random() < 0.5:
+            axis = list(draw.choice(((0, 0, 1), (1, 0, 0), (0, -1, 0), (0, 0, -2))))
+        said = ["{!r} {!r} {!r}".format(*three) for three in (xyz, rpy, axis)]
+        lines.append(
+            f'<link name="l{k}"/><joint name="j{k}" type="{kind}"><parent link="l{k - 1}"/><child link="l{k}"/>'
+            f'<origin xyz="{said[0]}" rpy="{said[1]}"/><axis xyz="{said[2]}"/>'
+            '<limit lower="-1" upper="1" effort="1" velocity="1"/></joint>'
+        )
+    return "".join([*lines, "</robot>"])
+
+
+@pytest.mark.parametrize("seed", range(25))
+def test_a_drawn_chain_moves_as_its_xml_says(seed: int) -> None:
+    """To 1e-14 of its size, and as a table to 1e-12."""
+    draw = random.Random(seed)  # noqa: S311  the same chains every time
+    text = drawn_urdf(draw, 7)
+    robot = read_urdf(text, "drawn.urdf", "drawn")
+    q = [draw.uniform(-1, 1) for _ in robot.variables]
+    expected = walked(text, "l7", q)
+    assert np.abs(forward(robot, q).matrix - expected).max() < 1e-13
+    table = describe(robot, Asked("standard", steps=True))
+    assert np.abs(forward(table.robot, q, start="base", end="tool").matrix - expected).max() < 1e-11
+
+
+def test_typed_right_angles_are_right_angles_and_can_be_kept() -> None:
+    """By how much the tip moves is said, and is true."""
+    robot = load_robot(DATA / "three-joints.urdf", tip="tool0")
+    assert robot.remarks[0].startswith(
+        "3 of 12 angles are multiples of 15° rounded (1.5708 -> 90°); the tip moves by at most "
+    )
+    typed = load_robot(DATA / "three-joints.urdf", tip="tool0", as_typed=True)
+    q = [0.3, -1.1, 0.5]
+    assert np.abs(forward(typed, q).matrix - walked(THREE, "tool0", q)).max() < 1e-15
+    gap = np.linalg.norm(np.subtract(forward(robot, q).position, forward(typed, q).position))
+    assert 0 < gap < 11e-6
+
+
+def test_limits_and_names_of_joints_are_kept() -> None:
+    """A continuous joint has no limits."""
+    robot = load_robot(DATA / "three-joints.urdf", tip="tool0")
+    assert robot.variables == ("theta1", "theta2", "d3")
+    assert set(robot.limits) == {"theta1", "d3"}
+    assert "theta2 is the joint elbow." in robot.notes
+
+
+def test_another_base_and_tip_are_another_chain() -> None:
+    """From the upper arm to the camera."""
+    robot = load_robot(DATA / "three-joints.urdf", base="upper", tip="camera")
+    whole = walked(THREE, "camera", [0.0, 0.4, 0.2])
+    above = walked(THREE, "upper", [0.0])
+    assert np.abs(forward(robot, [0.4, 0.2]).matrix - np.linalg.inv(above) @ whole).max() < 1e-4
+
+
+@pytest.mark.parametrize(
+    ("text", "degrees"),
+    [
+        ("1.5708", 90),
+        ("-1.57", -90),
+        ("3.14", 180),
+        ("3.14159265", 180),
+        ("0.7854", 45),
+        ("1.57079", 90),
+        ("0.2618", 15),
+        ("1.5", None),
+        ("0.26", None),
+        ("0.1", None),
+        ("1.571", 90),
+        ("1.6", None),
+        ("1.57079632679e0", 90),
+    ],
+)
+def test_only_what_was_typed_as_a_round_angle_is_taken_for_one(text: str, degrees: int | None) -> None:
+    """Within the last digit, and never far."""
+    assert round_degrees(text) == degrees
+
+
+@pytest.mark.parametrize("name", EXPORTED)
+def test_a_written_urdf_moves_as_the_robot(name: str) -> None:
+    """Read by dhcli and walked by numpy, base to tool."""
+    robot = load_robot(name)
+    text = urdf_text(robot)
+    draw = random.Random(name)  # noqa: S311  the same poses every time
+    q = [draw.uniform(-1, 1) for _ in robot.variables]
+    expected = forward(robot, q, start="base", end="tool").matrix
+    order = read_urdf(text, "x.urdf", name, tip="tool0")
+    chain_order = [robot.variables.index(joint) for joint in _joint_names(text)]
+    ordered = [q[i] for i in chain_order]
+    assert np.abs(walked(text, "tool0", ordered) - expected).max() < 1e-12
+    assert np.abs(forward(order, ordered).matrix - expected).max() < 1e-12
+
+
+def _joint_names(text: str) -> list[str]:
+    return [joint.get("name", "") for joint in ET.fromstring(text).iter("joint") if joint.get("type") != "fixed"]  # noqa: S314
+
+
+@pytest.mark.skipif(importlib.util.find_spec("pinocchio") is None, reason="pinocchio is not installed")
+@pytest.mark.parametrize("name", EXPORTED)
+def test_pinocchio_reads_what_is_written(name: str, tmp_path: Path) -> None:
+    """Where it is installed: the same pose to 1e-12."""
+    import pinocchio
+
+    robot = load_robot(name)
+    path = tmp_path / "x.urdf"
+    path.write_text(urdf_text(robot), "utf-8")
+    model = pinocchio.buildModelFromUrdf(str(path))
+    found = model.createData()
+    draw = random.Random(name)  # noqa: S311  the same poses every time
+    q = {name: draw.uniform(-1, 1) for name in robot.variables}
+    values = []
+    for joint in list(model.names)[1:]:
+        turns = model.joints[model.getJointId(joint)].nq == 2
+        values += [math.cos(q[joint]), math.sin(q[joint])] if turns else [q[joint]]
+    pinocchio.framesForwardKinematics(model, found, np.array(values))
+    pose = found.oMf[model.getFrameId("tool0")].homogeneous
+    expected = forward(robot, [q[name] for name in robot.variables], start="base", end="tool").matrix
+    assert np.abs(pose - expected).max() < 1e-12
+
+
+def test_a_variable_that_counts_in_other_units_is_refused() -> None:
+    """A URDF has no joint that turns twice as far as its value."""
+    text = (
+        "format: 1\ntitle: t\nsource: s\nconvention: product\nvariables: [q1]\nlinks:\n"
+        "  - Rot(z, 2*q1) * Trans(1, 0, 0)\n"
+    )
+    with pytest.raises(DhcliError, match="moves its joint by 2"):
+        urdf_text(read_robot(text, "x", "x"))
+
+
+def with_change(old: str, new: str) -> str:
+    """The URDF with one thing changed."""
+    assert old in THREE
+    return THREE.replace(old, new, 1)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (THREE, "has 2 tips: which one?"),
+        (with_change('type="revolute"', 'type="floating"'), "is floating, which is no joint of one variable"),
+        (with_change('type="revolute"', 'type="hinge"'), "there is no type hinge"),
+        (with_change('<parent link="upper"/>', '<parent link="uper"/>'), "its parent uper is no link"),
+        (with_change('<parent link="upper"/>', ""), "joint elbow has no <parent link=...>"),
+        (with_change('<child link="fore"/>', '<child link="base_link"/>'), "is below itself: a loop"),
+        (with_change('<child link="fore"/>', '<child link="upper"/>'), "is moved by shoulder already: a loop"),
+        (with_change('<link name="fore"/>', '<link name="upper"/>'), "two links called upper"),
+        (with_change('xyz="0 0 0.3"', 'xyz="0 0"'), "three numbers are wanted"),
+        (with_change('xyz="0 0 0.3"', 'xyz="0 0 nan"'), "'nan' is no number"),
+        (with_change('xyz="0 0 0.3"', 'xyz="0 0 ${h}"'), "this is a xacro"),
+        (with_change("<robot", "<xacro:robot"), "this is a xacro"),
+        (with_change('<axis xyz="0 0 1"/>', '<axis xyz="0 0 0"/>'), "an axis of length zero"),
+        (with_change('<axis xyz="0 0 1"/>', '<axis xyz="0 0 1"/><mimic joint="elbow"/>'), "shoulder follows elbow"),
+        (with_change('<axis xyz="0 0 1"/>', '<axis xyz="0 0 1"/><mimic joint="x"/>'), "not on this chain"),
+        (with_change('<?xml version="1.0"?>', '<!DOCTYPE r [<!ENTITY a "b">]>'), "a DOCTYPE is not read"),
+        ("<sdf/>", "<sdf> is no URDF"),
+        ("<robot name='x'>", "is no XML"),
+        ("<robot name='x'/>", "has no link"),
+        ("<robot name='x'>" + "<a>" * 200 + "</a>" * 200 + "</robot>", "deeper than"),
+    ],
+)
+def test_what_is_wrong_with_a_urdf_is_said(text: str, said: str) -> None:
+    """With its line where it has one, and never a traceback."""
+    tip = None if text == THREE else "tool0" if "tool0" in text else None
+    with pytest.raises(FileError) as caught:
+        read_urdf(text, "arm.urdf", "arm", tip=tip)
+    assert said in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [({"tip": "tool"}, "did you mean tool0"), ({"base": "hand", "tip": "upper"}, "upper is not below hand")],
+)
+def test_links_that_are_not_there_are_told_with_the_nearest(words: dict[str, str], said: str) -> None:
+    """By name."""
+    with pytest.raises(DhcliError) as caught:
+        load_robot(DATA / "three-joints.urdf", **words)
+    assert said in str(caught.value)
+
+
+def test_a_robot_file_has_no_links_to_choose_from() -> None:
+    """A tip is for URDF."""
+    with pytest.raises(FileError, match="only a URDF has links"):
+        load_robot("scara", tip="tool0")
+
+
+def test_a_robot_of_a_urdf_is_a_robot() -> None:
+    """What a caller sees."""
+    assert isinstance(load_robot(str(DATA / "three-joints.urdf"), tip="camera"), Robot)
