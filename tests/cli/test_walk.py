@@ -238,7 +238,8 @@ def test_a_name_one_letter_off_is_found_among_exercises(dhcli: Run, command: tup
     """Though a robot's name is not far."""
     done = dhcli(*command, name)
     assert done.code == 2
-    assert "did you mean yim/planar-two-links" in done.err
+    assert "did you mean " in done.err
+    assert "yim/planar-two-links" in done.err
     assert "planar-2r" not in done.err
 
 

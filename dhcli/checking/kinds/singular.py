@@ -84,7 +84,7 @@ class SingularQuestion(Question[Typed]):
         return f"when the Jacobian {self.motion.where}, rows {rows}, is singular: what is zero, each alone"
 
     def notes(self, _exercise: Exercise) -> Iterable[str]:
-        yield "Write what is zero, with a comma between: s1 = 0, a1 + a2*c2 = 0. Angles do too: theta1 = 0 or 180°."
+        yield "What is zero, with commas between: s1 = 0, a1 + a2*c2 = 0. Or theta1 = 0 or 180°."
 
     def expected(self, case: Case, style: str = "short") -> str:
         return self._text(case, self._right(case), style)
