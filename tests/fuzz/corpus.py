@@ -24,6 +24,11 @@ parts:
   - {id: b, ask: link 1}
 """
 _EXERCISE = "format: 1\ntitle: t\nsource: s\nrobot: planar-2r\ntask: x\nparts:\n  - {{id: a, ask: '{ask}'}}\n"
+_LOOP = (
+    "format: 1\ntitle: t\nsource: s\nspace: planar\nchain: ground "
+    + " ".join(f"R l{i}" for i in range(1, 1000))
+    + " R ground\n"
+).encode()
 _SUM = "+".join(f"cos(theta1/{p})" for p in range(2, 117))
 
 
@@ -81,6 +86,21 @@ CASES: dict[str, Case] = {
     "inverse of inverse of, 2,000 times": _exercise("inverse of " * 2000 + "link 1"),
     "a cell of 10,000 digits": _rows(b"theta1,theta2,d3\n" + b"1" * 10_000 + b"x,0,0\n"),
     "a head with 10,000 blanks": _rows(b"theta1" + b" " * 10_000 + b"x,theta2,d3\n0,0,0\n"),
+    **{
+        f"read as something else: {text}": Case(("transform", f"Trans({text},0,0)"))
+        for text in (
+            *("400mm/2mm", "0.1 m^-1", "1 m m", "2 m 3", "0x10", "sec(0)", "abs(-3)", "3 km", "nan", "inf"),
+            *("factorial(10**7)", "1e60^5"),
+        )
+    },
+    "degrees and minutes without a sign": Case(("transform", "Rot(z, 30° 15)")),
+    "a number of joints that is none": Case(("dof", "4infR")),
+    "1,000 joints in a pattern": Case(("dof", "loop 1000R")),
+    "a loop of 1,000 joints": Case(("dof", "./x.yaml"), {"x.yaml": _LOOP}),
+    "a power of a power in a file": Case(
+        ("show", "./x.yaml"), {"x.yaml": source("robot").replace(b"parameters: {", b"parameters: {zz: 1e-60^5 m, ")}
+    ),
+    "a power of a power in an answer": Case(("check", "planar-2r", "-s", "--entry", "1,4", "--answer", "1e-60^5 m")),
     "115 terms a cell": Case(
         (
             "check",
