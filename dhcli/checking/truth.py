@@ -12,11 +12,11 @@ from dhcli.algebra.floats import Floats
 from dhcli.algebra.points import CIRCLE, GENERAL, SEED, draws
 from dhcli.algebra.terms import TERMS
 from dhcli.checking.exercise import Case, Exercise
-from dhcli.checking.wanted import Composed, Span, Wanted
+from dhcli.checking.wanted import Composed, Wanted
 from dhcli.errors import RobotError
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.forward import put_in, textbook_form
-from dhcli.kinematics.frames import between, frame
+from dhcli.kinematics.frames import View, between, frame
 from dhcli.kinematics.merge import merge
 from dhcli.kinematics.moves import Chain, angle_names, expressions, inverse, names
 from dhcli.kinematics.robot import Robot, Value
@@ -128,7 +128,7 @@ def chain_of(question: Wanted, robot: Robot | None) -> Chain:
     Raises:
         RobotError: The question needs a robot and there is none.
     """
-    if isinstance(question.source, Span):
+    if isinstance(question.source, View):
         if robot is None:
             raise RobotError("this question needs a robot", "name one under robot:")
         start, end = frame(robot, question.source.start), frame(robot, question.source.end)

@@ -7,10 +7,11 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal, TypeAlias
 
 from dhcli.errors import NotationError, Place, Problem
+from dhcli.kinematics.frames import View
 from dhcli.kinematics.moves import Chain, read_chain
 from dhcli.notation.matrix import parse_matrix
 from dhcli.notation.quantity import LENGTH_UNITS, DimensionError, to_length
@@ -33,21 +34,6 @@ class NotAskedError(Exception):
 
 
 @dataclass(frozen=True, slots=True)
-class Span:
-    """The pose of one frame of the robot seen from another.
-
-    Attributes:
-        start: The frame it is seen from.
-        end: The frame described.
-        link: Whether it was asked for as a link, `A_i`.
-    """
-
-    start: str
-    end: str
-    link: bool = False
-
-
-@dataclass(frozen=True, slots=True)
 class Composed:
     """A product of moves, without a robot."""
 
@@ -55,7 +41,7 @@ class Composed:
     text: str
 
 
-Source: TypeAlias = Span | Composed
+Source: TypeAlias = View | Composed
 
 Piece = Literal["pose", "rotation", "position", "entry", "axis", "point", "vector"]
 """What is asked of a matrix."""
@@ -72,6 +58,7 @@ class Wanted:
         index: Row and column of an entry from 0; for an axis its column and 0.
         point: Coordinates of a point or a vector in the frame described.
         measured: Whether each of these was written with a unit of length.
+        is_link: Whether it was asked for as a link, `A_i`.
     """
 
     source: Source
@@ -80,6 +67,7 @@ class Wanted:
     index: tuple[int, int] = (0, 0)
     point: tuple[Expr, ...] = ()
     measured: tuple[bool, ...] = ()
+    is_link: bool = False
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -93,6 +81,7 @@ _PIECE = re.compile(
     re.DOTALL,
 )
 _POSE = re.compile(r"(?:pose\s+)?(?P<start>base|\d{1,4})\s*\.\.\s*(?P<end>tool|base|\d{1,4})")
+_OF_LINK = re.compile(r"\blink\s+\d+\s*$")
 _LINK = re.compile(r"link\s+(?P<link>\d{1,4})")
 _PRODUCT = re.compile(r"product\s+[\"“'](?P<text>.+)[\"”']", re.DOTALL)
 _INVERSE = re.compile(r"inverse\s+of\s+(?P<rest>.+)", re.DOTALL)
@@ -105,6 +94,11 @@ def read_wanted(text: str, scope: Scope, place: Place | None) -> Wanted:
         NotAskedError: It asks for no matrix.
         NotationError: A coordinate or a product in it cannot be read.
     """
+    wanted = _wanted(text, scope, place)
+    return replace(wanted, is_link=isinstance(wanted.source, View) and _OF_LINK.search(text) is not None)
+
+
+def _wanted(text: str, scope: Scope, place: Place | None) -> Wanted:
     match = _PIECE.fullmatch(text)
     if match is None:
         source, inverse = _source(text, scope, place)
@@ -140,11 +134,11 @@ def _source(text: str, scope: Scope, place: Place | None) -> tuple[Source, bool]
     while match := _INVERSE.fullmatch(text):
         text, inverse = match["rest"].strip(), not inverse
     if match := _LINK.fullmatch(text):
-        return Span(str(int(match["link"]) - 1), match["link"], link=True), inverse
+        return View(str(int(match["link"]) - 1), match["link"]), inverse
     if match := _POSE.fullmatch(text):
         if match["start"] == match["end"]:
             raise NotationError(Problem("a frame seen from itself is no question", place, "write pose 0..1"))
-        return Span(match["start"], match["end"]), inverse
+        return View(match["start"], match["end"]), inverse
     if match := _PRODUCT.fullmatch(text):
         return Composed(read_chain(match["text"], scope, place), match["text"]), inverse
     raise NotAskedError(text)

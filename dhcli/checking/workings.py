@@ -13,11 +13,11 @@ from dhcli.checking.exercise import Case, Exercise, Rows, Shown
 from dhcli.checking.tolerance import ZERO as NOTHING
 from dhcli.checking.truth import chain_of, is_length, truth_of
 from dhcli.checking.units import on_sheet
-from dhcli.checking.wanted import Composed, Span, Wanted
+from dhcli.checking.wanted import Composed, Wanted
 from dhcli.kinematics.conventions import ORDER
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.forward import in_numbers, put_in, spelled, textbook_form
-from dhcli.kinematics.frames import between, frame
+from dhcli.kinematics.frames import View, between, frame
 from dhcli.kinematics.moves import Chain, names
 from dhcli.kinematics.pose import DIGITS, rounded
 from dhcli.kinematics.robot import Robot
@@ -37,7 +37,7 @@ MOST_DECIMALS = 6
 def matrix_steps(case: Case, question: Wanted) -> Iterator[Shown]:
     """The matrices and their product, then the piece of it that is asked for."""
     exercise = case.exercise
-    if isinstance(question.source, Span) and exercise.robot is not None:
+    if isinstance(question.source, View) and exercise.robot is not None:
         yield from _links(exercise, exercise.robot, question.source)
     elif isinstance(question.source, Composed):
         yield from _moves(exercise, question.source.chain)
@@ -61,7 +61,7 @@ def matrix_steps(case: Case, question: Wanted) -> Iterator[Shown]:
         yield Shown("\n".join(("The matrix times this column:", *product_lines(case, question, rows))))
 
 
-def _links(exercise: Exercise, robot: Robot, span: Span) -> Iterator[Shown]:
+def _links(exercise: Exercise, robot: Robot, span: View) -> Iterator[Shown]:
     """Each link matrix, then the products from right to left, which keep the brackets small."""
     first, last = (robot.frames.index(frame(robot, name)) for name in (span.start, span.end))
     low, high = min(first, last), max(first, last)

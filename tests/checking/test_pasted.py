@@ -13,7 +13,7 @@ from dhcli.checking.judge import check
 from dhcli.checking.kinds.made import question_about
 from dhcli.checking.kinds.matrix import MatrixQuestion
 from dhcli.checking.verdicts import Verdict
-from dhcli.checking.wanted import Span
+from dhcli.checking.wanted import View
 from dhcli.cli.main import main
 from dhcli.files.yaml.exercises import load_exercise
 from dhcli.notation.angle import Angle
@@ -41,7 +41,7 @@ def position() -> Exercise:
     """The position of the planar arm with links of 0.4 m and 0.3 m, in numbers."""
     values = {"theta1": Angle(), "theta2": Angle()}
     asked = question_about(load_robot("planar-2r"), "pose 0..2", numeric=True, given=values)
-    return replace(asked, parts=(Part("tip", MatrixQuestion(Span("0", "2"), piece="position")),))
+    return replace(asked, parts=(Part("tip", MatrixQuestion(View("0", "2"), piece="position")),))
 
 
 def remarks(exercise: Exercise, answer: str) -> tuple[Verdict, tuple[str, ...]]:

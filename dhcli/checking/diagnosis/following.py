@@ -12,10 +12,10 @@ from dhcli.checking.entries import Entries
 from dhcli.checking.exercise import Case, Matrices, Points, Reading
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.truth import piece_of
-from dhcli.checking.wanted import Span, Wanted
+from dhcli.checking.wanted import Wanted
 from dhcli.errors import DhcliError
 from dhcli.kinematics.fold import fold
-from dhcli.kinematics.frames import between, frame
+from dhcli.kinematics.frames import View, between, frame
 from dhcli.kinematics.robot import Robot
 
 MOST_WAYS = 64
@@ -34,7 +34,7 @@ def follows(case: Case, question: Wanted, entries: Entries, earlier: Mapping[str
         earlier: The answers to earlier parts that differ from the solution, by part.
     """
     robot = case.exercise.robot
-    if not earlier or robot is None or not isinstance(question.source, Span):
+    if not earlier or robot is None or not isinstance(question.source, View):
         return ()
     first, last = span_of(robot, question.source)
     try:
@@ -64,7 +64,7 @@ def follows(case: Case, question: Wanted, entries: Entries, earlier: Mapping[str
     return ()
 
 
-def span_of(robot: Robot, span: Span) -> tuple[int, int]:
+def span_of(robot: Robot, span: View) -> tuple[int, int]:
     """The places of two frames in the order of the robot."""
     first, last = (robot.frames.index(frame(robot, name)) for name in (span.start, span.end))
     return first, last

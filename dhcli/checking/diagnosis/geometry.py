@@ -14,11 +14,11 @@ from dhcli.algebra.floats import Floats
 from dhcli.checking.diagnosis.typed import TypedMatrix
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.orientations import not_orthonormal
-from dhcli.checking.wanted import Span, Wanted
+from dhcli.checking.wanted import Wanted
 from dhcli.geometry.rigid import Rigid
 from dhcli.geometry.vectors import UNITS, Vector, dot, length, plus, scaled
 from dhcli.kinematics.fold import fold
-from dhcli.kinematics.frames import between, frame
+from dhcli.kinematics.frames import View, between, frame
 from dhcli.kinematics.moves import Chain
 from dhcli.kinematics.pose import rounded
 from dhcli.notation.styles import Joints
@@ -197,7 +197,7 @@ def _frames(exercise: Exercise, question: Wanted, typed: TypedMatrix) -> Iterato
     count = len(typed.search.points)
     yield Frame(reference, (Rigid(),) * count)
     robot, source = exercise.robot, question.source
-    if robot is not None and isinstance(source, Span) and not question.inverse:
+    if robot is not None and isinstance(source, View) and not question.inverse:
         first, last = (robot.frames.index(frame(robot, name)) for name in (source.start, source.end))
         for k in range(first + 1, last):
             chain = between(robot, robot.frames[first], robot.frames[k])
@@ -208,7 +208,7 @@ def _frames(exercise: Exercise, question: Wanted, typed: TypedMatrix) -> Iterato
 
 def _ends(exercise: Exercise, question: Wanted) -> tuple[str, str]:
     """The names of the frame that is looked from, and of the one described."""
-    if not isinstance(question.source, Span) or exercise.robot is None:
+    if not isinstance(question.source, View) or exercise.robot is None:
         return "the reference", "the frame itself"
     start, end = question.source.start, question.source.end
     return (_spoken(end), _spoken(start)) if question.inverse else (_spoken(start), _spoken(end))

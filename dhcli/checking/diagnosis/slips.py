@@ -9,8 +9,9 @@ from dhcli.checking.diagnosis.mistakes import BY_ID, MISTAKES, Level, Mistake
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.diagnosis.work import Factor, Setting, Work
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.wanted import Span, Wanted
+from dhcli.checking.wanted import Wanted
 from dhcli.kinematics.conventions import Convention, Row
+from dhcli.kinematics.frames import View
 from dhcli.kinematics.robot import Robot
 
 
@@ -110,4 +111,4 @@ def _rows(work: Work) -> list[Row]:
 def table_work(robot: Robot) -> Work:
     """The rows of a robot, to make mistakes in."""
     steps = tuple(Factor(str(link.number), link.moves, link.row) for link in robot.links)
-    return Work(Wanted(Span(robot.frames[1], robot.frames[-2])), steps)
+    return Work(Wanted(View(robot.frames[1], robot.frames[-2])), steps)

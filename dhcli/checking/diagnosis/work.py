@@ -17,12 +17,12 @@ from dhcli.algebra.arithmetic import plus, times
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.terms import TERMS
 from dhcli.checking.truth import piece_of
-from dhcli.checking.wanted import Span, Wanted
+from dhcli.checking.wanted import Wanted
 from dhcli.errors import RobotError
 from dhcli.kinematics.conventions import Convention, Row
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.forward import put_in, textbook_form
-from dhcli.kinematics.frames import frame
+from dhcli.kinematics.frames import View, frame
 from dhcli.kinematics.moves import Chain, names
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values
@@ -138,7 +138,7 @@ def right_work(question: Wanted, robot: Robot | None, setting: Setting) -> Work:
         RobotError: The question needs a robot and there is none.
     """
     source = question.source
-    if not isinstance(source, Span):
+    if not isinstance(source, View):
         steps = tuple(Factor(str(k), (move,)) for k, move in enumerate(source.chain, 1))
         return Work(question, steps, inverted=question.inverse)
     if robot is None:

@@ -14,10 +14,11 @@ from dhcli.checking.pasted import without_label
 from dhcli.checking.tolerance import NOT_EXACT, Tolerance
 from dhcli.checking.units import chain_in_metres, move_in_metres
 from dhcli.checking.verdicts import Mark, Verdict
-from dhcli.checking.wanted import Span, Wanted
+from dhcli.checking.wanted import Wanted
 from dhcli.errors import Place
 from dhcli.kinematics.conventions import ORDER, moves_of
 from dhcli.kinematics.forward import spelled
+from dhcli.kinematics.frames import View
 from dhcli.kinematics.moves import Chain
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.scope import Scope
@@ -105,7 +106,7 @@ class FactorsQuestion(Question[Chain]):
             slip = Slip("convention", words, "which convention has this robot, standard or modified?")
             yield asked(slip, moves_of(link.row, OTHER[robot.convention]))
         steps = tuple(Factor(str(k), (move,)) for k, move in enumerate(link.moves, 1))
-        work = Work(Wanted(Span(robot.frames[index + 1], robot.frames[index + 2])), steps)
+        work = Work(Wanted(View(robot.frames[index + 1], robot.frames[index + 2])), steps)
         for one in candidates(work, setting_of(exercise), name=name):
             is_product = one.mistake.level is not Level.MATRIX and one.work.multiplied is Multiplied.IN_ORDER
             if is_product and one.work.steps != steps:

@@ -14,9 +14,9 @@ from dhcli.checking.kinds.linked import needed
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.truth import is_length, names_in, truth_of, unvalued
 from dhcli.checking.verdicts import IN_OTHER_UNIT, UNSOLVED, Mark, Verdict
-from dhcli.checking.wanted import Composed, Span, Wanted, read_wanted
+from dhcli.checking.wanted import Composed, Wanted, read_wanted
 from dhcli.errors import DhcliError, NotationError, Place, Problem
-from dhcli.kinematics.frames import frame
+from dhcli.kinematics.frames import View, frame
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.operators import OPENING
 from dhcli.notation.quantity import DimensionError
@@ -47,7 +47,7 @@ class MatrixQuestion(Wanted, Question[Entries]):
     def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
         """A link, a pose, a product, an inverse, or a piece of one."""
         found = read_wanted(text, scope, place)
-        return cls(found.source, found.inverse, found.piece, found.index, found.point, found.measured)
+        return cls(found.source, found.inverse, found.piece, found.index, found.point, found.measured, found.is_link)
 
     def in_unit(self, unit: Fraction, scope: Scope) -> Self:
         """Bare coordinates of a point, and bare lengths of a product, are in the unit of the sheet."""
@@ -66,13 +66,13 @@ class MatrixQuestion(Wanted, Question[Entries]):
         return replace(self, source=source, point=point)
 
     def check(self, robot: Robot | None) -> None:
-        if isinstance(self.source, Span):
+        if isinstance(self.source, View):
             for name in (self.source.start, self.source.end):
                 frame(needed(robot), name)
 
     @property
     def needs_table(self) -> bool:
-        return isinstance(self.source, Span)
+        return isinstance(self.source, View)
 
     def describe(self, exercise: Exercise) -> str:
         from dhcli.checking.workings import coordinates
@@ -83,13 +83,13 @@ class MatrixQuestion(Wanted, Question[Entries]):
     def describe_form(self, _exercise: Exercise) -> str:
         """Neither the factors of a product nor the coordinates of a point are told."""
         words = self._in_words(self._whole, "a point", "a vector")
-        return words if isinstance(self.source, Span) else words.rpartition(": ")[2]
+        return words if isinstance(self.source, View) else words.rpartition(": ")[2]
 
     @property
     def _whole(self) -> str:
-        if isinstance(self.source, Span):
+        if isinstance(self.source, View):
             start, end = self.source.start, self.source.end
-            whole = f"A_{end}" if self.source.link else f"T_{start}{end}"
+            whole = f"A_{end}" if self.is_link else f"T_{start}{end}"
             whole += f", frame {end} seen from frame {start}"
         else:
             whole = self.source.text
@@ -269,7 +269,7 @@ class MatrixQuestion(Wanted, Question[Entries]):
         from dhcli.checking.diagnosis.typed import typed_answer
 
         robot = case.exercise.robot
-        if robot is None or not isinstance(self.source, Span) or self.piece != "pose" or self.inverse:
+        if robot is None or not isinstance(self.source, View) or self.piece != "pose" or self.inverse:
             return None
         start, end = span_of(robot, self.source)
         typed = typed_answer(case, self, reading.value)

@@ -19,10 +19,10 @@ from dhcli.checking.pasted import UnreadableError, WrongUnitError
 from dhcli.checking.tolerance import judge
 from dhcli.checking.truth import names_in, truth_of, unvalued
 from dhcli.checking.verdicts import Mark, Verdict
-from dhcli.checking.wanted import NotAskedError, Span, Wanted, read_wanted
+from dhcli.checking.wanted import NotAskedError, Wanted, read_wanted
 from dhcli.errors import Place, RobotError, plural
 from dhcli.geometry.euler import Order
-from dhcli.kinematics.frames import frame
+from dhcli.kinematics.frames import View, frame
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
@@ -80,17 +80,17 @@ class OrientationQuestion(Question[Turn]):
         return cls(found, form_of(" ".join(match["form"].split())))
 
     def check(self, robot: Robot | None) -> None:
-        if isinstance(self.wanted.source, Span):
+        if isinstance(self.wanted.source, View):
             for name in (self.wanted.source.start, self.wanted.source.end):
                 frame(needed(robot), name)
 
     @property
     def needs_table(self) -> bool:
-        return isinstance(self.wanted.source, Span)
+        return isinstance(self.wanted.source, View)
 
     def describe(self, _exercise: Exercise) -> str:
         source = self.wanted.source
-        if not isinstance(source, Span):
+        if not isinstance(source, View):
             whole = source.text
         else:
             whole = f"T_{source.start}{source.end}, frame {source.end} seen from frame {source.start}"

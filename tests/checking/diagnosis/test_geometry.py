@@ -12,7 +12,7 @@ from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.kinds.made import question_about
 from dhcli.checking.kinds.matrix import MatrixQuestion
 from dhcli.checking.verdicts import Verdict
-from dhcli.checking.wanted import Span
+from dhcli.checking.wanted import View
 from dhcli.kinematics.values import joint_values
 from tests.judging import expected
 
@@ -89,7 +89,7 @@ def test_a_sum_of_shifts_along_two_axes_of_one_frame_is_told() -> None:
 @pytest.mark.parametrize("piece", ["rotation", "position"])
 def test_a_piece_of_a_matrix_is_told_alone(piece: str) -> None:
     """There is no other half to speak of."""
-    question = MatrixQuestion(Span("0", "2"), piece=piece)
+    question = MatrixQuestion(View("0", "2"), piece=piece)
     exercise = replace(about("planar-2r", "0", "2"), parts=(Part("pose", question),))
     answers = {
         "rotation": ("[c12 0 s12; s12 0 -c12; 0 1 0]", "the rotation is off by 90° about x2"),

@@ -8,8 +8,7 @@ from itertools import combinations
 from dhcli.checking.diagnosis.mistakes.record import Catalogue, Level, Made
 from dhcli.checking.diagnosis.result import Rank
 from dhcli.checking.diagnosis.work import Setting, Work, steps_between
-from dhcli.checking.wanted import Span
-from dhcli.kinematics.frames import frame
+from dhcli.kinematics.frames import View, frame
 
 OF_FRAMES = Catalogue(Level.PRODUCT)
 
@@ -24,7 +23,7 @@ OF_FRAMES = Catalogue(Level.PRODUCT)
 def other_frames(work: Work, setting: Setting) -> Made:
     """The pose of another frame, or seen from another, T_16 or T_03 for T_06; or the next link, A_2 for A_1."""
     robot, source = setting.robot, work.question.source
-    if robot is None or not isinstance(source, Span):
+    if robot is None or not isinstance(source, View):
         return
     asked = sorted(robot.frames.index(frame(robot, name)) for name in (source.start, source.end))
     for first, last in combinations(range(len(robot.frames)), 2):
