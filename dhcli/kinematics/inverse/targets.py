@@ -70,7 +70,9 @@ def _as_poses(array: Array, task: Task) -> Array:
         poses = np.tile(np.eye(4), (len(array.reshape(-1, 3, 3)), 1, 1))
         poses[:, :3, :3] = array.reshape(-1, 3, 3)
         return poses
-    raise RobotError(f"an array of the shape {shape} is no {task.name}", "wanted: numbers of the shape (4, 4)")
+    other = {(3,): 'task="position"', (3, 3): 'task="orientation"'}.get(shape)
+    hint = "wanted: numbers of the shape (4, 4)" + (f"; for this one {other}" if other else "")
+    raise RobotError(f"an array of the shape {shape} is no {task.name}", hint)
 
 
 def _without_turn(poses: Array) -> Array:
