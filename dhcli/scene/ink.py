@@ -15,9 +15,6 @@ CELL = 4
 LINE, AREA = 6, 1
 """Weight of a line and of a filled area: a label may stand on a body before it stands on a line."""
 
-_AREAS = frozenset(
-    {"drum", "cap", "link", "plate", "face", "face-light", "face-dark", "ball", "sheet", "knob", "bar", "ground-link"}
-)
 _LIGHT = frozenset({"plate", "hatch", "halo", "ground-sheet"})
 
 

@@ -12,7 +12,7 @@ from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
 from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, cross, dot, length, plus, scaled
 from dhcli.kinematics.describe.linear import LettersError, Point, Ruler, form_of, shifted
-from dhcli.kinematics.moves import PLANES, Chain, Fixed, Move, Rot, Trans, angle_names, expressions, names, substituted
+from dhcli.kinematics.moves import PLANES, Chain, Fixed, Move, Rot, Trans, angle_names, names, substituted
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ONE, ZERO, Expr, Number
 from dhcli.notation.walk import substitute, symbols
@@ -180,12 +180,6 @@ def _slope(expr: Expr, name: str) -> float:
     if any(letter != ONE and abs(value) > 0 for letter, value in form.items()):
         raise LettersError(f"how far {name} slides depends on {grown}")
     return form.get(ONE, 0.0)
-
-
-def free_names(chain: Chain, variables: tuple[str, ...]) -> frozenset[str]:
-    """Names of a chain that are no variables."""
-    inside = frozenset().union(*(symbols(expr) for expr in expressions(chain)), angle_names(chain))
-    return inside - set(variables)
 
 
 def same_direction(u: Vector, v: Vector, close: float = 1e-12) -> int:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
@@ -109,11 +108,3 @@ class Plan:
     def rules(self) -> tuple[str, ...]:
         """The rules used, such as ONE."""
         return tuple(dict.fromkeys(type(step).__name__.upper() for step in self.steps))
-
-
-def known_after(plan: Plan, count: int) -> Sequence[int]:
-    """The joints known after a number of steps."""
-    found = list(plan.held)
-    for step in plan.steps[:count]:
-        found += step.joints if isinstance(step, All) else (step.joint,)
-    return found

@@ -26,7 +26,6 @@ _INKS = {
     Verdict.CANNOT_READ: ("red",),
     Verdict.SKIPPED: ("dim",),
 }
-_ASCII_SIGNS = {"✓": "+", "≡": "=", "≈": "~", "✗": "x", "–": "-"}  # noqa: RUF001
 MOST_HINTS = 2
 NO_SLIP = "why: no slip that dhcli knows gives this answer"
 _INDENT = " " * 4
@@ -143,8 +142,7 @@ def _diagnosis(found: Diagnosis | None) -> dict[str, Any] | None:
 def _part_lines(marked: SheetMark, one: PartMark, look: Look) -> Iterator[str]:
     paper, mark, exercise = look.paper, one.mark, marked.exercise
     verdict = mark.verdict
-    sign = verdict.sign if paper.unicode else _ASCII_SIGNS.get(verdict.sign, verdict.sign)
-    word = paper.ink(f"{sign} {verdict.word:<10}", "bold", *_INKS[verdict])
+    word = paper.ink(f"{paper.spell(verdict.sign)} {verdict.word:<10}", "bold", *_INKS[verdict])
     credit = _partial_credit(one) if len(marked.parts) > 1 else ""
     asked = f"{one.part.id}: {one.part.heading(exercise)}{credit}"
     first, *rest = prose_lines(paper.spell(asked), paper, _UNDER_ASKED, _UNDER_ASKED)
@@ -232,11 +230,7 @@ def _notes(mark: Mark) -> Iterator[str]:
 def _signed(cells: Sequence[CellMark], paper: Paper) -> Iterator[str]:
     """The entries as typed, each with its sign behind it."""
     columns = max(cell.column for cell in cells) + 1
-    signs = {"✓": "+", "≈": "~", "✗": "x", "~": "~"}
-    texts = [
-        f"{paper.spell(cell.typed)} {cell.verdict.sign if paper.unicode else signs.get(cell.verdict.sign, '?')}"
-        for cell in cells
-    ]
+    texts = [f"{paper.spell(cell.typed)} {paper.spell(cell.verdict.sign)}" for cell in cells]
     rows = [texts[i : i + columns] for i in range(0, len(texts), columns)]
     widths = [max(len(row[k]) for row in rows) for k in range(columns)]
     for row in rows:
