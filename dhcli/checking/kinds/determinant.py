@@ -13,7 +13,7 @@ from dhcli.checking.motion.asked import Motion
 from dhcli.checking.motion.columns import jacobian_grid
 from dhcli.checking.motion.grid import Grid
 from dhcli.checking.motion.mistakes import made
-from dhcli.checking.motion.question import MotionQuestion
+from dhcli.checking.motion.question import OneNumberQuestion
 from dhcli.checking.motion.task import columns_for, found_for, kept_rows, read_task, square
 from dhcli.errors import Place
 from dhcli.kinematics.robot import Robot
@@ -25,7 +25,7 @@ from dhcli.notation.writer import write
 
 
 @dataclass(frozen=True, slots=True)
-class DeterminantQuestion(MotionQuestion):
+class DeterminantQuestion(OneNumberQuestion):
     """The determinant of a Jacobian, of the rows that the joints can move.
 
     Attributes:
@@ -46,13 +46,6 @@ class DeterminantQuestion(MotionQuestion):
 
     def check(self, robot: Robot | None) -> None:
         square(*self.motion.check(robot), self.form)
-
-    def size(self, _robot: Robot) -> tuple[int, int]:
-        return 1, 1
-
-    @property
-    def in_rows(self) -> bool:
-        return False
 
     def describe(self, exercise: Exercise) -> str:
         rows = ", ".join(square(*self.motion.check(exercise.robot), self.form).rows)

@@ -14,7 +14,7 @@ from dhcli.checking.motion.columns import Columns, jacobian_grid
 from dhcli.checking.motion.grid import Grid, exact
 from dhcli.checking.motion.linear import determinant_of
 from dhcli.checking.motion.mistakes import made
-from dhcli.checking.motion.question import MotionQuestion
+from dhcli.checking.motion.question import OneNumberQuestion
 from dhcli.checking.motion.task import columns_for, found_for, kept_rows, read_task, values_in
 from dhcli.errors import Place, RobotError
 from dhcli.kinematics.robot import Robot
@@ -26,7 +26,7 @@ LEAST = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
-class ManipulabilityQuestion(MotionQuestion):
+class ManipulabilityQuestion(OneNumberQuestion):
     """The manipulability of an arm where it stands, in numbers.
 
     Attributes:
@@ -47,13 +47,6 @@ class ManipulabilityQuestion(MotionQuestion):
 
     def check(self, robot: Robot | None) -> None:
         self.motion.check(robot)
-
-    def size(self, _robot: Robot) -> tuple[int, int]:
-        return 1, 1
-
-    @property
-    def in_rows(self) -> bool:
-        return False
 
     def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
         robot, _ = self.motion.check(exercise.robot)

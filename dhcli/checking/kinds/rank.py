@@ -13,7 +13,7 @@ from dhcli.checking.motion.asked import Motion
 from dhcli.checking.motion.columns import jacobian_grid
 from dhcli.checking.motion.grid import Grid
 from dhcli.checking.motion.linear import rank
-from dhcli.checking.motion.question import MotionQuestion
+from dhcli.checking.motion.question import MotionQuestion, OneNumberQuestion
 from dhcli.checking.motion.task import columns_for, read_task, values_in
 from dhcli.checking.pasted import UnreadableError
 from dhcli.errors import Place
@@ -26,7 +26,7 @@ ROWS = {"all": range(6), "linear": range(3), "angular": range(3, 6)}
 
 
 @dataclass(frozen=True, slots=True)
-class RankQuestion(MotionQuestion):
+class RankQuestion(OneNumberQuestion):
     """The rank of a Jacobian, at the values given or at almost all.
 
     Attributes:
@@ -48,13 +48,6 @@ class RankQuestion(MotionQuestion):
 
     def check(self, robot: Robot | None) -> None:
         self.motion.check(robot)
-
-    def size(self, _robot: Robot) -> tuple[int, int]:
-        return 1, 1
-
-    @property
-    def in_rows(self) -> bool:
-        return False
 
     def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
         robot, _ = self.motion.check(exercise.robot)

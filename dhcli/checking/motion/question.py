@@ -224,6 +224,21 @@ class MotionQuestion(Question[Entries]):
         )
 
 
+class OneNumberQuestion(MotionQuestion):
+    """A question about motion whose answer is one number or one expression."""
+
+    __slots__ = ()
+
+    def size(self, _robot: Robot) -> tuple[int, int]:
+        """One entry."""
+        return 1, 1
+
+    @property
+    def in_rows(self) -> bool:
+        """There is but one."""
+        return False
+
+
 def axes_step(case: Case, columns: Columns) -> Shown:
     """Axis and origin of each joint, and the point, in words."""
     exercise = case.exercise
