@@ -10,7 +10,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Any, ClassVar, Generic, Protocol, Self, TypeAlias, TypeVar, cast
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, Protocol, Self, TypeAlias, TypeVar, cast
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.credit import USUAL, Shares
@@ -28,6 +28,10 @@ from dhcli.notation.quantity import LENGTH_UNITS, value_text
 from dhcli.notation.scope import Scope
 from dhcli.notation.styles import THETAS, Joints
 from dhcli.notation.tree import Expr
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.values import Values
+    from dhcli.scene.traced import Traced
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -131,6 +135,7 @@ class Question(ABC, Generic[T]):
         is_plain: Whether an answer is neither a formula nor a measure, so that a sheet need not say how to write them.
         may_show_frames: Whether frames and lengths in a picture would not give the answer away.
         earns_by_row: Whether the entries of an answer belong together row by row, as those of a table do.
+        is_overlaid: Whether an answer can be drawn over the arm; see `overlaid`.
     """
 
     __slots__ = ()
@@ -143,6 +148,7 @@ class Question(ABC, Generic[T]):
     is_plain: ClassVar[bool] = False
     may_show_frames: ClassVar[bool] = False
     earns_by_row: ClassVar[bool] = False
+    is_overlaid: ClassVar[bool] = False
 
     @classmethod
     @abstractmethod
@@ -333,6 +339,23 @@ class Question(ABC, Generic[T]):
     ) -> tuple[int, int, Matrices] | None:
         """From which frame to which an answer leads within a span of frames, and the matrices at some points."""
         return None
+
+    def overlaid(self, _case: Case, _reading: Reading[T], _values: Values) -> Overlaid | None:
+        """What an answer draws over the arm at some values of all names; None where it draws nothing."""
+        return None
+
+
+@dataclass(frozen=True, slots=True)
+class Overlaid:
+    """An answer as a drawing over the arm that is right.
+
+    Attributes:
+        robot: The arm, with the table whose frames are compared.
+        traced: The frames of the answer.
+    """
+
+    robot: Robot
+    traced: Traced
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,6 +16,7 @@ from dhcli.scene.shapes import Figure
 from dhcli.scene.staging import HEIGHT, WIDTH, Paper, figure_of, stage_arm
 from dhcli.scene.strip import strip_figure
 from dhcli.scene.table import with_table
+from dhcli.scene.traced import Traced
 
 if TYPE_CHECKING:
     from dhcli.notation.quantity import Bare
@@ -37,7 +38,7 @@ class Drawing:
         parameters: Lengths and angles instead of the robot's own.
         bare: What a number without a unit means for a joint that turns.
         to: Joint values or the name of a pose to which the robot moves: then the picture is a film strip.
-        beside: Another table of the same arm, drawn over it; the first frame that differs is marked.
+        beside: Another table of the same arm, or frames, drawn over it; the first frame that differs is marked.
     """
 
     what: Robot | Linkage
@@ -51,7 +52,7 @@ class Drawing:
     parameters: Mapping[str, Value] | None = None
     bare: Bare = "rad"
     to: JointInput = None
-    beside: Robot | None = None
+    beside: Robot | Traced | None = None
 
     def figure(self, paper: Paper | None = None) -> Figure:
         """The finished drawing on a paper, by default one of the shape that the size asks for."""
@@ -70,7 +71,7 @@ class Drawing:
         drawn = figure_of(staged, paper, worksheet=self.worksheet)
         return with_table(drawn, self.what) if self.table else drawn
 
-    def _compared(self, robot: Robot, other: Robot, paper: Paper) -> Figure:
+    def _compared(self, robot: Robot, other: Robot | Traced, paper: Paper) -> Figure:
         if self.table or self.worksheet:
             raise DhcliError(
                 "two tables over each other leave no room for more", "leave out the table or the worksheet"

@@ -210,7 +210,7 @@ LINES: tuple[tuple[str, ...], ...] = (
         "c5c6 -c5s6 -s5 0; s6 c6 0 0; s5c6 -s5s6 c5 0; 0 0 0 1",
     ),
     ("check", "planar-2r", "--table", "robot.yaml", "--format", "json", "-o", "m.json", "--force"),
-    ("check", "planar-2r", "--table", "robot.yaml", "--compare", "same-motion"),
+    ("check", "planar-2r", "--table", "robot.yaml", "--compare", "same-motion", "--draw", "over.svg", "--force"),
     ("watch", "yim/planar-in-numbers", "sheet.yaml", "--variant", "x", "--why"),
     ("hint", "yim/planar-in-numbers", "--part", "t02", "--variant", "bob"),
     ("solution", "yim/planar-in-numbers", "--part", "t02", "--yes", "--variant", "bob"),
