@@ -31,6 +31,7 @@ from dhcli.notation.tree import Expr
 
 if TYPE_CHECKING:
     from dhcli.kinematics.values import Values
+    from dhcli.mobility.linkage import Linkage
     from dhcli.scene.traced import Traced
 
 T = TypeVar("T")
@@ -206,6 +207,11 @@ class Question(ABC, Generic[T]):
     def notes(self, _exercise: Exercise) -> Iterable[str]:
         """What a sheet says above the blanks."""
         return ()
+
+    @property
+    def linkage_counted(self) -> Linkage | None:
+        """The linkage that it is about, if it is about one."""
+        return None
 
     @property
     def in_rows(self) -> bool:
@@ -422,6 +428,7 @@ class Exercise:
         trials: Submissions the exercise tests itself with.
         shows_expected: Whether feedback may show the right entry.
         variants: What may be drawn by a seed, by name.
+        picture: What a picture may show, `none`, `axes` or `frames`; empty where the parts alone say it.
         variant: The seed that `given` was drawn by; empty for the numbers of the file.
         scope: The names that answers may use: the robot's, those given, and those the exercise adds.
         values: Values that may stand for their names: those given and, in numbers, the robot's own.
@@ -444,6 +451,7 @@ class Exercise:
     shows_expected: bool = False
     variants: Mapping[str, Range] = field(default_factory=dict)
     variant: str = ""
+    picture: str = ""
     scope: Scope = field(init=False, repr=False, compare=False)
     values: Mapping[str, Value] = field(init=False, repr=False, compare=False)
 

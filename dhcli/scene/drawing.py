@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from dhcli.errors import DhcliError
@@ -12,8 +12,9 @@ from dhcli.kinematics.values import JointInput
 from dhcli.mobility.linkage import Linkage
 from dhcli.scene.beside import beside_figure
 from dhcli.scene.linkages import linkage_figure
+from dhcli.scene.panels import PANEL, on_one_sheet
 from dhcli.scene.shapes import Figure
-from dhcli.scene.staging import HEIGHT, WIDTH, Paper, figure_of, stage_arm
+from dhcli.scene.staging import HEIGHT, MARGIN, WIDTH, Paper, figure_of, stage_arm
 from dhcli.scene.strip import strip_figure
 from dhcli.scene.table import with_table
 from dhcli.scene.traced import Traced
@@ -38,6 +39,7 @@ class Drawing:
         parameters: Lengths and angles instead of the robot's own.
         bare: What a number without a unit means for a joint that turns.
         to: Joint values or the name of a pose to which the robot moves: then the picture is a film strip.
+        more: Further drawings on the same sheet.
         beside: Another table of the same arm, or frames, drawn over it; the first frame that differs is marked.
     """
 
@@ -53,9 +55,13 @@ class Drawing:
     bare: Bare = "rad"
     to: JointInput = None
     beside: Robot | Traced | None = None
+    more: tuple[Drawing, ...] = ()
 
     def figure(self, paper: Paper | None = None) -> Figure:
         """The finished drawing on a paper, by default one of the shape that the size asks for."""
+        if self.more:
+            panel = paper or Paper(*PANEL, margin=MARGIN * 0.8)
+            return on_one_sheet([one.figure(panel) for one in (replace(self, more=()), *self.more)])
         paper = paper or self._paper()
         if isinstance(self.what, Linkage):
             if self.q is not None or self.pose is not None or self.table or self.to is not None or self.beside:
@@ -97,7 +103,7 @@ class Drawing:
     @property
     def shown_at(self) -> tuple[int, int] | None:
         """The size asked for, where the figure has that shape: one with a table beside has its own."""
-        return None if self.table or self.to is not None else self.size
+        return None if self.table or self.more or self.to is not None else self.size
 
     def _paper(self) -> Paper:
         if self.size is None:

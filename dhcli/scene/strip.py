@@ -16,10 +16,10 @@ from dhcli.scene.arm import arm_scene
 from dhcli.scene.camera import Camera
 from dhcli.scene.overlay import pins
 from dhcli.scene.painter import painted
+from dhcli.scene.panels import moved
 from dhcli.scene.primitives import Scene
 from dhcli.scene.shapes import Figure, Shape, Text
 from dhcli.scene.staging import LARGEST_DRUM, Paper, extent, foot, posed, stage_arm, values_at
-from dhcli.scene.vectors import Flat
 from dhcli.scene.words import Run
 
 MOMENTS = 5
@@ -69,7 +69,7 @@ def strip_figure(
         drawn = [*pins(scene, camera, scene.pinned), *painted(scene, camera, turns=False)]
         done = way[: round(k * WAY / (MOMENTS - 1)) + 1]
         drawn += [Shape(tuple(done), "trace")] if len(done) > 1 else []
-        shapes += [_moved(shape, k * CELL) for shape in drawn]
+        shapes += [moved(shape, (k * CELL, 0.0)) for shape in drawn]
         texts.append(Text(((k + 0.5) * CELL, 22.0), (Run(str(k + 1)),), "number", 15.0))
     shapes += [Shape(((k * CELL, 8.0), (k * CELL, HIGH - paper.foot)), "extension") for k in range(1, MOMENTS)]
     caption = f"{first.caption} to {told}"
@@ -94,13 +94,3 @@ def _camera(scenes: list[Scene], view: tuple[float, float], paper: Paper) -> Cam
     points = [point for scene in scenes for point in extent(replace(scene, arrows=()))]
     room = (14.0, 34.0, CELL - 14.0, HIGH - paper.foot - 12.0)
     return Camera.at(*view).fitted(points, room, LARGEST_DRUM * SHRUNK / scenes[0].unit)
-
-
-def _moved(shape: Shape, by: float) -> Shape:
-    """A shape farther to the right."""
-
-    def right(point: Flat) -> Flat:
-        return point[0] + by, point[1]
-
-    shade = (right(shape.shade[0]), right(shape.shade[1])) if shape.shade else None
-    return replace(shape, points=tuple(map(right, shape.points)), shade=shade)

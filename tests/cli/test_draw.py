@@ -151,6 +151,26 @@ def test_an_exercise_in_numbers_is_drawn_at_its_own_values_with_frames(dhcli: Ru
     assert path.read_text("utf-8") != text
 
 
+def test_the_linkages_of_a_task_stand_on_one_sheet_without_what_is_to_be_counted(dhcli: Run, tmp_path: Path) -> None:
+    """And `show` and `start` say so; with --solution after a try they have names and numbers."""
+    path = tmp_path / "task.svg"
+    assert dhcli("draw", "yim/planar-linkages", "-o", str(path)).code == 0
+    text = path.read_text("utf-8")
+    assert set(re.findall(r'class="t-(\w+)"', text)) == {"caption"}
+    assert text.count('class="t-caption"') == 4
+    assert "dhcli draw yim/planar-linkages draws the linkages" in dhcli("show", "yim/planar-linkages").out
+    assert "draws the linkages" in dhcli("start", "yim/planar-linkages", "-o", str(tmp_path / "s.yaml")).err
+    letters = dhcli("draw", "yim/planar-linkages", "--size", "60x16").out
+    assert letters.count("Parallel four-bar") == 2
+    assert max(map(len, letters.split("\n"))) <= 60
+    assert dhcli("draw", "yim/planar-linkages", "--solution").code == 2
+    for part in ("n4", "j4", "f4", "parallel", "n5", "f5", "m5", "six"):
+        dhcli("check", "yim/planar-linkages", "--part", part, "--answer", "4")
+    solved = dhcli("draw", "yim/planar-linkages", "--solution", "-o", str(path), "--force")
+    assert solved.code == 0, solved.err
+    assert "coupler" in path.read_text("utf-8")
+
+
 def test_open_writes_a_page_and_opens_it(dhcli: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     """Without -o in a folder of its own."""
     opened: list[str] = []
@@ -189,6 +209,8 @@ def test_open_writes_a_page_and_opens_it(dhcli: Run, monkeypatch: pytest.MonkeyP
         ("scara --table -o a.html", "a page always has the table"),
         ("watt --view top", "watt is planar: there is one view of it"),
         ("yim/dh-process", "yim/dh-process has no robot"),
+        ("yim/counting-freedoms", "has no robot and no linkage with points"),
+        ("motion/five-bar-loop -o a.html", "a page computes frames"),
         ("wpi/puma560-table -o a.html", "which a worksheet leaves to the student"),
         ("yim/stanford-arm --pose zero", "yim/stanford-arm is an exercise"),
         ("yim/stanford-arm --solution", "never tried"),

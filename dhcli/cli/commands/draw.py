@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING, Annotated
+from dataclasses import replace
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -11,8 +12,6 @@ from dhcli.cli.shell.options import Force, Settings, Variant, complete_pose, com
 from dhcli.errors import DhcliError
 
 if TYPE_CHECKING:
-    from dhcli.kinematics.robot import Robot
-    from dhcli.mobility.linkage import Linkage
     from dhcli.render.pictures.picture import Picture
 
 EXAMPLES = """
@@ -129,14 +128,16 @@ def draw(
             raise DhcliError(
                 f"{robot} is an exercise: it says itself what is given", "--view, --size and --dark are free"
             )
-        arm, given, hidden = of_exercise(robot, variant, solution=solution)
-        what: Robot | Linkage = arm
-        picture = Picture(arm, worksheet=worksheet or hidden, **look, **given)  # type: ignore[arg-type]
+        first, *others = (
+            Picture(**look, **{**one, "worksheet": worksheet or one["worksheet"]})  # type: ignore[arg-type]
+            for one in of_exercise(robot, variant, solution=solution)
+        )
+        what, picture = first.what, replace(first, more=tuple(others))
     else:
         if solution or variant is not None:
             raise DhcliError(f"{robot} is no exercise: it has no solution and no variants", "leave the option out")
         what = find(robot)
-        given = posed(what, q, pose, set_ or [], degrees=deg, to=to, beside=beside)
+        given: dict[str, Any] = posed(what, q, pose, set_ or [], degrees=deg, to=to, beside=beside)
         picture = Picture(what, worksheet=worksheet, table=table, **look, **given)  # type: ignore[arg-type]
     pixels = None if size is None else sides(size)
     if table and (name in ("page", "terminal") or name is None):
@@ -160,8 +161,6 @@ def draw(
 
 
 def _sized(picture: Picture, sides: tuple[int, int]) -> Picture:
-    from dataclasses import replace
-
     from dhcli.render.pictures.picture import check_size
 
     check_size(sides)
@@ -199,7 +198,7 @@ def _written(content: str | bytes, output: str, *, force: bool) -> str:
 
 
 def _opened_page(picture: Picture, name: str) -> str:
-    """A page in a folder of its own that the system clears; a worksheet, which is no page, as SVG."""
+    """A page in a folder of its own that the system clears; a worksheet, which is no page, and several as SVG."""
     import re
     import tempfile
     from pathlib import Path
@@ -207,7 +206,7 @@ def _opened_page(picture: Picture, name: str) -> str:
     from dhcli.cli.shell.console import tell
 
     folder = tempfile.mkdtemp(prefix="dhcli-")
-    suffix, text = ("svg", picture.svg()) if picture.worksheet else ("html", picture.page())
+    suffix, text = ("svg", picture.svg()) if picture.worksheet or picture.more else ("html", picture.page())
     path = Path(folder) / f"{re.sub(r'[^A-Za-z0-9_-]+', '-', name) or 'page'}.{suffix}"
     path.write_text(text, encoding="utf-8")
     tell(f"wrote {path}")

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
 
 from dhcli.errors import DhcliError, Place, Problem
 
@@ -34,32 +35,40 @@ def find(name: str) -> Robot | Linkage:
     return load_robot(name)
 
 
-def of_exercise(name: str, variant: str | None, *, solution: bool) -> tuple[Robot, dict[str, object], bool]:
-    """The arm of an exercise at the values that the task gives, and whether its frames are an answer and left out.
+def of_exercise(name: str, variant: str | None, *, solution: bool) -> list[dict[str, Any]]:
+    """What the picture of an exercise shows: its arm at the values that the task gives, and the linkages it counts.
+
+    Returns:
+        The fields of a picture for each of them. Frames that are an answer are left out, and names and numbers of
+        links and joints.
 
     Raises:
-        DhcliError: It has no robot; its solution is asked for before it was tried.
+        DhcliError: There is nothing to draw; its solution is asked for before it was tried.
     """
-    from dataclasses import replace
-
-    from dhcli.checking.figures import held_back, shown
+    from dhcli.checking.figures import held_back, linkages, shown
     from dhcli.checking.judge import Judge
     from dhcli.checking.variants import variant_of
     from dhcli.cli.commands.solution import ask_once
     from dhcli.files.yaml.exercises import load_exercise
 
     exercise = variant_of(Judge(load_exercise(name)), variant).exercise
-    if exercise.robot is None or (level := shown(exercise)) is None:
-        raise DhcliError(f"{exercise.id} has no robot: there is nothing to draw", f"dhcli show {exercise.id}")
+    level, counted = shown(exercise), linkages(exercise)
+    if level is None and not counted:
+        what = "is to have no picture" if exercise.picture == "none" else "has no robot and no linkage with points"
+        raise DhcliError(f"{exercise.id} {what}", f"dhcli show {exercise.id}")
     if solution:
-        ask_once(exercise, held_back(exercise))
-    arm = replace(exercise.robot, title=exercise.title)
-    lengths = {name: value for name, value in exercise.given.items() if name in arm.parameters}
-    joints = {name: value for name, value in exercise.given.items() if name in arm.variables}
-    given: dict[str, object] = {"parameters": lengths}
-    if arm.variables and len(joints) == len(arm.variables):
-        given["q"] = joints
-    return arm, given, level == "axes" and not solution
+        counts = tuple(part for part in exercise.asked if part.question.linkage_counted)
+        held = held_back(exercise) if level is not None else ()
+        ask_once(exercise, (*held, *counts), "try first with dhcli check")
+    found: list[dict[str, Any]] = []
+    if exercise.robot is not None and level is not None:
+        arm = replace(exercise.robot, title=exercise.title)
+        lengths = {name: value for name, value in exercise.given.items() if name in arm.parameters}
+        joints = {name: value for name, value in exercise.given.items() if name in arm.variables}
+        found.append({"what": arm, "parameters": lengths, "worksheet": level == "axes" and not solution})
+        if arm.variables and len(joints) == len(arm.variables):
+            found[0]["q"] = joints
+    return found + [{"what": linkage, "worksheet": not solution} for linkage in counted]
 
 
 def posed(

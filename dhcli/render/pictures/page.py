@@ -48,6 +48,10 @@ def page(picture: Drawing) -> str:
     if picture.worksheet:
         hint = "write .svg, .pdf, .png, .tex or .txt"
         raise DhcliError("a page computes frames and table, which a worksheet leaves to the student", hint)
+    if picture.more:
+        raise DhcliError(
+            "a page shows one arm or one linkage", "write .svg, .pdf, .png, .tex or .txt, or draw one alone"
+        )
     if picture.beside is not None:
         raise DhcliError("a page shows one table", "write .svg, .pdf, .png or .tex to see two over each other")
     if isinstance(what, Robot):

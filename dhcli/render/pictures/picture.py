@@ -73,6 +73,9 @@ class Picture(Drawing):
             raise DhcliError(
                 "a film strip is no picture in letters", "write .svg, .pdf, .png, .tex, or .html to play it"
             )
+        if self.more:
+            each = (replace(self, more=()), *(replace(self, **vars(one)) for one in self.more))
+            return "\n".join(one.terminal(paper, columns, rows) for one in each)
         paper = paper or Letters()
         columns = columns or min(paper.width, 120)
         rows = rows or max(FEWEST[1], min(44, round(columns * 0.4)))

@@ -8,7 +8,7 @@ from typing import Any
 
 from dhcli.checking.earning import worth_of
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.figures import shown
+from dhcli.checking.figures import subject
 from dhcli.files.yaml.robot_line import robot_line
 from dhcli.render.look import Look
 from dhcli.render.text.marks import question_text
@@ -42,8 +42,8 @@ def exercise_table(exercise: Exercise, look: Look) -> str:
         lines += ["", *prose_lines(f"worth: {worth}", paper)]
     option = f" --variant {shlex.quote(exercise.variant)}" if exercise.variant else ""
     lines += ["", paper.ink(paper.spell(f"dhcli start {exercise.id}{option} writes a sheet to fill in"), "dim")]
-    if shown(exercise):
-        lines.append(paper.ink(paper.spell(f"dhcli draw {exercise.id}{option} draws the arm"), "dim"))
+    if drawn := subject(exercise):
+        lines.append(paper.ink(paper.spell(f"dhcli draw {exercise.id}{option} draws {drawn}"), "dim"))
     return "\n".join(lines) + "\n"
 
 
@@ -57,6 +57,7 @@ def exercise_content(exercise: Exercise, _look: Look) -> dict[str, Any]:
         "task": exercise.task,
         "variant": exercise.variant or None,
         "given": {name: in_units(value) for name, value in exercise.given.items()},
+        "picture": subject(exercise) or None,
         "parts": [
             {
                 "part": part.id,
