@@ -210,6 +210,8 @@ LINES: tuple[tuple[str, ...], ...] = (
         "c5c6 -c5s6 -s5 0; s6 c6 0 0; s5c6 -s5s6 c5 0; 0 0 0 1",
     ),
     ("check", "planar-2r", "--table", "robot.yaml", "--format", "json", "-o", "m.json", "--force"),
+    ("draw", "planar-2r", "--to", "fold", "--animate", "-o", "move.svg", "--force"),
+    ("draw", "planar-2r", "--in", "two.csv", "-o", "strip.svg", "--force"),
     ("check", "planar-2r", "--table", "robot.yaml", "--compare", "same-motion", "--draw", "over.svg", "--force"),
     ("watch", "yim/planar-in-numbers", "sheet.yaml", "--variant", "x", "--why"),
     ("hint", "yim/planar-in-numbers", "--part", "t02", "--variant", "bob"),
@@ -314,6 +316,7 @@ def _line(chance: random.Random) -> Case:
     files = {
         "q.csv": ROWS["q.csv"],
         "poses.csv": poses,
+        "two.csv": b"theta1,theta2\n0.1,0.2\n0.3,0.4\n",
         "robot.yaml": source("robot"),
         "exercise.yaml": source("exercise"),
     }

@@ -23,6 +23,8 @@ dhcli draw scara --pose pick -o scara.svg
 
 dhcli draw panda --worksheet --table -o sheet.pdf
 
+dhcli draw scara --pose zero --to pick --animate -o move.svg
+
 dhcli draw peaucellier -o peaucellier.html
 
 dhcli draw stanford-arm -o task.pdf
@@ -61,6 +63,15 @@ def draw(
             autocompletion=complete_pose,
         ),
     ] = None,
+    in_: Annotated[
+        str | None,
+        typer.Option(
+            "--in", metavar="FILE", help="A motion through joint values, a row each: .csv, .jsonl or .npy; as in fk."
+        ),
+    ] = None,
+    animate: Annotated[
+        bool, typer.Option("--animate", help="An .svg of a motion moves by itself instead of being a strip.")
+    ] = False,
     beside: Annotated[
         str | None,
         typer.Option(
@@ -124,7 +135,7 @@ def draw(
     name = None if output in (None, "-") else format_of(output or "")
     look = {"view": None if view is None else read_view(view), "dark": dark}
     if kind_of(robot).noun == "exercise":
-        if q is not None or pose is not None or set_ or table or to or beside:
+        if q is not None or pose is not None or set_ or table or to or beside or in_:
             raise DhcliError(
                 f"{robot} is an exercise: it says itself what is given", "--view, --size and --dark are free"
             )
@@ -137,9 +148,11 @@ def draw(
         if solution or variant is not None:
             raise DhcliError(f"{robot} is no exercise: it has no solution and no variants", "leave the option out")
         what = find(robot)
-        given: dict[str, Any] = posed(what, q, pose, set_ or [], degrees=deg, to=to, beside=beside)
+        given: dict[str, Any] = posed(what, q, pose, set_ or [], degrees=deg, to=to, beside=beside, rows=in_)
         picture = Picture(what, worksheet=worksheet, table=table, **look, **given)  # type: ignore[arg-type]
     pixels = None if size is None else sides(size)
+    if animate and (name != "svg" or not picture.moves):
+        raise DhcliError("--animate is for an .svg of a motion", "--to or --in says where to; a page plays it anyway")
     if table and (name in ("page", "terminal") or name is None):
         refuse_table(what, name)
     if name is None and not open_:
@@ -152,7 +165,8 @@ def draw(
         if name is None:
             path = _opened_page(picture, what.name or "linkage")
         else:
-            path = _written(picture.rendered(name), output or "", force=force)
+            content = picture.animated() if animate else picture.rendered(name)
+            path = _written(content, output or "", force=force)
     if open_:
         import webbrowser
         from pathlib import Path

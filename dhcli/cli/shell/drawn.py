@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from dhcli.errors import DhcliError, Place, Problem
+from dhcli.errors import DhcliError, FileError, Place, Problem
 
 if TYPE_CHECKING:
     from dhcli.kinematics.robot import Robot
@@ -80,13 +80,14 @@ def posed(
     degrees: bool,
     to: str | None = None,
     beside: str | None = None,
+    rows: str | None = None,
 ) -> dict[str, object]:
     """Joint values, pose and lengths, as far as a robot has them."""
     from dhcli.kinematics.robot import Robot
 
     if not isinstance(what, Robot):
-        if q is not None or pose is not None or settings or to is not None or beside is not None:
-            raise DhcliError(f"{what.name} is a linkage: --q, --pose, --to, --beside and --set are for robots")
+        if q is not None or pose is not None or settings or to is not None or beside is not None or rows is not None:
+            raise DhcliError(f"{what.name} is a linkage: --q, --pose, --to, --in, --beside and --set are for robots")
         return {}
     from dhcli.cli.shell.given import settings_of, values_of
     from dhcli.kinematics.values import given_parameters, joint_values
@@ -98,11 +99,42 @@ def posed(
 
         goal["beside"] = load_robot(beside)
     lengths = given_parameters(what, settings_of(settings), Place("--set", text=" ".join(settings)))
+    if rows is not None:
+        if pose is not None or to is not None:
+            raise DhcliError("--in says where all joints are", "leave --pose and --to out")
+        return {"path": _read_rows(what, rows, q, degrees=degrees), "parameters": lengths, **goal}
     if q is None:
         return {"pose": pose, "parameters": lengths, **goal}
     values = values_of(what, q, pose, settings, degrees=degrees, symbolic=False)
     joints = {name: value for name, value in values.items() if name in what.variables}
     return {"q": joints, "parameters": lengths, **goal}
+
+
+MOST_ROWS = 100_000
+"""Rows of a motion that are drawn; of more, nobody sees the way."""
+
+
+def _read_rows(robot: Robot, path: str, q: str | None, *, degrees: bool) -> tuple[tuple[float, ...], ...]:
+    """Joint values of the rows of a file.
+
+    Raises:
+        FileError: The file is no table for this robot, a row is bad, or there are none or too many.
+    """
+    from dhcli.cli.shell.batch import asked_of_rows
+    from dhcli.files.rows.formats import joint_rows
+    from dhcli.files.rows.source import open_source
+
+    found: list[tuple[float, ...]] = []
+    with open_source(path) as source:
+        for block in joint_rows(source, asked_of_rows(robot, q, degrees=degrees, ignores=False)).blocks():
+            if block.bad:
+                raise FileError(block.bad)
+            found += map(tuple, block.q.tolist())
+            if len(found) > MOST_ROWS:
+                raise FileError(Problem(f"has more than {MOST_ROWS:,} rows", Place(path), "draw every tenth"))
+    if not found:
+        raise FileError(Problem("holds no joint values", Place(path)))
+    return tuple(found)
 
 
 def refuse_table(what: Robot | Linkage, name: str | None) -> None:

@@ -25,7 +25,7 @@ _LITERAL = re.compile(r"""(`[^`]*`|"[^"\n]*"|(?<=\()/(?:[^/\n\\[]|\\.|\[[^\]]*\]
 
 _BLANKS = re.compile(r" *([-=+*/%<>,?:&|!{}();\[\]]+) *")
 
-_ONLY_FLAT = frozenset({"bar", "wheel", "pin", "trace", "axis", "axis-dot"})
+_ONLY_FLAT = frozenset({"bar", "wheel", "pin", "axis", "axis-dot"})
 _ONLY_IN_SPACE = frozenset(
     {"link", "ground-link", "ground-sheet", "knob", "drum", "ball", "cap", "face", "face-light", "face-dark", "sheet"}
     | {"plate", "hatch", "break", "hand", "halo", "dim", "dim-head", "slide", "slide-head", "turn", "turn-head"}
@@ -54,6 +54,8 @@ def page(picture: Drawing) -> str:
         )
     if picture.beside is not None:
         raise DhcliError("a page shows one table", "write .svg, .pdf, .png or .tex to see two over each other")
+    if picture.moves:
+        picture.motion()  # what cannot be drawn is refused before
     if isinstance(what, Robot):
         return _page(
             what.title,
