@@ -121,8 +121,9 @@ def _missing(path: str) -> Problem:
     except FileError as error:
         problem = error.problems[0]
         if not path.lower().endswith(SUFFIXES):
-            problem = replace(problem, message=problem.message.replace("no such file", "no such file or folder"))
-        return replace(problem, hint=problem.hint or "lint takes files and folders, such as robots/my-arm.yaml")
+            message = problem.message.replace("no such file", "no such file or folder")
+            problem = replace(problem, message=message, hint="lint takes files and folders, such as robots/my-arm.yaml")
+        return problem
     return Problem("has just appeared", Place(path), "try again")  # between two looks at the disk
 
 
