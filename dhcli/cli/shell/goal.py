@@ -73,7 +73,7 @@ class Question:
     def answered(self, found: Solutions, near: Sequence[float] | None) -> InverseKinematics:
         """The question with its answer."""
         wish = None if near is None else tuple(near)
-        return InverseKinematics(self.robot, self.lengths, self.task, self.start, self.end, found, wish)
+        return InverseKinematics(self.robot, self.lengths, self.task, self.start, self.end, found, self.pose, wish)
 
 
 def asked(
