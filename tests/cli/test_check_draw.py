@@ -77,7 +77,7 @@ def test_of_a_sheet_the_first_wrong_part_that_can_be_drawn_is(dhcli: Run) -> Non
         "utf-8",
     )
     assert dhcli("check", "planar-two-links", "sheet.yaml", "--draw", "s.svg").err == "wrote s.svg: part d02\n"
-    again = dhcli("check", "planar-two-links", "sheet.yaml", "--part", "a1", "--draw", "s.svg", "--force")
+    again = dhcli("check", "planar-two-links", "sheet.yaml", "--part", "a1", "--draw", "s.svg", "--overwrite")
     assert again.err == "wrote s.svg: part a1\n"
 
 

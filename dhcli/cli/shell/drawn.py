@@ -5,24 +5,24 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from dhcli.cli.shell.chosen import Chosen
 from dhcli.errors import DhcliError, FileError, Place, Problem
 
 if TYPE_CHECKING:
     from dhcli.kinematics.robot import Robot
     from dhcli.mobility.linkage import Linkage
-    from dhcli.notation.quantity import Bare
 
 
-def find(name: str) -> Robot | Linkage:
-    """The robot or linkage of a name, a file, or standard input.
+def find(chosen: Chosen) -> Robot | Linkage:
+    """The robot or linkage that was typed.
 
     Raises:
         DhcliError: It is neither, or a linkage of which only counts are known.
     """
     from dhcli.files.library.kinds import kind_of
 
-    kind = kind_of(name).noun
-    if kind == "linkage":
+    name = chosen.robot
+    if kind_of(name).noun == "linkage":
         from dhcli.files.yaml.linkages import load_linkage
         from dhcli.mobility.linkage import Linkage
 
@@ -30,9 +30,9 @@ def find(name: str) -> Robot | Linkage:
         if not isinstance(linkage, Linkage):
             raise DhcliError(f"of {name} only counts are known: there is nothing to draw", "dhcli dof counts it")
         return linkage
-    from dhcli.files.yaml.robots import load_robot
+    from dhcli.cli.shell.given import robot_of
 
-    return load_robot(name)
+    return robot_of(chosen)
 
 
 def of_exercise(name: str, variant: str | None, *, solution: bool) -> list[dict[str, Any]]:
@@ -72,41 +72,33 @@ def of_exercise(name: str, variant: str | None, *, solution: bool) -> list[dict[
 
 
 def posed(
-    what: Robot | Linkage,
-    q: str | None,
-    pose: str | None,
-    settings: list[str],
-    *,
-    degrees: bool,
-    to: str | None = None,
-    beside: str | None = None,
-    rows: str | None = None,
+    what: Robot | Linkage, chosen: Chosen, *, to: str | None, beside: str | None, rows: str | None
 ) -> dict[str, object]:
     """Joint values, pose and lengths, as far as a robot has them."""
     from dhcli.kinematics.robot import Robot
 
     if not isinstance(what, Robot):
-        if q is not None or pose is not None or settings or to is not None or beside is not None or rows is not None:
+        if chosen.more or to is not None or beside is not None or rows is not None:
             raise DhcliError(f"{what.name} is a linkage: --q, --pose, --to, --in, --beside and --set are for robots")
         return {}
-    from dhcli.cli.shell.given import settings_of, values_of
-    from dhcli.kinematics.values import given_parameters, joint_values
+    from dhcli.cli.shell.given import lengths_of, values_of
+    from dhcli.kinematics.values import joint_values
 
-    bare: Bare = "deg" if degrees else "rad"
-    goal: dict[str, object] = {} if to is None else {"to": joint_values(what, to, bare=bare, place=Place("--to"))}
+    goal: dict[str, object] = (
+        {} if to is None else {"to": joint_values(what, to, bare=chosen.bare, place=Place("--to"))}
+    )
     if beside is not None:
         from dhcli.files.yaml.robots import load_robot
 
         goal["beside"] = load_robot(beside)
-    lengths = given_parameters(what, settings_of(settings), Place("--set", text=" ".join(settings)))
+    lengths = lengths_of(what, chosen, symbolic=True)
     if rows is not None:
-        if pose is not None or to is not None:
+        if chosen.pose is not None or to is not None:
             raise DhcliError("--in says where all joints are", "leave --pose and --to out")
-        return {"path": _read_rows(what, rows, q, degrees=degrees), "parameters": lengths, **goal}
-    if q is None:
-        return {"pose": pose, "parameters": lengths, **goal}
-    values = values_of(what, q, pose, settings, degrees=degrees, symbolic=False)
-    joints = {name: value for name, value in values.items() if name in what.variables}
+        return {"path": _read_rows(what, rows, chosen), "parameters": lengths, **goal}
+    if chosen.q is None:
+        return {"pose": chosen.pose, "parameters": lengths, **goal}
+    joints = {name: value for name, value in values_of(what, chosen).items() if name in what.variables}
     return {"q": joints, "parameters": lengths, **goal}
 
 
@@ -114,7 +106,7 @@ MOST_ROWS = 100_000
 """Rows of a motion that are drawn; of more, nobody sees the way."""
 
 
-def _read_rows(robot: Robot, path: str, q: str | None, *, degrees: bool) -> tuple[tuple[float, ...], ...]:
+def _read_rows(robot: Robot, path: str, chosen: Chosen) -> tuple[tuple[float, ...], ...]:
     """Joint values of the rows of a file.
 
     Raises:
@@ -126,7 +118,7 @@ def _read_rows(robot: Robot, path: str, q: str | None, *, degrees: bool) -> tupl
 
     found: list[tuple[float, ...]] = []
     with open_source(path) as source:
-        for block in joint_rows(source, asked_of_rows(robot, q, degrees=degrees, ignores=False)).blocks():
+        for block in joint_rows(source, asked_of_rows(robot, chosen, ignores=False)).blocks():
             if block.bad:
                 raise FileError(block.bad)
             found += map(tuple, block.q.tolist())
