@@ -146,7 +146,7 @@ class _Splitting:
             return minor
         kept: set[Expr] = set()
         for factor in minor:
-            branches = [self.simpler(factor, values) for values in _right_angles(zero, self.arm.joints)]
+            branches = [self.simpler(factor, values) for values in zeroing(zero, self.arm.joints)]
             if branches == [None, None]:
                 return None
             if branches[0] is None or branches[0] != branches[1]:
@@ -168,7 +168,7 @@ class _Splitting:
         return left if shorter else frozenset({factor})
 
 
-def _right_angles(zero: Trig, joints: Sequence[str]) -> list[dict[str, Angle]]:
+def zeroing(zero: Trig, joints: Sequence[str]) -> list[dict[str, Angle]]:
     """The values of one joint for which a cosine or sine is zero."""
     terms = dict(zero.angle.terms)
     name = next(name for name in reversed(joints) if name in terms)
