@@ -14,7 +14,7 @@ from dhcli.checking.entries import Entries, entries_text
 from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
 from dhcli.checking.motion.columns import Columns
 from dhcli.checking.motion.grid import Grid, Numbers, over, scale_of
-from dhcli.checking.motion.marking import mark_grid, values_of
+from dhcli.checking.motion.marking import in_other_unit, mark_grid, mark_numbers, values_of
 from dhcli.checking.motion.reading import read_cells
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.symbolic import same
@@ -152,8 +152,16 @@ class MotionQuestion(Question[Entries]):
         """Mistakes that give just this answer, the plainest first; zeros in numbers have too many reasons."""
         if case.exercise.numeric and not any(any(row) for row in values_of(reading.value, case.exercise)):
             return ()
-        found = [one for one in self._wrong(case) if self._gives(case, one, reading.value)]
+        found = [one for one in self._wrong(case) if self._gives(case, one, self._in_unit(case, reading.value))]
         return tuple((one.slip,) for one in sorted(found, key=lambda one: one.slip.rank))
+
+    def _in_unit(self, case: Case, entries: Entries) -> Entries:
+        """An answer in metres, its bare lengths in the unit in which they plainly are."""
+        if not case.exercise.numeric:
+            return entries
+        right = self._valued(case)
+        other = in_other_unit(case, right, entries, mark_numbers(case, case.exercise, right, entries))
+        return other.entries if other else entries
 
     def _wrong(self, case: Case) -> tuple[Wrong, ...]:
         """The mistakes that change the answer at general values; of those that are the same the first."""

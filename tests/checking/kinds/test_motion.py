@@ -320,3 +320,15 @@ def test_kinds_that_are_imported_when_asked_are_known_by_all_their_words() -> No
         known = registry.LATER if kind not in registry.KINDS else dict.fromkeys(kind.words)
         assert set(kind.words) <= known.keys()
         assert all(set(kind.words) & {example.split()[0], " ".join(example.split()[:2])} for example in kind.examples)
+
+
+def test_a_slip_in_an_answer_in_another_unit_is_named_all_the_same() -> None:
+    """The first column is right in mm; the second belongs to another row."""
+    q = Q["planar-2r"]
+    mark = told("planar-2r", "jacobian linear of 0..2", "-444.9 -289.1; 448.7 80.25; 0 0", q)
+    assert mark.verdict is Verdict.CANNOT_READ
+    mark = told("planar-2r", "jacobian of 0..2", "-444.9 -289.1; 448.7 80.25; 0 0; 0 0; 0 0; 0 0", q)
+    assert mark.verdict is Verdict.WRONG
+    assert mark.diagnosis is not None
+    assert mark.diagnosis.ids == ("angular-dropped",)
+    assert "the lengths are in mm; this sheet is in m" in mark.remarks[0]
