@@ -186,7 +186,7 @@ class SingularQuestion(Question[Conditions]):
             question = other.question
             if other.id not in earlier or not isinstance(question, DeterminantQuestion):
                 continue
-            if (question.motion, question.form) != (self.motion, self.form):
+            if (question.motion.view(robot), question.form) != (self.motion.view(robot), self.form):
                 continue
             try:
                 factors = apart(earlier[other.id].value[0][0].expr, case.exercise)
