@@ -34,7 +34,7 @@ def test_the_jacobian_of_the_book_is_shown_with_what_it_is(dhcli: Run) -> None:
 def test_rates_of_angles_say_where_they_are_none(dhcli: Run) -> None:
     """And which angles stand in the formulas."""
     out = dhcli("jacobian", "articulated", "-s", "--analytic", "rpy", "--part", "angular").out
-    assert out.endswith("yaw and pitch are those of the pose; no rates where pitch is ±90°\n")
+    assert out.endswith("det B = cos(pitch)\nno rates where pitch is ±90°\n")
 
 
 def test_a_long_result_names_the_frame_in_which_it_is_short(dhcli: Run) -> None:
