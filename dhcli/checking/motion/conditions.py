@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
@@ -15,7 +15,7 @@ from dhcli.checking.exercise import Exercise
 from dhcli.checking.pasted import UnreadableError
 from dhcli.errors import NotationError, Place
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.singular.conditions import zeroing
+from dhcli.kinematics.singular.conditions import Put, zeroing
 from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_angle, to_length
@@ -187,16 +187,16 @@ def _implied(zero: Zero, typed: Zero, at_once: Condition, robot: Robot) -> bool:
         return False
     if alike(zero.expr, typed.expr, robot):
         return True
-    others = [one.expr for one in at_once if one != typed and one.at is None and isinstance(one.expr, Trig)]
+    others = [one.expr for one in at_once if one != typed and one.at is None]
     return any(
-        all(_left(zero.expr, typed.expr, values, robot) for values in zeroing(other, robot.variables))
-        for other in others
+        ways and all(_left(zero.expr, typed.expr, values, robot) for values in ways)
+        for ways in (zeroing(other, robot.variables) for other in others)
     )
 
 
-def _left(zero: Expr, typed: Expr, values: Mapping[str, Angle], robot: Robot) -> bool:
+def _left(zero: Expr, typed: Expr, values: Put, robot: Robot) -> bool:
     """The same where a joint has a value."""
-    one, other = (substitute(expr, {}, values) for expr in (zero, typed))
+    one, other = (substitute(expr, *values) for expr in (zero, typed))
     return equal(one, ZERO) or (not equal(other, ZERO) and alike(one, other, robot))
 
 

@@ -94,7 +94,7 @@ def test_values_put_in_exactly_are_those_values(name: str, viewing: Viewing) -> 
     assert np.allclose([[at.value(entry) for entry in row] for row in put.rows], expected, atol=1e-12)
 
 
-@pytest.mark.parametrize("name", ["planar-2r", "stanford", "puma560", "ur5e", "scara"])
+@pytest.mark.parametrize("name", ROBOTS)
 @pytest.mark.parametrize("viewing", VIEWS[:5])
 def test_symbols_are_residues(name: str, viewing: Viewing) -> None:
     """At a random point of the field, exactly, from the plain chain."""
