@@ -11,7 +11,7 @@ from dhcli.algebra.columns import Columns
 from dhcli.algebra.program import Program, assemble
 from dhcli.algebra.tape import Number, Tape
 from dhcli.errors import RobotError
-from dhcli.kinematics.batch import BLOCK, MODEST, Known, joint_rows
+from dhcli.kinematics.batch import MODEST, Known, joint_rows
 from dhcli.kinematics.fold import fold_rows
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.frames import between
@@ -32,6 +32,10 @@ from dhcli.kinematics.velocity.jacobian import (
 from dhcli.kinematics.velocity.view import MotionView, Viewing, parts
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr
+
+BLOCK = 4040
+"""Jacobians at a time. Columns of a power of two would lie on the same few lines of a cache, and to turn their up to 42
+entries into rows takes three times as long then."""
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
