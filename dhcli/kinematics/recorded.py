@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from functools import cached_property
-from typing import TypeVar, cast
+from typing import TYPE_CHECKING, TypeVar, cast
 from weakref import ref
 
 from dhcli.algebra.compiled import Play, compiled
@@ -14,9 +14,13 @@ from dhcli.algebra.tape import Number, Tape
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.frames import between
 from dhcli.kinematics.merge import merge
+from dhcli.kinematics.moves import Chain
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import numbers, parameter_values, require
 from dhcli.notation.angle import Angle
+
+if TYPE_CHECKING:
+    from dhcli.algebra.kernel import Kernel
 
 T = TypeVar("T")
 
@@ -66,6 +70,7 @@ class Recording:
         """
         self._variables, self._values, self._results = tuple(variables), values, results
         self._programs: dict[tuple[bool, bool], Program] = {}
+        self._kernels: dict[bool, Kernel | None] = {}
         self._is_asked_again = False
 
     @property
@@ -86,10 +91,30 @@ class Recording:
             self._programs[merged, tangents] = assemble(tape, self._results(tape, merged))
         return self._programs[merged, tangents]
 
+    def kernel(self, *, merged: bool) -> Kernel | None:
+        """The steps for the compiled loop; None where it does not know one of them."""
+        from dhcli.algebra.kernel import Kernel  # numpy, which one pose does not need
+
+        if merged not in self._kernels:
+            try:
+                self._kernels[merged] = Kernel(self.program(merged=merged))
+            except KeyError:
+                self._kernels[merged] = None
+        return self._kernels[merged]
+
     @cached_property
     def one(self) -> Play:
         """The steps as a function of one row of joint values, good at angles of any size."""
         return compiled(self.program(merged=False))
+
+
+def recorded_chain(chain: Chain, variables: Sequence[str], values: Mapping[str, Angle | float]) -> Recording:
+    """The 16 entries of the product of a chain, row by row."""
+
+    def entries(tape: Tape, merged: bool) -> list[Number]:  # noqa: FBT001  called by `Recording` alone
+        return [entry for row in fold(merge(chain) if merged else chain, tape) for entry in row]
+
+    return Recording(variables, values, entries)
 
 
 def recorded_pose(robot: Robot, start: str, end: str, values: Mapping[str, Angle | float] | None = None) -> Recording:
@@ -109,10 +134,6 @@ def recorded_pose(robot: Robot, start: str, end: str, values: Mapping[str, Angle
         known = numbers(parameter_values(robot, {})) if values is None else values
         chain = between(robot, start, end)
         require(robot, chain, {**known, **dict.fromkeys(robot.variables, Angle())})
-
-        def entries(tape: Tape, merged: bool) -> list[Number]:  # noqa: FBT001  called by `Recording` alone
-            return [entry for row in fold(merge(chain) if merged else chain, tape) for entry in row]
-
-        return Recording(robot.variables, known, entries)
+        return recorded_chain(chain, robot.variables, known)
 
     return kept(robot, (start, end, None if values is None else tuple(values.items())), record)

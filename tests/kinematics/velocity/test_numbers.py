@@ -13,8 +13,8 @@ from dhcli import forward, jacobian, load_robot, symbolic_jacobian
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.residues import Residues
 from dhcli.errors import RobotError, UnknownNameError
-from dhcli.kinematics.batch import BLOCK
 from dhcli.kinematics.moves import Rot
+from dhcli.kinematics.playing import BLOCK
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import numbers, parameter_values
 from dhcli.kinematics.velocity.analytic import TRIPLES
