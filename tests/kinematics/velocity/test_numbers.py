@@ -14,6 +14,7 @@ from dhcli.algebra.floats import Floats
 from dhcli.algebra.residues import Residues
 from dhcli.errors import RobotError, UnknownNameError
 from dhcli.kinematics.moves import Rot
+from dhcli.kinematics.playing import BLOCK
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import numbers, parameter_values
 from dhcli.kinematics.velocity.analytic import TRIPLES, Triple
