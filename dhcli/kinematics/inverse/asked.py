@@ -13,7 +13,6 @@ from dhcli.errors import RobotError, plural
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.frames import between, ends
 from dhcli.kinematics.inverse.branches import branch_names
-from dhcli.kinematics.inverse.families import Freedom
 from dhcli.kinematics.inverse.prepared import Prepared, prepare
 from dhcli.kinematics.inverse.running import CONFIRMED
 from dhcli.kinematics.inverse.solutions import Free, Solutions, in_numbers, relation, shown_value, turning_joints
@@ -30,6 +29,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from dhcli.kinematics.inverse.arm import Array
+    from dhcli.kinematics.inverse.families import Freedom
 
 SEARCHED = 48
 """Values of a joint held that are tried where none was asked for and the first does not do."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cache
+from functools import cache, cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -28,14 +28,17 @@ class Actions:
 
     Attributes:
         arm: The arm.
-        parts: For each kind and axis the three parts of its action, shape (3, d, d).
     """
 
     def __init__(self, arm: Arm) -> None:
-        """Write out each joint's action."""
+        """Take the arm; a joint's action is written out when it is asked for."""
         self.arm = arm
-        self.parts = [[_parts(kind, axis) for axis in arm.axes] for kind in range(len(SIZES))]
         self._fixed: dict[tuple[int, tuple[int, ...]], Array] = {}
+
+    @cached_property
+    def parts(self) -> list[list[Array]]:
+        """For each kind and axis the three parts of its action, shape (3, d, d)."""
+        return [[_parts(kind, axis) for axis in self.arm.axes] for kind in range(len(SIZES))]
 
     def fixed(self, kind: int, run: Sequence[int]) -> Array:
         """What a run of joints leaves fixed: a basis, one thing a row, with as many zeros as there can be."""
