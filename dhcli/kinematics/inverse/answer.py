@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from dhcli.kinematics.robot import Robot, Value
 
 if TYPE_CHECKING:
+    from dhcli.kinematics.inverse.explained import Explanation
     from dhcli.kinematics.inverse.solutions import Solutions
 
 
@@ -24,6 +25,7 @@ class InverseKinematics:
         end: The frame that is placed.
         solutions: The answer.
         near: Joint values that solutions should be near to, in joint order [rad, m]; or None.
+        how: How the answer came about, where that is wanted.
     """
 
     robot: Robot
@@ -33,3 +35,4 @@ class InverseKinematics:
     end: str
     solutions: Solutions
     near: tuple[float, ...] | None = None
+    how: Explanation | None = None

@@ -93,7 +93,7 @@ def forms(kind: int) -> Array:
     return np.array([[form(kind, x, y) for y in units] for x in units], dtype=float)
 
 
-def value_of(angle_or_length: Entry, *, turns: bool) -> tuple[Entry, Entry]:
+def value_of(angle_or_length: Array, *, turns: bool) -> tuple[Array, Array]:
     """The two numbers in which equations are linear: cosine and sine, or the length and half its square."""
     q = angle_or_length
     return (np.cos(q), np.sin(q)) if turns else (q, 0.5 * q * q)

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from textwrap import wrap
 from typing import Any
 
 from dhcli.errors import plural
 from dhcli.kinematics.conventions import NAMES
 from dhcli.kinematics.inverse.answer import InverseKinematics
+from dhcli.kinematics.inverse.explained import Explanation
 from dhcli.kinematics.inverse.solutions import shown_beyond
 from dhcli.render.code.matrices import csv_line, exact
 from dhcli.render.look import Look
@@ -39,12 +41,14 @@ def inverse_table(result: InverseKinematics, look: Look) -> str:
         "",
     ]
     body = _solutions(result, look) if len(result.solutions) else _nothing(result, look)
-    return "\n".join([*lines, *body]) + "\n"
+    text = "\n".join([*lines, *body]) + "\n"
+    return text if result.how is None else text.rstrip("\n") + "\n" + "\n".join(_how(result.how, look)) + "\n"
 
 
 def _solutions(result: InverseKinematics, look: Look) -> Iterator[str]:
     found, paper = result.solutions, look.paper
-    yield paper.spell(plural(len(found), "solution"))
+    product = " × ".join(f"{count} ({name})" for name, count in found.factors) if len(found.factors) > 1 else ""
+    yield paper.spell(" = ".join(filter(None, (plural(len(found), "solution"), product))))
     yield ""
     columns: dict[str, list[str]] = {"#": [str(k + 1) for k in range(len(found))]}
     for j, name in enumerate(result.robot.variables):
@@ -61,6 +65,21 @@ def _solutions(result: InverseKinematics, look: Look) -> Iterator[str]:
     for relation, rows in _families(result).items():
         numbers = ", ".join(str(k + 1) for k in rows)
         yield paper.spell(f"{numbers}: {relation}; one member is shown, --hold NAME=VALUE another")
+
+
+def _how(how: Explanation, look: Look) -> Iterator[str]:
+    """How the answer came about."""
+    paper = look.paper
+    headed = ((f"How, by rule {' and '.join(how.rules)}", how.steps), ("Outside the limits", how.limits))
+    for head, lines in headed:
+        if lines:
+            yield ""
+            yield paper.ink(head, "bold")
+            for line in lines:
+                text = paper.spell(line)
+                yield from wrap(
+                    text, paper.width, initial_indent="  ", subsequent_indent="    ", break_on_hyphens=False
+                )
 
 
 def _families(result: InverseKinematics) -> dict[str, list[int]]:
@@ -117,6 +136,7 @@ def _latex(value: str) -> str:
 def inverse_content(result: InverseKinematics, _look: Look) -> dict[str, Any]:
     """The answer as JSON holds it."""
     found = result.solutions
+    how = result.how
     residual = [0.0] * len(found) if found.residual is None else found.residual.tolist()
     return {
         "robot": result.robot.name,
@@ -129,6 +149,8 @@ def inverse_content(result: InverseKinematics, _look: Look) -> dict[str, Any]:
         "reachable": found.reachable,
         "why": found.why,
         "held": dict(found.held),
+        "factors": dict(found.factors),
+        "how": None if how is None else {"rules": how.rules, "steps": how.steps, "limits": how.limits},
         "closest": None if found.closest is None else [exact(x) for x in found.closest.tolist()],
         "solutions": [
             {
