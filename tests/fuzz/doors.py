@@ -208,6 +208,8 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("ik", "panda", "--pose", "ready", "--hold", "theta7=0", "--family", "3"),
     ("ik", "puma560", "--position", "0.4,0.15,0.3", "--pointing", "0,0,-1"),
     ("ik", "planar-2r", "--derive"),
+    ("ik", "puma560", "--position", "0.4,0.15,0.3", "--euler", "zyz 0,30°,1", "--why"),
+    ("ik", "planar-2r", "Trans(0.4,0.15,0)", "--task", "position"),
     ("ik", "scara", "--in", "poses.csv", "--each", "first"),
     ("ik", "scara", "--in", "poses.csv", "--skip-bad"),
     ("ik", "scara", "--in", "poses.csv", "--follow", "--near", "zero"),
