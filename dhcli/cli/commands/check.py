@@ -60,7 +60,11 @@ def check(
     to: Annotated[str | None, typer.Option(metavar="FRAME", help="Of this frame.", rich_help_panel=_QUESTION)] = None,
     table: Annotated[
         str | None,
-        typer.Option(metavar="FILE", help="A DH table: a robot file in either convention.", rich_help_panel=_QUESTION),
+        typer.Option(
+            metavar="FILE",
+            help="A DH table: a robot file in either convention, or rows alone.",
+            rich_help_panel=_QUESTION,
+        ),
     ] = None,
     compare: Annotated[
         str | None,
@@ -172,7 +176,7 @@ def _walk(judge: Judge, part: str | None, *, why: bool) -> ExitStatus:
     from dhcli.errors import DhcliError
 
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
-        hint = f"dhcli start {judge.exercise.id} writes one; or give --part PART --answer TEXT"
+        hint = f"dhcli start {judge.exercise.typed} writes one; or give --part PART --answer TEXT"
         if "/" not in judge.exercise.id:
             hint = "give it with --answer TEXT; - reads it from standard input"
         raise DhcliError("there is no answer to check: name a sheet", hint)
