@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from typer.core import TyperCommand, TyperGroup, TyperOption
 
+from dhcli.cli.shell.spreading import spread
 from dhcli.errors import DhcliError
 
 if TYPE_CHECKING:
@@ -113,7 +114,7 @@ def load(name: str) -> Command:
         command = typer.main.get_command(found)
     else:
         single = typer.Typer(add_completion=False, rich_markup_mode="rich")
-        single.command(name, cls=One, epilog=module.EXAMPLES)(found)
+        single.command(name, cls=One, epilog=module.EXAMPLES)(spread(found))
         command = typer.main.get_command(single)
     command.name = name
     command.rich_help_panel = next(panel for panel, names in PANELS.items() if name in names)  # type: ignore[attr-defined]
