@@ -50,7 +50,11 @@ def check(
     symbolic: Annotated[bool, typer.Option("--symbolic", "-s", help="In symbols.", rich_help_panel=_QUESTION)] = False,
     table: Annotated[
         str | None,
-        typer.Option(metavar="FILE", help="A DH table: a robot file in either convention.", rich_help_panel=_QUESTION),
+        typer.Option(
+            metavar="FILE",
+            help="A DH table: a robot file in either convention, or rows alone.",
+            rich_help_panel=_QUESTION,
+        ),
     ] = None,
     compare: Annotated[
         str | None,
@@ -162,7 +166,7 @@ def _walk(judge: Judge, part: str | None, *, why: bool) -> ExitStatus:
     from dhcli.errors import DhcliError
 
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
-        hint = f"dhcli start {judge.exercise.id} writes one; or give --part PART --answer TEXT"
+        hint = f"dhcli start {judge.exercise.typed} writes one; or give --part PART --answer TEXT"
         if "/" not in judge.exercise.id:
             hint = "give it with --answer TEXT; - reads it from standard input"
         raise DhcliError("there is no answer to check: name a sheet", hint)

@@ -50,7 +50,7 @@ def of_exercise(name: str, variant: str | None, *, solution: bool) -> tuple[Robo
 
     exercise = variant_of(Judge(load_exercise(name)), variant).exercise
     if exercise.robot is None or (level := shown(exercise)) is None:
-        raise DhcliError(f"{exercise.id} has no robot: there is nothing to draw", f"dhcli show {exercise.id}")
+        raise DhcliError(f"{exercise.id} has no robot: there is nothing to draw", f"dhcli show {exercise.typed}")
     if solution:
         ask_once(exercise, held_back(exercise))
     arm = replace(exercise.robot, title=exercise.title)
