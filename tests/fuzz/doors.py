@@ -153,6 +153,7 @@ LINES: tuple[tuple[str, ...], ...] = (
     ),
     ("describe", "./arm.urdf", "--base", "base_link", "--tip", "hand", "--as-typed", "--as", "modified"),
     ("describe", "zhou-3r", "--as", "standard", "--steps", "--set", "a=0.3", "--numbers", "--format", "json"),
+    ("describe", "ur5e", "--as", "standard", "--choose", "next-d,previous-x"),
     ("describe", "puma560", "--as", "axes", "--pose", "ready", "-o", "d.yaml", "--force"),
     ("draw", "yim/planar-in-numbers", "--variant", "alice", "--solution", "--worksheet", "-o", "w.svg"),
     ("ik", "planar-2r", "--q", "10,20", "--deg", "--set", "a1=1", "--task", "position", "--from", "0", "--to", "2"),

@@ -25,6 +25,8 @@ dhcli describe puma560 --as standard
 
 dhcli describe zhou-3r --as modified --steps
 
+dhcli describe ur5e --as standard --choose previous-x
+
 dhcli describe panda --as screws
 
 dhcli describe scara --as axes -o drawn.yaml
@@ -47,6 +49,13 @@ def complete_form(incomplete: str) -> list[str]:
     return [form for form in (*FORMS, "urdf") if form.startswith(incomplete)]
 
 
+def complete_choice(incomplete: str) -> list[str]:
+    """The choices that begin like this."""
+    from dhcli.kinematics.describe.choices import WORDS
+
+    return [word for word in WORDS if word.startswith(incomplete)]
+
+
 def describe(
     robot: RobotName,
     as_: Annotated[
@@ -67,6 +76,14 @@ def describe(
             metavar="NAME", help="Draw the robot in this named pose, not at zero.", autocompletion=complete_pose
         ),
     ] = None,
+    choose: Annotated[
+        str | None,
+        typer.Option(
+            metavar="WHAT",
+            help="Where the rules leave a choice: next-d (parallel axes: the next d is 0), previous-x (a may be < 0).",
+            autocompletion=complete_choice,
+        ),
+    ] = None,
     numbers: Annotated[bool, typer.Option("--numbers", help="Put the values of lengths in.")] = False,
     set_: Settings = None,
     base: Base = None,
@@ -83,6 +100,7 @@ def describe(
     from dhcli.cli.shell.given import named_pose, settings_of
     from dhcli.errors import Place
     from dhcli.files.yaml.robots import load_robot
+    from dhcli.kinematics.describe.choices import read_choices
     from dhcli.kinematics.describe.description import Asked, check_form
     from dhcli.kinematics.describe.description import describe as described
     from dhcli.kinematics.values import given_parameters
@@ -95,5 +113,5 @@ def describe(
     values = given_parameters(arm, settings_of(set_ or []), Place("--set", text=" ".join(set_ or [])))
     arm = replace(arm, parameters={**arm.parameters, **values})
     drawn = None if pose is None else named_pose(arm, pose)
-    result = described(arm, Asked(form, steps, numbers, drawn))
+    result = described(arm, Asked(form, steps, numbers, drawn, read_choices(choose or "")))
     delivery.hand_over("description", result, (*arm.remarks, *result.warnings))

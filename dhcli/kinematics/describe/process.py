@@ -14,6 +14,7 @@ from math import pi
 
 from dhcli.geometry.vectors import UNITS, Vector, angle_about, cross, length, plus
 from dhcli.kinematics.conventions import Convention, Row
+from dhcli.kinematics.describe.choices import USUAL, Choices
 from dhcli.kinematics.describe.drawn import Drawing, Frame, Line
 from dhcli.kinematics.describe.exact import exact_angle
 from dhcli.kinematics.describe.linear import Form, along, length_of, moved
@@ -52,14 +53,14 @@ class Leg:
         normal: The normal.
         along_z: The way along the line, with the joint variable.
         along_x: The way along the normal.
-        previous: The x axis before, which decided what was free.
+        before: The frame before, on the line that it starts from.
     """
 
     number: int
     normal: Normal
     along_z: Along
     along_x: Along
-    previous: Vector
+    before: Frame
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,11 +105,12 @@ class Walk:
         return (*self.legs[-1].along_x.moves("x"), *last) if convention is Convention.MODIFIED else last
 
 
-def walk(drawing: Drawing) -> Walk:
+def walk(drawing: Drawing, choices: Choices = USUAL) -> Walk:
     """Go from the base to the end, normal by normal.
 
     Args:
         drawing: The robot as it is drawn; the base is the frame that it is drawn in.
+        choices: What decides where the rules leave a choice.
 
     Raises:
         LettersError: A direction depends on how long letters are against each other.
@@ -118,7 +120,8 @@ def walk(drawing: Drawing) -> Walk:
     legs: list[Leg] = []
     warnings: list[str] = []
     for k, (first, second) in enumerate(pairwise(lines)):
-        found = normal(first, second, here, ruler)
+        near = choices.near(k, here, lines, ruler)
+        found = normal(first, second, near, ruler, is_signed=choices.is_signed)
         if k == len(lines) - 2:
             found = through_end(found, drawing.end, ruler)
         if warning := far_feet(found, first, second, ruler):
@@ -127,7 +130,7 @@ def walk(drawing: Drawing) -> Walk:
         turn = angle_about(u, here.x, found.x)
         way = ruler.cleaned(along(moved(found.start, here.origin, -1), u))
         twist = exact_angle(_angle(found, u, v))
-        legs.append(Leg(k, found, _joint(first, turn, way), Along(twist, length_of(found.apart)), here.x))
+        legs.append(Leg(k, found, _joint(first, turn, way), Along(twist, length_of(found.apart)), here))
         here = Frame(found.x, v, found.end)
     end = drawing.end
     rest = ruler.cleaned(along(moved(end.origin, here.origin, -1), here.z))
