@@ -212,6 +212,7 @@ LINES: tuple[tuple[str, ...], ...] = (
     ),
     ("check", "planar-2r", "--table", "robot.yaml", "--format", "json", "-o", "m.json", "--force"),
     ("check", "planar-2r", "--table", "robot.yaml", "--compare", "same-motion"),
+    ("check", "planar-2r", "--frames", "robot.yaml", "--pose", "zero", "--why"),
     ("watch", "yim/planar-in-numbers", "sheet.yaml", "--variant", "x", "--why"),
     ("hint", "yim/planar-in-numbers", "--part", "t02", "--variant", "bob"),
     ("solution", "yim/planar-in-numbers", "--part", "t02", "--yes", "--variant", "bob"),
@@ -253,7 +254,11 @@ FILES: dict[str, tuple[str, tuple[tuple[str, ...], ...]]] = {
     "product": ("robots/scara.yaml", (("show", "./x.yaml"), ("fk", "./x.yaml", "--pose", "pick"), ("lint", "x.yaml"))),
     "modified": (
         "robots/puma560.yaml",
-        (("fk", "./x.yaml", "-s", "--format", "numpy"), ("check", "puma560", "--table", "x.yaml")),
+        (
+            ("fk", "./x.yaml", "-s", "--format", "numpy"),
+            ("check", "puma560", "--table", "x.yaml"),
+            ("check", "puma560", "--frames", "x.yaml"),
+        ),
     ),
     "urdf": (
         "tests/data/urdf/three-joints.urdf",

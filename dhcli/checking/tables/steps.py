@@ -34,19 +34,14 @@ def process_lines(robot: Robot) -> Iterator[Shown]:
     row without a joint, nor where a twist is a letter.
     """
     from dhcli.kinematics.describe.retold import retold
-    from dhcli.kinematics.describe.words import Speaker
+    from dhcli.kinematics.describe.words import Speaker, written
 
     try:
         walked = retold(robot)
     except RobotError:
         return
-    lines: dict[int, list[str]] = {}
-    for step in Speaker(walked, robot.convention, robot.first, robot.writing).drawn():
-        head, *rest = step.lines()
-        before = lines.setdefault(step.number, [])
-        before.append(f"   {head}" if before else f"{step.number}  {head}")
-        before += [f"     {line}" for line in rest]
-    yield from (Shown("\n".join(found)) for found in lines.values())
+    steps = Speaker(walked, robot.convention, robot.first, robot.writing).drawn()
+    yield from map(Shown, written(steps))
 
 
 def table_lines(rows: Sequence[Row], columns: Sequence[str], first: int, exercise: Exercise) -> Iterator[str]:

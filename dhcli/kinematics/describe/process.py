@@ -6,7 +6,6 @@ way along line k from one normal to the next. A standard row i is Zi Xi, a modif
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
@@ -130,7 +129,7 @@ def walk(drawing: Drawing, choices: Choices = USUAL) -> Walk:
         turn = angle_about(u, here.x, found.x)
         way = ruler.cleaned(along(moved(found.start, here.origin, -1), u))
         twist = exact_angle(_angle(found, u, v))
-        legs.append(Leg(k, found, _joint(first, turn, way), Along(twist, length_of(found.apart)), here))
+        legs.append(Leg(k, found, with_variable(first, turn, way), Along(twist, length_of(found.apart)), here))
         here = Frame(found.x, v, found.end)
     end = drawing.end
     rest = ruler.cleaned(along(moved(end.origin, here.origin, -1), here.z))
@@ -145,7 +144,7 @@ def _angle(found: Normal, u: Vector, v: Vector) -> float:
     return angle_about(found.x, u, v) if found.lie in (Lie.SKEW, Lie.MEET) else (0.0 if found.same > 0 else pi)
 
 
-def _joint(line: Line, turn: float, way: Form) -> Along:
+def with_variable(line: Line, turn: float, way: Form) -> Along:
     """The way along a line, with the variable of its joint: in the pose drawn it is as drawn."""
     turned, offset = exact_angle(turn), length_of(way)
     if line.name in ("base", "end"):
@@ -166,10 +165,12 @@ def _rounded(angle: Angle) -> Angle:
     return Angle(degrees=degrees - 360 if degrees > Fraction(180) else degrees)
 
 
-def frames_of(walked: Walk) -> Iterator[Frame]:
-    """The frame after each leg: on the next line, its x along the normal."""
-    for leg, line in zip(walked.legs, walked.lines[1:], strict=True):
-        yield Frame(leg.normal.x, line.direction, leg.normal.end)
+def frames_of(walked: Walk, convention: Convention) -> tuple[Frame, ...]:
+    """The frames of a convention: x along each normal, on the line behind it or, in the modified one, before it."""
+    pairs = zip(walked.legs, pairwise(walked.lines), strict=True)
+    if convention is Convention.MODIFIED:
+        return tuple(Frame(leg.normal.x, line.direction, leg.normal.start) for leg, (line, _) in pairs)
+    return tuple(Frame(leg.normal.x, line.direction, leg.normal.end) for leg, (_, line) in pairs)
 
 
 def axis_word(direction: Vector) -> str:

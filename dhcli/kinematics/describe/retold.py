@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from dhcli.errors import RobotError
-from dhcli.geometry.vectors import dot, scaled
+from dhcli.geometry.vectors import dot
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.describe.choices import Choices
 from dhcli.kinematics.describe.description import known_values
@@ -28,7 +28,7 @@ def retold(robot: Robot, pose: Mapping[str, Value] | None = None) -> Walk:
     """
     if robot.convention is Convention.PRODUCT or any(not _moving(robot, link) for link in robot.links):
         raise RobotError(f"{robot.name} has no table with a joint in each row")
-    frames = frames_of_links(robot, pose or {})
+    frames = _frames(robot, pose or {})
     chain = tuple(move for link in robot.links for move in link.moves)
     drawing = drawing_of(chain, robot.variables, known_values(robot), pose)
     behind = 1 if robot.convention is Convention.MODIFIED else 0
@@ -36,12 +36,8 @@ def retold(robot: Robot, pose: Mapping[str, Value] | None = None) -> Walk:
     return walk(Drawing(lines, drawing.end, drawing.values), Choices(like=frames))
 
 
-def frames_of_links(robot: Robot, pose: Mapping[str, Value]) -> tuple[Frame, ...]:
-    """Frame 0 and that of each link in a pose, seen from frame 0.
-
-    Raises:
-        RobotError: A direction depends on a letter.
-    """
+def _frames(robot: Robot, pose: Mapping[str, Value]) -> tuple[Frame, ...]:
+    """Frame 0 and that of each link in a pose, seen from frame 0."""
     values = known_values(robot)
     chains = [
         tuple(move for link in robot.links[:count] for move in link.moves) for count in range(len(robot.links) + 1)
@@ -55,6 +51,6 @@ def _moving(robot: Robot, link: Link) -> bool:
 
 def _on_frame(line: Line, frame: Frame) -> Line:
     """The line of a joint as the z axis of its frame; a joint that moves against it has a negative rate."""
-    sign = 1 if dot(line.direction, frame.z) > 0 else -1
     through = frame.origin if line.through is None else line.through
-    return replace(line, direction=scaled(line.direction, sign), through=through, rate=line.rate * sign)
+    along = line if dot(line.direction, frame.z) > 0 else line.reversed()
+    return replace(along, through=through)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from dhcli.geometry.vectors import angle_about, dot
@@ -46,6 +46,17 @@ class Step:
             yield f"so {', '.join(self.cells)}"
         if self.free:
             yield f"free: {self.free}"
+
+
+def written(steps: Iterable[Step]) -> tuple[str, ...]:
+    """Steps as they stand on a page, a text for each number."""
+    texts: dict[int, list[str]] = {}
+    for step in steps:
+        head, *rest = step.lines()
+        before = texts.setdefault(step.number, [])
+        before.append(f"   {head}" if before else f"{step.number}  {head}")
+        before += [f"     {line}" for line in rest]
+    return tuple("\n".join(lines) for lines in texts.values())
 
 
 @dataclass(frozen=True, slots=True)

@@ -120,7 +120,7 @@ def test_every_frame_keeps_the_rules_of_its_normal(seed: int) -> None:
     """DH2: x is perpendicular to both lines. DH3: it passes through both."""
     drawing = nasty_arm(random.Random(1000 + seed))  # noqa: S311  the same
     walked = walk(drawing)
-    for leg, frame in zip(walked.legs, frames_of(walked), strict=True):
+    for leg, frame in zip(walked.legs, frames_of(walked, Convention.STANDARD), strict=True):
         first, second = walked.lines[leg.number], walked.lines[leg.number + 1]
         for line in (first, second):
             x = np.array(frame.x)
