@@ -36,6 +36,8 @@ dhcli check puma560 --pose ready --as rpy --answer "0, 0, 180°"
 dhcli check planar-2r --ik --position 0.5,0.3,0 --answer "2.477°, 67.98°"
 
 dhcli check puma560 --table my-table.yaml
+
+dhcli check puma560 --frames my-frames.yaml
 """
 _QUESTION = "A question about a robot"
 _TOLERANCE = "How near is near enough"
@@ -53,6 +55,14 @@ def check(
         typer.Option(
             metavar="FILE",
             help="A DH table: a robot file in either convention, or rows alone.",
+            rich_help_panel=_QUESTION,
+        ),
+    ] = None,
+    frames: Annotated[
+        str | None,
+        typer.Option(
+            metavar="FILE",
+            help="Frames on the robot's axes, judged by the rules DH1 to DH3; or a robot file whose table they have.",
             rich_help_panel=_QUESTION,
         ),
     ] = None,
@@ -114,7 +124,7 @@ def check(
     output: Output = None,
     force: Force = False,
 ) -> ExitStatus:
-    """Check an answer sheet, one answer, or a DH table."""
+    """Check an answer sheet, one answer, a DH table, or frames."""
     from dhcli.checking.judge import Judge
     from dhcli.checking.variants import variant_of
     from dhcli.cli.shell.delivery import Delivery
@@ -131,14 +141,14 @@ def check(
     if ik and target == answer == "-":
         raise DhcliError("the pose and the answer cannot both come from standard input", "save one in a file")
     which = (branch or "") if ik else ""
-    asked = RobotOptions(chosen, symbolic, table, as_, entry, compare, goal, which)
+    asked = RobotOptions(chosen, symbolic, table, frames, as_, entry, compare, goal, which)
     answer = None if answer is None else _text(answer)
     exercise, typed = exercise_of(asked, answer or "")
     warned = tuple(warnings(exercise.robot, exercise.given)) if asked.given and exercise.robot else ()
     exercise = with_tolerance(exercise, tol_rotation, tol_position, decimals)
-    if sum(source is not None for source in (sheet, answer, table)) > 1:
-        raise DhcliError("a sheet, --answer and --table are three ways to give an answer", "use one of them")
-    if sheet is None and answer is None and table is None:
+    if sum(source is not None for source in (sheet, answer, table, frames)) > 1:
+        raise DhcliError("a sheet, --answer, --table and --frames are ways to give an answer", "use one of them")
+    if sheet is None and answer is None and table is None and frames is None:
         delivery.warn(warned)
         return _walk(variant_of(Judge(exercise), variant), part, why=why)
     if sheet is not None:

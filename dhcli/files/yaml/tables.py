@@ -44,18 +44,19 @@ class Table:
     note: str = ""
 
 
-def read_table(path: Path | str, reference: Robot) -> Table:
+def read_table(path: Path | str, reference: Robot, text: str | None = None) -> Table:
     """The DH table of a robot file, or in rows as an answer has them, to be compared with another robot.
 
     Args:
         path: The file.
         reference: The robot it is compared with. A length of the file that this one does not know, or knows with
             another value, is put in as a number; all others stay letters.
+        text: The text of the file, where it has been read.
 
     Raises:
         FileError: It is no robot file, or has products instead of a table.
     """
-    text, source = read_text(path), source_of(path)
+    text, source = read_text(path) if text is None else text, source_of(path)
     root = read_yaml(text, source)
     if not isinstance(root, PlacedMapping):
         return _plain(root, text, reference)
