@@ -13,7 +13,6 @@ from dhcli.files.urdf.chains import chain_of
 from dhcli.files.urdf.model import Joint, read_model
 from dhcli.files.urdf.numbers import Meaning, length
 from dhcli.kinematics.conventions import Convention
-from dhcli.kinematics.describe.description import product_text
 from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans
 from dhcli.kinematics.robot import Link, Robot, Value
 from dhcli.kinematics.validity import InvalidRobotError
@@ -71,7 +70,6 @@ class _Builder:
             waiting = []
         if links:
             links[-1] = Link(links[-1].number, (*links[-1].moves, *waiting))
-        written = tuple(Link(link.number, link.moves, None, product_text(link.moves)) for link in links)
         limits = {variables[joint.name]: found for joint in self.moving if (found := self.limits(joint)) is not None}
         return Robot(
             name=name,
@@ -79,7 +77,7 @@ class _Builder:
             source=f"the URDF {source}, from link {self.joints[0].parent} to link {self.joints[-1].child}",
             convention=Convention.PRODUCT,
             variables=tuple(variables.values()),
-            links=written,
+            links=tuple(links),
             limits=limits,
             remarks=(*self.taken(), *self.remarks),
             notes="\n".join(
