@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from xml.parsers import expat
 
 from dhcli.errors import FileError, Place, Problem
+from dhcli.files.foreign.forms import Form, form_of, told
 
 DEEPEST = 100
 MOST = 20_000
@@ -77,6 +78,9 @@ def read_model(text: str, source: str) -> Model:
     Raises:
         FileError: It is no XML, or no URDF, or has what cannot be read; with its line.
     """
+    form = form_of(text)
+    if form in (Form.SDF, Form.MJCF):
+        raise FileError(told(form, source))
     reader = _Reader(Model(source))
     parser = expat.ParserCreate()
     parser.StartElementHandler = reader.start

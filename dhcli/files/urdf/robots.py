@@ -43,7 +43,24 @@ def read_urdf(
     """
     model = read_model(text, source)
     joints = chain_of(model, base, tip)
-    return _Builder(joints, Meaning(as_typed)).robot(name, model.name or name, source)
+    said = f"the URDF {source}, from link {joints[0].parent} to link {joints[-1].child}"
+    return robot_of_joints(joints, name, model.name or name, said, as_typed=as_typed)
+
+
+def robot_of_joints(joints: tuple[Joint, ...], name: str, title: str, source: str, *, as_typed: bool = False) -> Robot:
+    """The robot whose joints follow each other.
+
+    Args:
+        joints: From the base to the tip.
+        name: What the robot is called.
+        title: Its title.
+        source: Where it comes from.
+        as_typed: Whether 1.5708 stays what it is.
+
+    Raises:
+        FileError: An axis has no direction, or a joint follows another.
+    """
+    return _Builder(joints, Meaning(as_typed)).robot(name, title, source)
 
 
 class _Builder:
@@ -74,7 +91,7 @@ class _Builder:
         return Robot(
             name=name,
             title=title,
-            source=f"the URDF {source}, from link {self.joints[0].parent} to link {self.joints[-1].child}",
+            source=source,
             convention=Convention.PRODUCT,
             variables=tuple(variables.values()),
             links=tuple(links),
