@@ -264,9 +264,9 @@ def test_a_file_is_overwritten_only_with_force(dhcli: Run, tmp_path: Path) -> No
     (tmp_path / "pose.json").write_text("precious", "utf-8")
     done = dhcli("fk", "scara", "--q", Q, "-o", "pose.json")
     assert done.code == 2
-    assert "--force" in done.err
+    assert "--overwrite" in done.err
     assert (tmp_path / "pose.json").read_text("utf-8") == "precious"
-    assert dhcli("fk", "scara", "--q", Q, "-o", "pose.json", "--force").code == 0
+    assert dhcli("fk", "scara", "--q", Q, "-o", "pose.json", "--overwrite").code == 0
     assert json.loads((tmp_path / "pose.json").read_text("utf-8"))["ok"] is True
 
 

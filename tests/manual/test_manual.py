@@ -100,7 +100,7 @@ def _options() -> dict[str, set[str]]:
 def test_a_page_names_only_options_that_exist(path: Path) -> None:
     """Behind a command its own; alone, one of some command or of the tools that a developer runs."""
     known = _options()
-    every = set().union(*known.values()) | {"--version", "--strict", "--install-completion", "--force"}
+    every = set().union(*known.values()) | {"--version", "--strict", "--install-completion"}
     for span in (*re.findall(r"`([^`\n]+)`", page := path.read_text("utf-8")), *_typed(page)):
         words = span.split()
         if words[0] == "dhcli" and len(words) > 1 and words[1] in known:

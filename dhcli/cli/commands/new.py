@@ -8,7 +8,12 @@ from typing import Annotated
 import typer
 
 from dhcli.cli.app import Group, One
-from dhcli.cli.shell.options import AsTyped, Base, Force, Tip
+from dhcli.cli.shell.chosen import Chosen
+from dhcli.cli.shell.options import Force
+from dhcli.cli.shell.spreading import But, spread
+
+_OF_URDF = But(without=("robot", "q", "deg", "pose", "set_", "from_", "to", "tool"))
+"""Of the options about a robot those that choose a chain of a URDF."""
 
 new = typer.Typer(cls=Group, add_completion=False, rich_markup_mode="rich", help="Write a file to start from.")
 
@@ -23,7 +28,9 @@ def _group() -> None:
     epilog="dhcli new robot my-arm --convention standard --joints RRP\n\n"
     "dhcli new robot --from table.csv --convention modified",
 )
+@spread
 def robot(
+    *,
     name: Annotated[
         str | None, typer.Argument(metavar="NAME", help="Name of the robot; with --from that of the file by default.")
     ] = None,
@@ -51,9 +58,7 @@ def robot(
     units: Annotated[
         str | None, typer.Option(metavar="UNIT", help="Unit of the bare lengths in FILE: m, mm, cm or in.")
     ] = None,
-    base: Base = None,
-    tip: Tip = None,
-    as_typed: AsTyped = False,
+    chain: Annotated[Chosen, _OF_URDF],
     output: Annotated[
         str | None,
         typer.Option(
@@ -74,11 +79,11 @@ def robot(
 
         name = name or ("stdin" if from_ == "-" else Path(from_).stem)
         check_name(name)
-        wish = Wish(name, convention, joints or "", units or "", base, tip, as_typed)
+        wish = Wish(name, convention, joints or "", units or "", chain.base, chain.tip, chain.as_typed)
         text = imported(from_, wish)
     elif name is None:
         raise DhcliError("a new robot wants a name", "write dhcli new robot my-arm, or --from FILE")
-    elif units or base or tip or as_typed:
+    elif units or chain.more:
         raise DhcliError("--units, --base, --tip and --as-typed say how a file is read", "name one: --from arm.urdf")
     else:
         text = robot_template(name, convention or "standard", joints or "RRP")

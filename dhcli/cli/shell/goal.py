@@ -7,7 +7,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, cast
 
-from dhcli.cli.shell.given import point_of, settings_of, split, values_of
+from dhcli.cli.shell.chosen import Chosen
+from dhcli.cli.shell.given import lengths_of, point_of, split, values_of
 from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean, plural
 from dhcli.kinematics.forward import numeric_pose
 from dhcli.kinematics.frames import ends
@@ -16,7 +17,6 @@ from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.transform import Wanted, compose, read_product
 from dhcli.kinematics.validity import in_floats
-from dhcli.kinematics.values import parameter_values
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import Bare, DimensionError, has_angle_unit, to_angle
 from dhcli.notation.scope import Scope
@@ -31,11 +31,9 @@ Rows = tuple[tuple[float, ...], ...]
 
 @dataclass(frozen=True, slots=True)
 class Goal:
-    """The options that say a pose, as they were typed.
+    """The options that say a pose, as they were typed, where it is not that of joint values.
 
     Attributes:
-        q: Joint values that stand there.
-        pose: A named pose that stands there.
         target: Moves or a matrix.
         position: Where the origin is.
         rpy: Roll, pitch and yaw.
@@ -44,14 +42,12 @@ class Goal:
         task: What of it counts.
     """
 
-    q: str | None
-    pose: str | None
-    target: str | None
-    position: str | None
-    rpy: str | None
-    quaternion: str | None
-    pointing: str | None
-    task: str | None
+    target: str | None = None
+    position: str | None = None
+    rpy: str | None = None
+    quaternion: str | None = None
+    pointing: str | None = None
+    task: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,37 +73,28 @@ class Question:
     def answered(self, found: Solutions, near: Sequence[float] | None) -> InverseKinematics:
         """The question with its answer."""
         wish = None if near is None else tuple(near)
-        return InverseKinematics(self.robot, self.lengths, self.task, self.start, self.end, found, wish)
+        return InverseKinematics(self.robot, self.lengths, self.task, self.start, self.end, found, self.pose, wish)
 
 
 def asked(
     robot: Robot,
     goal: Goal,
-    start: str | None,
-    end: str | None,
-    settings: Sequence[str],
-    typed: str,
-    *,
-    degrees: bool,
+    chosen: Chosen,
 ) -> Question:
     """The question that options ask.
 
     Args:
         robot: The robot.
         goal: The options about the pose.
-        start: The frame it is seen from.
-        end: The frame that is placed.
-        settings: `--set`.
-        typed: The robot as it was typed.
-        degrees: Whether bare numbers of angles are degrees.
+        chosen: The frames and lengths, or joint values that stand there.
 
     Raises:
         DhcliError: No pose is given, or two are, or it cannot be read.
     """
-    first, last = ends(robot, start, end)
-    lengths = parameter_values(robot, settings_of(settings), Place("--set", text=" ".join(settings)))
+    first, last = ends(robot, chosen.from_, chosen.end)
+    lengths = lengths_of(robot, chosen)
     task = task_of(goal)
-    rows = _rows(robot, goal, (first, last), settings, typed, degrees=degrees)
+    rows = _rows(robot, goal, chosen, (first, last))
     return Question(robot, rows, cast("TaskName", task), first, last, lengths)
 
 
@@ -127,21 +114,18 @@ def task_of(goal: Goal) -> str:
     return "orientation" if turned else "pose"
 
 
-def _rows(
-    robot: Robot, goal: Goal, frames: tuple[str, str], settings: Sequence[str], typed: str, *, degrees: bool
-) -> Rows:
+def _rows(robot: Robot, goal: Goal, chosen: Chosen, frames: tuple[str, str]) -> Rows:
     """The matrix."""
     parts = (goal.position, goal.rpy, goal.quaternion, goal.pointing)
-    ways = [goal.q is not None or goal.pose is not None, goal.target is not None, any(p is not None for p in parts)]
+    ways = [chosen.stands, goal.target is not None, any(p is not None for p in parts)]
     if sum(ways) != 1:
         said = "no pose is given" if not any(ways) else "the pose is given in two ways"
         raise DhcliError(said, "one of --q, --pose, --target, or --position with --rpy, --quaternion or --pointing")
     if ways[0]:
-        values = values_of(robot, goal.q, goal.pose, settings, degrees=degrees, symbolic=False)
-        return numeric_pose(robot, values, *frames).rows
+        return numeric_pose(robot, values_of(robot, chosen), *frames).rows
     if goal.target is not None:
-        return _target(goal.target, typed)
-    return _from_parts(goal, degrees=degrees)
+        return _target(goal.target, chosen.robot)
+    return _from_parts(goal, chosen.bare)
 
 
 def _target(text: str, typed: str) -> Rows:
@@ -159,13 +143,13 @@ def _target(text: str, typed: str) -> Rows:
     return cast("Pose[float]", pose).rows
 
 
-def _from_parts(goal: Goal, *, degrees: bool) -> Rows:
+def _from_parts(goal: Goal, bare: Bare) -> Rows:
     turns = [p for p in (goal.rpy, goal.quaternion, goal.pointing) if p is not None]
     if len(turns) > 1:
         raise DhcliError("the orientation is given in two ways", "one of --rpy, --quaternion or --pointing")
     place = (0.0, 0.0, 0.0) if goal.position is None else _vector(goal.position, "--position")
     if goal.rpy is not None:
-        turn = _rpy(_angles(goal.rpy, "--rpy", "deg" if degrees else "rad"))
+        turn = _rpy(_angles(goal.rpy, "--rpy", bare))
     elif goal.quaternion is not None:
         turn = _quaternion(_numbers(goal.quaternion, "--quaternion", 4))
     elif goal.pointing is not None:
