@@ -82,7 +82,7 @@ def read_model(text: str, source: str) -> Model:
     if form in (Form.SDF, Form.MJCF):
         raise FileError(told(form, source))
     reader = _Reader(Model(source))
-    parser = expat.ParserCreate()
+    parser = expat.ParserCreate("UTF-8")  # the text was decoded already, whatever its first line says
     parser.StartElementHandler = reader.start
     parser.EndElementHandler = reader.end
     parser.StartDoctypeDeclHandler = reader.doctype

@@ -87,6 +87,8 @@ class _Builder:
             waiting = []
         if links:
             links[-1] = Link(links[-1].number, (*links[-1].moves, *waiting))
+        elif waiting:
+            links.append(Link(1, tuple(waiting)))
         limits = {variables[joint.name]: found for joint in self.moving if (found := self.limits(joint)) is not None}
         return Robot(
             name=name,
