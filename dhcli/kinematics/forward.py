@@ -14,7 +14,7 @@ from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.frames import between, ends
 from dhcli.kinematics.merge import merge
-from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, substituted
+from dhcli.kinematics.moves import Chain, spelled, substituted
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.robot import Link, Robot, Value, check_robot
 from dhcli.kinematics.values import (
@@ -27,9 +27,7 @@ from dhcli.kinematics.values import (
     require,
 )
 from dhcli.notation.angle import Angle
-from dhcli.notation.styles import THETAS, Joints
 from dhcli.notation.tree import Expr
-from dhcli.notation.writer import write, write_angle
 
 LONGEST = 20_000
 """Symbols of the longest result that is written; Panda has about 2000."""
@@ -198,13 +196,3 @@ def factors(robot: Robot, link: Link, values: Values) -> tuple[Pose[Expr], ...]:
         Pose(fold((move,), TERMS), before, str(link.number), spelled(move, robot.writing), robot.writing)
         for move in put_in(link.moves, values)
     )
-
-
-def spelled(move: Move, joints: Joints = THETAS) -> str:
-    """A move as it is typed: `Rot(z, theta1)`, `Trans(0, 0, d1)`."""
-    if isinstance(move, Rot):
-        return f"Rot({move.axis}, {write_angle(move.angle, 'short', joints)})"
-    if isinstance(move, Fixed):
-        rows = "; ".join(" ".join(write(entry, "short", joints).replace(" ", "") for entry in row) for row in move.rows)
-        return f"[{rows}; 0 0 0 1]"
-    return "Trans(" + ", ".join(write(length, "short", joints) for length in move.offset) + ")"

@@ -273,6 +273,8 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("new", "linkage", "press", "--form", "bars", "-o", "-"),
     ("new", "linkage", "press", "--form", "joints", "-o", "press.yaml", "--overwrite"),
     ("new", "robot", "arm", "-o", "arm.yaml", "--overwrite"),
+    ("new", "robot", "--from", "table.csv", "--convention", "standard", "--joints", "RR", "--units", "mm", "-o", "-"),
+    ("new", "robot", "--from", "arm.urdf", "--base", "base_link", "--tip", "hand", "--as-typed", "-o", "-"),
     ("sweep", "planar-2r", "--over", "theta1 n 3", "--q", "theta2=0", "-o", "t.csv", "--overwrite"),
     ("transform", "Rot(z,a)", "-o", "t.json", "--overwrite"),
     ("grade", "class", "-o", "c.csv", "--overwrite"),
@@ -297,6 +299,12 @@ FILES: dict[str, tuple[str, tuple[tuple[str, ...], ...]]] = {
     "urdf": (
         "tests/data/urdf/three-joints.urdf",
         (("fk", "./x.urdf", "--q", "0,0,0"), ("describe", "./x.urdf", "--as", "standard"), ("show", "./x.urdf")),
+    ),
+    "listing": ("tests/data/foreign/four-links.m", (("new", "robot", "--from", "x.m", "-o", "-"), ("fk", "x.m"))),
+    "page": ("tests/data/foreign/craig.md", (("new", "robot", "--from", "x.md", "-o", "-"),)),
+    "kinematics": (
+        "tests/data/foreign/ur5e-kinematics.yaml",
+        (("new", "robot", "--from", "x.yaml", "-o", "-"), ("show", "./x.yaml")),
     ),
     "linkage": ("robots/linkages/planar-four-bar.yaml", (("show", "./x.yaml"), ("dof", "x.yaml"), ("lint", "x.yaml"))),
     "spatial": ("robots/linkages/bennett.yaml", (("dof", "x.yaml", "--format", "json"),)),
@@ -357,7 +365,7 @@ def _line(chance: random.Random) -> Case:
         "robot.yaml": source("robot"),
         "exercise.yaml": source("exercise"),
     }
-    files |= {"arm.urdf": source("urdf")}
+    files |= {"arm.urdf": source("urdf"), "table.csv": b"a,alpha [deg],d,theta\n300,90,0,q1\n200,0,0,q2*\n"}
     files |= {"class/one/s.yaml": source("sheet"), "sheet.yaml": source("sheet")}
     return Case(tuple(word.replace("\0", "") for word in words), files, chance.choice(("", IDENTITY)))
 
@@ -366,7 +374,7 @@ def _file(chance: random.Random) -> Case:
     kind = chance.choice(sorted(FILES))
     words = chance.choice(FILES[kind][1])
     content = source(kind)
-    name = "x.urdf" if kind == "urdf" else "x.yaml"
+    name = f"x{Path(FILES[kind][0]).suffix}"
     if chance.random() < 0.1:
         return Case(words, {name: mutated_bytes(content, chance)})
     return Case(words, {name: mutated(content.decode(), chance).encode("utf-8", "surrogatepass")})
