@@ -204,7 +204,7 @@ def _written(content: str | bytes, output: str, *, force: bool) -> str:
     """
     from dhcli.cli.shell.console import tell
     from dhcli.cli.shell.delivery import check_free
-    from dhcli.files.atomic import write_whole
+    from dhcli.storage.atomic import write_whole
 
     check_free(output, force=force)
     write_whole(output, content, overwrite=force)

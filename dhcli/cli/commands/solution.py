@@ -70,4 +70,4 @@ def ask_once(exercise: Exercise, parts: tuple[Part, ...], hint: str) -> None:
         raise DhcliError(f"never tried: {listed}", hint)
     say(f"You have not tried {paper.spell(listed)} yet. Show the solution all the same? [y/N] ")
     if sys.stdin.readline().strip().lower() not in ("y", "yes"):
-        raise DhcliError("not shown", f"dhcli hint {exercise.id} gives a hint")
+        raise DhcliError("not shown", f"dhcli hint {exercise.typed} gives a hint")

@@ -55,7 +55,7 @@ def of_exercise(name: str, variant: str | None, *, solution: bool) -> list[dict[
     level, counted = shown(exercise), linkages(exercise)
     if level is None and not counted:
         what = "is to have no picture" if exercise.picture == "none" else "has no robot and no linkage with points"
-        raise DhcliError(f"{exercise.id} {what}", f"dhcli show {exercise.id}")
+        raise DhcliError(f"{exercise.id} {what}", f"dhcli show {exercise.typed}")
     if solution:
         counts = tuple(part for part in exercise.asked if part.question.linkage_counted)
         held = held_back(exercise) if level is not None else ()

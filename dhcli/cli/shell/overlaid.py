@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from dhcli.render.pictures.picture import Picture
 
 RIGHT = " (it is right all the same: other frames of the same robot)"
-NO_FRAME = "only a table, a pose, a rotation or a position of the arm can be drawn over it"
+NO_FRAME = "only a table, frames, a pose, a rotation or a position of the arm can be drawn over it"
 
 
 def check_picture(path: str, *, force: bool) -> None:
@@ -59,8 +59,8 @@ def draw_over(marked: SheetMark, answers: Mapping[str, str], path: str, *, force
         FileError: The file cannot be written.
     """
     from dhcli.cli.shell.console import tell
-    from dhcli.files.atomic import write_whole
     from dhcli.render.pictures.picture import format_of
+    from dhcli.storage.atomic import write_whole
 
     parts = sorted(marked.parts, key=lambda one: one.mark.verdict.passed is True)
     for one in parts:
@@ -91,9 +91,9 @@ def _picture(exercise: Exercise, part: Part, answers: Mapping[str, str], *, is_r
             return None
         note = RIGHT if is_right else ""
         traced = replace(over.traced, note=note, close=exercise.tolerance.rotation)
-        joints: Any = {name: values[name] for name in robot.variables}
-        picture = Picture(over.robot, joints, parameters=values, beside=traced)
-        if is_right or first_difference(Skeleton.of(over.robot, values), traced) is not None:
+        joints: Any = {name: over.values[name] for name in robot.variables}
+        picture = Picture(over.robot, joints, parameters=over.values, beside=traced)
+        if is_right or first_difference(Skeleton.of(over.robot, over.values), traced) is not None:
             return picture
         best = best or picture
     return best
