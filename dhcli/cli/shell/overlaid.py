@@ -19,21 +19,6 @@ RIGHT = " (it is right all the same: other frames of the same robot)"
 NO_FRAME = "only a table, frames, a pose, a rotation or a position of the arm can be drawn over it"
 
 
-def check_picture(path: str, *, force: bool) -> None:
-    """Refuse a file that is no picture of two arms, or that exists already, before anything is judged.
-
-    Raises:
-        DhcliError: Its suffix stands for no such picture.
-        FileError: It exists already.
-    """
-    from dhcli.cli.shell.delivery import check_free
-    from dhcli.render.pictures.picture import format_of
-
-    if format_of(path) == "page":
-        raise DhcliError("a page shows one table", "write .svg, .pdf, .png or .tex to see two over each other")
-    check_free(path, force=force)
-
-
 def check_overlaid(exercise: Exercise, part: str | None) -> None:
     """Refuse an exercise, or a part of one, whose answers are no frames.
 
