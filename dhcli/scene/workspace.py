@@ -26,8 +26,8 @@ SEAM = 0.3
 
 TICKS = 4
 
-FEWEST, HOLES = 16, 0.04
-"""Cells on a side at the least; and empty ones between full ones, in parts of these, from which cells are made larger:
+MOST, FEWEST, HOLES = 64, 16, 0.04
+"""Cells on a side at the most and at the least; and empty ones between full ones, in parts of these, from which cells are made larger:
 then they are finer than the grid of poses."""
 
 
@@ -40,7 +40,7 @@ def workspace_figure(staged: Staged, workspace: Workspace) -> Figure:
     """
     paper = Paper(*PANEL)
     side, top = workspace.side, workspace.top
-    while len(side) > FEWEST and max(_holes(side), _holes(top)) > HOLES:
+    while len(side) > MOST or (len(side) > FEWEST and max(_holes(side), _holes(top)) > HOLES):
         side, top = _coarser(side), _coarser(top)
     views = [("side", "x", "z", side), ("top", "x", "y", top)]
     shown = is_at_base(staged.scene, workspace)

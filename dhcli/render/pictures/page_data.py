@@ -84,7 +84,7 @@ def _path(robot: Robot, picture: Drawing, values: Values) -> list[list[float]]:
         return [[_number(goal[name]) for name in robot.variables]]
     last = len(picture.path) - 1
     count = min(last, MOST_ROWS)
-    return [_short(list(picture.path[round(k * last / count)])) for k in range(1, count + 1)]
+    return [[float(f"{x:.9g}") for x in picture.path[round(k * last / count)]] for k in range(1, count + 1)]
 
 
 UNMOVED = frozenset({"gear", "rolling"})
