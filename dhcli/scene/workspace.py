@@ -27,8 +27,8 @@ SEAM = 0.3
 TICKS = 4
 
 MOST, FEWEST, HOLES = 64, 16, 0.04
-"""Cells on a side at the most and at the least; and empty ones between full ones, in parts of these, from which cells are made larger:
-then they are finer than the grid of poses."""
+"""Cells on a side at the most and at the least; and empty ones between full ones, in parts of these, from which cells
+are made larger: then they are finer than the grid of poses."""
 
 
 def workspace_figure(staged: Staged, workspace: Workspace) -> Figure:
