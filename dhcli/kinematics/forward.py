@@ -63,7 +63,8 @@ def forward(
         UnknownNameError: The robot has no such frame, joint or length.
     """
     check_robot(robot)
-    if not parameters and (floats := _floats(q)) is not None:
+    is_plain = parameters is None or (isinstance(parameters, Mapping) and not parameters)
+    if is_plain and (floats := _floats(q)) is not None:
         frames = ends(robot, start, end)
         rows = _played(robot, floats, *frames)
         if rows is not None:
