@@ -6,6 +6,8 @@ An exercise is data. What is worked out for it is kept in a `Memo`, which a `Jud
 
 from __future__ import annotations
 
+import re
+import shlex
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
@@ -343,6 +345,9 @@ class Points:
     at: tuple[Floats, ...]
 
 
+_FRAME = re.compile(r"\bframe \w+")
+
+
 @dataclass(frozen=True, slots=True)
 class Part:
     """One question of an exercise.
@@ -376,6 +381,13 @@ class Part:
     def heading(self, exercise: Exercise) -> str:
         """What is asked for, in a few words that do not tell more than the task does."""
         return self.question.describe_form(exercise) if self.prompt else self.question.describe(exercise)
+
+    def form(self, exercise: Exercise) -> str:
+        """What is to be written, below a prompt that has asked for it: what the prompt says itself is left out."""
+        heading = self.heading(exercise)
+        what, _, form = heading.rpartition(": ")
+        frames = set(_FRAME.findall(what))
+        return form if frames and frames <= set(_FRAME.findall(self.prompt)) else heading
 
 
 @dataclass(frozen=True, slots=True)
@@ -443,6 +455,11 @@ class Exercise:
                 return part
         known = [part.id for part in self.parts]
         raise UnknownNameError(f"{self.id} has no part {name}", did_you_mean(name, known) or ", ".join(known))
+
+    @property
+    def typed(self) -> str:
+        """What is typed behind a command to mean it: its id, and its variant."""
+        return f"{self.id} --variant {shlex.quote(self.variant)}" if self.variant else self.id
 
     @property
     def asked(self) -> tuple[Part, ...]:

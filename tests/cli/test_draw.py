@@ -61,15 +61,15 @@ def test_a_narrow_window_gets_a_narrow_picture(process: Run) -> None:
     ("suffix", "begins"), [("svg", b"<svg"), ("tex", b"% SCARA"), ("pdf", b"%PDF-"), ("html", b"<!DOCTYPE html>")]
 )
 def test_the_suffix_of_a_file_chooses_the_format(dhcli: Run, tmp_path: Path, suffix: str, begins: bytes) -> None:
-    """An existing file is left alone without --force."""
+    """An existing file is left alone without --overwrite."""
     path = tmp_path / f"arm.{suffix}"
     done = dhcli("draw", "scara", "--pose", "pick", "-o", str(path))
     assert (done.code, done.out, done.err) == (0, "", f"wrote {path}\n")
     assert path.read_bytes().startswith(begins)
     again = dhcli("draw", "scara", "-o", str(path))
     assert again.code == 2
-    assert "--force overwrites it" in again.err
-    assert dhcli("draw", "scara", "-o", str(path), "--force").code == 0
+    assert "--overwrite overwrites it" in again.err
+    assert dhcli("draw", "scara", "-o", str(path), "--overwrite").code == 0
 
 
 def test_joint_values_pose_lengths_view_and_worksheet_reach_the_picture(dhcli: Run, tmp_path: Path) -> None:
@@ -147,7 +147,7 @@ def test_an_exercise_in_numbers_is_drawn_at_its_own_values_with_frames(dhcli: Ru
     assert dhcli("draw", "yim/planar-in-numbers", "--variant", "alice", "-o", str(path)).code == 0
     text = path.read_text("utf-8")
     assert 't-x"' in text
-    assert dhcli("draw", "yim/planar-in-numbers", "--variant", "bob", "-o", str(path), "--force").code == 0
+    assert dhcli("draw", "yim/planar-in-numbers", "--variant", "bob", "-o", str(path), "--overwrite").code == 0
     assert path.read_text("utf-8") != text
 
 
@@ -177,7 +177,7 @@ def test_open_writes_a_page_and_opens_it(dhcli: Run, monkeypatch: pytest.MonkeyP
         ("scara --size 50x50 -o a.svg", "a picture of 50 x 50 pixels is not drawn"),
         ("scara -o a.jpg", "a.jpg does not say which format"),
         ("scara -o nowhere/at/all/a.svg", "nowhere/at/all"),
-        ("scara --force", "--force needs a file"),
+        ("scara --overwrite", "--overwrite needs a file"),
         ("ring-of-arms", "of ring-of-arms only counts are known"),
         ("bennett --pose zero", "bennett is a linkage"),
         ("scara --to pick", "no picture in letters"),

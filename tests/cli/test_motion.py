@@ -392,7 +392,7 @@ def test_one_joint_moves_along_a_circle(dhcli: Run) -> None:
 
 
 def test_a_file_of_torques_is_overwritten_when_told(dhcli: Run) -> None:
-    """`--force` means something else here."""
+    """By the word that all commands have for it: `--force` is what the end exerts."""
     words = ("torques", "planar-2r", "--q", "0,0", "--force", "0,1,0", "-o", "t.csv")
     assert dhcli(*words).code == 0
     again = dhcli(*words)

@@ -73,12 +73,13 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
 
     def steps(self, case: Case) -> Iterable[Shown]:
         from dhcli.checking.tables.answer import own_rows
-        from dhcli.checking.tables.steps import MEANINGS, table_lines
+        from dhcli.checking.tables.steps import MEANINGS, process_lines, table_lines
 
         exercise = case.exercise
-        yield Shown("Each row leads from one frame to the next:\n" + "\n".join(MEANINGS[self.convention]))
         for robot in (exercise.robot, exercise.also and exercise.also[0]):
             if robot is not None and exercise.robot is not None and robot.convention is self.convention:
+                yield from process_lines(robot)
+                yield Shown("4  Each row leads from one frame to the next:\n" + "\n".join(MEANINGS[self.convention]))
                 lines = table_lines(own_rows(robot), exercise.robot.columns, robot.first, exercise)
                 yield Shown("Row by row:\n" + "\n".join(lines))
                 return

@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dhcli.cli.shell.options import ExerciseOrRobot, Force, Format, Output, Settings, Variant
+from dhcli.cli.shell.chosen import Chosen
+from dhcli.cli.shell.options import ExerciseOrRobot, Force, Format, Output, Variant
+from dhcli.cli.shell.spreading import But
 from dhcli.errors import ExitStatus
 
 if TYPE_CHECKING:
@@ -34,33 +36,35 @@ dhcli check puma560 --pose ready --as rpy --answer "0, 0, 180°"
 dhcli check planar-2r --ik --position 0.5,0.3,0 --answer "2.477°, 67.98°"
 
 dhcli check puma560 --table my-table.yaml
+
+dhcli check puma560 --frames my-frames.yaml
 """
 _QUESTION = "A question about a robot"
 _TOLERANCE = "How near is near enough"
 
 
 def check(
-    name: ExerciseOrRobot,
+    chosen: Annotated[Chosen, But(instead={"robot": ExerciseOrRobot}, panel=_QUESTION)],
     sheet: Annotated[str | None, typer.Argument(metavar="SHEET", help="The answer sheet; - is stdin.")] = None,
     part: Annotated[str | None, typer.Option(metavar="PART", help="Look at this part only.")] = None,
     answer: Annotated[str | None, typer.Option(metavar="TEXT", help="The answer itself; - is stdin.")] = None,
     variant: Variant = None,
-    q: Annotated[
-        str | None, typer.Option("--q", metavar="VALUES", help="At these joint values.", rich_help_panel=_QUESTION)
-    ] = None,
-    deg: Annotated[bool, typer.Option("--deg", help="Bare angles are degrees.", rich_help_panel=_QUESTION)] = False,
-    pose: Annotated[
-        str | None, typer.Option("--pose", metavar="NAME", help="At a named pose.", rich_help_panel=_QUESTION)
-    ] = None,
-    set_: Settings = None,
     symbolic: Annotated[bool, typer.Option("--symbolic", "-s", help="In symbols.", rich_help_panel=_QUESTION)] = False,
-    from_: Annotated[
-        str | None, typer.Option("--from", metavar="FRAME", help="Seen from this frame.", rich_help_panel=_QUESTION)
-    ] = None,
-    to: Annotated[str | None, typer.Option(metavar="FRAME", help="Of this frame.", rich_help_panel=_QUESTION)] = None,
     table: Annotated[
         str | None,
-        typer.Option(metavar="FILE", help="A DH table: a robot file in either convention.", rich_help_panel=_QUESTION),
+        typer.Option(
+            metavar="FILE",
+            help="A DH table: a robot file in either convention, or rows alone.",
+            rich_help_panel=_QUESTION,
+        ),
+    ] = None,
+    frames: Annotated[
+        str | None,
+        typer.Option(
+            metavar="FILE",
+            help="Frames on the robot's axes, judged by the rules DH1 to DH3; or a robot file whose table they have.",
+            rich_help_panel=_QUESTION,
+        ),
     ] = None,
     compare: Annotated[
         str | None,
@@ -120,7 +124,7 @@ def check(
     output: Output = None,
     force: Force = False,
 ) -> ExitStatus:
-    """Check an answer sheet, one answer, or a DH table."""
+    """Check an answer sheet, one answer, a DH table, or frames."""
     from dhcli.checking.judge import Judge
     from dhcli.checking.variants import variant_of
     from dhcli.cli.shell.delivery import Delivery
@@ -131,20 +135,20 @@ def check(
 
     delivery = Delivery("check", format_, output=output, force=force)
     delivery.chosen("marks")
-    goal = _goal(q, pose, target, position) if ik else None
+    goal = _goal(target, position) if ik else None
     if not ik and (target, position, branch) != (None, None, None):
         raise DhcliError("--target, --position and --branch belong to --ik", "add --ik")
     if ik and target == answer == "-":
         raise DhcliError("the pose and the answer cannot both come from standard input", "save one in a file")
     which = (branch or "") if ik else ""
-    asked = RobotOptions(q, pose, tuple(set_ or ()), deg, symbolic, from_, to, table, as_, entry, compare, goal, which)
+    asked = RobotOptions(chosen, symbolic, table, frames, as_, entry, compare, goal, which)
     answer = None if answer is None else _text(answer)
-    exercise, typed = exercise_of(name, asked, answer or "")
+    exercise, typed = exercise_of(asked, answer or "")
     warned = tuple(warnings(exercise.robot, exercise.given)) if asked.given and exercise.robot else ()
     exercise = with_tolerance(exercise, tol_rotation, tol_position, decimals)
-    if sum(source is not None for source in (sheet, answer, table)) > 1:
-        raise DhcliError("a sheet, --answer and --table are three ways to give an answer", "use one of them")
-    if sheet is None and answer is None and table is None:
+    if sum(source is not None for source in (sheet, answer, table, frames)) > 1:
+        raise DhcliError("a sheet, --answer, --table and --frames are ways to give an answer", "use one of them")
+    if sheet is None and answer is None and table is None and frames is None:
         delivery.warn(warned)
         return _walk(variant_of(Judge(exercise), variant), part, why=why)
     if sheet is not None:
@@ -160,10 +164,10 @@ def check(
     return exit_code(marked.verdict)
 
 
-def _goal(q: str | None, pose: str | None, target: str | None, position: str | None) -> Goal:
+def _goal(target: str | None, position: str | None) -> Goal:
     from dhcli.cli.shell.goal import Goal
 
-    return Goal(q, pose, target, position, None, None, None, None)
+    return Goal(target, position)
 
 
 def _walk(judge: Judge, part: str | None, *, why: bool) -> ExitStatus:
@@ -172,7 +176,7 @@ def _walk(judge: Judge, part: str | None, *, why: bool) -> ExitStatus:
     from dhcli.errors import DhcliError
 
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
-        hint = f"dhcli start {judge.exercise.id} writes one; or give --part PART --answer TEXT"
+        hint = f"dhcli start {judge.exercise.typed} writes one; or give --part PART --answer TEXT"
         if "/" not in judge.exercise.id:
             hint = "give it with --answer TEXT; - reads it from standard input"
         raise DhcliError("there is no answer to check: name a sheet", hint)

@@ -6,17 +6,9 @@ from typing import Annotated
 
 import typer
 
-from dhcli.cli.shell.options import (
-    AsTyped,
-    Base,
-    Force,
-    RobotName,
-    Settings,
-    Tip,
-    complete_pose,
-    format_option,
-    output_option,
-)
+from dhcli.cli.shell.chosen import Chosen
+from dhcli.cli.shell.options import Force, format_option, output_option
+from dhcli.cli.shell.spreading import But
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -24,6 +16,8 @@ EXAMPLES = """
 dhcli describe puma560 --as standard
 
 dhcli describe zhou-3r --as modified --steps
+
+dhcli describe ur5e --as standard --choose previous-x
 
 dhcli describe panda --as screws
 
@@ -47,8 +41,15 @@ def complete_form(incomplete: str) -> list[str]:
     return [form for form in (*FORMS, "urdf") if form.startswith(incomplete)]
 
 
+def complete_choice(incomplete: str) -> list[str]:
+    """The choices that begin like this."""
+    from dhcli.kinematics.describe.choices import WORDS
+
+    return [word for word in WORDS if word.startswith(incomplete)]
+
+
 def describe(
-    robot: RobotName,
+    chosen: Annotated[Chosen, But(without=("q", "deg", "from_", "to"))],
     as_: Annotated[
         str | None,
         typer.Option(
@@ -61,39 +62,37 @@ def describe(
     steps: Annotated[
         bool, typer.Option("--steps", help="Tell the process of Denavit and Hartenberg, step by step.")
     ] = False,
-    pose: Annotated[
+    choose: Annotated[
         str | None,
         typer.Option(
-            metavar="NAME", help="Draw the robot in this named pose, not at zero.", autocompletion=complete_pose
+            metavar="WHAT",
+            help="Where the rules leave a choice: next-d (parallel axes: the next d is 0), previous-x (a may be < 0).",
+            autocompletion=complete_choice,
         ),
     ] = None,
     numbers: Annotated[bool, typer.Option("--numbers", help="Put the values of lengths in.")] = False,
-    set_: Settings = None,
-    base: Base = None,
-    tip: Tip = None,
-    as_typed: AsTyped = False,
     format_: Annotated[str | None, format_option("table", "json", "yaml", "urdf")] = None,
     output: Annotated[str | None, output_option(".yaml", ".urdf", ".json", ".txt")] = None,
     force: Force = False,
 ) -> None:
-    """Describe a robot anew: DH tables of either convention, drawn axes, screws, products; each result is proved."""
+    """Describe a robot anew: DH tables of either convention, drawn axes, screws, products; each result is proved.
+
+    With --pose it is drawn in that pose, not at zero.
+    """
     from dataclasses import replace
 
     from dhcli.cli.shell.delivery import Delivery
-    from dhcli.cli.shell.given import named_pose, settings_of
-    from dhcli.errors import Place
-    from dhcli.files.yaml.robots import load_robot
+    from dhcli.cli.shell.given import lengths_of, named_pose, robot_of
+    from dhcli.kinematics.describe.choices import read_choices
     from dhcli.kinematics.describe.description import Asked, check_form
     from dhcli.kinematics.describe.description import describe as described
-    from dhcli.kinematics.values import given_parameters
 
     format_ = format_ or ("urdf" if as_ == "urdf" else _by_suffix(output))
     delivery = Delivery("describe", format_, output=output, force=force)
     form = check_form("product" if format_ == "urdf" else as_ or "standard")
     delivery.chosen("description")
-    arm = load_robot(robot, base=base, tip=tip, as_typed=as_typed)
-    values = given_parameters(arm, settings_of(set_ or []), Place("--set", text=" ".join(set_ or [])))
-    arm = replace(arm, parameters={**arm.parameters, **values})
-    drawn = None if pose is None else named_pose(arm, pose)
-    result = described(arm, Asked(form, steps, numbers, drawn))
+    arm = robot_of(chosen)
+    arm = replace(arm, parameters={**arm.parameters, **lengths_of(arm, chosen, symbolic=True)})
+    drawn = None if chosen.pose is None else named_pose(arm, chosen.pose)
+    result = described(arm, Asked(form, steps, numbers, drawn, read_choices(choose or "")))
     delivery.hand_over("description", result, (*arm.remarks, *result.warnings))

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Annotated
 
 import typer
 
-from dhcli.cli.shell.options import Degrees, Force, Joints, NamedPose, format_option, output_option
+from dhcli.cli.shell.chosen import Chosen
+from dhcli.cli.shell.options import Force, format_option, output_option
+from dhcli.cli.shell.spreading import But
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -23,6 +26,7 @@ dhcli dof --planar --links 4 --joints 4R
 """
 
 _COUNTS = "Bare counts"
+_ROBOT = "A robot at joint values"
 
 
 def complete_linkage(incomplete: str) -> list[str]:
@@ -53,9 +57,10 @@ def dof(
     joints: Annotated[
         str | None, typer.Option(metavar="LIST", help="Joints: 4R, or 3R 1P.", rich_help_panel=_COUNTS)
     ] = None,
-    q: Joints = None,
-    deg: Degrees = False,
-    pose: NamedPose = None,
+    *,
+    chosen: Annotated[
+        Chosen, But(without=("robot", "set_", "from_", "to", "tool", "base", "tip", "as_typed"), panel=_ROBOT)
+    ],
     tol: Annotated[
         float | None,
         typer.Option("--tol", metavar="X", help="Relative error of rounded input: 0.003 for 3 decimals."),
@@ -75,23 +80,21 @@ def dof(
     from dhcli.mobility.finding import analyse
 
     delivery = Delivery("dof", format_, output=output, force=force)
-    stands = q is not None or pose is not None
-    if stands and not what:
+    if chosen.stands and not what:
         raise DhcliError("joint values are those of a robot", "dhcli dof puma560 --pose zero")
-    kind = "mobility at joint values" if stands else "mobility"
+    kind = "mobility at joint values" if chosen.stands else "mobility"
     delivery.chosen(kind)
     tolerance = 0.0 if tol is None else tol
     linkage = asked(
         " ".join(what or []), planar=planar, lambda_=lambda_, links=links, joints=joints, tolerance=tolerance
     )
     mobility = analyse(linkage, tolerance)
-    if not stands:
+    if not chosen.stands:
         delivery.hand_over(kind, mobility)
         return
-    from dhcli.cli.shell.given import values_of
-    from dhcli.files.yaml.robots import load_robot
+    from dhcli.cli.shell.given import robot_of, values_of
     from dhcli.mobility.at_pose import at_pose
 
-    robot = load_robot(" ".join(what or []))
-    found = at_pose(robot, values_of(robot, q, pose, [], degrees=deg, symbolic=False), mobility)
+    robot = robot_of(replace(chosen, robot=" ".join(what or [])))
+    found = at_pose(robot, values_of(robot, chosen), mobility)
     delivery.hand_over(kind, found, found.warnings)

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, TypeAlias
 
 import typer
 
-from dhcli.cli.shell.options import Force, Settings, Variant, complete_pose, complete_robot
+from dhcli.cli.shell.chosen import Chosen
+from dhcli.cli.shell.options import Force, Variant, complete_pose, complete_robot
+from dhcli.cli.shell.spreading import But
 from dhcli.errors import DhcliError
 
 if TYPE_CHECKING:
@@ -37,22 +39,18 @@ def complete_view(incomplete: str) -> list[str]:
     return [name for name in ("iso", "front", "side", "top") if name.startswith(incomplete)]
 
 
+Name: TypeAlias = Annotated[
+    str,
+    typer.Argument(
+        metavar="NAME",
+        help="A robot, a linkage or an exercise, a YAML or URDF file, or - for a robot on stdin.",
+        autocompletion=complete_robot,
+    ),
+]
+
+
 def draw(
-    robot: Annotated[
-        str,
-        typer.Argument(
-            metavar="NAME",
-            help="A robot, a linkage or an exercise, a YAML file, or - for a robot on stdin.",
-            autocompletion=complete_robot,
-        ),
-    ],
-    q: Annotated[
-        str | None, typer.Option("--q", metavar="VALUES", help="Joint values; by default the pose that shows it best.")
-    ] = None,
-    pose: Annotated[
-        str | None, typer.Option("--pose", metavar="NAME", help="A named pose.", autocompletion=complete_pose)
-    ] = None,
-    deg: Annotated[bool, typer.Option("--deg", help="Bare numbers of revolute joints are degrees.")] = False,
+    chosen: Annotated[Chosen, But(without=("from_", "to"), instead={"robot": Name})],
     to: Annotated[
         str | None,
         typer.Option(
@@ -70,7 +68,6 @@ def draw(
             help="Another table of this arm over it, and where they part: a robot or a file.",
         ),
     ] = None,
-    set_: Settings = None,
     view: Annotated[
         str | None,
         typer.Option(
@@ -114,7 +111,10 @@ def draw(
     ] = False,
     force: Force = False,
 ) -> None:
-    """Draw a robot at a pose, a linkage, or the arm of an exercise, in the terminal or in a file."""
+    """Draw a robot at a pose, a linkage, or the arm of an exercise, in the terminal or in a file.
+
+    Without --q and --pose the robot stands as shows it best.
+    """
     from dhcli.cli.shell.delivery import check_force
     from dhcli.cli.shell.drawn import find, of_exercise, posed, refuse_table, sides
     from dhcli.files.library.kinds import kind_of
@@ -124,8 +124,9 @@ def draw(
     check_force(output, force=force)
     name = None if output in (None, "-") else format_of(output or "")
     look = {"view": None if view is None else read_view(view), "dark": dark}
+    robot = chosen.robot
     if kind_of(robot).noun == "exercise":
-        if q is not None or pose is not None or set_ or table or to or beside:
+        if chosen.more or table or to or beside:
             raise DhcliError(
                 f"{robot} is an exercise: it says itself what is given", "--view, --size and --dark are free"
             )
@@ -135,8 +136,8 @@ def draw(
     else:
         if solution or variant is not None:
             raise DhcliError(f"{robot} is no exercise: it has no solution and no variants", "leave the option out")
-        what = find(robot)
-        given = posed(what, q, pose, set_ or [], degrees=deg, to=to, beside=beside)
+        what = find(chosen)
+        given = posed(what, chosen, to=to, beside=beside)
         picture = Picture(what, worksheet=worksheet, table=table, **look, **given)  # type: ignore[arg-type]
     pixels = None if size is None else sides(size)
     if table and (name in ("page", "terminal") or name is None):
@@ -190,7 +191,7 @@ def _written(content: str | bytes, output: str, *, force: bool) -> str:
     """
     from dhcli.cli.shell.console import tell
     from dhcli.cli.shell.delivery import check_free
-    from dhcli.files.atomic import write_whole
+    from dhcli.storage.atomic import write_whole
 
     check_free(output, force=force)
     write_whole(output, content, overwrite=force)

@@ -6,25 +6,22 @@ from typing import Annotated
 
 import typer
 
+from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.options import (
+    MANY,
     WHERE,
-    AsTyped,
-    Base,
     Digits,
     Force,
     Format,
     Forms,
+    IgnoreColumns,
+    Index,
+    Let,
     Output,
-    RobotName,
-    SeenFrom,
-    Settings,
+    SkipBad,
     Spelling,
-    Tip,
-    complete_frame,
-    complete_pose,
+    Symbolic,
 )
-
-_MANY = "Many poses"
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -44,26 +41,9 @@ dhcli fk puma560 --in q.csv --as position -o points.csv
 
 
 def fk(
-    robot: RobotName,
-    q: Annotated[
-        str | None,
-        typer.Option(
-            "--q", metavar="VALUES", help="Joint values: 0.3,30deg,120mm or q1=0.3,d3=0.1, a named pose, or @FILE."
-        ),
-    ] = None,
-    deg: Annotated[bool, typer.Option("--deg", help="Bare numbers of revolute joints are degrees.")] = False,
-    pose: Annotated[
-        str | None,
-        typer.Option(
-            "--pose",
-            metavar="NAME",
-            help="A named pose of the robot; --q NAME=VALUE varies it.",
-            autocompletion=complete_pose,
-        ),
-    ] = None,
-    set_: Settings = None,
-    symbolic: Annotated[bool, typer.Option("--symbolic", "-s", help="Keep what has no value as symbols.")] = False,
-    let: Annotated[bool, typer.Option("--let", help="Give names to long or repeated brackets.")] = False,
+    chosen: Chosen,
+    symbolic: Symbolic = False,
+    let: Let = False,
     frames: Annotated[bool, typer.Option("--frames", help="Every frame, T_0i.", rich_help_panel=WHERE)] = False,
     links: Annotated[
         bool, typer.Option("--links", help="Every link's own matrix, A_i.", rich_help_panel=WHERE)
@@ -71,19 +51,6 @@ def fk(
     factors: Annotated[
         str | None,
         typer.Option(metavar="LINK", help="Elementary matrices of a link, or of all.", rich_help_panel=WHERE),
-    ] = None,
-    from_: SeenFrom = None,
-    to: Annotated[
-        str | None,
-        typer.Option(metavar="FRAME", help="Of this frame.", rich_help_panel=WHERE, autocompletion=complete_frame),
-    ] = None,
-    tool: Annotated[
-        str | None,
-        typer.Option(
-            metavar="TOOL",
-            help="Of the end of this tool: one that the file names, or 'Trans(0,0,0.1) Rot(z,45°)'.",
-            rich_help_panel=WHERE,
-        ),
     ] = None,
     inverse: Annotated[bool, typer.Option("--inverse", help="The other way round.", rich_help_panel=WHERE)] = False,
     point: Annotated[
@@ -96,27 +63,13 @@ def fk(
             metavar="FILE",
             help="Joint values, a row for each pose: CSV, JSON Lines or .npy; - is stdin. Names and units stand in the "
             r"header: theta1\[deg]. Gives rows: csv, or jsonl or npy by --format or -o.",
-            rich_help_panel=_MANY,
+            rich_help_panel=MANY,
         ),
     ] = None,
-    skip_bad: Annotated[
-        bool,
-        typer.Option("--skip-bad", help="Go on without bad rows, list them, and end with 0.", rich_help_panel=_MANY),
-    ] = False,
-    ignore_columns: Annotated[
-        bool,
-        typer.Option("--ignore-columns", help="Leave columns aside that are no joint.", rich_help_panel=_MANY),
-    ] = False,
-    index: Annotated[
-        bool,
-        typer.Option(
-            "--index", help="First column: where the row stands in FILE, as in errors.", rich_help_panel=_MANY
-        ),
-    ] = False,
+    skip_bad: SkipBad = False,
+    ignore_columns: IgnoreColumns = False,
+    index: Index = False,
     as_: Forms = None,
-    base: Base = None,
-    tip: Tip = None,
-    as_typed: AsTyped = False,
     format_: Format = None,
     style: Spelling = None,
     digits: Digits = None,
@@ -124,21 +77,18 @@ def fk(
     force: Force = False,
 ) -> None:
     """Pose of a robot's end frame: in numbers from joint values, or in symbols as the textbook prints it."""
-    from dhcli.cli.shell.given import values_of, with_tool
-    from dhcli.files.yaml.robots import load_robot
+    from dhcli.cli.shell.given import robot_of, values_of
 
     if in_ is not None or skip_bad or ignore_columns or index:
         from dhcli.cli.shell.batch import asked_of_rows, check_options, fk_rows, rows_wanted
         from dhcli.cli.shell.rows import RowDelivery
 
-        others: dict[str, object] = {"--pose": pose, "--symbolic": symbolic, "--let": let, "--links": links}
+        others: dict[str, object] = {"--pose": chosen.pose, "--symbolic": symbolic, "--let": let, "--links": links}
         others |= {"--factors": factors, "--style": style, "--digits": digits}
-        path = check_options(in_, robot, others)
-        arm = load_robot(robot, base=base, tip=tip, as_typed=as_typed)
-        if tool is not None:
-            arm, to = with_tool(arm, tool, from_, to)
-        wanted = rows_wanted(arm, from_, to, set_ or [], as_ or [], point, inverse=inverse, every=frames)
-        asked = asked_of_rows(wanted.robot, q, degrees=deg, ignores=ignore_columns)
+        path = check_options(in_, chosen.robot, others)
+        arm = robot_of(chosen)
+        wanted = rows_wanted(arm, chosen, as_ or [], point, inverse=inverse, every=frames)
+        asked = asked_of_rows(wanted.robot, chosen, ignores=ignore_columns)
         fk_rows(wanted, asked, path, RowDelivery(format_, output, force), skip_bad=skip_bad, index=index)
         return
     from dhcli.cli.shell.asking import ask, kind_of
@@ -146,13 +96,10 @@ def fk(
     from dhcli.kinematics.question import answer
 
     delivery = Delivery("fk", format_, digits, style, output, force)
-    arm = load_robot(robot, base=base, tip=tip, as_typed=as_typed)
-    if tool is not None:
-        arm, to = with_tool(arm, tool, from_, to)
+    arm = robot_of(chosen)
     question = ask(
         arm,
-        from_,
-        to,
+        chosen,
         inverse=inverse,
         symbolic=symbolic,
         frames=frames,
@@ -163,5 +110,5 @@ def fk(
         let=let,
     )
     delivery.chosen(kind_of(question))
-    result = answer(arm, values_of(arm, q, pose, set_ or [], degrees=deg, symbolic=symbolic), question)
+    result = answer(arm, values_of(arm, chosen, symbolic=symbolic), question)
     delivery.hand_over(kind_of(question), result, result.warnings)

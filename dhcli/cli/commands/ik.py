@@ -2,29 +2,24 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, TypeAlias
 
 import typer
 
+from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.options import (
-    WHERE,
-    AsTyped,
-    Base,
+    MANY,
     Digits,
     Force,
-    RobotName,
-    SeenFrom,
-    Settings,
-    Tip,
-    complete_frame,
+    SkipBad,
     complete_pose,
     format_option,
     output_option,
 )
+from dhcli.cli.shell.spreading import But
 
 _POSE = "The pose"
 _WHICH = "Which solutions"
-_MANY = "Many poses"
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -48,24 +43,27 @@ def complete_task(incomplete: str) -> list[str]:
     return [name for name in ("pose", "position", "orientation", "axis", "direction") if name.startswith(incomplete)]
 
 
+Standing: TypeAlias = Annotated[
+    str | None,
+    typer.Option(
+        "--q", metavar="VALUES", help="Where these joint values stand, as fk takes them.", rich_help_panel=_POSE
+    ),
+]
+StandingPose: TypeAlias = Annotated[
+    str | None,
+    typer.Option(
+        "--pose",
+        metavar="NAME",
+        help="Where a named pose of the robot stands.",
+        rich_help_panel=_POSE,
+        autocompletion=complete_pose,
+    ),
+]
+
+
 def ik(
-    robot: RobotName,
-    q: Annotated[
-        str | None,
-        typer.Option(
-            "--q", metavar="VALUES", help="Where these joint values stand, as fk takes them.", rich_help_panel=_POSE
-        ),
-    ] = None,
-    pose: Annotated[
-        str | None,
-        typer.Option(
-            "--pose",
-            metavar="NAME",
-            help="Where a named pose of the robot stands.",
-            rich_help_panel=_POSE,
-            autocompletion=complete_pose,
-        ),
-    ] = None,
+    chosen: Annotated[Chosen, But(instead={"q": Standing, "pose": StandingPose})],
+    goal_: Annotated[str | None, typer.Argument(metavar="[TARGET]", help="The same as --target.")] = None,
     target: Annotated[
         str | None,
         typer.Option(
@@ -85,6 +83,14 @@ def ik(
     quaternion: Annotated[
         str | None,
         typer.Option(metavar="W,X,Y,Z", help="With --position: a quaternion.", rich_help_panel=_POSE),
+    ] = None,
+    euler: Annotated[
+        str | None,
+        typer.Option(
+            metavar="'ORDER A,B,C'",
+            help="With --position: three turns, 'zyz 0,30°,90°' or any order of axes; 'fixed-xyz ...' has fixed axes.",
+            rich_help_panel=_POSE,
+        ),
     ] = None,
     pointing: Annotated[
         str | None,
@@ -144,40 +150,29 @@ def ik(
             metavar="FILE",
             help="Poses, a row each, as fk --in writes them: CSV, JSON Lines or .npy; - is stdin. Gives rows: where "
             "the pose stands, and joint values; csv, or jsonl or npy by --format or -o.",
-            rich_help_panel=_MANY,
+            rich_help_panel=MANY,
         ),
     ] = None,
     each: Annotated[
         str | None,
-        typer.Option(metavar="WHICH", help="Of each row: all, nearest (to --near) or first.", rich_help_panel=_MANY),
+        typer.Option(metavar="WHICH", help="Of each row: all, nearest (to --near) or first.", rich_help_panel=MANY),
     ] = None,
     follow: Annotated[
         bool,
         typer.Option(
             "--follow",
             help="With --in: stay on one branch along the rows, beginning near --near; jumps are told.",
-            rich_help_panel=_MANY,
+            rich_help_panel=MANY,
         ),
     ] = False,
-    skip_bad: Annotated[
+    skip_bad: SkipBad = False,
+    why: Annotated[
         bool,
-        typer.Option(
-            "--skip-bad", help="With --in: leave out rows that are no pose, and list them.", rich_help_panel=_MANY
-        ),
+        typer.Option("--why", help="Which rule finds each joint, and which limits keep solutions out."),
     ] = False,
     derive: Annotated[
         bool, typer.Option("--derive", help="The formulas, step by step as a book derives them; no pose is needed.")
     ] = False,
-    deg: Annotated[bool, typer.Option("--deg", help="Bare numbers of angles are degrees.")] = False,
-    set_: Settings = None,
-    from_: SeenFrom = None,
-    to: Annotated[
-        str | None,
-        typer.Option(metavar="FRAME", help="Of this frame.", rich_help_panel=WHERE, autocompletion=complete_frame),
-    ] = None,
-    base: Base = None,
-    tip: Tip = None,
-    as_typed: AsTyped = False,
     format_: Annotated[str | None, format_option("table", "json", "csv", "latex", "numpy", "matlab", "c")] = None,
     digits: Digits = None,
     output: Annotated[str | None, output_option(".json", ".csv", ".tex", ".py", ".m", ".c", ".txt")] = None,
@@ -189,45 +184,38 @@ def ik(
     # a second thread does nothing for matrices this small but be started
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     from dhcli.cli.shell.delivery import Delivery
+    from dhcli.cli.shell.given import robot_of
     from dhcli.cli.shell.goal import Goal, asked
     from dhcli.cli.shell.solutions import derived, held_of, near_of, only_branches
-    from dhcli.errors import ExitStatus
-    from dhcli.files.yaml.robots import load_robot
+    from dhcli.errors import DhcliError, ExitStatus
 
     if in_ is not None or each is not None or follow or skip_bad:
         from dhcli.cli.shell.inverse_rows import RowWish, solve_rows
 
-        others: dict[str, object] = {"--q": q, "--pose": pose, "--target": target, "--position": position, "--rpy": rpy}
+        others: dict[str, object] = {
+            "--q": chosen.q,
+            "--pose": chosen.pose,
+            "--target": target,
+            "--position": position,
+            "--rpy": rpy,
+        }
         others |= {"--quaternion": quaternion, "--pointing": pointing, "--branch": branch, "--family": family}
         others |= {"--all-turns": all_turns, "--derive": derive, "--digits": digits}
-        rows = RowWish(
-            in_,
-            each,
-            task,
-            near,
-            hold or [],
-            set_ or [],
-            from_,
-            to,
-            within_limits,
-            deg,
-            follow,
-            skip_bad,
-            base,
-            tip,
-            as_typed,
-        )
-        return solve_rows(robot, rows, others, format_, output, force=force)
+        others |= {"--euler": euler, "--why": why, "TARGET": goal_}
+        rows = RowWish(in_, each, task, near, hold or [], within_limits, follow, skip_bad)
+        return solve_rows(chosen, rows, others, format_, output, force=force)
     delivery = Delivery("ik", format_, digits, None, output, force)
     delivery.chosen("derivation" if derive else "inverse")
-    arm = load_robot(robot, base=base, tip=tip, as_typed=as_typed)
-    goal = Goal(q, pose, target, position, rpy, quaternion, pointing, task)
+    arm = robot_of(chosen)
+    if goal_ is not None and target is not None:
+        raise DhcliError("the pose is given in two ways", "leave --target out, it is the same as the second word")
+    goal = Goal(goal_ if target is None else target, position, rpy, quaternion, euler, pointing, task)
     if derive:
-        delivery.hand_over("derivation", derived(arm, goal, from_, to))
+        delivery.hand_over("derivation", derived(arm, goal, chosen))
         return ExitStatus.DONE
-    question = asked(arm, goal, from_, to, set_ or [], robot, degrees=deg)
-    wish = near_of(arm, near, degrees=deg)
-    held = held_of(arm, hold or [], degrees=deg)
+    question = asked(arm, goal, chosen)
+    wish = near_of(arm, near, chosen.bare)
+    held = held_of(arm, hold or [], chosen.bare)
 
     from dhcli.kinematics.inverse.asked import inverse  # numpy: not for what is refused before it starts
 
@@ -245,5 +233,5 @@ def ik(
         parameters=question.lengths,
     )
     found = only_branches(found, branch or [])
-    delivery.hand_over("inverse", question.answered(found, wish), found.remarks)
+    delivery.hand_over("inverse", question.answered(found, wish, why=why), found.remarks)
     return ExitStatus.DONE if len(found) else ExitStatus.NOT_RIGHT

@@ -6,29 +6,24 @@ from typing import Annotated
 
 import typer
 
+from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.options import (
-    Against,
-    AsTyped,
+    MANY,
     Axes,
-    Base,
-    Degrees,
     Digits,
     EndPoint,
     Force,
     Format,
-    Joints,
-    Moving,
-    NamedPose,
+    IgnoreColumns,
+    Index,
+    Let,
     Output,
-    RobotName,
-    Settings,
+    SkipBad,
     Spelling,
     Symbolic,
-    Tip,
 )
 
 ROWS = "Rows"
-MANY = "Many joint values"
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -48,15 +43,9 @@ dhcli jacobian puma560 --rows q.csv -o jacobians.npy
 
 
 def jacobian(
-    robot: RobotName,
-    q: Joints = None,
-    deg: Degrees = False,
-    pose: NamedPose = None,
-    set_: Settings = None,
+    chosen: Chosen,
     symbolic: Symbolic = False,
-    let: Annotated[bool, typer.Option("--let", help="Give names to long or repeated brackets.")] = False,
-    from_: Against = None,
-    to: Moving = None,
+    let: Let = False,
     in_: Axes = None,
     point: EndPoint = None,
     part: Annotated[
@@ -88,21 +77,9 @@ def jacobian(
             rich_help_panel=MANY,
         ),
     ] = None,
-    skip_bad: Annotated[
-        bool,
-        typer.Option("--skip-bad", help="Go on without bad rows, list them, and end with 0.", rich_help_panel=MANY),
-    ] = False,
-    ignore_columns: Annotated[
-        bool,
-        typer.Option("--ignore-columns", help="Leave columns aside that are no joint.", rich_help_panel=MANY),
-    ] = False,
-    index: Annotated[
-        bool,
-        typer.Option("--index", help="First column: where the row stands in FILE, as in errors.", rich_help_panel=MANY),
-    ] = False,
-    base: Base = None,
-    tip: Tip = None,
-    as_typed: AsTyped = False,
+    skip_bad: SkipBad = False,
+    ignore_columns: IgnoreColumns = False,
+    index: Index = False,
     format_: Format = None,
     style: Spelling = None,
     digits: Digits = None,
@@ -110,19 +87,19 @@ def jacobian(
     force: Force = False,
 ) -> None:
     """Jacobian of a robot: velocity of its end for each joint's rate, in numbers or as the textbook prints it."""
+    from dhcli.cli.shell.given import lengths_of, robot_of, values_of
     from dhcli.cli.shell.moving import form_of, twist_view, view_of
     from dhcli.errors import DhcliError
-    from dhcli.files.yaml.robots import load_robot
     from dhcli.kinematics.velocity.form import Form
 
     many = rows is not None or skip_bad or ignore_columns or index
     if many:
         from dhcli.cli.shell.jacobian_rows import check_options
 
-        others: dict[str, object] = {"--pose": pose, "--symbolic": symbolic, "--let": let}
-        check_options(rows, robot, others | {"--style": style, "--digits": digits})
-    arm = load_robot(robot, base=base, tip=tip, as_typed=as_typed)
-    view = view_of(arm, from_, to, in_, point, "--point")
+        others: dict[str, object] = {"--pose": chosen.pose, "--symbolic": symbolic, "--let": let}
+        check_options(rows, chosen.robot, others | {"--style": style, "--digits": digits})
+    arm = robot_of(chosen)
+    view = view_of(arm, chosen, in_, point, "--point")
     form = form_of(part, order, analytic)
     if space or body:
         said: dict[str, object] = {"--in": in_, "--point": point, "--order": order, "--analytic": analytic}
@@ -130,21 +107,21 @@ def jacobian(
         form = Form(form.part, angular_first=True)
     if many and rows is not None:
         from dhcli.cli.shell.batch import asked_of_rows
-        from dhcli.cli.shell.jacobian_rows import jacobian_rows, rows_wanted
+        from dhcli.cli.shell.jacobian_rows import jacobian_rows
         from dhcli.cli.shell.rows import RowDelivery
+        from dhcli.kinematics.velocity.rows import JacobianRows
 
-        wanted = rows_wanted(arm, view, form, set_ or [])
-        asked = asked_of_rows(arm, q, degrees=deg, ignores=ignore_columns)
+        wanted = JacobianRows(arm, view, form, lengths_of(arm, chosen))
+        asked = asked_of_rows(arm, chosen, ignores=ignore_columns)
         jacobian_rows(wanted, asked, rows, RowDelivery(format_, output, force), skip_bad=skip_bad, index=index)
         return
     from dhcli.cli.shell.delivery import Delivery
-    from dhcli.cli.shell.given import values_of
     from dhcli.kinematics.velocity.asked import answer_jacobian
 
     if let and not symbolic:
         raise DhcliError("--let gives names to parts of formulas, and this result is in numbers", "add --symbolic")
     delivery = Delivery("jacobian", format_, digits, style, output, force)
     delivery.chosen("jacobian")
-    values = values_of(arm, q, pose, set_ or [], degrees=deg, symbolic=symbolic)
+    values = values_of(arm, chosen, symbolic=symbolic)
     result = answer_jacobian(arm, values, view, form, symbolic=symbolic, let=let)
     delivery.hand_over("jacobian", result, result.warnings)

@@ -6,25 +6,16 @@ from typing import Annotated
 
 import typer
 
+from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.options import (
-    Against,
-    AsTyped,
     AtPoint,
     Axes,
-    Base,
-    Degrees,
     Digits,
     Force,
     Format,
-    Joints,
-    Moving,
-    NamedPose,
     Output,
-    RobotName,
-    Settings,
     Spelling,
     Symbolic,
-    Tip,
 )
 
 EXAMPLES = """
@@ -43,11 +34,7 @@ dhcli rates planar-2r --symbolic
 
 
 def rates(
-    robot: RobotName,
-    q: Joints = None,
-    deg: Degrees = False,
-    pose: NamedPose = None,
-    set_: Settings = None,
+    chosen: Chosen,
     velocity: Annotated[
         str | None, typer.Option(metavar="VX,VY,VZ", help="Velocity of the point that is wanted, in m/s.")
     ] = None,
@@ -63,13 +50,8 @@ def rates(
         typer.Option("--rates", metavar="RATES", help="The other way: a rate for each joint, in rad/s or m/s."),
     ] = None,
     symbolic: Symbolic = False,
-    from_: Against = None,
-    to: Moving = None,
     in_: Axes = None,
     at: AtPoint = None,
-    base: Base = None,
-    tip: Tip = None,
-    as_typed: AsTyped = False,
     format_: Format = None,
     style: Spelling = None,
     digits: Digits = None,
@@ -78,11 +60,10 @@ def rates(
 ) -> None:
     """Joint rates for a velocity of a robot's end, or with --rates the velocity that they give."""
     from dhcli.cli.shell.delivery import Delivery
-    from dhcli.cli.shell.given import values_of
+    from dhcli.cli.shell.given import robot_of, values_of
     from dhcli.cli.shell.moving import view_of
     from dhcli.cli.shell.vectors import SPEED, TURNING, rates_of, vector_of
     from dhcli.errors import DhcliError
-    from dhcli.files.yaml.robots import load_robot
     from dhcli.kinematics.velocity.asked import answer_rates, answer_symbolic_rates, answer_velocity
     from dhcli.kinematics.velocity.jacobian import moving_joints
 
@@ -95,9 +76,9 @@ def rates(
         raise DhcliError("--damped is about joint rates for a velocity", "give --velocity VX,VY,VZ")
     delivery = Delivery("rates", format_, digits, style, output, force)
     delivery.chosen("velocity")
-    arm = load_robot(robot, base=base, tip=tip, as_typed=as_typed)
-    view = view_of(arm, from_, to, in_, at, "--at")
-    values = values_of(arm, q, pose, set_ or [], degrees=deg, symbolic=symbolic)
+    arm = robot_of(chosen)
+    view = view_of(arm, chosen, in_, at, "--at")
+    values = values_of(arm, chosen, symbolic=symbolic)
     if wanted:
         linear = None if velocity is None else vector_of(velocity, "--velocity", SPEED, arm)
         turning = None if angular is None else vector_of(angular, "--angular", TURNING, arm)

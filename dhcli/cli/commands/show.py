@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, NamedTuple, cast
+from typing import TYPE_CHECKING, Annotated, cast
 
 import typer
 
-from dhcli.cli.shell.options import AsTyped, Base, Force, RobotName, Tip, Variant, format_option, output_option
+from dhcli.cli.shell.chosen import Chosen
+from dhcli.cli.shell.options import Force, Variant, format_option, output_option
+from dhcli.cli.shell.spreading import But
 from dhcli.errors import DhcliError
 
 if TYPE_CHECKING:
     from dhcli.kinematics.robot import Robot
+    from dhcli.mobility.linkage import Linkage
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -23,20 +26,9 @@ dhcli show planar-in-numbers --variant alice
 """
 
 
-class Ends(NamedTuple):
-    """Which chain of a URDF is meant, and whether its numbers stay as they are."""
-
-    base: str | None
-    tip: str | None
-    as_typed: bool
-
-
 def show(
-    name: RobotName,
+    chosen: Annotated[Chosen, But(without=("q", "deg", "pose", "set_", "from_", "to", "tool"))],
     variant: Variant = None,
-    base: Base = None,
-    tip: Tip = None,
-    as_typed: AsTyped = False,
     format_: Annotated[str | None, format_option("table", "json", "latex", "csv")] = None,
     output: Annotated[str | None, output_option(".json", ".tex", ".csv", ".txt")] = None,
     force: Force = False,
@@ -47,33 +39,35 @@ def show(
     from dhcli.files.library.kinds import kind_of
 
     delivery = Delivery("show", format_, output=output, force=force)
+    name = chosen.robot
     kind = kind_of(name).noun
     delivery.chosen(kind)
-    ends = {"--base": base, "--tip": tip, "--as-typed": as_typed or None}
+    ends = {"--base": chosen.base, "--tip": chosen.tip, "--as-typed": chosen.as_typed or None}
     if kind != "robot" and (given := [option for option, value in ends.items() if value is not None]):
         raise DhcliError(f"{' and '.join(given)} choose links of a URDF, and {name} is no robot", "leave them out")
-    result = _load(kind, name, variant, Ends(base, tip, as_typed))
+    result = _load(kind, chosen, variant)
     if draw and (kind == "exercise" or delivery.chosen(kind) != "table" or output is not None):
         raise DhcliError("--draw puts a picture under the table of a robot or a linkage", "dhcli draw writes files")
     delivery.hand_over(kind, result, getattr(result, "remarks", ()))
     if draw:
-        _draw(result if kind == "robot" else name)
+        from dhcli.cli.shell.drawn import find
+
+        _draw(cast("Robot", result) if kind == "robot" else find(chosen))
 
 
-def _draw(what: object) -> None:
+def _draw(what: Robot | Linkage) -> None:
     """The picture of a robot or a linkage, on standard output."""
     import sys
 
     from dhcli.cli.shell.console import write_out
-    from dhcli.cli.shell.drawn import find
     from dhcli.render.paper import Paper
     from dhcli.render.pictures.picture import Picture
 
-    drawn = find(what) if isinstance(what, str) else cast("Robot", what)
-    write_out("\n" + Picture(drawn).terminal(Paper.of(sys.stdout)))
+    write_out("\n" + Picture(what).terminal(Paper.of(sys.stdout)))
 
 
-def _load(kind: str, name: str, variant: str | None, ends: Ends) -> object:
+def _load(kind: str, chosen: Chosen, variant: str | None) -> object:
+    name = chosen.robot
     if kind == "exercise":
         from dhcli.checking.judge import Judge
         from dhcli.checking.variants import variant_of
@@ -86,14 +80,14 @@ def _load(kind: str, name: str, variant: str | None, ends: Ends) -> object:
         from dhcli.files.yaml.linkages import load_linkage
 
         return load_linkage(name)
+    from dhcli.cli.shell.given import robot_of
     from dhcli.errors import UnknownNameError
     from dhcli.files.library.kinds import unknown
     from dhcli.files.library.lookup import Kind
-    from dhcli.files.yaml.robots import load_robot
 
     try:
-        return load_robot(name, base=ends.base, tip=ends.tip, as_typed=ends.as_typed)
+        return robot_of(chosen)
     except UnknownNameError as error:
-        if ends.base is not None or ends.tip is not None:
+        if chosen.base is not None or chosen.tip is not None:
             raise  # it may be a link that is not known
         raise unknown(name, tuple(Kind), error) from None

@@ -6,23 +6,14 @@ from typing import Annotated
 
 import typer
 
+from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.options import (
     WHERE,
-    Against,
-    AsTyped,
-    Base,
-    Degrees,
     EndPoint,
     Force,
     Format,
-    Joints,
-    Moving,
-    NamedPose,
     Output,
-    RobotName,
-    Settings,
     Spelling,
-    Tip,
 )
 
 EXAMPLES = """
@@ -39,13 +30,7 @@ dhcli singularities zhou-3r --point 0.1,0,0
 
 
 def singularities(
-    robot: RobotName,
-    q: Joints = None,
-    deg: Degrees = False,
-    pose: NamedPose = None,
-    set_: Settings = None,
-    from_: Against = None,
-    to: Moving = None,
+    chosen: Chosen,
     point: EndPoint = None,
     part: Annotated[
         str | None,
@@ -55,9 +40,6 @@ def singularities(
             rich_help_panel=WHERE,
         ),
     ] = None,
-    base: Base = None,
-    tip: Tip = None,
-    as_typed: AsTyped = False,
     format_: Format = None,
     style: Spelling = None,
     output: Output = None,
@@ -65,19 +47,17 @@ def singularities(
 ) -> None:
     """Singular poses of a robot: the determinant in factors, what each means, and with --q how far they are."""
     from dhcli.cli.shell.delivery import Delivery
-    from dhcli.cli.shell.given import values_of
+    from dhcli.cli.shell.given import lengths_of, robot_of, values_of
     from dhcli.cli.shell.moving import part_of, view_of
-    from dhcli.files.yaml.robots import load_robot
     from dhcli.kinematics.singular.finding import find
     from dhcli.kinematics.velocity.asked import answer_singularities
 
     delivery = Delivery("singularities", format_, None, style, output, force)
     delivery.chosen("singularities")
-    arm = load_robot(robot, base=base, tip=tip, as_typed=as_typed)
-    view = view_of(arm, from_, to, None, point, "--point")
-    at_values = q is not None or pose is not None
-    given = values_of(arm, None, None, set_ or [], degrees=deg, symbolic=True)
-    values = values_of(arm, q, pose, set_ or [], degrees=deg, symbolic=False)
+    arm = robot_of(chosen)
+    view = view_of(arm, chosen, None, point, "--point")
+    given = lengths_of(arm, chosen, symbolic=True)
+    values = values_of(arm, chosen)
     found = find(arm, view, part_of(part), given)
-    result = answer_singularities(arm, values, view, found, at_values=at_values)
+    result = answer_singularities(arm, values, view, found, at_values=chosen.stands)
     delivery.hand_over("singularities", result, result.warnings)

@@ -65,4 +65,4 @@ def ask_once(exercise: Exercise, parts: tuple[Part, ...]) -> None:
         raise DhcliError(f"never tried: {listed}", "try first with dhcli check, or say --yes")
     say(f"You have not tried {paper.spell(listed)} yet. Show the solution all the same? [y/N] ")
     if sys.stdin.readline().strip().lower() not in ("y", "yes"):
-        raise DhcliError("not shown", f"dhcli hint {exercise.id} gives a hint")
+        raise DhcliError("not shown", f"dhcli hint {exercise.typed} gives a hint")

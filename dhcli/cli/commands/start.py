@@ -26,7 +26,7 @@ def start(
     output: Annotated[
         str | None, typer.Option("-o", "--output", metavar="FILE", help="Where to write it; - is stdout.")
     ] = None,
-    force: Annotated[bool, typer.Option("--force", help="Overwrite the file.")] = False,
+    force: Annotated[bool, typer.Option("--overwrite", help="Overwrite the file.")] = False,
 ) -> None:
     """Write an answer sheet for an exercise."""
     from dhcli.checking.figures import shown

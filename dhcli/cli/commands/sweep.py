@@ -9,20 +9,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dhcli.cli.shell.options import (
-    WHERE,
-    AsTyped,
-    Base,
-    Digits,
-    Force,
-    RobotName,
-    SeenFrom,
-    Settings,
-    Tip,
-    complete_frame,
-    complete_joint,
-    complete_pose,
-)
+from dhcli.cli.shell.chosen import Chosen
+from dhcli.cli.shell.options import Digits, EndPoint, Force, complete_joint
 
 if TYPE_CHECKING:
     import numpy as np
@@ -44,7 +32,7 @@ dhcli sweep puma560 --pose ready --over q2 --over q3 -o reach.csv
 
 
 def sweep(
-    robot: RobotName,
+    chosen: Chosen,
     over: Annotated[
         list[str] | None,
         typer.Option(
@@ -54,28 +42,7 @@ def sweep(
             autocompletion=complete_joint,
         ),
     ] = None,
-    deg: Annotated[bool, typer.Option("--deg", help="Bare numbers of revolute joints are degrees.")] = False,
-    q: Annotated[
-        str | None, typer.Option("--q", metavar="VALUES", help="Where the other joints stand; 0 by default.")
-    ] = None,
-    pose: Annotated[
-        str | None,
-        typer.Option("--pose", metavar="NAME", help="The same, by a named pose.", autocompletion=complete_pose),
-    ] = None,
-    set_: Settings = None,
-    from_: SeenFrom = None,
-    to: Annotated[
-        str | None,
-        typer.Option(
-            metavar="FRAME", help="The origin of this frame.", rich_help_panel=WHERE, autocompletion=complete_frame
-        ),
-    ] = None,
-    point: Annotated[
-        str | None, typer.Option(metavar="X,Y,Z", help="A point of that frame instead.", rich_help_panel=WHERE)
-    ] = None,
-    base: Base = None,
-    tip: Tip = None,
-    as_typed: AsTyped = False,
+    point: EndPoint = None,
     format_: Annotated[
         str | None,
         typer.Option("--format", metavar="NAME", help="Of the summary: table, json or csv.", rich_help_panel="Output"),
@@ -93,11 +60,13 @@ def sweep(
     ] = None,
     force: Force = False,
 ) -> None:
-    """Sweep joints over a grid: how far a robot reaches, the box it stays in, and the poses at its sides."""
+    """Sweep joints over a grid: how far a robot reaches, the box it stays in, and the poses at its sides.
+
+    --q and --pose say where the joints stand that are not swept, at 0 by default.
+    """
     from dhcli.cli.shell.delivery import Delivery
-    from dhcli.cli.shell.given import open_scope, point_of, values_of
+    from dhcli.cli.shell.given import open_scope, point_of, robot_of, values_of
     from dhcli.errors import Place
-    from dhcli.files.yaml.robots import load_robot
     from dhcli.kinematics.frames import View
     from dhcli.kinematics.sweep.plan import plan
     from dhcli.kinematics.sweep.ranges import read_over
@@ -106,11 +75,11 @@ def sweep(
     delivery = Delivery("sweep", format_, digits)
     delivery.chosen("sweep")
     points = _points(output, force=force)
-    arm = load_robot(robot, base=base, tip=tip, as_typed=as_typed)
-    values = values_of(arm, q, pose, set_ or [], degrees=deg, symbolic=False)
+    arm = robot_of(chosen)
+    values = values_of(arm, chosen)
     seen = None if point is None else point_of(point, "--point", open_scope(arm))
-    target = target_of(arm, View.of(arm, from_, to, point=seen), values)
-    overs = [read_over(arm, text, bare="deg" if deg else "rad", place=Place("--over")) for text in over or []]
+    target = target_of(arm, View.of(arm, chosen.from_, chosen.end, point=seen), values)
+    overs = [read_over(arm, text, bare=chosen.bare, place=Place("--over")) for text in over or []]
     grid = plan(target, overs, values, Place("--over") if overs else None)
 
     from dhcli.kinematics.sweep.run import sweep as go_through  # numpy: not for what is refused before it starts

@@ -6,24 +6,16 @@ from typing import Annotated
 
 import typer
 
+from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.options import (
-    Against,
-    AsTyped,
     AtPoint,
     Axes,
-    Base,
-    Degrees,
     Digits,
+    Force,
     Format,
-    Joints,
-    Moving,
-    NamedPose,
     Output,
-    RobotName,
-    Settings,
     Spelling,
     Symbolic,
-    Tip,
 )
 
 EXAMPLES = """
@@ -38,11 +30,7 @@ dhcli torques puma560 --pose nominal --force 0,0,-10 --moment 0,0,2 --in 6
 
 
 def torques(
-    robot: RobotName,
-    q: Joints = None,
-    deg: Degrees = False,
-    pose: NamedPose = None,
-    set_: Settings = None,
+    chosen: Chosen,
     push: Annotated[
         str | None, typer.Option("--force", metavar="FX,FY,FZ", help="Force that the end exerts, in N.")
     ] = None,
@@ -50,54 +38,29 @@ def torques(
         str | None, typer.Option("--moment", metavar="MX,MY,MZ", help="Moment that the end exerts, in N m.")
     ] = None,
     symbolic: Symbolic = False,
-    from_: Against = None,
-    to: Moving = None,
     in_: Axes = None,
     at: AtPoint = None,
-    base: Base = None,
-    tip: Tip = None,
-    as_typed: AsTyped = False,
     format_: Format = None,
     style: Spelling = None,
     digits: Digits = None,
     output: Output = None,
-    overwrite: Annotated[
-        bool, typer.Option("--overwrite", help="Overwrite the file.", rich_help_panel="Output")
-    ] = False,
+    overwrite: Force = False,
 ) -> None:
     """Joint torques with which a robot presses with a force: tau = Jᵀ F, in numbers or in symbols."""
     from dhcli.cli.shell.delivery import Delivery
-    from dhcli.cli.shell.given import values_of
+    from dhcli.cli.shell.given import robot_of, values_of
     from dhcli.cli.shell.moving import view_of
     from dhcli.cli.shell.vectors import FORCE, MOMENT, vector_of
     from dhcli.errors import DhcliError
-    from dhcli.files.yaml.robots import load_robot
     from dhcli.kinematics.velocity.asked import answer_torques
 
-    check_overwrite(output, overwrite=overwrite)
     if push is None and moment is None:
         raise DhcliError("torques of what?", "--force 0,0,10 or --moment 0,0,1: what the end exerts")
     delivery = Delivery("torques", format_, digits, style, output, overwrite)
     delivery.chosen("torques")
-    arm = load_robot(robot, base=base, tip=tip, as_typed=as_typed)
-    view = view_of(arm, from_, to, in_, at, "--at")
+    arm = robot_of(chosen)
+    view = view_of(arm, chosen, in_, at, "--at")
     wrench = vector_of(push or "0,0,0", "--force", FORCE, arm), vector_of(moment or "0,0,0", "--moment", MOMENT, arm)
-    values = values_of(arm, q, pose, set_ or [], degrees=deg, symbolic=symbolic)
+    values = values_of(arm, chosen, symbolic=symbolic)
     result = answer_torques(arm, values, view, wrench, symbolic=symbolic)
     delivery.hand_over("torques", result, result.warnings)
-
-
-def check_overwrite(output: str | None, *, overwrite: bool) -> None:
-    """Make sure that a file is there to be written; here `--force` is what the end exerts.
-
-    Raises:
-        DhcliError: It exists already, or `--overwrite` has none.
-    """
-    import os
-
-    from dhcli.errors import DhcliError, FileError, Place, Problem
-
-    if overwrite and not output:
-        raise DhcliError("--overwrite needs a file to overwrite", "name it with -o FILE")
-    if output and not overwrite and os.path.isfile(output):  # noqa: PTH113  spares the start-up many Path objects
-        raise FileError(Problem("exists already", Place(output), "--overwrite overwrites it"))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.given import forms_of, open_scope, point_of
 from dhcli.errors import DhcliError
 from dhcli.kinematics.frames import View
@@ -13,8 +14,7 @@ from dhcli.kinematics.robot import Robot
 
 def ask(
     robot: Robot,
-    start: str | None,
-    end: str | None,
+    chosen: Chosen,
     *,
     inverse: bool,
     symbolic: bool,
@@ -49,7 +49,7 @@ def ask(
     listing: Listing | None = "frames" if frames else "links" if links else "factors" if factors is not None else None
     seen = None if point is None else point_of(point, "--point", open_scope(robot))
     return Question(
-        View.of(robot, start, end, inverse=inverse, point=seen),
+        View.of(robot, chosen.from_, chosen.end, inverse=inverse, point=seen),
         symbolic,
         listing,
         None if factors in (None, "all") else factors,

@@ -7,8 +7,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
+from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.console import say
-from dhcli.cli.shell.given import forms_of, open_scope, point_of, settings_of
+from dhcli.cli.shell.given import forms_of, lengths_of, open_scope, point_of
 from dhcli.cli.shell.rows import RowDelivery
 from dhcli.errors import DhcliError, FileError, Place, Problem, plural
 from dhcli.files.reading import source_of
@@ -22,8 +23,7 @@ from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.sweep.target import target_of
 from dhcli.kinematics.tally import Tally
 from dhcli.kinematics.validity import in_floats
-from dhcli.kinematics.values import joint_values, parameter_values
-from dhcli.notation.quantity import Bare
+from dhcli.kinematics.values import joint_values
 from dhcli.render.code.pose_rows import pose_layout
 from dhcli.render.paper import Paper
 from dhcli.render.text.problems import warning_line
@@ -53,17 +53,15 @@ def check_options(path: str | None, robot: str, others: Mapping[str, object]) ->
         raise DhcliError("the robot and the rows cannot both come from standard input", "save one of them in a file")
     if given := [option for option, value in others.items() if value is not None and value is not False]:
         verb = "does" if len(given) == 1 else "do"
-        hint = "with --in go --q NAME=VALUE --deg --set --from --to --inverse --frames --point --as --skip-bad "
-        hint += "--ignore-columns --index --format -o --force"
+        hint = "with --in go --q NAME=VALUE --deg --set --from --to --tool --inverse --frames --point --as --skip-bad "
+        hint += "--ignore-columns --index --format -o --overwrite"
         raise DhcliError(f"{' and '.join(given)} {verb} not go with --in", hint)
     return path
 
 
 def rows_wanted(
     arm: Robot,
-    start: str | None,
-    end: str | None,
-    settings: Sequence[str],
+    chosen: Chosen,
     forms: Sequence[str],
     point: str | None = None,
     *,
@@ -77,8 +75,8 @@ def rows_wanted(
     """
     if point is not None and (forms or every):
         raise DhcliError(f"--point and {'--as' if forms else '--frames'} ask for different things", "use one of them")
-    view = View.of(arm, start, end, inverse=inverse)
-    lengths = parameter_values(arm, settings_of(settings), Place("--set", text=" ".join(settings)))
+    view = View.of(arm, chosen.from_, chosen.end, inverse=inverse)
+    lengths = lengths_of(arm, chosen)
     if point is None:
         views = view.on_the_way(arm) if every else (view,)
         return PoseRows(arm, views, lengths, forms_of(forms) or ("matrix",), every)
@@ -86,21 +84,20 @@ def rows_wanted(
     return PoseRows(arm, (target.view,), lengths, ("position",))
 
 
-def asked_of_rows(robot: Robot, q: str | None, *, degrees: bool, ignores: bool) -> JointTable:
+def asked_of_rows(robot: Robot, chosen: Chosen, *, ignores: bool) -> JointTable:
     """What the columns of a file are read for; a joint that `--q` gives has none.
 
     Raises:
         DhcliError: `--q` gives all joints, or cannot be read.
     """
-    bare: Bare = "deg" if degrees else "rad"
-    place = Place("--q")
+    q, place = chosen.q, Place("--q")
     if q is not None and "=" not in q:
         message = "--q gives all joints, and so does the file"
         raise DhcliError(message, "--q d3=0.1 is for a joint that has no column")
-    held = {name: in_floats(value) for name, value in joint_values(robot, q, bare=bare, place=place).items()}
+    held = {name: in_floats(value) for name, value in joint_values(robot, q, bare=chosen.bare, place=place).items()}
     if held and len(held) == len(robot.variables):
         raise DhcliError("--q gives all joints", "leave --in out, or a joint to the file")
-    return JointTable(robot, degrees, held, ignores)
+    return JointTable(robot, chosen.deg, held, ignores)
 
 
 def fk_rows(

@@ -4,24 +4,24 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhcli.cli.shell.chosen import Chosen
 from dhcli.errors import DhcliError, Place, Problem
 
 if TYPE_CHECKING:
     from dhcli.kinematics.robot import Robot
     from dhcli.mobility.linkage import Linkage
-    from dhcli.notation.quantity import Bare
 
 
-def find(name: str) -> Robot | Linkage:
-    """The robot or linkage of a name, a file, or standard input.
+def find(chosen: Chosen) -> Robot | Linkage:
+    """The robot or linkage that was typed.
 
     Raises:
         DhcliError: It is neither, or a linkage of which only counts are known.
     """
     from dhcli.files.library.kinds import kind_of
 
-    kind = kind_of(name).noun
-    if kind == "linkage":
+    name = chosen.robot
+    if kind_of(name).noun == "linkage":
         from dhcli.files.yaml.linkages import load_linkage
         from dhcli.mobility.linkage import Linkage
 
@@ -29,9 +29,9 @@ def find(name: str) -> Robot | Linkage:
         if not isinstance(linkage, Linkage):
             raise DhcliError(f"of {name} only counts are known: there is nothing to draw", "dhcli dof counts it")
         return linkage
-    from dhcli.files.yaml.robots import load_robot
+    from dhcli.cli.shell.given import robot_of
 
-    return load_robot(name)
+    return robot_of(chosen)
 
 
 def of_exercise(name: str, variant: str | None, *, solution: bool) -> tuple[Robot, dict[str, object], bool]:
@@ -50,7 +50,7 @@ def of_exercise(name: str, variant: str | None, *, solution: bool) -> tuple[Robo
 
     exercise = variant_of(Judge(load_exercise(name)), variant).exercise
     if exercise.robot is None or (level := shown(exercise)) is None:
-        raise DhcliError(f"{exercise.id} has no robot: there is nothing to draw", f"dhcli show {exercise.id}")
+        raise DhcliError(f"{exercise.id} has no robot: there is nothing to draw", f"dhcli show {exercise.typed}")
     if solution:
         ask_once(exercise, held_back(exercise))
     arm = replace(exercise.robot, title=exercise.title)
@@ -62,37 +62,28 @@ def of_exercise(name: str, variant: str | None, *, solution: bool) -> tuple[Robo
     return arm, given, level == "axes" and not solution
 
 
-def posed(
-    what: Robot | Linkage,
-    q: str | None,
-    pose: str | None,
-    settings: list[str],
-    *,
-    degrees: bool,
-    to: str | None = None,
-    beside: str | None = None,
-) -> dict[str, object]:
+def posed(what: Robot | Linkage, chosen: Chosen, *, to: str | None, beside: str | None) -> dict[str, object]:
     """Joint values, pose and lengths, as far as a robot has them."""
     from dhcli.kinematics.robot import Robot
 
     if not isinstance(what, Robot):
-        if q is not None or pose is not None or settings or to is not None or beside is not None:
+        if chosen.more or to is not None or beside is not None:
             raise DhcliError(f"{what.name} is a linkage: --q, --pose, --to, --beside and --set are for robots")
         return {}
-    from dhcli.cli.shell.given import settings_of, values_of
-    from dhcli.kinematics.values import given_parameters, joint_values
+    from dhcli.cli.shell.given import lengths_of, values_of
+    from dhcli.kinematics.values import joint_values
 
-    bare: Bare = "deg" if degrees else "rad"
-    goal: dict[str, object] = {} if to is None else {"to": joint_values(what, to, bare=bare, place=Place("--to"))}
+    goal: dict[str, object] = (
+        {} if to is None else {"to": joint_values(what, to, bare=chosen.bare, place=Place("--to"))}
+    )
     if beside is not None:
         from dhcli.files.yaml.robots import load_robot
 
         goal["beside"] = load_robot(beside)
-    lengths = given_parameters(what, settings_of(settings), Place("--set", text=" ".join(settings)))
-    if q is None:
-        return {"pose": pose, "parameters": lengths, **goal}
-    values = values_of(what, q, pose, settings, degrees=degrees, symbolic=False)
-    joints = {name: value for name, value in values.items() if name in what.variables}
+    lengths = lengths_of(what, chosen, symbolic=True)
+    if chosen.q is None:
+        return {"pose": chosen.pose, "parameters": lengths, **goal}
+    joints = {name: value for name, value in values_of(what, chosen).items() if name in what.variables}
     return {"q": joints, "parameters": lengths, **goal}
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean, plural
 from dhcli.kinematics.frames import Point
@@ -16,39 +17,56 @@ from dhcli.notation.quantity import DimensionError, to_length
 from dhcli.notation.scope import OPEN, Scope
 from dhcli.notation.tree import Expr
 
-
-def values_of(
-    robot: Robot, q: str | None, pose: str | None, settings: Sequence[str], *, degrees: bool, symbolic: bool
-) -> dict[str, Value]:
-    """Values of joints and parameters: in symbols those typed, in numbers the robot's own lengths too."""
-    if q is not None and pose is not None and "=" not in q:
-        raise DhcliError("--q and --pose both say where all joints are", "use one; --q NAME=VALUE varies a pose")
-    given = settings_of(settings)
-    place = Place("--set", text=" ".join(settings))
-    take = given_parameters if symbolic else parameter_values
-    lengths = take(robot, given, place)
-    posed = {} if pose is None else named_pose(robot, pose)
-    text, where = (q, Place("--q")) if q is None or not q.startswith("@") else text_of_file(q[1:])
-    return {**lengths, **posed, **joint_values(robot, text, bare="deg" if degrees else "rad", place=where)}
+if TYPE_CHECKING:
+    from dhcli.cli.shell.chosen import Chosen
+    from dhcli.kinematics.moves import Chain
 
 
-def with_tool(robot: Robot, moves: str, start: str | None, end: str | None) -> tuple[Robot, str | None]:
-    """The robot with a tool that was typed, and the frame that is meant: the tool, where no other was named.
+def robot_of(chosen: Chosen) -> Robot:
+    """The robot that was typed, with the tool that was.
 
     Raises:
-        DhcliError: The frames named do not reach as far as the tool, or the moves cannot be read.
+        DhcliError: There is none, it has no such tool, or the frames named do not reach as far as the tool.
     """
-    if end is not None and "tool" not in (start, end):
-        raise DhcliError(f"--tool is behind the last frame, and --to {end} does not reach it", "use --to tool")
-    if moves.strip() in robot.tools:
-        chain = robot.tools[moves.strip()]
-    elif moves.strip().replace("-", "_").isidentifier():
-        hint = did_you_mean(moves.strip(), robot.tools) or "write moves: --tool 'Trans(0,0,0.1)'"
-        raise UnknownNameError(Problem(f"{robot.name} has no tool called {moves.strip()}", Place("--tool"), hint))
-    else:
-        chain = read_chain(moves, Scope(lengths=tuple(robot.parameters)), Place("--tool", text=moves))
-    end = "tool" if end is None and start != "tool" else end
-    return replace(robot, tool=chain), end
+    from dhcli.files.yaml.robots import load_robot
+
+    arm = load_robot(chosen.robot, base=chosen.base, tip=chosen.tip, as_typed=chosen.as_typed)
+    if chosen.tool is None:
+        return arm
+    if chosen.to is not None and "tool" not in (chosen.from_, chosen.to):
+        raise DhcliError(f"--tool is behind the last frame, and --to {chosen.to} does not reach it", "use --to tool")
+    return replace(arm, tool=_tool(arm, chosen.tool.strip()))
+
+
+def _tool(robot: Robot, typed: str) -> Chain:
+    if typed in robot.tools:
+        return robot.tools[typed]
+    if typed.replace("-", "_").isidentifier():
+        hint = did_you_mean(typed, robot.tools) or "write moves: --tool 'Trans(0,0,0.1)'"
+        raise UnknownNameError(Problem(f"{robot.name} has no tool called {typed}", Place("--tool"), hint))
+    return read_chain(typed, Scope(lengths=tuple(robot.parameters)), Place("--tool", text=typed))
+
+
+def lengths_of(robot: Robot, chosen: Chosen, *, symbolic: bool = False) -> dict[str, Value]:
+    """Values of lengths and constant angles: in symbols those typed, in numbers the robot's own too.
+
+    Raises:
+        DhcliError: In numbers one has no value, or what was typed is none.
+    """
+    take = given_parameters if symbolic else parameter_values
+    settings = chosen.set_ or []
+    return take(robot, settings_of(settings), Place("--set", text=" ".join(settings)))
+
+
+def values_of(robot: Robot, chosen: Chosen, *, symbolic: bool = False) -> dict[str, Value]:
+    """Values of joints and parameters: in symbols those typed, in numbers the robot's own lengths too."""
+    q, pose = chosen.q, chosen.pose
+    if q is not None and pose is not None and "=" not in q:
+        raise DhcliError("--q and --pose both say where all joints are", "use one; --q NAME=VALUE varies a pose")
+    lengths = lengths_of(robot, chosen, symbolic=symbolic)
+    posed = {} if pose is None else named_pose(robot, pose)
+    text, where = (q, Place("--q")) if q is None or not q.startswith("@") else text_of_file(q[1:])
+    return {**lengths, **posed, **joint_values(robot, text, bare=chosen.bare, place=where)}
 
 
 def named_pose(robot: Robot, name: str) -> dict[str, Value]:

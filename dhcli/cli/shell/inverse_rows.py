@@ -7,8 +7,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, cast
 
+from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.console import say
-from dhcli.cli.shell.given import settings_of
+from dhcli.cli.shell.given import lengths_of, robot_of
 from dhcli.cli.shell.goal import Goal, task_of
 from dhcli.cli.shell.pose_wish import PoseWish, rotations
 from dhcli.cli.shell.rows import RowDelivery
@@ -25,10 +26,8 @@ from dhcli.errors import (
     plural,
 )
 from dhcli.files.rows.poses import pose_blocks
-from dhcli.files.yaml.robots import load_robot
 from dhcli.kinematics.frames import ends
 from dhcli.kinematics.inverse.batch import inverse_batch, numbered
-from dhcli.kinematics.values import parameter_values
 from dhcli.render.code.pose_rows import INDEX
 from dhcli.render.code.rows import Group, Layout
 from dhcli.render.paper import Paper
@@ -117,16 +116,9 @@ class RowWish:
     task: str | None
     near: str | None
     hold: Sequence[str]
-    settings: Sequence[str]
-    start: str | None
-    end: str | None
     within_limits: bool
-    degrees: bool
-    follow: bool = False
-    skip_bad: bool = False
-    base: str | None = None
-    tip: str | None = None
-    as_typed: bool = False
+    follow: bool
+    skip_bad: bool
 
 
 def _check_follow(wish: RowWish) -> None:
@@ -139,7 +131,7 @@ def _check_follow(wish: RowWish) -> None:
 
 
 def solve_rows(
-    typed: str,
+    chosen: Chosen,
     wish: RowWish,
     others: Mapping[str, object],
     format_: str | None,
@@ -162,15 +154,15 @@ def solve_rows(
         raise UnknownNameError(Problem(f"there is no {each} of solutions", Place("--each"), hint))
     if each == "nearest" and wish.near is None:
         raise DhcliError("nearest to what?", "give --near VALUES")
-    check_rows(typed, wish.path, others)
+    check_rows(chosen.robot, wish.path, others)
     delivery = RowDelivery(format_, output, force)
     delivery.chosen()
-    robot = load_robot(typed, base=wish.base, tip=wish.tip, as_typed=wish.as_typed)
-    task = None if wish.task is None else task_of(Goal(None, None, None, None, None, None, None, wish.task))
-    low, high = ends(robot, wish.start, wish.end)
-    lengths = parameter_values(robot, settings_of(wish.settings), Place("--set", text=" ".join(wish.settings)))
-    near = near_of(robot, wish.near, degrees=wish.degrees)
-    held = held_of(robot, wish.hold, degrees=wish.degrees)
+    robot = robot_of(chosen)
+    task = None if wish.task is None else task_of(Goal(task=wish.task))
+    low, high = ends(robot, chosen.from_, chosen.end)
+    lengths = lengths_of(robot, chosen)
+    near = near_of(robot, wish.near, chosen.bare)
+    held = held_of(robot, wish.hold, chosen.bare)
     wanted = PoseWish(
         robot, cast("TaskName | None", task), cast("Each", each), near, held, wish.within_limits, low, high, lengths
     )

@@ -3,24 +3,19 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 from dhcli.cli.shell.batch import BadRows
 from dhcli.cli.shell.console import say
-from dhcli.cli.shell.given import settings_of
 from dhcli.cli.shell.rows import RowDelivery
-from dhcli.errors import DhcliError, Place, Problem
+from dhcli.errors import DhcliError, Problem
 from dhcli.files.rows.blocks import MOST
 from dhcli.files.rows.columns import JointTable
 from dhcli.files.rows.formats import joint_rows
 from dhcli.files.rows.source import open_source
 from dhcli.kinematics.many import numbered
-from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.tally import Tally
-from dhcli.kinematics.values import parameter_values
-from dhcli.kinematics.velocity.form import Form
 from dhcli.kinematics.velocity.rows import JacobianRows, is_finite
-from dhcli.kinematics.velocity.view import MotionView
 from dhcli.render.code.pose_rows import INDEX
 from dhcli.render.code.rows import Group, Layout
 from dhcli.render.paper import Paper
@@ -42,16 +37,6 @@ def check_options(path: str | None, robot: str, others: Mapping[str, object]) ->
     if given := [option for option, value in others.items() if value is not None and value is not False]:
         verb = "does" if len(given) == 1 else "do"
         raise DhcliError(f"{' and '.join(given)} {verb} not go with --rows", "rows are numbers, csv, jsonl or npy")
-
-
-def rows_wanted(robot: Robot, view: MotionView, form: Form, settings: Sequence[str]) -> JacobianRows:
-    """What the options ask of each row, looked at before there are any.
-
-    Raises:
-        RobotError: Nothing moves, or a length has no value.
-    """
-    lengths = parameter_values(robot, settings_of(settings), Place("--set", text=" ".join(settings)))
-    return JacobianRows(robot, view, form, lengths)
 
 
 def jacobian_layout(wanted: JacobianRows, *, index: bool) -> Layout:

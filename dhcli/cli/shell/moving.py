@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.given import open_scope, point_of
 from dhcli.errors import DhcliError
 from dhcli.kinematics.frames import ORIGIN
@@ -14,15 +15,12 @@ PARTS: dict[str, Which] = {"linear": "linear", "angular": "angular", "all": "all
 ORDERS = {"linear-first": False, "angular-first": True}
 
 
-def view_of(
-    robot: Robot, start: str | None, end: str | None, axes: str | None, at: str | None, option: str
-) -> MotionView:
+def view_of(robot: Robot, chosen: Chosen, axes: str | None, at: str | None, option: str) -> MotionView:
     """Between which frames, along which axes, of which point.
 
     Args:
         robot: The robot.
-        start: The frame held still.
-        end: The frame that moves.
+        chosen: The frame held still, and the frame that moves.
         axes: The frame of the axes.
         at: A point of the end frame, `x,y,z`, or, but for `--point`, the name of a frame.
         option: What it was typed behind.
@@ -32,7 +30,7 @@ def view_of(
     """
     is_frame = at is not None and option != "--point" and "," not in at
     point = ORIGIN if at is None or is_frame else point_of(at, option, open_scope(robot))
-    view = MotionView.of(robot, start=start, end=end, axes=axes, place=at if is_frame else None)
+    view = MotionView.of(robot, start=chosen.from_, end=chosen.end, axes=axes, place=at if is_frame else None)
     return MotionView(view.start, view.end, view.axes, view.place, point)
 
 

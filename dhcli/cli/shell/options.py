@@ -17,18 +17,6 @@ def complete_robot(incomplete: str) -> list[str]:
     return [entry.name for entry in entries(Kind.ROBOTS) if entry.name.startswith(incomplete)]
 
 
-_URDF = "URDF"
-Base: TypeAlias = Annotated[
-    str | None,
-    typer.Option("--base", metavar="LINK", help="Link of a URDF that is frame 0.", rich_help_panel=_URDF),
-]
-Tip: TypeAlias = Annotated[
-    str | None,
-    typer.Option("--tip", metavar="LINK", help="Link of a URDF that is the last frame.", rich_help_panel=_URDF),
-]
-AsTyped: TypeAlias = Annotated[
-    bool, typer.Option("--as-typed", help="1.5708 in a URDF stays what it is.", rich_help_panel=_URDF)
-]
 RobotName: TypeAlias = Annotated[
     str,
     typer.Argument(
@@ -101,7 +89,7 @@ Output: TypeAlias = Annotated[str | None, output_option(".json", ".tex", ".m", "
 WHERE = "Where and what"
 """Heading of the options that choose frames and points."""
 
-Force: TypeAlias = Annotated[bool, typer.Option("--force", help="Overwrite the file.", rich_help_panel="Output")]
+Force: TypeAlias = Annotated[bool, typer.Option("--overwrite", help="Overwrite the file.", rich_help_panel="Output")]
 Settings: TypeAlias = Annotated[
     list[str] | None,
     typer.Option("--set", metavar="NAME=VALUE", help="Value of a length or constant angle; repeatable."),
@@ -159,49 +147,23 @@ def _robot_of(ctx: typer.Context) -> Robot | None:
         return None
 
 
-SeenFrom: TypeAlias = Annotated[
-    str | None,
-    typer.Option(
-        "--from",
-        metavar="FRAME",
-        help="Seen from this frame.",
-        rich_help_panel=WHERE,
-        autocompletion=complete_frame,
-    ),
+MANY = "Many rows"
+"""Heading of the options about files with a row for each result."""
+
+SkipBad: TypeAlias = Annotated[
+    bool, typer.Option("--skip-bad", help="Go on without bad rows, list them, and end with 0.", rich_help_panel=MANY)
+]
+IgnoreColumns: TypeAlias = Annotated[
+    bool, typer.Option("--ignore-columns", help="Leave columns aside that are no joint.", rich_help_panel=MANY)
+]
+Index: TypeAlias = Annotated[
+    bool,
+    typer.Option("--index", help="First column: where the row stands in FILE, as in errors.", rich_help_panel=MANY),
 ]
 
-# What every command about a robot in motion has.
-Joints: TypeAlias = Annotated[
-    str | None,
-    typer.Option(
-        "--q", metavar="VALUES", help="Joint values: 0.3,30deg,120mm or q1=0.3,d3=0.1, a named pose, or @FILE."
-    ),
-]
-Degrees: TypeAlias = Annotated[bool, typer.Option("--deg", help="Bare numbers of revolute joints are degrees.")]
-NamedPose: TypeAlias = Annotated[
-    str | None,
-    typer.Option(
-        "--pose",
-        metavar="NAME",
-        help="A named pose of the robot; --q NAME=VALUE varies it.",
-        autocompletion=complete_pose,
-    ),
-]
+# What commands about a robot in motion have.
 Symbolic: TypeAlias = Annotated[bool, typer.Option("--symbolic", "-s", help="Keep what has no value as symbols.")]
-Against: TypeAlias = Annotated[
-    str | None,
-    typer.Option(
-        "--from",
-        metavar="FRAME",
-        help="Against this frame, held still.",
-        rich_help_panel=WHERE,
-        autocompletion=complete_frame,
-    ),
-]
-Moving: TypeAlias = Annotated[
-    str | None,
-    typer.Option("--to", metavar="FRAME", help="Of this frame.", rich_help_panel=WHERE, autocompletion=complete_frame),
-]
+Let: TypeAlias = Annotated[bool, typer.Option("--let", help="Give names to long or repeated brackets.")]
 Axes: TypeAlias = Annotated[
     str | None,
     typer.Option(

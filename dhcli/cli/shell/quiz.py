@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -10,6 +10,7 @@ from dhcli.checking.exercise import Exercise, Part
 from dhcli.checking.judge import SheetMark
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import Verdict
+from dhcli.cli.shell.chosen import Chosen
 from dhcli.errors import DhcliError, ExitStatus, Place, Problem, UnknownNameError, did_you_mean
 
 if TYPE_CHECKING:
@@ -24,14 +25,10 @@ class RobotOptions:
     """The options of `fk` that turn a robot into a question.
 
     Attributes:
-        q: Joint values.
-        pose: A named pose.
-        settings: Lengths.
-        degrees: Whether bare angles are degrees.
+        chosen: The robot, its joint values and the frames.
         symbolic: Whether symbols are asked for.
-        start: The frame it is seen from.
-        end: The frame described.
         table: The file with a DH table to compare; its convention is the one asked for.
+        frames: The file with frames, or with their table, that are to lie on the robot's axes.
         form: What of the pose is answered, or how: position, rotation, rpy, zyz, quaternion and so on.
         entry: Row and column of the one entry that is answered.
         compare: How the table is compared.
@@ -39,14 +36,10 @@ class RobotOptions:
         which: Which of them: all, or the words of a branch; any where nothing is said.
     """
 
-    q: str | None = None
-    pose: str | None = None
-    settings: Sequence[str] = ()
-    degrees: bool = False
+    chosen: Chosen
     symbolic: bool = False
-    start: str | None = None
-    end: str | None = None
     table: str | None = None
+    frames: str | None = None
     form: str | None = None
     entry: str | None = None
     compare: str | None = None
@@ -56,26 +49,26 @@ class RobotOptions:
     @property
     def given(self) -> bool:
         """Whether any of them was typed."""
-        return self != RobotOptions()
+        return self.chosen.more or self != RobotOptions(self.chosen)
 
 
-def exercise_of(name: str, asked: RobotOptions, answer: str = "") -> tuple[Exercise, str]:
-    """The exercise of a name, or a question about the robot of that name, and the text of the table to compare.
+def exercise_of(asked: RobotOptions, answer: str = "") -> tuple[Exercise, str]:
+    """The exercise of a name, or a question about the robot of that name, and the table or the frames to compare.
 
     Args:
-        name: What is answered.
-        asked: The question about a robot.
+        asked: What is answered, and the question about it where it is a robot.
         answer: The answer; where nothing says what of a pose it is, its shape does.
 
     Raises:
         UnknownNameError: Neither an exercise nor a robot has this name.
         DhcliError: Options of a question stand with an exercise, or a robot without a question.
     """
+    from dhcli.cli.shell.given import robot_of
     from dhcli.files.library.kinds import kind_of, unknown
     from dhcli.files.library.lookup import Kind
     from dhcli.files.yaml.exercises import load_exercise
-    from dhcli.files.yaml.robots import load_robot
 
+    name = asked.chosen.robot
     if kind_of(name) is Kind.EXERCISES:
         if asked.given:
             raise DhcliError(
@@ -83,7 +76,7 @@ def exercise_of(name: str, asked: RobotOptions, answer: str = "") -> tuple[Exerc
             )
         return load_exercise(name), ""
     try:
-        robot = load_robot(name)
+        robot = robot_of(asked.chosen)
     except UnknownNameError as error:
         raise unknown(name, (Kind.ROBOTS, Kind.EXERCISES), error) from None
     return _about(robot, asked, answer)
@@ -101,16 +94,33 @@ def _about(robot: Robot, asked: RobotOptions, answer: str) -> tuple[Exercise, st
 
         table = read_table(asked.table, robot)
         return question_about_table(robot, table.convention, _comparison(asked), table.note), table.text
+    if asked.frames is not None:
+        return _about_frames(robot, asked, asked.frames)
     if asked.compare is not None:
         raise DhcliError("--compare says how a table is compared, and there is none", "--table FILE")
-    if not asked.symbolic and asked.q is None and asked.pose is None and robot.variables:
+    if not asked.symbolic and not asked.chosen.stands and robot.variables:
         hint = f"dhcli check {robot.name} --q 0.3,... or --symbolic, and --answer '[...]'"
         raise DhcliError(f"{robot.name} is a robot: say at which joint values, or ask for symbols", hint)
-    values = values_of(robot, asked.q, asked.pose, asked.settings, degrees=asked.degrees, symbolic=asked.symbolic)
-    start, end = ends(robot, asked.start, asked.end)
+    values = values_of(robot, asked.chosen, symbolic=asked.symbolic)
+    start, end = ends(robot, asked.chosen.from_, asked.chosen.end)
     asks = [f"{piece}pose {start}..{end}" for piece in _pieces(asked)]
     exercises = [question_about(robot, ask, numeric=not asked.symbolic, given=values) for ask in asks]
     return question_answered(exercises, answer), ""
+
+
+def _about_frames(robot: Robot, asked: RobotOptions, path: str) -> tuple[Exercise, str]:
+    """A question about frames, and those of the file."""
+    from dhcli.checking.kinds.made import question_about_frames
+    from dhcli.cli.shell.given import lengths_of
+    from dhcli.files.yaml.frames import read_frames
+
+    chosen = asked.chosen
+    views = (chosen.q, chosen.from_, chosen.to, chosen.tool, asked.form, asked.entry, asked.compare)
+    if asked.symbolic or any(view is not None for view in views):
+        raise DhcliError("--frames asks for frames in a pose", "only --pose NAME and --set go with it")
+    frames = read_frames(path, robot)
+    given, pose = lengths_of(robot, chosen, symbolic=True), chosen.pose or frames.pose
+    return question_about_frames(robot, frames.convention, pose, frames.note, given), frames.text
 
 
 def _comparison(asked: RobotOptions) -> str:
@@ -130,9 +140,9 @@ def _about_joints(robot: Robot, asked: RobotOptions, goal: Goal) -> Exercise:
     from dhcli.checking.solving.goal import TASKS, given_target
     from dhcli.cli.shell.goal import asked as pose_asked
 
-    if asked.table or asked.symbolic or asked.form or asked.entry:
-        raise DhcliError("--ik asks for joint values", "leave --table, --symbolic, --as and --entry out")
-    question = pose_asked(robot, goal, asked.start, asked.end, asked.settings, robot.name, degrees=asked.degrees)
+    if asked.table or asked.frames or asked.symbolic or asked.form or asked.entry:
+        raise DhcliError("--ik asks for joint values", "leave --table, --frames, --symbolic, --as and --entry out")
+    question = pose_asked(robot, goal, asked.chosen)
     if question.task not in TASKS:
         raise DhcliError(Problem(f"--ik checks no {question.task}", Place("--task"), ", ".join(TASKS)))
     target = given_target(question.task, question.pose, (question.start, question.end))

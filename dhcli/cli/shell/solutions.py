@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.goal import Goal
 from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean
 from dhcli.kinematics.robot import Robot
@@ -15,23 +16,24 @@ from dhcli.kinematics.values import joint_values
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.derive import Derivation
     from dhcli.kinematics.inverse.solutions import Solutions
+    from dhcli.notation.quantity import Bare
 
 
-def near_of(robot: Robot, text: str | None, *, degrees: bool) -> list[float] | None:
+def near_of(robot: Robot, text: str | None, bare: Bare) -> list[float] | None:
     """Joint values that solutions should be near to, in joint order [rad, m]."""
     if text is None:
         return None
-    values = joint_values(robot, text, bare="deg" if degrees else "rad", place=Place("--near"))
+    values = joint_values(robot, text, bare=bare, place=Place("--near"))
     return [in_floats(values[name]) if name in values else 0.0 for name in robot.variables]
 
 
-def held_of(robot: Robot, texts: Sequence[str], *, degrees: bool) -> dict[str, float]:
+def held_of(robot: Robot, texts: Sequence[str], bare: Bare) -> dict[str, float]:
     """Values of joints that are held."""
     held: dict[str, float] = {}
     for text in texts:
         if "=" not in text:
             raise DhcliError(Problem(f"{text} is not NAME=VALUE", Place("--hold"), "write --hold theta7=30°"))
-        values = joint_values(robot, text, bare="deg" if degrees else "rad", place=Place("--hold"))
+        values = joint_values(robot, text, bare=bare, place=Place("--hold"))
         held |= {name: in_floats(value) for name, value in values.items()}
     return held
 
@@ -54,18 +56,10 @@ def only_branches(found: Solutions, wanted: Sequence[str]) -> Solutions:
             hint = f"{hint} {listed}" if hint.startswith("did") else listed
             raise UnknownNameError(Problem(f"no solution is {word}", Place("--branch"), hint))
     kept = [k for k, own in enumerate(parts) if all(word in own for word in words)]
-    return replace(
-        found,
-        q=found.q[kept],
-        branches=tuple(found.branches[k] for k in kept),
-        residual=None if found.residual is None else found.residual[kept],
-        beyond=tuple(found.beyond[k] for k in kept),
-        free=tuple(found.free[k] for k in kept),
-        why="" if kept else f"no solution is {' and '.join(words)}",
-    )
+    return replace(found.take(kept), why="" if kept else f"no solution is {' and '.join(words)}")
 
 
-def derived(robot: Robot, goal: Goal, start: str | None, end: str | None) -> Derivation:
+def derived(robot: Robot, goal: Goal, chosen: Chosen) -> Derivation:
     """The formulas for a robot, for all of its pose or for the position.
 
     Raises:
@@ -73,8 +67,8 @@ def derived(robot: Robot, goal: Goal, start: str | None, end: str | None) -> Der
     """
     from dhcli.kinematics.inverse.derive import derive
 
-    if any((goal.q, goal.pose, goal.target, goal.position, goal.rpy, goal.quaternion, goal.pointing)):
+    if any((chosen.q, chosen.pose, goal.target, goal.position, goal.rpy, goal.quaternion, goal.pointing)):
         raise DhcliError("--derive is in letters and takes no pose", "leave it out, or leave --derive out")
     if goal.task not in {None, "pose", "position"}:
         raise DhcliError(Problem(f"--derive knows no task {goal.task}", Place("--task"), "pose or position"))
-    return derive(robot, start=start, end=end, task=goal.task or "")
+    return derive(robot, start=chosen.from_, end=chosen.end, task=goal.task or "")

@@ -59,28 +59,41 @@ def load_exercise(name: str | Path) -> Exercise:
         UnknownNameError: No exercise has this id; the nearest are listed.
         FileError: The file is no exercise; every problem, each with file, line and column.
     """
+    return _loader(name).whole()
+
+
+def exercise_so_far(path: Path) -> tuple[Exercise, tuple[Problem, ...]]:
+    """What can be read of an exercise file, and what is wrong with it: for those who look for more in the rest.
+
+    Raises:
+        FileError: It is no mapping in YAML that says `format: 1`, so that there is no rest.
+    """
+    loader = _loader(path)
+    return loader.exercise(), tuple(loader.problems.found)
+
+
+def _loader(name: str | Path) -> _Loader:
+    """What reads the exercise of an id or in a file."""
     check_typed(Kind.EXERCISES, name)
     path = name if isinstance(name, Path) else find(Kind.EXERCISES, full_id(name))
     ids = {entry.path: entry.name for entry in entries(Kind.EXERCISES)}
     text = read_text("-" if str(path) == "-" else path)
     robots = _robots_beside(path) if path not in ids else ()
-    return read_exercise(text, source_of(path), ids.get(path, path.stem), robots)
+    return _Loader.of(text, source_of(path), ids.get(path, path.stem), robots)
 
 
-def read_exercise(text: str, source: str, name: str, robots: Iterable[Path] = ()) -> Exercise:
+def read_exercise(text: str, source: str, name: str) -> Exercise:
     """Read an exercise from the text of a file.
 
     Args:
         text: YAML.
         source: What the text is called in errors.
         name: What the exercise is called.
-        robots: Folders whose robots come before those of the library.
 
     Raises:
         FileError: With all problems.
     """
-    refused: list[Problem] = []
-    return _Loader(read_yaml(text, source, refused), name, refused, tuple(robots)).exercise()
+    return _Loader.of(text, source, name).whole()
 
 
 def _robots_beside(path: Path) -> Iterator[Path]:
@@ -124,7 +137,20 @@ class _Loader:
             self.problems, scope, self.robot, has_robot, unit, self.tolerance, self.shares, self.printed, []
         )
 
+    @classmethod
+    def of(cls, text: str, source: str, name: str, robots: Iterable[Path] = ()) -> _Loader:
+        """What reads a text; the robots in the folders come before those of the library."""
+        refused: list[Problem] = []
+        return cls(read_yaml(text, source, refused), name, refused, tuple(robots))
+
+    def whole(self) -> Exercise:
+        """The exercise of a file that says nothing wrong."""
+        found = self.exercise()
+        self.problems.raise_if_any(FileError)
+        return found
+
     def exercise(self) -> Exercise:
+        """The exercise, as far as it can be read."""
         nodes = self.fields.sequence("parts", example="- {id: a1, ask: link 1}")
         parts_ = tuple(part for node in nodes if (part := self.parts.part(node)))
         if not nodes and isinstance(self.fields.get("parts"), PlacedSequence):
@@ -146,7 +172,7 @@ class _Loader:
             self.problems.add(
                 self.fields.place_of("feedback"), f"feedback: '{feedback}' is not known", "write expected"
             )
-        found = Exercise(
+        return Exercise(
             id=self.name,
             title=self.fields.text("title"),
             source=self.source(),
@@ -164,8 +190,6 @@ class _Loader:
             shows_expected=feedback == "expected",
             variants=self.variants(),
         )
-        self.problems.raise_if_any(FileError)
-        return found
 
     def read_robot(self, key: str) -> Robot | None:
         scalar = self.fields.scalar(key)

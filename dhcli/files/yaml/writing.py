@@ -7,14 +7,14 @@ from fractions import Fraction
 from pathlib import Path
 
 from dhcli.kinematics.conventions import ORDER, Convention
-from dhcli.kinematics.describe.description import Described, product_text
+from dhcli.kinematics.describe.description import Described
 from dhcli.kinematics.describe.drawn import Drawing
 from dhcli.kinematics.describe.exact import exact_factor, places_of
 from dhcli.kinematics.describe.linear import Point, coordinates_of
 from dhcli.kinematics.describe.process import axis_word
 from dhcli.kinematics.describe.products import end_of
 from dhcli.kinematics.describe.screws import ScrewAxis
-from dhcli.kinematics.moves import Chain
+from dhcli.kinematics.moves import Chain, product_text
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Number
@@ -45,7 +45,7 @@ def save_robot(robot: Robot, path: str | Path, *, overwrite: bool = False) -> No
         FileError: The file exists already, or cannot be written.
         RobotError: It cannot be a URDF.
     """
-    from dhcli.files.atomic import write_whole
+    from dhcli.storage.atomic import write_whole
 
     if str(path).lower().endswith(".urdf"):
         from dhcli.files.urdf.writing import urdf_text

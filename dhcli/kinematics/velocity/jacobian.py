@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Generic, TypeAlias, TypeVar
@@ -248,7 +248,7 @@ def moving_joints(robot: Robot, view: MotionView) -> tuple[str, ...]:
     return joints
 
 
-def check_values(robot: Robot, view: MotionView, form: Form, values: Values) -> None:
+def check_values(robot: Robot, view: MotionView, form: Form, values: Mapping[str, object]) -> None:
     """Make sure that every name has a value, those of the point too.
 
     Raises:

@@ -92,7 +92,7 @@ class Picture(Drawing):
             UnknownNameError: The suffix stands for no format.
             FileError: The file cannot be written.
         """
-        from dhcli.files.atomic import write_whole
+        from dhcli.storage.atomic import write_whole
 
         write_whole(path, self.rendered(format_of(path)), overwrite=overwrite)
 

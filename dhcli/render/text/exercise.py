@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shlex
 from dataclasses import asdict
 from typing import Any
 
@@ -40,10 +39,9 @@ def exercise_table(exercise: Exercise, look: Look) -> str:
             lines += ["", *prose_lines(f"{part.id} was withdrawn: {part.withdrawn}", paper)]
     if worth := worth_of(exercise):
         lines += ["", *prose_lines(f"worth: {worth}", paper)]
-    option = f" --variant {shlex.quote(exercise.variant)}" if exercise.variant else ""
-    lines += ["", paper.ink(paper.spell(f"dhcli start {exercise.id}{option} writes a sheet to fill in"), "dim")]
+    lines += ["", paper.ink(paper.spell(f"dhcli start {exercise.typed} writes a sheet to fill in"), "dim")]
     if shown(exercise):
-        lines.append(paper.ink(paper.spell(f"dhcli draw {exercise.id}{option} draws the arm"), "dim"))
+        lines.append(paper.ink(paper.spell(f"dhcli draw {exercise.typed} draws the arm"), "dim"))
     return "\n".join(lines) + "\n"
 
 

@@ -14,11 +14,11 @@ from dhcli.algebra.floats import Floats
 from dhcli.algebra.residues import Residues
 from dhcli.errors import RobotError, UnknownNameError
 from dhcli.kinematics.moves import Rot
+from dhcli.kinematics.playing import BLOCK
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import numbers, parameter_values
 from dhcli.kinematics.velocity.analytic import TRIPLES, Triple
 from dhcli.kinematics.velocity.jacobian import six_rows
-from dhcli.kinematics.velocity.many import BLOCK
 from dhcli.kinematics.velocity.view import MotionView, Viewing, joints_between, parts
 from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
