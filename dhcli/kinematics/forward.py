@@ -63,7 +63,7 @@ def forward(
         UnknownNameError: The robot has no such frame, joint or length.
     """
     check_robot(robot)
-    if not parameters and (floats := _floats(q)) is not None:
+    if not parameters and (floats := plain_floats(q)) is not None:
         frames = ends(robot, start, end)
         rows = _played(robot, floats, *frames)
         if rows is not None:
@@ -107,7 +107,7 @@ def numeric_pose(robot: Robot, values: Values, start: str, end: str) -> Pose[flo
     return Pose(in_numbers(chain, values), start, end, joints=robot.writing)
 
 
-def _floats(q: JointInput) -> Sequence[float] | None:
+def plain_floats(q: JointInput) -> Sequence[float] | None:
     """Joint values that are plain numbers in joint order, as most programs give them; None for anything else."""
     if type(q) is not list and type(q) is not tuple:
         if getattr(q, "ndim", 0) != 1:
