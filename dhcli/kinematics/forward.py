@@ -63,8 +63,7 @@ def forward(
         UnknownNameError: The robot has no such frame, joint or length.
     """
     check_robot(robot)
-    is_plain = parameters is None or (isinstance(parameters, Mapping) and not parameters)
-    if is_plain and (floats := _floats(q)) is not None:
+    if (floats := plain_floats(q, parameters)) is not None:
         frames = ends(robot, start, end)
         rows = _played(robot, floats, *frames)
         if rows is not None:
@@ -108,8 +107,13 @@ def numeric_pose(robot: Robot, values: Values, start: str, end: str) -> Pose[flo
     return Pose(in_numbers(chain, values), start, end, joints=robot.writing)
 
 
-def _floats(q: JointInput) -> Sequence[float] | None:
-    """Joint values that are plain numbers in joint order, as most programs give them; None for anything else."""
+def plain_floats(q: JointInput, parameters: Given | None) -> Sequence[float] | None:
+    """Joint values that are plain numbers in joint order, as most programs give them.
+
+    None for anything else, and where lengths are given besides.
+    """
+    if parameters is not None and (not isinstance(parameters, Mapping) or parameters):
+        return None
     if type(q) is not list and type(q) is not tuple:
         if getattr(q, "ndim", 0) != 1:
             return None
