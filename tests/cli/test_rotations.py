@@ -71,7 +71,7 @@ def test_rows_at_a_singular_attitude_are_counted_by_form(form: str, said: str | 
 )
 def test_a_rotation_from_angles_is_a_question(ask: str) -> None:
     """The same matrix in three words."""
-    head = "format: 1\ntitle: t\nsource: s\ntask: t\nparts:\n"
+    head = "format: 1\ntitle: t\nsource: s\ntask: t\nnumeric: true\nparts:\n"
     exercise = read_exercise(f"{head}  - {{id: a, ask: '{ask}'}}\n", "x", "x")
     right = run("transform", "Rot(z, 30°) Rot(y, 20°) Rot(x, 10°)", "--format", "csv", "--digits", "6").out
     rows = [row.split(",")[:3] for row in right.split()][:3]
