@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -116,6 +116,11 @@ class Description:
             object.__setattr__(self, attribute, MappingProxyType(mapping))
         object.__setattr__(self, "derived", MappingProxyType(dict(mapping_of(self.derived, "derived"))))
         object.__setattr__(self, "convention", _convention(self.convention))
+
+    @cached_property
+    def recorded(self) -> dict[Hashable, object]:
+        """What was worked out for it and may be asked for again; see `dhcli.kinematics.recorded.kept`."""
+        return {}
 
     @cached_property
     def joints(self) -> tuple[Joint, ...]:

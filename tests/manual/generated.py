@@ -53,6 +53,7 @@ def _help_of(*words: str) -> list[str]:
 def mistakes_page() -> str:
     """Every mistake that dhcli knows, by name."""
     from dhcli.checking.diagnosis.mistakes import EVERY
+    from dhcli.checking.frames.slips import MISTAKES
     from dhcli.checking.motion.mistakes import IN_COLUMNS
 
     lines = [
@@ -75,11 +76,22 @@ def mistakes_page() -> str:
         "|---|---|",
     ]
     lines += [f"| `{one.id}` | {_words(one.words)} |" for one in IN_COLUMNS]
+    lines += [
+        "",
+        "In frames; the number behind the name is the frame. `convention` is one of them as well.",
+        "",
+        "| name | what has happened |",
+        "|---|---|",
+    ]
+    lines += [f"| `{one.id}` | {_words(one.words)} |" for one in MISTAKES]
     return "\n".join([*lines, ""])
 
 
+_FRAMES = (("{before}", "i-1"), ("{other}", "i-1 or i+1"))
+
+
 def _words(text: str) -> str:
-    for name, shown in (("{where}", "i"), ("{row}", "i"), ("{entry}", "i"), ("{term}", "...")):
+    for name, shown in (("{where}", "i"), ("{row}", "i"), ("{entry}", "i"), ("{term}", "..."), ("{k}", "i"), *_FRAMES):
         text = text.replace(name, shown)
     return text.replace("|", "\\|")
 

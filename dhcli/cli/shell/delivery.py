@@ -157,7 +157,7 @@ def write_file(path: Path | str, text: str, *, force: bool) -> None:
     Raises:
         FileError: It exists already and may not be overwritten, or it cannot be written.
     """
-    from dhcli.files.atomic import write_whole
+    from dhcli.storage.atomic import write_whole
 
     check_free(path, force=force)
     write_whole(path, text, overwrite=force)

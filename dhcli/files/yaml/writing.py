@@ -45,7 +45,7 @@ def save_robot(robot: Robot, path: str | Path, *, overwrite: bool = False) -> No
         FileError: The file exists already, or cannot be written.
         RobotError: It cannot be a URDF.
     """
-    from dhcli.files.atomic import write_whole
+    from dhcli.storage.atomic import write_whole
 
     if str(path).lower().endswith(".urdf"):
         from dhcli.files.urdf.writing import urdf_text

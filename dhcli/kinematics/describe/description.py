@@ -8,6 +8,7 @@ from typing import Literal, get_args
 
 from dhcli.errors import RobotError, UnknownNameError, did_you_mean
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
+from dhcli.kinematics.describe.choices import USUAL, Choices
 from dhcli.kinematics.describe.drawn import Drawing, drawing_of
 from dhcli.kinematics.describe.linear import LettersError
 from dhcli.kinematics.describe.process import walk
@@ -77,12 +78,19 @@ class Asked:
         steps: Whether the process is to be told: then a table comes from the axes, even from another table.
         numbers: Whether lengths are to be numbers.
         pose: The pose in which the robot is drawn; None for the one named `drawn`, else zero.
+        choices: What decides where the rules leave a choice; then, too, a table comes from the axes.
     """
 
     form: Form
     steps: bool = False
     numbers: bool = False
     pose: Mapping[str, Value] | None = None
+    choices: Choices = USUAL
+
+    @property
+    def from_axes(self) -> bool:
+        """Whether a table is to come from the axes, even where rows would only have to be grouped anew."""
+        return self.steps or self.pose is not None or self.choices != USUAL
 
 
 def check_form(text: str) -> Form:
@@ -113,7 +121,7 @@ def describe(robot: Robot, asked: Asked) -> Described:
     robot = in_numbers(robot) if asked.numbers else robot
     is_table = asked.form in ("standard", "modified")
     other = {"standard": Convention.MODIFIED, "modified": Convention.STANDARD}.get(asked.form)
-    if is_table and robot.convention is other and not asked.steps and asked.pose is None:
+    if is_table and robot.convention is other and not asked.from_axes:
         return _regrouped(robot, asked.form)
     try:
         return _from_axes(robot, asked)
@@ -207,7 +215,7 @@ def _from_axes(robot: Robot, asked: Asked) -> Described:
 
 
 def _by_process(robot: Robot, convention: Convention, asked: Asked, drawing: Drawing) -> Described:
-    walked = walk(drawing)
+    walked = walk(drawing, asked.choices)
     found = _table(robot, convention, walked.rows(convention), walked.base(convention), walked.tool(convention))
     names = tuple(line.name for line in drawing.lines)
     found = replace(found, variables=names, poses=_sorted(robot, names))
