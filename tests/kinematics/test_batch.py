@@ -1,4 +1,3 @@
-import sys
 from collections.abc import Iterator
 from types import SimpleNamespace
 
@@ -16,7 +15,7 @@ from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.frames import between
 from dhcli.kinematics.moves import Trans
-from dhcli.kinematics.playing import BLOCK, CHUNK, FEW
+from dhcli.kinematics.playing import BLOCK, FEW
 from dhcli.kinematics.robot import Link, Robot
 from dhcli.kinematics.values import numbers, parameter_values
 from dhcli.notation.tree import ONE, ZERO
