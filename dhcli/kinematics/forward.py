@@ -112,7 +112,7 @@ def plain_floats(q: JointInput, parameters: Given | None) -> Sequence[float] | N
 
     None for anything else, and where lengths are given besides.
     """
-    if parameters is not None and (not isinstance(parameters, Mapping) or parameters):
+    if parameters is not None and not (isinstance(parameters, Mapping) and len(parameters) == 0):
         return None
     if type(q) is not list and type(q) is not tuple:
         if getattr(q, "ndim", 0) != 1:
