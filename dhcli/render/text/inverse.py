@@ -76,10 +76,7 @@ def _how(how: Explanation, look: Look) -> Iterator[str]:
             yield ""
             yield paper.ink(head, "bold")
             for line in lines:
-                text = paper.spell(line)
-                yield from wrap(
-                    text, paper.width, initial_indent="  ", subsequent_indent="    ", break_on_hyphens=False
-                )
+                yield from wrap(paper.spell(line), paper.width, initial_indent="  ", subsequent_indent="    ")
 
 
 def _families(result: InverseKinematics) -> dict[str, list[int]]:
