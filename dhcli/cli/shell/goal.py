@@ -81,7 +81,7 @@ class Question:
 
         wish = None if near is None else tuple(near)
         how = explained(found) if why else None
-        return InverseKinematics(self.robot, self.lengths, self.task, self.start, self.end, found, wish, how)
+        return InverseKinematics(self.robot, self.lengths, self.task, self.start, self.end, found, self.pose, wish, how)
 
 
 def asked(

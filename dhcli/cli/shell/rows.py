@@ -68,7 +68,7 @@ class RowDelivery:
 
         Raises:
             UnknownNameError: There is no such format or suffix.
-            DhcliError: A terminal would show bytes, or `--force` has no file.
+            DhcliError: A terminal would show bytes, or `--overwrite` has no file.
             FileError: The file exists already.
         """
         check_force(self.output, force=self.force)

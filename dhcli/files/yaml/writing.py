@@ -7,14 +7,14 @@ from fractions import Fraction
 from pathlib import Path
 
 from dhcli.kinematics.conventions import ORDER, Convention
-from dhcli.kinematics.describe.description import Described, product_text
+from dhcli.kinematics.describe.description import Described
 from dhcli.kinematics.describe.drawn import Drawing
 from dhcli.kinematics.describe.exact import exact_factor, places_of
 from dhcli.kinematics.describe.linear import Point, coordinates_of
 from dhcli.kinematics.describe.process import axis_word
 from dhcli.kinematics.describe.products import end_of
 from dhcli.kinematics.describe.screws import ScrewAxis
-from dhcli.kinematics.moves import Chain
+from dhcli.kinematics.moves import Chain, product_text
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Number

@@ -24,6 +24,7 @@ class InverseKinematics:
         start: The frame it is seen from.
         end: The frame that is placed.
         solutions: The answer.
+        pose: The pose as it was read, shape (4, 4) [m]; what the task does not count says nothing.
         near: Joint values that solutions should be near to, in joint order [rad, m]; or None.
         how: How the answer came about, where that is wanted.
     """
@@ -34,5 +35,6 @@ class InverseKinematics:
     start: str
     end: str
     solutions: Solutions
+    pose: tuple[tuple[float, ...], ...]
     near: tuple[float, ...] | None = None
     how: Explanation | None = None

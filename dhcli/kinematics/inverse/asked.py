@@ -169,8 +169,25 @@ def inverse(  # noqa: PLR0913  what may be asked of a pose
     if not len(answer):
         from dhcli.kinematics.inverse.unreached import why_not  # not for the poses that are reached
 
-        return why_not(ready, answer, poses[0], held, question.values)
+        found = why_not(ready, answer, poses[0], held, question.values)
+        return replace(found, closest=_easiest(question, found, held, tolerance))
     return placed(answer, question.near, within_limits=within_limits, all_turns=all_turns)
+
+
+def _easiest(question: Question, found: Solutions, held: dict[int, float], tolerance: float) -> Array | None:
+    """Of all ways to stand in the pose that comes nearest: the one that keeps the limits, nearest to what is best."""
+    if found.closest is None:
+        return None
+    from dhcli.kinematics.inverse.polishing import product
+
+    ready = question.ready
+    goal = product(ready.arm, question.motions(found.closest)[None])[0]
+    solved, _ = _solved(question, goal, held, None, tolerance)
+    if not len(solved.motions):
+        return found.closest
+    ways = placed(_answer(question, solved, []), question.near, within_limits=False, all_turns=False)
+    far = ways.distances(question.values(question.best()).tolist())
+    return np.asarray(ways.q[min(range(len(ways)), key=lambda k: (not ways.within_limits[k], far[k]))])
 
 
 def _solved(

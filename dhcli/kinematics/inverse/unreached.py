@@ -32,6 +32,10 @@ LEAST = 1e-5
 """Less than this of a metre, or of a degree, is nothing to a reader."""
 
 
+FAR = 20
+"""Reaches from which on nobody can mean metres, and up to a hundred times as far may well mean millimetres."""
+
+
 def why_not(
     ready: Prepared,
     answer: Solutions,
@@ -59,6 +63,8 @@ def why_not(
     left = [f"{_shown(apart):.4g} m"] if ready.task.place else []
     left += [f"{_shown(float(np.degrees(angle))):.4g}°"] if ready.task.directions else []
     nearest = f"the nearest pose reached is {' and '.join(left)} away"
+    if FAR * arm.reach < apart < 100 * FAR * arm.reach:
+        nearest += ": bare lengths are metres, did you mean mm?"
     why = "; ".join((*reasons, *parts, nearest))
     return replace(answer, reachable=False, why=why, closest=values(motions))
 
