@@ -319,3 +319,10 @@ def test_the_button_makes_a_png_of_what_is_seen(browser: WebDriver, tmp_path: Pa
         assert (name, wide, high) == (f"{picture.what.name}.png", 1640, 1280)
         assert size > 20_000
         _check_silent(browser)
+
+
+def test_the_order_of_moves_has_its_indices_below_the_line() -> None:
+    """A page writes them as indices, not as a terminal does."""
+    page = draw(load_robot("puma560")).page()
+    assert "Rot(x, α<sub>i-1</sub>) Trans(x, a<sub>i-1</sub>) Trans(z, d<sub>i</sub>) Rot(z, θ<sub>i</sub>)" in page
+    assert "θ_i" not in page
