@@ -112,7 +112,8 @@ def plain_floats(q: JointInput, parameters: Given | None) -> Sequence[float] | N
 
     None for anything else, and where lengths are given besides.
     """
-    if parameters is not None and not (isinstance(parameters, Mapping) and len(parameters) == 0):
+    has_lengths = parameters is not None and (not isinstance(parameters, Mapping) or len(parameters) > 0)  # type: ignore[redundant-expr]  # of a caller without types
+    if has_lengths:
         return None
     if type(q) is not list and type(q) is not tuple:
         if getattr(q, "ndim", 0) != 1:
