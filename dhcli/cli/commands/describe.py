@@ -40,7 +40,7 @@ def complete_form(incomplete: str) -> list[str]:
 
 
 def describe(
-    chosen: Annotated[Chosen, But(without=("q", "deg", "from_", "to"))],
+    chosen: Annotated[Chosen, But(without=("q", "deg", "motors", "from_", "to"))],
     as_: Annotated[
         str | None,
         typer.Option(

@@ -13,7 +13,7 @@ from dhcli.files.urdf.chains import chain_of
 from dhcli.files.urdf.model import Joint, read_model
 from dhcli.files.urdf.numbers import Meaning, length
 from dhcli.kinematics.conventions import Convention
-from dhcli.kinematics.describe.description import product_text
+from dhcli.kinematics.forward import product_text
 from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans
 from dhcli.kinematics.robot import Link, Robot, Value
 from dhcli.kinematics.validity import InvalidRobotError

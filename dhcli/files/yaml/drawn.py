@@ -13,11 +13,11 @@ from dhcli.files.yaml.typed import read_value
 from dhcli.geometry.orthonormal import not_a_rotation
 from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, length, scaled
 from dhcli.kinematics.conventions import Convention
-from dhcli.kinematics.describe.description import product_text
 from dhcli.kinematics.describe.drawn import Drawing, Frame, Line, drawing_of
 from dhcli.kinematics.describe.linear import LettersError, Point, point_of
 from dhcli.kinematics.describe.products import chains_of
 from dhcli.kinematics.describe.screws import ScrewAxis, Side, lines_of
+from dhcli.kinematics.forward import product_text
 from dhcli.kinematics.moves import Chain, Fixed
 from dhcli.kinematics.robot import Link, Value
 from dhcli.notation.angle import Angle

@@ -8,6 +8,7 @@ from typing import Any
 
 from dhcli.errors import plural
 from dhcli.kinematics.conventions import NAMES
+from dhcli.kinematics.farlimits import far_limits
 from dhcli.kinematics.inverse.answer import InverseKinematics
 from dhcli.kinematics.inverse.solutions import shown_beyond
 from dhcli.render.code.matrices import csv_line, exact
@@ -53,7 +54,7 @@ def _solutions(result: InverseKinematics, look: Look) -> Iterator[str]:
         columns["distance"] = aligned(look.numbers(found.distances(list(result.near)).tolist()))
     if any(found.branches):
         columns["branch"] = list(found.branches)
-    if result.robot.limits:
+    if result.robot.limits or far_limits(result.robot) is not None:
         columns["limits"] = [
             ", ".join(shown_beyond(result.robot, outside) for outside in beyond) or "ok" for beyond in found.beyond
         ]
