@@ -107,19 +107,20 @@ def plural(count: int, noun: str) -> str:
     return f"{count} {noun}{'s' * (count != 1)}"
 
 
-def nearest(name: str, known: Iterable[str], most: int = 3) -> tuple[str, ...]:
+def nearest(name: str, known: Iterable[str], most: int = 3, cutoff: float = 0.5) -> tuple[str, ...]:
     """The known names most like a mistyped one, best first.
 
     Args:
         name: What was typed.
         known: The names that would have been right.
         most: How many to return at the most.
+        cutoff: How like it they must be, from 0 to 1.
     """
     from difflib import get_close_matches
 
     known = tuple(islice(known, MOST_CANDIDATES))
     lowered = {candidate.lower(): candidate for candidate in known}
-    return tuple(lowered[match] for match in get_close_matches(name.lower(), lowered, n=most, cutoff=0.5))
+    return tuple(lowered[match] for match in get_close_matches(name.lower(), lowered, n=most, cutoff=cutoff))
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:

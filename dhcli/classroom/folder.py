@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from dhcli.errors import FileError, Place, Problem, nearest
+from dhcli.errors import FileError, Place, Problem
+from dhcli.files.reading import instead_of
 
 _SUFFIXES = (".yaml", ".yml")
 _SHEET = ".sheet"
@@ -79,8 +80,7 @@ def _no_folder(root: Path, folder: str) -> Problem:
     if root.exists():
         return Problem("is a file, not a folder", Place(folder), f"dhcli check EXERCISE {folder} judges one sheet")
     beside = [child.name for child in root.parent.iterdir() if child.is_dir()] if root.parent.is_dir() else []
-    similar = nearest(root.name, beside)
-    return Problem("there is no such folder", Place(folder), f"did you mean {' or '.join(similar)}?" if similar else "")
+    return Problem("there is no such folder", Place(folder), instead_of(root, beside))
 
 
 def _submissions(root: Path, others: list[str]) -> Iterator[Submission]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from importlib import import_module
 from typing import TYPE_CHECKING, Annotated
 
@@ -62,7 +63,35 @@ class Group(_PlainHelp, TyperGroup):
 
 
 class One(_PlainHelp, TyperCommand):
-    """One of them."""
+    """One of them, which takes an option with one value once; of two, typer would silently take the last.
+
+    Where it reads what a person types at a terminal, it says that it waits for it.
+    """
+
+    def parse_args(self, ctx: Context, args: list[str]) -> list[str]:
+        """Refuse what is given twice, then parse as ever.
+
+        Raises:
+            DhcliError: An option is given twice that has one value.
+        """
+        from typer._click.core import augment_usage_errors
+
+        with augment_usage_errors(ctx):  # an option without its value is refused without a word about the command
+            _, _, given = self.make_parser(ctx).parse_args(list(args))
+        for param in given:
+            is_single = isinstance(param, TyperOption) and not param.multiple and not param.is_flag
+            if is_single and given.count(param) > 1:
+                raise DhcliError(f"{param.opts[0]} is given {given.count(param)} times", "it has one value: keep one")
+        return super().parse_args(ctx, args)
+
+    def invoke(self, ctx: Context) -> object:
+        """Run the command."""
+        typed = {str(value) for name, value in ctx.params.items() if name != "output"}
+        if typed & {"-", "@-"} and sys.stdin and not sys.stdin.closed and sys.stdin.isatty():
+            from dhcli.cli.shell.console import say
+
+            say("dhcli: reading from the keyboard; Ctrl-D on an empty line ends it\n")
+        return super().invoke(ctx)
 
 
 class Commands(Group):
@@ -77,23 +106,6 @@ class Commands(Group):
         return load(cmd_name) if cmd_name in COMMANDS else None
 
 
-class OnceEach(One):
-    """A command that takes an option with one value once; of two, typer would silently take the last."""
-
-    def parse_args(self, ctx: Context, args: list[str]) -> list[str]:
-        """Refuse what is given twice, then parse as ever.
-
-        Raises:
-            DhcliError: An option is given twice that has one value.
-        """
-        _, _, given = self.make_parser(ctx).parse_args(list(args))
-        for param in given:
-            is_single = isinstance(param, TyperOption) and not param.multiple and not param.is_flag
-            if is_single and given.count(param) > 1:
-                raise DhcliError(f"{param.opts[0]} is given {given.count(param)} times", "it has one value: keep one")
-        return super().parse_args(ctx, args)
-
-
 def load(name: str) -> Command:
     """Import a command and make it one of typer's."""
     module = import_module(f"dhcli.cli.commands.{name}")
@@ -102,7 +114,7 @@ def load(name: str) -> Command:
         command = typer.main.get_command(found)
     else:
         single = typer.Typer(add_completion=False, rich_markup_mode="rich")
-        single.command(name, cls=OnceEach, epilog=module.EXAMPLES)(spread(found))
+        single.command(name, cls=One, epilog=module.EXAMPLES)(spread(found))
         command = typer.main.get_command(single)
     command.name = name
     command.rich_help_panel = next(panel for panel, names in PANELS.items() if name in names)  # type: ignore[attr-defined]

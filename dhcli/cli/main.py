@@ -10,6 +10,9 @@ from dhcli.cli.shell.console import GuardedStream, complain, finish
 from dhcli.cli.shell.signals import ending_in_order
 from dhcli.errors import DhcliError, ExitStatus, Place, Problem
 
+INSTEAD = {"--force": "--overwrite", "--symbolic": "--derive", "-s": "--derive"}
+"""What some commands have instead of an option that is typed in vain."""
+
 BUGS = "please report it with the command you typed; DHCLI_DEBUG=1 shows where it happened"
 
 
@@ -69,7 +72,7 @@ def _run(words: list[str]) -> int:
 
 def usage_problem(error: Exception) -> Problem:
     """What typer found wrong with the words, said as dhcli says it."""
-    from dhcli.errors import did_you_mean
+    from dhcli.errors import did_you_mean, nearest
 
     context = getattr(error, "ctx", None)
     path = context.command_path if context else "dhcli"
@@ -79,8 +82,11 @@ def usage_problem(error: Exception) -> Problem:
     if option := getattr(error, "option_name", ""):
         if "No such" in message:
             message = f"there is no option {option}"
-            near = did_you_mean(option, known) if context else ""
-            hint = f"{near}; {hint}" if near.startswith("did") else hint
+            words = [name.removeprefix("--") for name in known if name.startswith("--")]
+            similar = [f"--{word}" for word in nearest(option.lstrip("-"), words, cutoff=0.7)]
+            if (instead := INSTEAD.get(option)) in known:
+                similar = [str(instead)]
+            hint = f"did you mean {' or '.join(similar)}?; {hint}" if similar else hint
     elif message.startswith("No such command"):
         wanted = message.split("'")[1]
         message = f"there is no command {wanted}"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import stat
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 from typing import BinaryIO
 
@@ -13,6 +14,8 @@ from dhcli.errors import FileError, Place, Problem, nearest
 LIMIT = 256_000
 _STANDARD_INPUT = "standard input"
 _NEIGHBOURS = 1000
+_NEAR = 0.75
+"""How much of the letters a file name must share with the one that was typed, endings aside."""
 _FIRST_PRINTABLE_LATIN_1 = 0xA1
 
 
@@ -64,14 +67,31 @@ def explain(error: OSError, source: str, path: Path | str) -> Problem:
     """What the operating system said, as a problem."""
     place = Place(source)
     if isinstance(error, FileNotFoundError | NotADirectoryError):
-        similar = nearest(Path(path).name, _neighbours(Path(path)))
-        hint = f"did you mean {' or '.join(similar)}?" if similar else ""
-        return Problem("there is no such file", place, hint)
+        return Problem("there is no such file", place, instead_of(Path(path), _neighbours(Path(path))))
     if isinstance(error, IsADirectoryError) or os.path.isdir(path):
         return Problem("is a folder, not a file", place)
     if isinstance(error, PermissionError):
         return Problem("may not be read: no permission", place)
     return Problem(f"cannot be read: {error.strerror or error}", place)
+
+
+def instead_of(path: Path, names: Iterable[str]) -> str:
+    """A hint for a path that leads nowhere: names beside it that are very near, else the folder that was looked in.
+
+    Args:
+        path: The path as it was typed.
+        names: What stands in its folder and could be meant.
+    """
+    from difflib import SequenceMatcher
+
+    wanted = Path(path.name).stem.lower()
+    like = {
+        name: SequenceMatcher(None, wanted, Path(name).stem.lower()).ratio() for name in nearest(path.name, names, 9)
+    }
+    if near := [name for name, ratio in like.items() if ratio >= _NEAR][:3]:
+        return f"did you mean {' or '.join(near)}?"
+    folder = path.parent
+    return f"looked in {os.path.abspath(folder)}" if folder.is_dir() else f"there is no folder {folder}"
 
 
 def decode(content: bytes, source: str, *, before: tuple[int, int] = (0, 0)) -> str:

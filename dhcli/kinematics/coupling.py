@@ -11,7 +11,6 @@ from dataclasses import dataclass, replace
 from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
 from dhcli.kinematics.conventions import Convention
-from dhcli.kinematics.forward import product_text
 from dhcli.kinematics.moves import Chain, Move, Rot, Trans, along, names
 from dhcli.kinematics.robot import Link, Robot
 from dhcli.notation.angle import Angle
@@ -110,7 +109,7 @@ class _Splitter:
         for k, piece in enumerate(pieces):
             # no frame that anybody asks for stands inside a link: its number only has to be another one
             number_ = link.number if piece is pieces[-1] else -(100 * link.number + k)
-            yield Link(number_, tuple(piece), None, product_text(tuple(piece)))
+            yield Link(number_, tuple(piece))
 
     def _moves(self, move: Move, number_: int) -> Chain:
         inside = sorted(names((move,)).intersection(self._robot.variables))

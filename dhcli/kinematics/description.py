@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from pathlib import Path
 from types import MappingProxyType
 from typing import Literal
 
@@ -13,7 +14,7 @@ from dhcli.kinematics.actuators import Actuators
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row
 from dhcli.kinematics.derived import Formula, Value
 from dhcli.kinematics.given import chain_of, mapping_of, tuple_of, value_of
-from dhcli.kinematics.moves import Chain, angle_names, expressions, names
+from dhcli.kinematics.moves import Chain, angle_names, expressions, names, product_text
 from dhcli.notation.angle import Angle
 from dhcli.notation.scope import Scope
 from dhcli.notation.styles import Joints
@@ -46,13 +47,18 @@ class Link:
         number: Number of the link and of its frame.
         moves: The moves, four for a DH row.
         row: The DH row, or None in a product.
-        text: The product as it was written, empty for a DH row.
+        text: The product as somebody wrote it, empty where nobody has.
     """
 
     number: int
     moves: Chain
     row: Row | None = None
     text: str = ""
+
+    @property
+    def product(self) -> str:
+        """The product as it was written, else as dhcli writes it."""
+        return self.text or product_text(self.moves)
 
 
 @dataclass(frozen=True)
@@ -78,6 +84,7 @@ class Description:
     tools: Mapping[str, Chain] = field(default_factory=dict)
     actuators: Actuators | None = None
     drives: Description | None = None
+    path: Path | None = field(default=None, compare=False)
 
     def __post_init__(self) -> None:
         """Take what a caller gives as what it plainly means, and let nobody change a mapping in place.
@@ -112,6 +119,11 @@ class Description:
             object.__setattr__(self, attribute, MappingProxyType(mapping))
         object.__setattr__(self, "derived", MappingProxyType(dict(mapping_of(self.derived, "derived"))))
         object.__setattr__(self, "convention", _convention(self.convention))
+
+    @cached_property
+    def recorded(self) -> dict[Hashable, object]:
+        """What was worked out for it and may be asked for again; see `dhcli.kinematics.recorded.kept`."""
+        return {}
 
     @cached_property
     def joints(self) -> tuple[Joint, ...]:

@@ -11,8 +11,10 @@ from dhcli.geometry.motion import inverse as undone
 from dhcli.notation.angle import Angle
 from dhcli.notation.factors import AXES, Axis, Factor, in_order_of_motion, parse_factors
 from dhcli.notation.scope import OPEN, Scope
+from dhcli.notation.styles import THETAS, Joints
 from dhcli.notation.tree import PI, ZERO, Expr, Number, Symbol, add, multiply, negate, number
 from dhcli.notation.walk import substitute, symbols
+from dhcli.notation.writer import write, write_angle
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,3 +147,18 @@ def angle_names(chain: Iterable[Move]) -> frozenset[str]:
 def names(chain: Chain) -> frozenset[str]:
     """Every name that a chain needs a value for."""
     return angle_names(chain).union(*(symbols(expr) for expr in expressions(chain) if type(expr) is not Number))
+
+
+def spelled(move: Move, joints: Joints = THETAS) -> str:
+    """A move as it is typed: `Rot(z, theta1)`, `Trans(0, 0, d1)`."""
+    if isinstance(move, Rot):
+        return f"Rot({move.axis}, {write_angle(move.angle, 'short', joints)})"
+    if isinstance(move, Fixed):
+        rows = "; ".join(" ".join(write(entry, "short", joints).replace(" ", "") for entry in row) for row in move.rows)
+        return f"[{rows}; 0 0 0 1]"
+    return "Trans(" + ", ".join(write(length, "short", joints) for length in move.offset) + ")"
+
+
+def product_text(chain: Chain) -> str:
+    """A product of moves as a file spells it; nothing where there is none."""
+    return " * ".join(spelled(move) for move in chain)

@@ -98,7 +98,7 @@ def parameter_values(
         raise RobotError(Problem(f"with these values: {error.message}", place, error.hint)) from None
 
 
-def require(robot: Description, chain: Chain, values: Values) -> None:
+def require(robot: Description, chain: Chain, values: Mapping[str, object]) -> None:
     """Make sure that every name of a chain has a value.
 
     Raises:
@@ -277,6 +277,8 @@ def _value(robot: Description, name: str, value: float | str | Value, bare: Bare
     except (TypeError, ValueError):
         hint = "forward_batch takes a row for each pose"
         raise RobotError(Problem(f"{name} wants one number, not {value!r}", place, hint)) from None
+    except OverflowError:
+        raise RobotError(Problem(f"{name} is beyond what a float can hold", place)) from None
     if not math.isfinite(number):
         raise RobotError(Problem(f"{name} = {number} is not a number that a joint can have", place))
     exact = Fraction(repr(number))  # 0.1 is a tenth, as it was typed, and not the binary fraction nearest to it

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Exercise, Part
+from dhcli.checking.figures import held_back
 from dhcli.checking.judge import Judge
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import Mark, Verdict
@@ -33,24 +34,34 @@ LARGEST_ANGLE = 5.0
 PASSED = (Verdict.RIGHT.word, Verdict.EQUIVALENT.word)
 
 
-def findings(judge: Judge) -> Iterator[Finding]:
-    """Every broken rule of an exercise, apart from those about its variants and the mistakes that its pose hides."""
-    exercise = judge.exercise
+def written(exercise: Exercise) -> Iterator[Finding]:
+    """Every broken rule about what stands in the file, for which nothing is judged."""
     yield from _texts(exercise)
+    for part in exercise.asked:
+        yield from _help(part, ("parts", part.id))
+    verdicts = {trial.verdict for trial in exercise.trials}
+    for verdict in (Verdict.RIGHT, Verdict.WRONG):
+        if verdict.word not in verdicts and exercise.asked:
+            hint = f"tests: - {{part: {exercise.asked[0].id}, answer: ..., verdict: {verdict.word}}}"
+            yield Finding(("tests",), f"tests: none is {verdict.word}", hint)
+
+
+def findings(judge: Judge) -> Iterator[Finding]:
+    """Every broken rule that judging shows, apart from those about variants and the mistakes that the pose hides."""
+    exercise = judge.exercise
     yield from _blank_sheet(judge)
     yield from _within_limits(exercise)
-    asked = [(index, part) for index, part in enumerate(exercise.parts) if not part.withdrawn]
-    for index, part in asked:
-        yield from _help(part, ("parts", index))
-        yield from judge.findings(part, ("parts", index))
+    yield from _picture(exercise)
+    for part in exercise.asked:
+        yield from judge.findings(part, ("parts", part.id))
     tolerances = tuple(_tolerances(exercise))
     yield from tolerances
     if missing := _missing(exercise):
         yield missing  # nothing can be judged without it
         return
-    for index, part in asked:
-        yield from _solution(judge, part, ("parts", index))
-        yield from _given_away(judge, part, ("parts", index))
+    for part in exercise.asked:
+        yield from _solution(judge, part, ("parts", part.id))
+        yield from _given_away(judge, part, ("parts", part.id))
         yield from _printed(judge, part)
     if not tolerances:  # else tests fail that are right
         yield from _trials(judge)
@@ -66,16 +77,32 @@ def _given_away(judge: Judge, part: Part, where: tuple[str | int, ...]) -> Itera
             return
 
 
+def _picture(exercise: Exercise) -> Iterator[Finding]:
+    """A picture that would answer a part, or that shows nothing."""
+    where: tuple[str | int, ...] = ("picture",)
+    if (
+        exercise.picture
+        and exercise.robot is None
+        and not any(part.question.linkage_counted for part in exercise.asked)
+    ):
+        yield Finding(where, "picture: there is neither an arm nor a linkage to draw", "leave picture: out")
+    elif exercise.picture == "frames" and (parts := held_back(exercise)):
+        message = f"picture: frames would answer {', '.join(part.id for part in parts)}, and are not shown"
+        kinds = {part.question.words[0] for part in parts}
+        yield Finding(where, message, f"picture: axes; frames may not stand beside: {', '.join(sorted(kinds))}")
+
+
 def _texts(exercise: Exercise) -> Iterator[Finding]:
     texts: dict[tuple[str | int, ...], str] = {
         ("title",): exercise.title,
         ("source",): exercise.source,
         ("task",): exercise.task,
     }
-    for index, part in enumerate(exercise.parts):
+    texts = {where: text for where, text in texts.items() if text}  # what is not there was told by the loader
+    for part in exercise.parts:
         if part.prompt:
-            texts["parts", index, "prompt"] = part.prompt
-        texts |= {("parts", index, "hints", k, "hint"): hint for k, hint in enumerate(part.hints)}
+            texts["parts", part.id, "prompt"] = part.prompt
+        texts |= {("parts", part.id, "hints", k, "hint"): hint for k, hint in enumerate(part.hints)}
     yield from unfinished(texts)
 
 
@@ -105,14 +132,13 @@ def _missing(exercise: Exercise) -> Finding | None:
 def _blank_sheet(judge: Judge) -> Iterator[Finding]:
     """Whoever hands in nothing has solved nothing."""
     for one in judge.sheet({part.id: "_" for part in judge.exercise.parts}).parts:
-        index = judge.exercise.parts.index(one.part)
         if one.mark.verdict is not Verdict.SKIPPED or one.mark.earned:
-            yield Finding(("parts", index), f"{one.part.id}: a blank answer is judged {one.mark.verdict.word}")
+            yield Finding(("parts", one.part.id), f"{one.part.id}: a blank answer is judged {one.mark.verdict.word}")
 
 
 def _help(part: Part, where: tuple[str | int, ...]) -> Iterator[Finding]:
     if not part.hints:
-        yield Finding(where, f"{part.id}: has no hints", "hints: [gentle, plain]")
+        yield Finding((*where, "hints"), f"{part.id}: has no hints", "hints: [gentle, plain]")
     for k, hint in enumerate(part.hints):
         if hint in part.hints[:k]:
             yield Finding((*where, "hints", k), f"{part.id}: the same hint stands twice", "the second one goes further")
@@ -178,11 +204,6 @@ def _trials(judge: Judge) -> Iterator[Finding]:
         if judged.verdict.word != trial.verdict:
             message = f"{trial.part}: is judged {_told(judged)}; the test says {trial.verdict}"
             yield Finding(("tests", index, "mistake" if trial.mistake else "answer"), message, _right(judge, trial))
-    verdicts = {trial.verdict for trial in exercise.trials}
-    for verdict in (Verdict.RIGHT, Verdict.WRONG):
-        if verdict.word not in verdicts:
-            hint = f"tests: - {{part: {exercise.asked[0].id}, answer: ..., verdict: {verdict.word}}}"
-            yield Finding(("tests",), f"tests: none is {verdict.word}", hint)
 
 
 def _right(judge: Judge, trial: Trial) -> str:

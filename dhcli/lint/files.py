@@ -6,6 +6,7 @@ import os
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from dhcli.errors import DhcliError, FileError, Place, Problem
 from dhcli.files.library.kinds import kind_of
@@ -14,11 +15,19 @@ from dhcli.files.reading import read_text
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
 from dhcli.kinematics.validity import Finding
 from dhcli.lint.names import Names
-from dhcli.lint.places import place_in
+from dhcli.lint.places import path_to, place_in
 from dhcli.lint.wording import unfinished
+
+if TYPE_CHECKING:
+    from dhcli.checking.exercise import Exercise
 
 SUFFIXES = (".yaml", ".yml")
 SHEETS = (".sheet.yaml", ".sheet.yml")
+BESIDE_JUDGING = frozenset(
+    ("format", "title", "source", "task", "prompt", "hints", "tests", "printed", "variants", "feedback")
+)
+"""Keys of exercises that may be wrong without changing what is right: the rest can be judged all the same."""
+
 USUAL = ("robots", "exercises")
 
 
@@ -112,8 +121,9 @@ def _missing(path: str) -> Problem:
     except FileError as error:
         problem = error.problems[0]
         if not path.lower().endswith(SUFFIXES):
-            problem = replace(problem, message=problem.message.replace("no such file", "no such file or folder"))
-        return replace(problem, hint=problem.hint or "lint takes files and folders, such as robots/my-arm.yaml")
+            message = problem.message.replace("no such file", "no such file or folder")
+            problem = replace(problem, message=message, hint="lint takes files and folders, such as robots/my-arm.yaml")
+        return problem
     return Problem("has just appeared", Place(path), "try again")  # between two looks at the disk
 
 
@@ -136,16 +146,49 @@ def _of_file(path: str, names: Names) -> Iterator[Told]:
         problem = Problem("is an answer sheet", Place(path), f"dhcli check EXERCISE {path} judges it")
         return iter([Told(problem)])
     root: PlacedNode | None = None
+    found: list[Told] = []
     try:
         root = read_yaml(read_text(path), path, [])  # what it refuses is told by the loader, with all the rest
-        found = [
-            Told(Problem(one.message, place_in(root, one.where), one.hint), one.is_warning)
-            for one in (*_rules(path), *names.clashes(path))
-        ]
+        found = [_told(one, root) for one in _rules(path, kind_of(path))]
     except DhcliError as error:
         found = [Told(_placed(problem, path)) for problem in error.problems]
-        found += _left_to_write("", root) if root is not None else ()
+        found += _besides(path, root, error.problems) if root is not None else ()
+    found += [_told(one, root) for one in names.clashes(path) if root is not None]
     return iter(sorted(found, key=lambda one: _line(one.problem)))
+
+
+def _told(one: Finding, root: PlacedNode) -> Told:
+    """A finding at its place."""
+    return Told(Problem(one.message, place_in(root, one.where), one.hint), one.is_warning)
+
+
+def _besides(path: str, root: PlacedNode, problems: Sequence[Problem]) -> Iterator[Told]:
+    """What is found in a file that does not load, besides what keeps it from that.
+
+    Nothing is told of a place where a problem is told already, and nothing is judged where the problems are more than
+    a matter of words: what is wrong then follows from them.
+    """
+    if kind_of(path) is not Kind.EXERCISES:
+        yield from _left_to_write("", root)
+        return
+    from dhcli.files.yaml.exercises import exercise_so_far
+
+    try:
+        exercise, _ = exercise_so_far(Path(path))
+    except DhcliError:
+        yield from _left_to_write("", root)
+        return
+    inside = [path_to(root, problem.place) for problem in problems if problem.place]
+    harmless = all(BESIDE_JUDGING.intersection(where) for where in inside)
+    for one in _rules_of_exercise(exercise, judged=harmless):
+        if not any(_told_by(where, one.where) for where in inside):
+            yield _told(one, root)
+
+
+def _told_by(problem: tuple[str | int, ...], finding: tuple[str | int, ...]) -> bool:
+    """Whether a problem stands where a finding does, or one inside the other below the top of the file."""
+    shorter = min(len(problem), len(finding))
+    return problem == finding or (shorter > 1 and problem[:shorter] == finding[:shorter])
 
 
 def _left_to_write(key: str, node: PlacedNode) -> Iterator[Told]:
@@ -159,30 +202,40 @@ def _left_to_write(key: str, node: PlacedNode) -> Iterator[Told]:
         yield from _left_to_write(key, inner)
 
 
-def _rules(path: str) -> Iterator[Finding]:
+def _rules(path: str, kind: Kind) -> Iterator[Finding]:
     """What the rules for its kind say of a file.
 
     Raises:
         DhcliError: It does not load.
     """
-    from dhcli.checking.judge import Judge
     from dhcli.files.yaml.exercises import load_exercise
     from dhcli.files.yaml.linkages import load_linkage
     from dhcli.files.yaml.robots import load_robot
-    from dhcli.lint import exercises, linkages, mistakes, robots, variants
+    from dhcli.lint import linkages, robots
 
-    kind = kind_of(path)
     if kind is Kind.ROBOTS:
         yield from robots.findings(load_robot(Path(path)))
     elif kind is Kind.LINKAGES:
         yield from linkages.findings(load_linkage(Path(path)))
     else:
-        judge = Judge(load_exercise(Path(path)))
-        told = tuple(exercises.findings(judge))
-        yield from told
-        if not any(one.where[:1] == ("tolerance",) for one in told):  # else the pose is not what hides mistakes
-            yield from mistakes.findings(judge)
-            yield from variants.findings(judge)
+        yield from _rules_of_exercise(load_exercise(Path(path)), judged=True)
+
+
+def _rules_of_exercise(exercise: Exercise, *, judged: bool) -> Iterator[Finding]:
+    """What the rules say of an exercise: those about what is written alone, or also those about how it is judged."""
+    from dhcli.checking.judge import Judge
+    from dhcli.lint import exercises, mistakes, variants
+
+    yield from exercises.written(exercise)
+    yield from variants.written(exercise)
+    if not judged:
+        return
+    judge = Judge(exercise)
+    told = tuple(exercises.findings(judge))
+    yield from told
+    if not any(one.where[:1] == ("tolerance",) for one in told):  # else the pose is not what hides mistakes
+        yield from mistakes.findings(judge)
+        yield from variants.findings(judge)
 
 
 def _placed(problem: Problem, path: str) -> Problem:

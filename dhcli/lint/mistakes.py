@@ -32,8 +32,8 @@ def typed(judge: Judge, trial: Trial) -> str:
 
 def findings(judge: Judge) -> Iterator[Finding]:
     """What the pose of an exercise in numbers hides, with a pose that shows it; an error where it is half of all."""
-    for index, part in enumerate(judge.exercise.parts if judge.exercise.numeric else ()):
-        unseen = () if part.withdrawn else judge.hidden(part)
+    for part in judge.exercise.asked if judge.exercise.numeric else ():
+        unseen = judge.hidden(part)
         if not unseen:
             continue
         names = ", ".join(slip.name for slip in unseen[:MOST_NAMED]) + (", ..." if len(unseen) > MOST_NAMED else "")
@@ -41,7 +41,7 @@ def findings(judge: Judge) -> Iterator[Finding]:
         what = "a mistake" if len(unseen) == 1 else f"{len(unseen)} mistakes"
         message = f"{part.id}: this pose does not show {what}: {names}"
         hint = _better(judge, part) or ("" if blind else "nothing to do if it is meant so")
-        yield Finding(("parts", index), message, hint, is_warning=not blind)
+        yield Finding(("parts", part.id), message, hint, is_warning=not blind)
 
 
 def _better(judge: Judge, part: Part) -> str:

@@ -22,14 +22,11 @@ SEEDS = tuple(str(number) for number in range(1, 201))
 _ASSIGNED = re.compile(r"(?<!\w)(\\?[^\W\d_]+_?\{?\d*\}?)\s*=\s*[-−]?\d")  # noqa: RUF001  the sign of a document
 
 
-def findings(judge: Judge) -> Iterator[Finding]:
-    """Every broken rule about the variants of an exercise; nothing if it has none."""
-    exercise = judge.exercise
-    if not exercise.variants:
-        return
-    yield from _within_limits(exercise)
-    yield from _texts(exercise)
-    yield from _seeds(judge)
+def written(exercise: Exercise) -> Iterator[Finding]:
+    """Every broken rule about what stands in the file, for which nothing is drawn; nothing without variants."""
+    if exercise.variants:
+        yield from _within_limits(exercise)
+        yield from _texts(exercise)
 
 
 def _within_limits(exercise: Exercise) -> Iterator[Finding]:
@@ -47,9 +44,9 @@ def _within_limits(exercise: Exercise) -> Iterator[Finding]:
 def _texts(exercise: Exercise) -> Iterator[Finding]:
     """A number in a text stays what it is while the value beside it varies."""
     texts: dict[tuple[str | int, ...], str] = {("task",): exercise.task}
-    for index, part in enumerate(exercise.parts):
-        texts["parts", index, "prompt"] = part.prompt
-        texts |= {("parts", index, "hints", k): hint for k, hint in enumerate(part.hints)}
+    for part in exercise.parts:
+        texts["parts", part.id, "prompt"] = part.prompt
+        texts |= {("parts", part.id, "hints", k): hint for k, hint in enumerate(part.hints)}
     fixed = {value_text(v) for name, v in exercise.values.items() if name not in exercise.variants}
     loose = {name: value_text(v) for name, v in exercise.given.items() if name in exercise.variants}
     for where, text in texts.items():
@@ -62,14 +59,14 @@ def _texts(exercise: Exercise) -> Iterator[Finding]:
                 yield Finding(where, message, f"write {name}", is_warning=True)
 
 
-def _seeds(judge: Judge) -> Iterator[Finding]:
+def findings(judge: Judge) -> Iterator[Finding]:
     """The first seed that draws nothing, whose pose hides a mistake, or whose solution is not right.
 
-    The same numbers are tried once.
+    The same numbers are tried once; nothing is told of an exercise without variants.
     """
     tried: list[Mapping[str, Value]] = []
     blind = False
-    for seed in SEEDS:
+    for seed in SEEDS if judge.exercise.variants else ():
         try:
             drawn = vary(judge, seed)
         except DhcliError as error:

@@ -53,7 +53,7 @@ def _write_joint_values(q: NDArray[np.float64]) -> None:
 def _dhcli(kind: str) -> NDArray[np.float64]:
     """What a user types, in this process; what stands in the file then, shape (N, 3, 4)."""
     with open(os.devnull, "w", encoding="utf-8") as nowhere, contextlib.redirect_stderr(nowhere):  # noqa: PTH123
-        if main(["fk", ROBOT.name, "--in", f"q.{kind}", "-o", f"p.{kind}", "--force"]):
+        if main(["fk", ROBOT.name, "--in", f"q.{kind}", "-o", f"p.{kind}", "--overwrite"]):
             raise SystemExit(f"dhcli fk --in q.{kind} does not work")
     return _last(kind, "p")
 

@@ -35,7 +35,7 @@ COMMANDS = (
     "dof bennett",
     "grade sheets",
     "lint exercise.yaml",
-    "new robot my-arm --force",
+    "new robot my-arm --overwrite",
     "help fk",
     "ik puma560 --pose nominal",
 )

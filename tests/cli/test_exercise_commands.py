@@ -61,7 +61,7 @@ def test_start_overwrites_nothing_unless_it_must(dhcli: Run, tmp_path: Path) -> 
     assert done.code == 2
     assert "exists already" in done.err
     assert (tmp_path / SHEET).read_text() == "hours of work"
-    assert dhcli("start", PLANAR, "--force").code == 0
+    assert dhcli("start", PLANAR, "--overwrite").code == 0
     assert "answers:" in (tmp_path / SHEET).read_text("utf-8")
 
 

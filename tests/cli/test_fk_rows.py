@@ -148,7 +148,7 @@ def test_npy_goes_through_a_pipe(process: Run, tmp_path: Path) -> None:
         ("fk scara --in q.csv -o poses.json", "did you mean .jsonl"),
         ("fk scara --in q.csv -o q.csv", "q.csv: exists already"),
         ("fk scara --in q.csv -o nowhere/p.csv", "there is no folder nowhere"),
-        ("fk scara --in q.csv --force", "--force needs a file"),
+        ("fk scara --in q.csv --overwrite", "--overwrite needs a file"),
         ("fk scara --in q.csv --as rpyy", "did you mean rpy?"),
         ("fk scara --in q.csv --to 9", "scara has no frame 9"),
         ("fk scara --in q.csv --set l9=1", "scara has no length called l9"),

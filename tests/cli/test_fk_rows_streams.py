@@ -100,7 +100,7 @@ def test_a_signal_leaves_nothing_that_looks_complete(
     if there_before:
         target.write_text("old")
     rows = io.BufferedReader(Stopped(b"0.1,0.2,0.3\n" * 9, getattr(signal, name)))
-    done = dhcli("fk", "scara", "--in", "-", "-o", target.name, "--force", stdin=rows)
+    done = dhcli("fk", "scara", "--in", "-", "-o", target.name, "--overwrite", stdin=rows)
     assert (done.code, done.out, done.err.strip()) == (code, "", "")
     assert [path.read_text() for path in tmp_path.iterdir()] == (["old"] if there_before else [])
 
@@ -111,7 +111,7 @@ def test_a_process_that_waits_for_rows_can_be_stopped(tmp_path: Path, name: str,
     """By a signal from outside, and it cleans up."""
     target = tmp_path / "poses.csv"
     target.write_text("old")
-    with started(tmp_path, "fk", "scara", "--in", "-", "-o", target.name, "--force") as running:
+    with started(tmp_path, "fk", "scara", "--in", "-", "-o", target.name, "--overwrite") as running:
         assert running.stdin is not None
         running.stdin.write("0.1,0.2,0.3\n")
         running.stdin.flush()
@@ -136,7 +136,7 @@ def test_a_full_disk_is_told(dhcli: Run, tmp_path: Path, format_: str) -> None:
         done = dhcli(*words, stdout=full)
     assert done.code == 2
     assert "standard output: cannot be written" in done.err
-    done = dhcli(*words, "-o", "/dev/full", "--force")
+    done = dhcli(*words, "-o", "/dev/full", "--overwrite")
     assert done.code == 2
     assert "/dev/full: cannot be written: the disk is full" in done.err
     assert "Traceback" not in done.err
@@ -169,7 +169,7 @@ def test_memory_does_not_grow_with_the_rows(tmp_path: Path, format_: str) -> Non
             (tmp_path / f"{count}.{format_}").write_text(line * count)
     code = "import sys\nfrom dhcli.cli.main import main\n"
     code += f"for count in {counts}:\n"
-    code += f"    main(['fk', 'scara', '--in', f'{{count}}.{format_}', '-o', 'p.{format_}', '--force'])\n"
+    code += f"    main(['fk', 'scara', '--in', f'{{count}}.{format_}', '-o', 'p.{format_}', '--overwrite'])\n"
     code += "    print(next(line for line in open('/proc/self/status') if line.startswith('VmHWM')).split()[1])"
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
     done = subprocess.run(

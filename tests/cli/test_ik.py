@@ -4,21 +4,24 @@ from __future__ import annotations
 
 import json
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
 
-from dhcli import forward, load_robot
+from dhcli import forward, inverse, load_robot
 from tests.cli.running import Run
+from tests.cli.terminal import Terminal
 
 CONTENT = {
     *("robot", "convention", "values", "task", "reference", "frame", "joints", "reachable", "why", "held", "closest"),
-    "solutions",
+    *("target", "solutions", "factors", "how"),
 }
 SOLUTION = {"q", "branch", "within_limits", "beyond", "residual", "free"}
 PAGE = """\
 inverse kinematics: position of frame 2 of planar-2r, seen from frame 0
 standard DH · a1 = 0.4 m · a2 = 0.3 m · lengths in m
+position 0.5, 0.3, 0 m
 
 2 solutions
 
@@ -223,3 +226,141 @@ def test_errors_are_json_too_when_json_is_asked_for(dhcli: Run) -> None:
     """One envelope."""
     done = dhcli("ik", "puma560", "--format", "json")
     assert json.loads(done.out)["ok"] is False
+
+
+@pytest.mark.parametrize(
+    ("words", "line", "target"),
+    [
+        (("--position", "500mm,0.3,0"), "position 0.5, 0.3, 0 m", {"position": [0.5, 0.3, 0.0]}),
+        (("--pointing", "0,0,2"), "z 0, 0, 1", {"z": [0.0, 0.0, 1.0]}),
+        (
+            ("--target", "Trans(0,0.7,0) Rot(z,90°)"),
+            "position 0, 0.7, 0 m · rpy 0°, 0°, 90°",
+            {"position": [0.0, 0.7, 0.0], "rotation": [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]},
+        ),
+    ],
+)
+def test_the_target_is_repeated_as_it_was_read(
+    dhcli: Run, words: tuple[str, ...], line: str, target: dict[str, list[float]]
+) -> None:
+    """What of it counts, in text and in JSON: a unit or a sign that was lost is seen."""
+    assert f"\n{line}\n" in dhcli("ik", "planar-2r", *words).out
+    data = dhcli("ik", "planar-2r", *words, "--format", "json").data
+    assert data["target"] == target
+
+
+@pytest.mark.parametrize(("position", "is_asked"), [("500,300,0", True), ("5,3,0", False), ("1e6,0,0", False)])
+def test_a_point_in_millimetres_is_recognised_by_its_distance(dhcli: Run, position: str, is_asked: bool) -> None:
+    """Nobody can mean so many metres; nobody means so many millimetres either."""
+    done = dhcli("ik", "planar-2r", "--position", position)
+    assert done.code == 1
+    assert ("did you mean mm?" in done.out) is is_asked
+
+
+@pytest.mark.parametrize("columns", [80, 40])
+def test_no_line_is_wider_than_a_terminal_and_no_word_is_broken(tmp_path: Path, columns: int) -> None:
+    """Words go below the numbers, and at last each number gets its name."""
+    with Terminal(tmp_path, "ik", "puma560", "--pose", "ready", columns=columns, own_process=True) as screen:
+        assert screen.end() == 0
+    page = screen.seen.replace("\r", "")
+    assert all(len(line) <= columns for line in page.splitlines())
+    assert "shoulder right, elbow down, wrist flip" in " ".join(page.split())
+    assert ("theta2 = -92.6931°" in page) is (columns == 40)
+
+
+def test_of_all_ways_to_stand_nearest_the_plainest_is_offered() -> None:
+    """Inside the limits, and near to the joint values asked for."""
+    robot = load_robot("puma560")
+    pose = np.array(forward(robot, "nominal").matrix)
+    pose[0, 3] = 3
+    found = [inverse(robot, pose, near=near).closest for near in (None, [0, 0, -1.5, 1.9, 0, -1.9])]
+    plain, other = (np.asarray(q) for q in found)
+    assert np.abs(plain[0]) < math.pi / 2, "the way back over the shoulder is out of theta1's limits"
+    assert plain[3] < 0 < other[3], "the wrist flipped"
+    assert np.allclose(forward(robot, list(plain)).matrix, forward(robot, list(other)).matrix, atol=1e-6)
+
+
+def test_formulas_asked_for_as_symbols_are_found(dhcli: Run) -> None:
+    """Other commands take `--symbolic`."""
+    assert "did you mean --derive?" in dhcli("ik", "planar-2r", "--symbolic").err
+
+
+def test_rows_from_the_keyboard_are_waited_for_aloud(tmp_path: Path) -> None:
+    """A command that says nothing seems to hang; Ctrl-D ends what is typed."""
+    with Terminal(tmp_path, "ik", "planar-2r", "--in", "-", own_process=True) as screen:
+        screen.until("reading from the keyboard; Ctrl-D on an empty line ends it")
+        screen.type("p_x,p_y,p_z\n0.5,0.3,0\n\x04")
+        assert screen.end() == 0
+    assert "theta1" in screen.seen
+
+
+def test_why_tells_the_rule_the_steps_and_the_limits(dhcli: Run) -> None:
+    """A line for each joint in the order in which it is found, and for each solution that limits keep out."""
+    done = dhcli("ik", "puma560", "--pose", "nominal", "--why", "--format", "json").data
+    how = done["how"]
+    assert how["rules"] == ["ONE"]
+    assert [step.partition(":")[0] for step in how["steps"]] == [f"theta{k}" for k in (3, 2, 1, 4, 5, 6)]
+    assert "the point fixed under theta4, theta5, theta6" in how["steps"][0]
+    outside = [k + 1 for k, solution in enumerate(done["solutions"]) if not solution["within_limits"]]
+    assert [int(line.partition(":")[0]) for line in how["limits"]] == outside == [1, 6, 7]
+    page = dhcli("ik", "puma560", "--pose", "nominal", "--why", "--within-limits").out
+    assert "left, elbow up, wrist noflip, left out: theta4 would be 180°, its limits are -110° and" in page
+    assert "How, by rule ONE" in page
+    assert dhcli("ik", "puma560", "--pose", "nominal", "--format", "json").data["how"] is None
+
+
+def test_the_number_of_solutions_is_told_as_a_product(dhcli: Run) -> None:
+    """Where the choices between roots multiply to it; of a part of the solutions they do not."""
+    assert "8 solutions = 2 (theta3) × 2 (theta2) × 2 (wrist)" in dhcli("ik", "puma560", "--pose", "nominal").out
+    assert dhcli("ik", "puma560", "--pose", "nominal", "--format", "json").data["factors"] == {
+        "theta3": 2,
+        "theta2": 2,
+        "wrist": 2,
+    }
+    part = dhcli("ik", "puma560", "--pose", "nominal", "--branch", "elbow up").out
+    assert "4 solutions\n" in part
+
+
+@pytest.mark.parametrize(("order", "moves"), [("zyz", "Rot(z,{0}) Rot(y,{1}) Rot(z,{2})"), ("fixed-xyz", "")])
+def test_three_turns_say_an_orientation(dhcli: Run, order: str, moves: str) -> None:
+    """In any order, about current or fixed axes: the same as in moves, or as rpy."""
+    angles = ("10°", "20°", "30°")
+    same = ("--target", moves.format(*angles), "--task", "orientation") if moves else ("--rpy", ",".join(angles))
+    one = dhcli("ik", "spherical-wrist", "--euler", f"{order} {','.join(angles)}", "--format", "json").data
+    other = dhcli("ik", "spherical-wrist", *same, "--format", "json").data
+    found, wanted = ([solution["q"] for solution in each["solutions"]] for each in (one, other))
+    assert np.allclose(found, wanted, atol=1e-12)
+    assert len(found) == 2
+
+
+def test_the_pose_may_be_the_second_word(dhcli: Run) -> None:
+    """As a pipe gives it: `dhcli fk ... --format json | dhcli ik ROBOT -`."""
+    told = dhcli("fk", "puma560", "--pose", "nominal", "--format", "json").out
+    assert dhcli("ik", "puma560", "-", stdin=told).out == dhcli("ik", "puma560", "--pose", "nominal").out
+    done = dhcli("ik", "puma560", "Trans(0.4,0,0)", "--target", "Trans(0.4,0,0)")
+    assert (done.code, "two ways" in done.err) == (2, True)
+
+
+@pytest.mark.parametrize(
+    ("euler", "said"),
+    [
+        ("zzy 1,2,3", "no order zzy"),
+        ("zyz 1,2", "three angles are wanted, not 2"),
+        ("zyz", "three angles are wanted"),
+        ("zyz a,1,2", "a is not a name"),
+        ("fixed-zyz 300,0,0", "more than a turn"),
+    ],
+)
+def test_what_is_no_order_or_no_angles_is_refused(dhcli: Run, euler: str, said: str) -> None:
+    """With what would be right."""
+    done = dhcli("ik", "spherical-wrist", "--euler", euler)
+    assert (done.code, said in done.err) == (2, True)
+
+
+def test_out_of_reach_is_told_by_the_joint_that_has_no_real_value(dhcli: Run) -> None:
+    """Too near to the shoulder: the links laid end to end would reach it, the law of cosines would not."""
+    done = dhcli("ik", "planar-2r", "--position", "0.05,0,0")
+    assert done.code == 1
+    assert "theta2 has no real value: a cosine in its equation would be 1.031" in done.out
+    cosine = (0.05**2 - 0.4**2 - 0.3**2) / (2 * 0.4 * 0.3)
+    assert cosine == pytest.approx(-1.031, abs=5e-4)

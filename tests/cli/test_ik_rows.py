@@ -71,7 +71,7 @@ def test_poses_out_of_reach_have_no_row_and_are_counted(dhcli: Run) -> None:
         (("--in", "-", "--each", "nearest"), "p_x,p_y,p_z\n", "nearest to what?"),
         (("--in", "-", "--each", "best"), "p_x,p_y,p_z\n", "there is no best of solutions"),
         (("--in", "-", "--pose", "ready"), "p_x,p_y,p_z\n", "--pose does not go with --in"),
-        (("--in", "no-such.csv"), None, "no-such.csv: cannot be read"),
+        (("--in", "no-such.csv"), None, "no-such.csv: there is no such file"),
         (("--in", "-"), "x,y\n1,2\n", "no column is called p_x, p_y, p_z"),
         (("--in", "-"), "p_x,p_y,p_z\n1,two,3\n", "-:2: p_y is 'two', which is no number"),
         (("--in", "-"), "p_x,p_y,p_z\n1,2\n", "p_z is '', which is no number"),

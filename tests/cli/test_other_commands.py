@@ -172,13 +172,13 @@ def test_a_new_robot_works_at_once(dhcli: Run, tmp_path: Path, convention: str, 
 
 
 def test_a_new_robot_never_overwrites_unasked(dhcli: Run, tmp_path: Path) -> None:
-    """`--force` asks."""
+    """`--overwrite` asks."""
     dhcli("new", "robot", "arm", "--joints", "R")
     done = dhcli("new", "robot", "arm", "--joints", "P")
     assert done.code == 2
     assert "exists already" in done.err
     assert dhcli("show", "arm", "--format", "json").data["pattern"] == "R"
-    assert dhcli("new", "robot", "arm", "--joints", "P", "--force").code == 0
+    assert dhcli("new", "robot", "arm", "--joints", "P", "--overwrite").code == 0
     assert dhcli("show", "arm", "--format", "json").data["pattern"] == "P"
 
 

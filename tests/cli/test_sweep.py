@@ -122,7 +122,7 @@ def test_a_file_that_is_there_stays_unless_it_may_be_overwritten(dhcli: Run, tmp
     assert (done.code, done.out) == (2, "")
     assert "points.csv: exists already" in done.err
     assert (tmp_path / "points.csv").read_text() == "precious"
-    assert dhcli(*SCARA, "-o", "points.csv", "--force").code == 0
+    assert dhcli(*SCARA, "-o", "points.csv", "--overwrite").code == 0
     assert (tmp_path / "points.csv").read_text("utf-8").count("\n") == 106
 
 
@@ -144,7 +144,7 @@ def test_a_file_that_is_there_stays_unless_it_may_be_overwritten(dhcli: Run, tmp
         (("puma560", "--format", "latex"), "there is no format latex for a sweep"),
         (("puma560", "-o", "points.json"), "known suffixes of points: .csv .jsonl .ndjson .npy"),
         (("puma560", "-o", "nowhere/points.csv"), "there is no folder nowhere"),
-        (("puma560", "--force"), "--force needs a file"),
+        (("puma560", "--overwrite"), "--overwrite needs a file"),
         (("puma560", "--over", "q1=0..1 n 1000000000000"), "1,000,000,000,000 values"),
     ],
 )

@@ -77,13 +77,21 @@ def test_a_missing_file_names_what_is_like_it(tmp_path: Path) -> None:
 
 def test_a_missing_folder_is_a_missing_file(tmp_path: Path) -> None:
     """There is nothing to compare its name with."""
-    assert problem_of(tmp_path / "nowhere" / "a.yaml").endswith("a.yaml: there is no such file")
+    told = problem_of(tmp_path / "nowhere" / "a.yaml")
+    assert told.endswith(f"a.yaml: there is no such file (there is no folder {tmp_path / 'nowhere'})")
+
+
+def test_a_file_that_is_only_a_little_like_it_is_not_named(tmp_path: Path) -> None:
+    """An ending is shared by all; the folder that was looked in tells more."""
+    (tmp_path / "panda.yaml").touch()
+    told = problem_of(tmp_path / "planar.yaml")
+    assert told.endswith(f"planar.yaml: there is no such file (looked in {tmp_path})")
 
 
 def test_a_file_is_no_folder(tmp_path: Path) -> None:
     """`scara.yaml/x` is not there either."""
     (tmp_path / "a.yaml").touch()
-    assert problem_of(tmp_path / "a.yaml" / "x").endswith("x: there is no such file")
+    assert "x: there is no such file" in problem_of(tmp_path / "a.yaml" / "x")
 
 
 def test_a_folder_is_not_a_file(tmp_path: Path) -> None:

@@ -33,7 +33,7 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("fk", "stanford", "-s", "--frames"),
     ("fk", "stanford", "--links", "--q", "0,0,0.2,0,0,0", "--format", "csv"),
     ("fk", "scara", "--in", "q.csv", "--ignore-columns", "--skip-bad", "--index", "--deg"),
-    ("fk", "scara", "--pose", "pick", "-o", "out.m", "--force"),
+    ("fk", "scara", "--pose", "pick", "-o", "out.m", "--overwrite"),
     (
         "sweep",
         "planar-2r",
@@ -77,7 +77,19 @@ LINES: tuple[tuple[str, ...], ...] = (
     ),
     ("jacobian", "planar-2r", "-s", "--let", "--from", "0", "--to", "2", "--point", "0,0,0", "--format", "latex"),
     ("jacobian", "scara", "--q", "10,20,0.1", "--deg", "--set", "l1=1", "--digits", "3", "--style", "full"),
-    ("jacobian", "scara", "--pose", "pick", "--part", "linear", "--order", "angular-first", "-o", "j.json", "--force"),
+    (
+        "jacobian",
+        "scara",
+        "--pose",
+        "pick",
+        "--part",
+        "linear",
+        "--order",
+        "angular-first",
+        "-o",
+        "j.json",
+        "--overwrite",
+    ),
     ("jacobian", "scara", "--pose", "pick", "--analytic", "rpy"),
     ("jacobian", "scara", "--pose", "pick", "--space"),
     ("jacobian", "scara", "--pose", "pick", "--body"),
@@ -109,13 +121,13 @@ LINES: tuple[tuple[str, ...], ...] = (
         "full",
         "-o",
         "s.json",
-        "--force",
+        "--overwrite",
     ),
     ("singularities", "scara", "--pose", "pick", "--tool", "Trans(0,0,l1)"),
     ("rates", "planar-2r", "--q", "10,20", "--deg", "--set", "a1=1", "--velocity", "1,0,0", "--angular", "0,0,1"),
     ("rates", "scara", "--pose", "pick", "--velocity", "1,0,0", "--damped", "0.1", "--digits", "3", "--style", "full"),
     ("rates", "planar-2r", "-s", "--rates", "1,2", "--from", "0", "--to", "2", "--in", "0", "--at", "0,0,0"),
-    ("rates", "scara", "--pose", "pick", "--rates", "1,2,3", "--format", "json", "-o", "r.json", "--force"),
+    ("rates", "scara", "--pose", "pick", "--rates", "1,2,3", "--format", "json", "-o", "r.json", "--overwrite"),
     ("rates", "scara", "--pose", "pick", "--rates", "1,2,3", "--tool", "Trans(0.1,0,0)"),
     ("torques", "planar-2r", "--q", "10,20", "--deg", "--set", "a1=1", "--force", "1,0,0", "--moment", "0,0,1"),
     ("torques", "planar-2r", "-s", "--force", "1,0,0", "--from", "0", "--to", "2", "--in", "0", "--at", "0,0,0"),
@@ -123,7 +135,7 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("torques", "scara", "--pose", "pick", "--force", "1,0,0", "--tool", "Trans(0.1,0,0)"),
     ("torques", "scara", "--pose", "pick", "--force", "1,0,0", "--format", "json", "-o", "t.json", "--overwrite"),
     ("draw", "scara", "--q", "10,20,0.1", "--deg", "--set", "l1=1", "--view", "top", "--size", "80x20"),
-    ("draw", "scara", "--pose", "pick", "--dark", "--table", "-o", "a.svg", "--force"),
+    ("draw", "scara", "--pose", "pick", "--dark", "--table", "-o", "a.svg", "--overwrite"),
     ("draw", "puma560", "--pose", "ready", "-o", "a.tex"),
     ("draw", "scara", "--pose", "pick", "--to", "zero", "-o", "film.svg"),
     ("draw", "puma560", "--pose", "ready", "--beside", "puma560-standard", "--tool", "Trans(0,0,0.1)"),
@@ -172,8 +184,9 @@ LINES: tuple[tuple[str, ...], ...] = (
     ),
     ("describe", "./arm.urdf", "--base", "base_link", "--tip", "hand", "--as-typed", "--as", "modified"),
     ("describe", "zhou-3r", "--as", "standard", "--steps", "--set", "a=0.3", "--numbers", "--format", "json"),
-    ("describe", "puma560", "--as", "axes", "--pose", "ready", "-o", "d.yaml", "--force"),
+    ("describe", "puma560", "--as", "axes", "--pose", "ready", "-o", "d.yaml", "--overwrite"),
     ("describe", "puma560", "--as", "axes", "--tool", "Trans(0,0,0.1) Rot(z,45°)"),
+    ("describe", "ur5e", "--as", "standard", "--choose", "next-d,previous-x"),
     ("draw", "yim/planar-in-numbers", "--variant", "alice", "--solution", "--worksheet", "-o", "w.svg"),
     ("ik", "planar-2r", "--q", "10,20", "--deg", "--set", "a1=1", "--task", "position", "--from", "0", "--to", "2"),
     ("ik", "puma560", "--pose", "ready", "--near", "ready", "--branch", "elbow up", "--within-limits", "--digits", "3"),
@@ -190,12 +203,14 @@ LINES: tuple[tuple[str, ...], ...] = (
         "csv",
         "-o",
         "i.csv",
-        "--force",
+        "--overwrite",
     ),
     ("ik", "puma560", "--position", "0.4,0.15,0.3", "--quaternion", "1,0,0,0", "--tool", "Trans(0,0,0.1)"),
     ("ik", "panda", "--pose", "ready", "--hold", "theta7=0", "--family", "3"),
     ("ik", "puma560", "--position", "0.4,0.15,0.3", "--pointing", "0,0,-1"),
     ("ik", "planar-2r", "--derive"),
+    ("ik", "puma560", "--position", "0.4,0.15,0.3", "--euler", "zyz 0,30°,1", "--why"),
+    ("ik", "planar-2r", "Trans(0.4,0.15,0)", "--task", "position"),
     ("ik", "scara", "--in", "poses.csv", "--each", "first"),
     ("ik", "scara", "--in", "poses.csv", "--skip-bad"),
     ("ik", "scara", "--in", "poses.csv", "--follow", "--near", "zero"),
@@ -204,8 +219,8 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("dof", "6-UPS", "--format", "json"),
     ("dof", "loop 4R", "--tol", "1e-3"),
     ("dof", "--links", "4", "--joints", "3R 1P", "--planar"),
-    ("dof", "--links", "n", "--joints", "2R,1C", "--lambda", "6", "-o", "d.json", "--force"),
-    ("start", "yim/planar-in-numbers", "--variant", "alice", "-o", "-", "--force"),
+    ("dof", "--links", "n", "--joints", "2R,1C", "--lambda", "6", "-o", "d.json", "--overwrite"),
+    ("start", "yim/planar-in-numbers", "--variant", "alice", "-o", "-", "--overwrite"),
     (
         "check",
         "yim/planar-in-numbers",
@@ -229,8 +244,12 @@ LINES: tuple[tuple[str, ...], ...] = (
         "--answer",
         "c5c6 -c5s6 -s5 0; s6 c6 0 0; s5c6 -s5s6 c5 0; 0 0 0 1",
     ),
-    ("check", "planar-2r", "--table", "robot.yaml", "--format", "json", "-o", "m.json", "--force"),
+    ("check", "planar-2r", "--table", "robot.yaml", "--format", "json", "-o", "m.json", "--overwrite"),
     ("check", "planar-2r", "--table", "robot.yaml", "--compare", "same-motion"),
+    ("check", "planar-2r", "--frames", "robot.yaml", "--pose", "zero", "--why"),
+    ("draw", "planar-2r", "--to", "fold", "--animate", "-o", "move.svg", "--overwrite"),
+    ("draw", "planar-2r", "--in", "two.csv", "-o", "strip.svg", "--overwrite"),
+    ("check", "planar-2r", "--table", "robot.yaml", "--compare", "same-motion", "--draw", "over.svg", "--overwrite"),
     ("watch", "yim/planar-in-numbers", "sheet.yaml", "--variant", "x", "--why"),
     ("hint", "yim/planar-in-numbers", "--part", "t02", "--variant", "bob"),
     ("solution", "yim/planar-in-numbers", "--part", "t02", "--yes", "--variant", "bob"),
@@ -248,18 +267,20 @@ LINES: tuple[tuple[str, ...], ...] = (
         "-o",
         "g.json",
     ),
-    ("show", "puma560", "--format", "latex", "-o", "p.tex", "--force"),
+    ("show", "puma560", "--format", "latex", "-o", "p.tex", "--overwrite"),
     ("show", "yim/planar-in-numbers", "--variant", "alice"),
-    ("list", "robots", "--format", "csv", "-o", "l.csv", "--force"),
-    ("lint", "robot.yaml", "exercise.yaml", "--format", "json", "-o", "lint.json", "--force"),
+    ("list", "robots", "--format", "csv", "-o", "l.csv", "--overwrite"),
+    ("lint", "robot.yaml", "exercise.yaml", "--format", "json", "-o", "lint.json", "--overwrite"),
     ("new", "robot", "arm", "--convention", "modified", "--joints", "RRP", "-o", "-"),
-    ("new", "exercise", "course/first", "--robot", "planar-2r", "--output", "-", "--force"),
+    ("new", "exercise", "course/first", "--robot", "planar-2r", "--output", "-", "--overwrite"),
     ("new", "linkage", "press", "--form", "bars", "-o", "-"),
-    ("new", "linkage", "press", "--form", "joints", "-o", "press.yaml", "--force"),
-    ("new", "robot", "arm", "-o", "arm.yaml", "--force"),
-    ("sweep", "planar-2r", "--over", "theta1 n 3", "--q", "theta2=0", "-o", "t.csv", "--force"),
-    ("transform", "Rot(z,a)", "-o", "t.json", "--force"),
-    ("grade", "class", "-o", "c.csv", "--force"),
+    ("new", "linkage", "press", "--form", "joints", "-o", "press.yaml", "--overwrite"),
+    ("new", "robot", "arm", "-o", "arm.yaml", "--overwrite"),
+    ("new", "robot", "--from", "table.csv", "--convention", "standard", "--joints", "RR", "--units", "mm", "-o", "-"),
+    ("new", "robot", "--from", "arm.urdf", "--base", "base_link", "--tip", "hand", "--as-typed", "-o", "-"),
+    ("sweep", "planar-2r", "--over", "theta1 n 3", "--q", "theta2=0", "-o", "t.csv", "--overwrite"),
+    ("transform", "Rot(z,a)", "-o", "t.json", "--overwrite"),
+    ("grade", "class", "-o", "c.csv", "--overwrite"),
     ("help", "student"),
 )
 """A line for every option of every command; a test makes sure that none is left out."""
@@ -272,11 +293,21 @@ FILES: dict[str, tuple[str, tuple[tuple[str, ...], ...]]] = {
     "product": ("robots/scara.yaml", (("show", "./x.yaml"), ("fk", "./x.yaml", "--pose", "pick"), ("lint", "x.yaml"))),
     "modified": (
         "robots/puma560.yaml",
-        (("fk", "./x.yaml", "-s", "--format", "numpy"), ("check", "puma560", "--table", "x.yaml")),
+        (
+            ("fk", "./x.yaml", "-s", "--format", "numpy"),
+            ("check", "puma560", "--table", "x.yaml"),
+            ("check", "puma560", "--frames", "x.yaml"),
+        ),
     ),
     "urdf": (
         "tests/data/urdf/three-joints.urdf",
         (("fk", "./x.urdf", "--q", "0,0,0"), ("describe", "./x.urdf", "--as", "standard"), ("show", "./x.urdf")),
+    ),
+    "listing": ("tests/data/foreign/four-links.m", (("new", "robot", "--from", "x.m", "-o", "-"), ("fk", "x.m"))),
+    "page": ("tests/data/foreign/craig.md", (("new", "robot", "--from", "x.md", "-o", "-"),)),
+    "kinematics": (
+        "tests/data/foreign/ur5e-kinematics.yaml",
+        (("new", "robot", "--from", "x.yaml", "-o", "-"), ("show", "./x.yaml")),
     ),
     "linkage": ("robots/linkages/planar-four-bar.yaml", (("show", "./x.yaml"), ("dof", "x.yaml"), ("lint", "x.yaml"))),
     "spatial": ("robots/linkages/bennett.yaml", (("dof", "x.yaml", "--format", "json"),)),
@@ -334,10 +365,11 @@ def _line(chance: random.Random) -> Case:
     files = {
         "q.csv": ROWS["q.csv"],
         "poses.csv": poses,
+        "two.csv": b"theta1,theta2\n0.1,0.2\n0.3,0.4\n",
         "robot.yaml": source("robot"),
         "exercise.yaml": source("exercise"),
     }
-    files |= {"arm.urdf": source("urdf")}
+    files |= {"arm.urdf": source("urdf"), "table.csv": b"a,alpha [deg],d,theta\n300,90,0,q1\n200,0,0,q2*\n"}
     files |= {"class/one/s.yaml": source("sheet"), "sheet.yaml": source("sheet")}
     return Case(tuple(word.replace("\0", "") for word in words), files, chance.choice(("", IDENTITY)))
 
@@ -346,7 +378,7 @@ def _file(chance: random.Random) -> Case:
     kind = chance.choice(sorted(FILES))
     words = chance.choice(FILES[kind][1])
     content = source(kind)
-    name = "x.urdf" if kind == "urdf" else "x.yaml"
+    name = f"x{Path(FILES[kind][0]).suffix}"
     if chance.random() < 0.1:
         return Case(words, {name: mutated_bytes(content, chance)})
     return Case(words, {name: mutated(content.decode(), chance).encode("utf-8", "surrogatepass")})

@@ -51,6 +51,31 @@ WRITE = "write what belongs there"
 
 
 @cases(
+    Broken(
+        "unit: m\n",
+        "unit: m\npicture: frames\n",
+        "7:10",
+        "picture: frames would answer table, and are not shown",
+        "picture: axes; frames may not stand beside: table",
+    ),
+)
+def test_a_picture_shows_nothing_that_a_part_asks_for(broken: Broken, tmp_path: Path) -> None:
+    """By the list of what each kind of question may stand beside."""
+    assert_told(tmp_path, CLEAN, broken)
+
+
+def test_a_picture_of_nothing_is_told(tmp_path: Path) -> None:
+    """Where there is neither an arm nor a linkage."""
+    text = CLEAN[: CLEAN.index("given:")].replace("robot: planar-2r\n", "picture: axes\n") + (
+        "task: Count.\nparts:\n  - {id: n, ask: scalar 2*3, hints: [a, b]}\n"
+        "tests:\n  - {part: n, answer: '6', verdict: RIGHT}\n  - {part: n, answer: '5', verdict: WRONG}\n"
+    )
+    assert [one.message for one in findings(tmp_path, text)] == [
+        "picture: there is neither an arm nor a linkage to draw"
+    ]
+
+
+@cases(
     Broken("title: Two links", "title: TODO", "2:8", "title: still says 'TODO'", WRITE),
     Broken("source: a test", "source: FIXME later", "3:9", "source: still says 'FIXME'", WRITE),
     Broken("source: a test", "source: {document: D, item: TBD}", "3:1", "source: still says 'TBD'", WRITE),
@@ -285,7 +310,7 @@ def test_a_blank_sheet_that_earns_something_is_told(monkeypatch: pytest.MonkeyPa
     free = [replace(one, mark=Mark(Verdict.RIGHT, "")) if one.part.id == "tip" else one for one in sheet.parts]
     monkeypatch.setattr(judge, "sheet", lambda *_: replace(sheet, parts=tuple(free)))
     (found,) = exercises.findings(judge)
-    assert (found.where, found.message) == (("parts", 1), "tip: a blank answer is judged RIGHT")
+    assert (found.where, found.message) == (("parts", "tip"), "tip: a blank answer is judged RIGHT")
 
 
 def test_a_name_without_a_value_is_told_by_its_name(tmp_path: Path) -> None:

@@ -8,6 +8,7 @@ import pytest
 
 from dhcli.errors import DhcliError, FileError
 from dhcli.lint.files import Linted, lint
+from tests.lint.linting import findings
 
 ROOT = Path(__file__).parents[2]
 CLEAN = """\
@@ -145,3 +146,50 @@ def test_a_part_of_the_library_is_clean(folder: str) -> None:
     linted = lint([str(ROOT / folder)])
     assert len(linted.files) == sum(1 for _ in (ROOT / folder).rglob("*.yaml"))
     assert messages(linted) == []
+
+
+DRAFT = """\
+format: 1
+title: ""
+source: a test
+robot: planar-2r
+numeric: true
+given: {theta1: 35°, theta2: 20°}
+variants: {theta1: 20°..70°}
+task: |
+  Find the end; write here what it is.
+parts:
+  - id: tip
+    ask: position of pose 0..2
+    credit: 0
+    hints: [""]
+tests:
+  - {part: tip, answer: "", verdict: WRONG}
+"""
+
+
+def test_a_draft_is_told_all_that_is_left_to_do_at_once(tmp_path: Path) -> None:
+    """Words that are missing and a range that cannot be read hide no rule that does not need them."""
+    told = [(one.at, one.message) for one in findings(tmp_path, DRAFT)]
+    assert told == [
+        ("2:8", "title: is empty"),
+        ("7:20", "theta1: '20°..70°' is no range"),
+        ("8:1", "task: still says 'write here what it is'"),
+        ("13:13", "tip: is worth nothing"),
+        ("14:13", "hints: is empty"),
+        ("15:1", "tests: none is RIGHT"),
+        ("16:25", "tip: is judged SKIPPED; the test says WRONG"),
+    ]
+
+
+def test_nothing_is_judged_where_what_is_right_is_in_doubt(tmp_path: Path) -> None:
+    """A robot that is not found makes no solution wrong: only what is written is looked at besides."""
+    messages = [one.message for one in findings(tmp_path, DRAFT.replace("planar-2r", "planar-2x"))]
+    assert "tests: none is RIGHT" in messages
+    assert not [message for message in messages if "judged" in message]
+
+
+def test_a_file_that_does_not_load_is_still_told_that_its_name_is_taken(tmp_path: Path) -> None:
+    """The name needs no more than the file."""
+    messages = [one.message for one in findings(tmp_path, DRAFT, "puma560.yaml")]
+    assert any("is the name of the built-in robot" in message for message in messages)

@@ -100,7 +100,7 @@ def _options() -> dict[str, set[str]]:
 def test_a_page_names_only_options_that_exist(path: Path) -> None:
     """Behind a command its own; alone, one of some command or of the tools that a developer runs."""
     known = _options()
-    every = set().union(*known.values()) | {"--version", "--strict", "--install-completion", "--force"}
+    every = set().union(*known.values()) | {"--version", "--strict", "--install-completion"}
     for span in (*re.findall(r"`([^`\n]+)`", page := path.read_text("utf-8")), *_typed(page)):
         words = span.split()
         if words[0] == "dhcli" and len(words) > 1 and words[1] in known:
@@ -154,7 +154,12 @@ def test_the_robot_files_in_the_manual_load() -> None:
     from dhcli.files.yaml.robots import read_robot
 
     pages = [path.read_text("utf-8") for path in PAGES]
-    blocks = [block for page in pages for block in fenced(page, "yaml") if "\nconvention:" in block]
+    blocks = [
+        block
+        for page in pages
+        for block in fenced(page, "yaml")
+        if "\nconvention:" in block and "\nframes:" not in block
+    ]
     assert blocks
     assert all(read_robot(block, "manual", "example").pattern for block in blocks)
 

@@ -11,6 +11,7 @@ from dhcli.cli.shell.options import (
     AtPoint,
     Axes,
     Digits,
+    Force,
     Format,
     Output,
     Spelling,
@@ -43,9 +44,7 @@ def torques(
     style: Spelling = None,
     digits: Digits = None,
     output: Output = None,
-    overwrite: Annotated[
-        bool, typer.Option("--overwrite", help="Overwrite the file.", rich_help_panel="Output")
-    ] = False,
+    overwrite: Force = False,
 ) -> None:
     """Joint torques with which a robot presses with a force: tau = Jᵀ F, in numbers or in symbols."""
     from dhcli.cli.shell.delivery import Delivery
@@ -55,7 +54,6 @@ def torques(
     from dhcli.errors import DhcliError
     from dhcli.kinematics.velocity.asked import answer_torques
 
-    check_overwrite(output, overwrite=overwrite)
     if push is None and moment is None:
         raise DhcliError("torques of what?", "--force 0,0,10 or --moment 0,0,1: what the end exerts")
     delivery = Delivery("torques", format_, digits, style, output, overwrite)
@@ -66,19 +64,3 @@ def torques(
     values = values_of(arm, chosen, symbolic=symbolic)
     result = answer_torques(arm, values, view, wrench, symbolic=symbolic)
     delivery.hand_over("torques", result, result.warnings)
-
-
-def check_overwrite(output: str | None, *, overwrite: bool) -> None:
-    """Make sure that a file is there to be written; here `--force` is what the end exerts.
-
-    Raises:
-        DhcliError: It exists already, or `--overwrite` has none.
-    """
-    import os
-
-    from dhcli.errors import DhcliError, FileError, Place, Problem
-
-    if overwrite and not output:
-        raise DhcliError("--overwrite needs a file to overwrite", "name it with -o FILE")
-    if output and not overwrite and os.path.isfile(output):  # noqa: PTH113  spares the start-up many Path objects
-        raise FileError(Problem("exists already", Place(output), "--overwrite overwrites it"))

@@ -54,7 +54,7 @@ def check_options(path: str | None, robot: str, others: Mapping[str, object]) ->
     if given := [option for option, value in others.items() if value is not None and value is not False]:
         verb = "does" if len(given) == 1 else "do"
         hint = "with --in go --q NAME=VALUE --deg --set --from --to --tool --inverse --frames --point --as --skip-bad "
-        hint += "--ignore-columns --index --format -o --force"
+        hint += "--ignore-columns --index --format -o --overwrite"
         raise DhcliError(f"{' and '.join(given)} {verb} not go with --in", hint)
     return path
 

@@ -102,10 +102,10 @@ def check_force(output: str | None, *, force: bool) -> None:
     """Make sure that there is a file where one may be overwritten.
 
     Raises:
-        DhcliError: `--force` has none.
+        DhcliError: `--overwrite` has none.
     """
     if force and not output:
-        raise DhcliError("--force needs a file to overwrite", "name it with -o FILE")
+        raise DhcliError("--overwrite needs a file to overwrite", "name it with -o FILE")
 
 
 def format_by_suffix(output: str, suffixes: Mapping[str, str], of: str = "", more: str = "or say --format") -> str:
@@ -148,7 +148,7 @@ def check_free(path: Path | str, *, force: bool) -> None:
         FileError: It exists already.
     """
     if Path(path).is_file() and not force:
-        raise FileError(Problem("exists already", Place(str(path)), "--force overwrites it"))
+        raise FileError(Problem("exists already", Place(str(path)), "--overwrite overwrites it"))
 
 
 def write_file(path: Path | str, text: str, *, force: bool) -> None:
@@ -157,7 +157,7 @@ def write_file(path: Path | str, text: str, *, force: bool) -> None:
     Raises:
         FileError: It exists already and may not be overwritten, or it cannot be written.
     """
-    from dhcli.files.atomic import write_whole
+    from dhcli.storage.atomic import write_whole
 
     check_free(path, force=force)
     write_whole(path, text, overwrite=force)

@@ -68,7 +68,7 @@ class RowDelivery:
 
         Raises:
             UnknownNameError: There is no such format or suffix.
-            DhcliError: A terminal would show bytes, or `--force` has no file.
+            DhcliError: A terminal would show bytes, or `--overwrite` has no file.
             FileError: The file exists already.
         """
         check_force(self.output, force=self.force)
@@ -94,7 +94,7 @@ class RowDelivery:
             with _sink(name, layout) as sink:
                 yield sink
             return
-        from dhcli.files.atomic import whole_file
+        from dhcli.storage.atomic import whole_file
 
         with (
             whole_file(self.output, overwrite=self.force) as stream,

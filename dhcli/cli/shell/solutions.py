@@ -56,15 +56,7 @@ def only_branches(found: Solutions, wanted: Sequence[str]) -> Solutions:
             hint = f"{hint} {listed}" if hint.startswith("did") else listed
             raise UnknownNameError(Problem(f"no solution is {word}", Place("--branch"), hint))
     kept = [k for k, own in enumerate(parts) if all(word in own for word in words)]
-    return replace(
-        found,
-        q=found.q[kept],
-        branches=tuple(found.branches[k] for k in kept),
-        residual=None if found.residual is None else found.residual[kept],
-        beyond=tuple(found.beyond[k] for k in kept),
-        free=tuple(found.free[k] for k in kept),
-        why="" if kept else f"no solution is {' and '.join(words)}",
-    )
+    return replace(found.take(kept), why="" if kept else f"no solution is {' and '.join(words)}")
 
 
 def derived(robot: Robot, goal: Goal, chosen: Chosen) -> Derivation:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, TextIO
 import numpy as np
 
 from dhcli.errors import FileError, Place, Problem
+from dhcli.files.reading import explain
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -59,7 +60,7 @@ def _opened(path: str) -> Iterator[TextIO]:
         # what is not UTF-8 is no number either, and is told as a bad cell
         stream = open(path, encoding="utf-8-sig", errors="replace", newline="")  # noqa: SIM115  closed below
     except OSError as error:
-        raise FileError(Problem(f"cannot be read: {error.strerror}", Place(path))) from None
+        raise FileError(explain(error, path, path)) from None
     with stream:
         yield stream
 

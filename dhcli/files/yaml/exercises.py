@@ -7,6 +7,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from dhcli.checking.exercise import Exercise
+from dhcli.checking.figures import LEVELS
 from dhcli.checking.verdicts import Verdict
 from dhcli.checking.written import Printed, Range, Trial, answer_scope
 from dhcli.errors import DhcliError, FileError, Problem, did_you_mean
@@ -49,6 +50,7 @@ KEYS = (
     "tests",
     "variants",
     "feedback",
+    "picture",
 )
 
 
@@ -59,28 +61,41 @@ def load_exercise(name: str | Path) -> Exercise:
         UnknownNameError: No exercise has this id; the nearest are listed.
         FileError: The file is no exercise; every problem, each with file, line and column.
     """
+    return _loader(name).whole()
+
+
+def exercise_so_far(path: Path) -> tuple[Exercise, tuple[Problem, ...]]:
+    """What can be read of an exercise file, and what is wrong with it: for those who look for more in the rest.
+
+    Raises:
+        FileError: It is no mapping in YAML that says `format: 1`, so that there is no rest.
+    """
+    loader = _loader(path)
+    return loader.exercise(), tuple(loader.problems.found)
+
+
+def _loader(name: str | Path) -> _Loader:
+    """What reads the exercise of an id or in a file."""
     check_typed(Kind.EXERCISES, name)
     path = name if isinstance(name, Path) else find(Kind.EXERCISES, full_id(name))
     ids = {entry.path: entry.name for entry in entries(Kind.EXERCISES)}
     text = read_text("-" if str(path) == "-" else path)
     robots = _robots_beside(path) if path not in ids else ()
-    return read_exercise(text, source_of(path), ids.get(path, path.stem), robots)
+    return _Loader.of(text, source_of(path), ids.get(path, path.stem), robots)
 
 
-def read_exercise(text: str, source: str, name: str, robots: Iterable[Path] = ()) -> Exercise:
+def read_exercise(text: str, source: str, name: str) -> Exercise:
     """Read an exercise from the text of a file.
 
     Args:
         text: YAML.
         source: What the text is called in errors.
         name: What the exercise is called.
-        robots: Folders whose robots come before those of the library.
 
     Raises:
         FileError: With all problems.
     """
-    refused: list[Problem] = []
-    return _Loader(read_yaml(text, source, refused), name, refused, tuple(robots)).exercise()
+    return _Loader.of(text, source, name).whole()
 
 
 def _robots_beside(path: Path) -> Iterator[Path]:
@@ -124,7 +139,20 @@ class _Loader:
             self.problems, scope, self.robot, has_robot, unit, self.tolerance, self.shares, self.printed, []
         )
 
+    @classmethod
+    def of(cls, text: str, source: str, name: str, robots: Iterable[Path] = ()) -> _Loader:
+        """What reads a text; the robots in the folders come before those of the library."""
+        refused: list[Problem] = []
+        return cls(read_yaml(text, source, refused), name, refused, tuple(robots))
+
+    def whole(self) -> Exercise:
+        """The exercise of a file that says nothing wrong."""
+        found = self.exercise()
+        self.problems.raise_if_any(FileError)
+        return found
+
     def exercise(self) -> Exercise:
+        """The exercise, as far as it can be read."""
         nodes = self.fields.sequence("parts", example="- {id: a1, ask: link 1}")
         parts_ = tuple(part for node in nodes if (part := self.parts.part(node)))
         if not nodes and isinstance(self.fields.get("parts"), PlacedSequence):
@@ -146,7 +174,11 @@ class _Loader:
             self.problems.add(
                 self.fields.place_of("feedback"), f"feedback: '{feedback}' is not known", "write expected"
             )
-        found = Exercise(
+        picture = self.fields.text("picture", "")
+        if picture and picture not in LEVELS:
+            levels = ", ".join(LEVELS)
+            self.problems.add(self.fields.place_of("picture"), f"picture: '{picture}' is not known", f"write {levels}")
+        return Exercise(
             id=self.name,
             title=self.fields.text("title"),
             source=self.source(),
@@ -163,9 +195,8 @@ class _Loader:
             trials=trials,
             shows_expected=feedback == "expected",
             variants=self.variants(),
+            picture=picture,
         )
-        self.problems.raise_if_any(FileError)
-        return found
 
     def read_robot(self, key: str) -> Robot | None:
         scalar = self.fields.scalar(key)

@@ -14,8 +14,7 @@ from dhcli.kinematics.describe.linear import Point, coordinates_of
 from dhcli.kinematics.describe.process import axis_word
 from dhcli.kinematics.describe.products import end_of
 from dhcli.kinematics.describe.screws import ScrewAxis
-from dhcli.kinematics.forward import product_text
-from dhcli.kinematics.moves import Chain
+from dhcli.kinematics.moves import Chain, product_text
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Number
@@ -49,7 +48,7 @@ def save_robot(robot: Robot, path: str | Path, *, overwrite: bool = False) -> No
         FileError: The file exists already, or cannot be written.
         RobotError: It cannot be a URDF.
     """
-    from dhcli.files.atomic import write_whole
+    from dhcli.storage.atomic import write_whole
 
     if str(path).lower().endswith(".urdf"):
         from dhcli.files.urdf.writing import urdf_text

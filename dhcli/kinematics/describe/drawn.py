@@ -43,6 +43,10 @@ class Line:
     rate: Fraction = Fraction(1)
     drawn: Value = ZERO
 
+    def reversed(self) -> Line:
+        """The same axis pointing the other way, against which the variable grows."""
+        return replace(self, direction=scaled(self.direction, -1), rate=-self.rate)
+
 
 @dataclass(frozen=True, slots=True)
 class Frame:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from dhcli.kinematics.robot import Robot, Value
 
 if TYPE_CHECKING:
+    from dhcli.kinematics.inverse.explained import Explanation
     from dhcli.kinematics.inverse.solutions import Solutions
 
 
@@ -23,7 +24,9 @@ class InverseKinematics:
         start: The frame it is seen from.
         end: The frame that is placed.
         solutions: The answer.
+        pose: The pose as it was read, shape (4, 4) [m]; what the task does not count says nothing.
         near: Joint values that solutions should be near to, in joint order [rad, m]; or None.
+        how: How the answer came about, where that is wanted.
     """
 
     robot: Robot
@@ -32,4 +35,6 @@ class InverseKinematics:
     start: str
     end: str
     solutions: Solutions
+    pose: tuple[tuple[float, ...], ...]
     near: tuple[float, ...] | None = None
+    how: Explanation | None = None

@@ -13,8 +13,7 @@ from dhcli.errors import RobotError, plural
 from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.frames import between, ends
-from dhcli.kinematics.inverse.branches import branch_names
-from dhcli.kinematics.inverse.families import Freedom
+from dhcli.kinematics.inverse.branches import branch_names, factors
 from dhcli.kinematics.inverse.prepared import Prepared, prepare
 from dhcli.kinematics.inverse.running import CONFIRMED
 from dhcli.kinematics.inverse.solutions import Free, Solutions, in_numbers, relation, shown_value, turning_joints
@@ -31,10 +30,10 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from dhcli.kinematics.inverse.arm import Array
+    from dhcli.kinematics.inverse.families import Freedom
 
 SEARCHED = 48
 """Values of a joint held that are tried where none was asked for and the first does not do."""
-
 
 SPREAD = (1.0, 0.6180339887498949, 0.7548776662466927, 0.8191725133961645, 0.5698402909980532, 0.6710436067037893)
 """Steps, in turns, by which values of several joints are spread."""
@@ -184,8 +183,25 @@ def inverse(  # noqa: PLR0913  what may be asked of a pose
     if not len(answer):
         from dhcli.kinematics.inverse.unreached import why_not  # not for the poses that are reached
 
-        return why_not(ready, answer, poses[0], held, question.values)
+        found = why_not(ready, answer, poses[0], held, question.values)
+        return replace(found, closest=_easiest(question, found, held, tolerance))
     return placed(answer, question.near, within_limits=within_limits, all_turns=all_turns)
+
+
+def _easiest(question: Question, found: Solutions, held: dict[int, float], tolerance: float) -> Array | None:
+    """Of all ways to stand in the pose that comes nearest: the one that keeps the limits, nearest to what is best."""
+    if found.closest is None:
+        return None
+    from dhcli.kinematics.inverse.polishing import product
+
+    ready = question.ready
+    goal = product(ready.arm, question.motions(found.closest)[None])[0]
+    solved, _ = _solved(question, goal, held, None, tolerance)
+    if not len(solved.motions):
+        return found.closest
+    ways = placed(_answer(question, solved, []), question.near, within_limits=False, all_turns=False)
+    far = ways.distances(question.values(question.best()).tolist())
+    return np.asarray(ways.q[min(range(len(ways)), key=lambda k: (not ways.within_limits[k], far[k]))])
 
 
 def _solved(
@@ -248,9 +264,21 @@ def _answer(question: Question, solved: Solved, said: list[str]) -> Solutions:
     free = tuple(tuple(_free(question, row, way) for way in ways) for row, ways in zip(q, solved.freedoms, strict=True))
     held = tuple((ready.arm.axes[j].name, float(q[0, question.order[j]])) for j in ready.plan.held) if len(q) else ()
     names = list[str]()
-    for index in dict.fromkeys(solved.index.tolist()):
+    once = dict.fromkeys(solved.index.tolist())
+    for index in once:
         names += branch_names(ready.plan, ready.parts, solved.motions[solved.index == index])
-    return Solutions(robot, ready.task.name, q, tuple(names), solved.residual, (), free, held, remarks=tuple(said))
+    return Solutions(
+        robot,
+        ready.task.name,
+        q,
+        tuple(names),
+        solved.residual,
+        free=free,
+        held=held,
+        remarks=tuple(said),
+        factors=factors(ready.plan, ready.parts, solved.motions) if len(once) == 1 else (),
+        ready=ready,
+    )
 
 
 def _free(question: Question, q: Array, way: Freedom) -> Free:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from numpy.typing import DTypeLike, NDArray
 
     from dhcli.kinematics.inverse.arm import Array
+    from dhcli.kinematics.inverse.prepared import Prepared
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,6 +67,10 @@ class Solutions:
         why: Why it does not, or why nothing is left; empty where there is a solution.
         closest: Joint values that come nearest to the pose where nothing reaches it, shape (n,); else None.
         remarks: What else a reader should know.
+        factors: What the number of solutions is a product of, as names and counts, such as (`theta1`, 2); empty where
+            it is none.
+        left_out: Solutions outside the limits that were not wanted.
+        ready: The arm with its plan.
     """
 
     robot: Robot
@@ -80,6 +85,9 @@ class Solutions:
     why: str = ""
     closest: Array | None = None
     remarks: tuple[str, ...] = ()
+    factors: tuple[tuple[str, int], ...] = ()
+    left_out: Solutions | None = None
+    ready: Prepared | None = None
 
     def __len__(self) -> int:
         return len(self.q)
@@ -93,6 +101,19 @@ class Solutions:
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:  # noqa: FBT001
         """Let numpy read the joint values as an array of the shape (K, n)."""
         return np.array(self.q, dtype=dtype)
+
+    def take(self, at: Sequence[int]) -> Solutions:
+        """Some of them."""
+        whole = self.factors if len(at) == len(self) else ()
+        return replace(
+            self,
+            q=self.q[list(at)],
+            branches=tuple(self.branches[k] for k in at),
+            residual=None if self.residual is None else self.residual[list(at)],
+            beyond=tuple(self.beyond[k] for k in at),
+            free=tuple(self.free[k] for k in at),
+            factors=whole,
+        )
 
     @property
     def within_limits(self) -> NDArray[np.bool_]:

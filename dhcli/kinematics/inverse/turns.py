@@ -68,19 +68,23 @@ def placed(
     order = list(range(len(table)))
     if near is not None:
         order.sort(key=lambda k: round(float(np.linalg.norm(table[k] - near)), 9))
-    kept = [k for k in order if not (within_limits and beyond[k])]
-    why = "" if kept else _all_outside(robot, [beyond[k] for k in order])
-    at = [origin[k] for k in kept]
+    at = [origin[k] for k in order]
     residual = np.zeros(len(answer)) if answer.residual is None else answer.residual
-    return replace(
+    every = replace(
         answer,
-        q=table[kept],
+        q=table[order],
         branches=tuple(answer.branches[k] for k in at),
         residual=residual[at],
-        beyond=tuple(beyond[k] for k in kept),
+        beyond=tuple(beyond[k] for k in order),
         free=tuple(answer.free[k] for k in at),
-        why=why,
+        factors=answer.factors if len(at) == len(answer) else (),
     )
+    if not within_limits:
+        return every
+    inside = np.flatnonzero(every.within_limits).tolist()
+    out = np.flatnonzero(~every.within_limits).tolist()
+    why = "" if inside else _all_outside(robot, list(every.beyond))
+    return replace(every.take(inside), why=why, left_out=every.take(out) if out else None)
 
 
 def _turns(x: float, limits: Array, *, turns: bool, near: float | None) -> list[float]:

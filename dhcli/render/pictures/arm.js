@@ -31,6 +31,7 @@ function relative(a, b) { // the pose of frame b in frame a
 const stateOf = (name) => D.frames.find((f) => f[0] === name)[1];
 window.dhcli = { fk: (values, i, j) => { const s = fold(values); return relative(s[stateOf(i)], s[stateOf(j)]); }, frames: D.frames.map((f) => f[0]), rpy };
 
+const PATH = D.path && D.path.length ? [q.slice(), ...D.path] : [], TRACE = PATH.flatMap((p, i) => { const n = PATH.length === 2 && i ? 24 : 1; return Array.from({ length: n }, (_, k) => { const s = fold(p.map((v, j) => (n > 1 ? PATH[0][j] + ((k + 1) / n) * (v - PATH[0][j]) : v))); return s[s.length - 1][3]; }); });
 function placedScene() {
   const st = fold(q), P = { st, at: (s, p) => point(st[s], p), dir: (s, v) => dir(st[s], v) };
   P.bodies = S.solids.map((b) => (b[0] === "face" ? sheet(b[1].map((c) => P.at(c[0], c[1])), b[2] ? "ground-sheet" : "sheet") : b[0] === "drum" ? drum(P.at(b[1], b[2]), unit(P.dir(b[1], b[3])), b[4], b[5]) : b[0] === "box" ? box(P.at(b[1], b[2]), unit(P.dir(b[1], b[3])), b[4]) : ball(P.at(b[1], b[2]), b[3])));
@@ -54,6 +55,7 @@ function extent(P) {
   for (const b of P.bodies) for (const a of ax) pts.push(at(b.centre, a, 2 * S.unit), at(b.centre, a, -2 * S.unit));
   for (const [, s] of D.frames) for (const i of [0, 2]) pts.push(at(P.st[s][3], P.st[s][i], 3 * S.unit));
   if (S.plate) { const c = P.at(S.plate[0], S.plate[1]); for (const a of [-1, 1]) for (const b of [-1, 1]) pts.push([c[0] + a * S.plate[3], c[1] + b * S.plate[3], c[2]]); }
+  pts.push(...TRACE);
   if (S.hand) pts.push(at(P.at(S.hand[0], S.hand[1]), P.dir(S.hand[0], S.hand[2]), S.hand[4]));
   return pts;
 }
@@ -75,6 +77,7 @@ function bearing([x, y], s) {
 }
 function draw(refit) {
   const P = placedScene(), cam = aim(P, refit), wishes = [], over = [], shapes = (S.pinned || []).flatMap((p) => bearing(cam.flat(P.at(p[0], p[1])), Math.max(9, S.unit * cam.k))).concat(painted(S, P, cam, on));
+  if (TRACE.length) shapes.push(line(TRACE.map(cam.flat), "trace"));
   const ink = Ink(W, H); ink.add(shapes);
   const axes = [];
   if (on.frames) for (const a of arrows(P).sort((a, b) => b.len - a.len || cam.depth(at(a.o, a.d, a.len)) - cam.depth(at(b.o, b.d, b.len)))) {
@@ -137,10 +140,10 @@ function build() {
   for (const id of ["frames", "dimensions", "y", "body", "turns"]) { const e = $("on-" + id); if (e) { on[id] = e.checked; e.onchange = () => { on[id] = e.checked; draw(false); }; } else on[id] = id === "body"; }
   for (const [name, v] of D.views) { const b = document.createElement("button"); b.textContent = name; b.onclick = () => { view = v.slice(); zoom = 1; draw(true); }; $("views").append(b); }
   $("png").onclick = () => savePng(svg, D.name);
-  if (D.to) { // there and back again, evenly
-    const b = document.createElement("button"), from = q.slice(); let k = 0, way = 0; b.id = "play"; b.textContent = "play"; $("poses").append(b);
-    const tick = () => { if (!way) return; k += way; if (k === 0 || k === 120) way = -way; D.to.forEach((v, n) => setJoint(n, k === 120 ? v : from[n] + (k / 120) * (v - from[n]))); draw(false); requestAnimationFrame(tick); };
-    b.onclick = () => { way = way ? 0 : k === 120 ? -1 : 1; tick(); };
+  if (PATH.length > 1) { // there and back again, evenly from row to row
+    const b = document.createElement("button"), ticks = Math.max(120, 2 * PATH.length - 2); let k = 0, way = 0; b.id = "play"; b.textContent = "play"; $("poses").append(b);
+    const tick = () => { if (!way) return; k += way; if (k === 0 || k === ticks) way = -way; const t = (k / ticks) * (PATH.length - 1), i = Math.min(Math.floor(t), PATH.length - 2), p = PATH[i]; PATH[i + 1].forEach((v, n) => setJoint(n, t - i === 1 ? v : p[n] + (t - i) * (v - p[n]))); draw(false); requestAnimationFrame(tick); };
+    b.onclick = () => { way = way ? 0 : k === ticks ? -1 : 1; tick(); };
   }
   if (!D.moves.length) return;
   for (const id of ["from", "to"]) { $(id).innerHTML = D.frames.map((f) => `<option>${esc(f[0])}</option>`).join(""); $(id).onchange = () => draw(false); }

@@ -25,7 +25,7 @@ _LITERAL = re.compile(r"""(`[^`]*`|"[^"\n]*"|(?<=\()/(?:[^/\n\\[]|\\.|\[[^\]]*\]
 
 _BLANKS = re.compile(r" *([-=+*/%<>,?:&|!{}();\[\]]+) *")
 
-_ONLY_FLAT = frozenset({"bar", "wheel", "pin", "trace", "axis", "axis-dot"})
+_ONLY_FLAT = frozenset({"bar", "wheel", "pin", "axis", "axis-dot"})
 _ONLY_IN_SPACE = frozenset(
     {"link", "ground-link", "ground-sheet", "knob", "drum", "ball", "cap", "face", "face-light", "face-dark", "sheet"}
     | {"plate", "hatch", "break", "hand", "halo", "dim", "dim-head", "slide", "slide-head", "turn", "turn-head"}
@@ -48,8 +48,14 @@ def page(picture: Drawing) -> str:
     if picture.worksheet:
         hint = "write .svg, .pdf, .png, .tex or .txt"
         raise DhcliError("a page computes frames and table, which a worksheet leaves to the student", hint)
+    if picture.more:
+        raise DhcliError(
+            "a page shows one arm or one linkage", "write .svg, .pdf, .png, .tex or .txt, or draw one alone"
+        )
     if picture.beside is not None:
         raise DhcliError("a page shows one table", "write .svg, .pdf, .png or .tex to see two over each other")
+    if picture.moves:
+        picture.motion()  # what cannot be drawn is refused before
     if isinstance(what, Robot):
         return _page(
             what.title,

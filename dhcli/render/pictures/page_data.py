@@ -9,12 +9,13 @@ from dhcli.algebra.floats import Floats
 from dhcli.kinematics.moves import Fixed, Move, Rot
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.validity import in_floats
-from dhcli.kinematics.values import Values, numbers
+from dhcli.kinematics.values import JointInput, Values, numbers
 from dhcli.mobility.linkage import Linkage
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr
 from dhcli.scene.camera import VIEWS
 from dhcli.scene.linkages import stage_linkage
+from dhcli.scene.motion import joints_of
 from dhcli.scene.places import Places
 from dhcli.scene.plane import circles
 from dhcli.scene.primitives import Ball, Box, Drum, Face, Scene, Solid
@@ -31,10 +32,9 @@ def arm_model(picture: Drawing) -> dict[str, Any]:
     """A robot, its joints at the values of the picture."""
     robot = picture.what
     assert isinstance(robot, Robot)  # noqa: S101  the caller has looked
-    staged = stage_arm(
-        robot, picture.q, pose=picture.pose, view=picture.view, parameters=picture.parameters, bare=picture.bare
-    )
-    values = values_at(robot, picture.q, picture.pose, picture.parameters, picture.bare)
+    q: JointInput = joints_of(robot, picture.path[0]) if picture.path else picture.q  # type: ignore[assignment]
+    staged = stage_arm(robot, q, pose=picture.pose, view=picture.view, parameters=picture.parameters, bare=picture.bare)
+    values = values_at(robot, q, picture.pose, picture.parameters, picture.bare)
     given = numbers(values)
     variables = robot.variables
     state, frames = len(robot.base), [["base", 0]] * bool(robot.base)
@@ -50,7 +50,7 @@ def arm_model(picture: Drawing) -> dict[str, Any]:
         "moves": [_move(move, variables, given) for move in robot.chain],
         "frames": frames,
         "poses": [[name, [_number(value) for value in pose]] for name, pose in robot.poses.items()],
-        "to": None if picture.to is None else _goal(robot, picture, values),
+        "path": _path(robot, picture, values),
         "view": list(staged.view),
         "views": [["best", list(staged.view)], *([name, list(view)] for name, view in VIEWS.items())],
         "table": _table(robot, given),
@@ -58,10 +58,18 @@ def arm_model(picture: Drawing) -> dict[str, Any]:
     }
 
 
-def _goal(robot: Robot, picture: Drawing, values: Values) -> list[float]:
-    """The joint values to which the page plays."""
-    goal = posed(robot, picture.to, None, values, picture.bare)[1]
-    return [_number(goal[name]) for name in robot.variables]
+MOST_ROWS = 400
+"""Rows of a path that a page knows, evenly among all."""
+
+
+def _path(robot: Robot, picture: Drawing, values: Values) -> list[list[float]]:
+    """Where the page plays to: the goal, or what comes after the first of the rows."""
+    if picture.to is not None:
+        goal = posed(robot, picture.to, None, values, picture.bare)[1]
+        return [[_number(goal[name]) for name in robot.variables]]
+    last = len(picture.path) - 1
+    count = min(last, MOST_ROWS)
+    return [_short(list(picture.path[round(k * last / count)])) for k in range(1, count + 1)]
 
 
 def space_model(picture: Drawing) -> dict[str, Any]:

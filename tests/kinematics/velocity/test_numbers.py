@@ -13,13 +13,15 @@ from dhcli import forward, jacobian, load_robot, symbolic_jacobian
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.residues import Residues
 from dhcli.errors import RobotError, UnknownNameError
-from dhcli.kinematics.batch import BLOCK
 from dhcli.kinematics.moves import Rot
+from dhcli.kinematics.playing import BLOCK
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import numbers, parameter_values
-from dhcli.kinematics.velocity.analytic import TRIPLES
+from dhcli.kinematics.velocity.analytic import TRIPLES, Triple
 from dhcli.kinematics.velocity.jacobian import six_rows
 from dhcli.kinematics.velocity.view import MotionView, Viewing, joints_between, parts
+from dhcli.notation.parser import parse
+from dhcli.notation.scope import Scope
 from tests.kinematics.arms import PAN_TILT, hinges, joint_point, moving_robots, with_values
 from tests.nightly import examples
 
@@ -92,7 +94,7 @@ def test_values_put_in_exactly_are_those_values(name: str, viewing: Viewing) -> 
     assert np.allclose([[at.value(entry) for entry in row] for row in put.rows], expected, atol=1e-12)
 
 
-@pytest.mark.parametrize("name", ["planar-2r", "stanford", "puma560", "ur5e", "scara"])
+@pytest.mark.parametrize("name", ROBOTS)
 @pytest.mark.parametrize("viewing", VIEWS[:5])
 def test_symbols_are_residues(name: str, viewing: Viewing) -> None:
     """At a random point of the field, exactly, from the plain chain."""
@@ -149,6 +151,12 @@ def test_rates_of_angles_give_the_angular_velocity(angles: str) -> None:
     b = np.array(columns).T
     assert np.allclose(_rotation(found, axes), forward(robot, q).matrix[:3, :3], atol=1e-9)
     assert np.allclose(b @ rates[list(order)], omega, atol=1e-8)
+    triple = Triple.called(angles)
+    over = Floats(dict(zip(triple.angles, found, strict=True)) | dict(zip(robot.variables, q, strict=True)))
+    letters = symbolic_jacobian(robot, part="angular", analytic=angles)
+    assert np.allclose([[over.value(entry) for entry in row] for row in letters.rows], rates, atol=1e-9)
+    whole = over.value(parse(triple.vanishing, Scope(is_open=True, angles=triple.angles)))
+    assert np.linalg.det(b[:, list(order)]) == pytest.approx(whole, abs=1e-8)
 
 
 def _rotation(angles: list[float], axes: tuple[int, ...]) -> NDArray[np.float64]:

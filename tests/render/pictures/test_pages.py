@@ -263,7 +263,7 @@ def test_a_page_fits_a_phone(browser: WebDriver, tmp_path: Path) -> None:
 def test_a_page_plays_a_motion_there_and_back(browser: WebDriver, tmp_path: Path) -> None:
     """From the pose of the picture to the one it goes to."""
     _open(browser, draw(load_robot("scara"), pose="zero", to="pick"), tmp_path)
-    goal = browser.execute_script("return D.to")
+    goal = browser.execute_script("return D.path[0]")
     assert goal == pytest.approx([math.radians(30), math.radians(45), 0.1], abs=1e-12)
     assert browser.execute_script("return q") == [0, 0, 0]
     browser.execute_script("window.requestAnimationFrame = f => { window.next = f; }; $('play').click();")
@@ -271,6 +271,21 @@ def test_a_page_plays_a_motion_there_and_back(browser: WebDriver, tmp_path: Path
     assert browser.execute_script("return q") == pytest.approx(goal, abs=1e-12)
     browser.execute_script("for (let k = 0; k < 120; k++) window.next();")
     assert browser.execute_script("return q") == [0, 0, 0]
+    _check_silent(browser)
+
+
+def test_a_page_plays_the_rows_of_a_path_and_shows_their_way(browser: WebDriver, tmp_path: Path) -> None:
+    """Through every row, exactly, and the way of the end is that of forward."""
+    robot = load_robot("puma560")
+    rows = [[0.1 * k, -0.5, 0.4 + 0.05 * k, 0.2, -0.3, 0.1 * k * k] for k in range(7)]
+    _open(browser, draw(robot, path=rows), tmp_path)
+    trace = browser.execute_script("return TRACE")
+    for row, place in zip(rows, trace, strict=True):
+        assert place == pytest.approx(forward(robot, row).position, abs=1e-9)
+    browser.execute_script("window.requestAnimationFrame = f => { window.next = f; }; $('play').click();")
+    browser.execute_script("for (let k = 1; k < 120; k++) window.next();")
+    assert browser.execute_script("return q") == pytest.approx(rows[-1], abs=1e-9)
+    assert browser.execute_script("return figure.querySelectorAll('.trace').length") == 1
     _check_silent(browser)
 
 
