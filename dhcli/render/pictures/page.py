@@ -25,6 +25,8 @@ _LITERAL = re.compile(r"""(`[^`]*`|"[^"\n]*"|(?<=\()/(?:[^/\n\\[]|\\.|\[[^\]]*\]
 
 _MATHS = re.compile(r"\bMath\.(\w+)")
 _BLANKS = re.compile(r" *([-=+*/%<>,?:&|!{}();\[\]]+) *")
+_INDEX = re.compile(r"_(?:\{([^}]*)\}|(\w))")
+"""An index as a terminal writes it: `a_i`, `a_{i-1}`."""
 
 _ONLY_FLAT = frozenset({"bar", "wheel", "pin", "axis", "axis-dot"})
 _ONLY_IN_SPACE = frozenset(
@@ -175,6 +177,7 @@ def _looks(scripts: tuple[str, ...]) -> str:
 
 def _arm_controls(robot: Robot) -> str:
     order = html(ORDER[robot.convention].replace("alpha_", "α_").replace("theta_", "θ_"))
+    order = _INDEX.sub(lambda index: f"<sub>{index[1] or index[2]}</sub>", order)
     checks = "".join(
         f'<label><input type="checkbox" id="on-{name}"{" checked" * on}> {name}</label>'
         for name, on in (("frames", True), ("dimensions", True), ("y", False), ("body", True), ("turns", True))

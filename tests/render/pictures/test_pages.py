@@ -462,3 +462,10 @@ def test_a_linkage_in_space_whose_motion_a_page_does_not_know_can_be_turned(brow
     assert browser.execute_script("return seen.textContent") != seen
     assert browser.execute_script("return [...figure.querySelectorAll('.t-mark')].length") == 2
     _check_silent(browser)
+
+
+def test_the_order_of_moves_has_its_indices_below_the_line() -> None:
+    """A page writes them as indices, not as a terminal does."""
+    page = draw(load_robot("puma560")).page()
+    assert "Rot(x, α<sub>i-1</sub>) Trans(x, a<sub>i-1</sub>) Trans(z, d<sub>i</sub>) Rot(z, θ<sub>i</sub>)" in page
+    assert "θ_i" not in page
