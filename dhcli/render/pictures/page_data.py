@@ -26,7 +26,7 @@ from dhcli.scene.space import holder
 from dhcli.scene.staging import posed, stage_arm, values_at
 from dhcli.scene.table import cells, heads
 from dhcli.scene.vectors import Vec
-from dhcli.scene.words import Words, named
+from dhcli.scene.words import Words, named, spelled
 from dhcli.scene.workspace import is_at_base
 
 if TYPE_CHECKING:
@@ -298,7 +298,7 @@ def _solid(solid: Solid) -> list[Any]:
     if isinstance(solid, Ball):
         return ["ball", solid.centre.state, solid.centre.at, solid.radius]
     if isinstance(solid, Drum):
-        words = _words(named(solid.name))
+        words = _words(spelled(solid.name))
         return ["drum", solid.centre.state, solid.centre.at, solid.axis, solid.radius, solid.half, words]
     assert isinstance(solid, Box)  # noqa: S101  the last kind
     return ["box", solid.centre.state, solid.centre.at, solid.axis, solid.half]
