@@ -267,7 +267,7 @@ def test_without_an_answer_and_without_a_terminal_it_never_waits(dhcli: Run, wor
         (("check", PLANAR, "--answer", "1"), "has 8 parts: say which one is answered"),
         (("check", PLANAR, "--part", "a9", "--answer", "1"), "has no part a9"),
         (("check", PLANAR, "none.yaml"), "no such file"),
-        (("check", PLANAR, "none.yaml", "--answer", "1"), "three ways to give an answer"),
+        (("check", PLANAR, "none.yaml", "--answer", "1"), "are ways to give an answer"),
         ((*AT, "--from", "7", "--answer", "1"), "7"),
         ((*AT, "--tol-position", "1°", "--answer", "1"), "unit of angle"),
         ((*AT, "--tol-position", "x", "--answer", "1"), "x"),
@@ -333,6 +333,79 @@ def test_a_table_is_checked_against_a_robot(dhcli: Run, tmp_path: Path) -> None:
     assert dhcli("check", "planar-2r", "--table", "wrong.yaml").code == 1
     (tmp_path / "broken.yaml").write_text("links: 1\n", "utf-8")
     assert dhcli("check", "planar-2r", "--table", "broken.yaml").code == 2
+
+
+FRAMES = """format: 1
+convention: standard
+frames:
+  - {origin: (0, 0, 0), x: +x, z: +z}
+  - {origin: (a, 0, 0), x: +x, z: +z}
+  - {origin: (a + b, 0, 0), x: +x, y: -z, z: +y}
+  - {frame: 3, origin: [a + b, 0, 0], x: +x, z: +y}
+"""
+
+
+def test_frames_are_checked_against_the_axes_of_a_robot(dhcli: Run, tmp_path: Path) -> None:
+    """By the rules of their convention, each broken one named; a robot file is its table."""
+    for name, text in (
+        ("right.yaml", FRAMES),
+        ("wrong.yaml", FRAMES.replace("standard", "modified")),
+        ("table.yaml", (Path(__file__).parents[2] / "robots" / "zhou-3r-modified.yaml").read_text("utf-8")),
+        ("pose.yaml", FRAMES.replace("frames:", "pose: elbow\nframes:")),
+    ):
+        (tmp_path / name).write_text(text, "utf-8")
+    right = dhcli("check", "zhou-3r", "--frames", "right.yaml")
+    assert (right.code, right.out) == (0, "✓ RIGHT       frames: frames 0 to 3 by the rules of standard DH\n")
+    assert dhcli("check", "zhou-3r", "--frames", "-", stdin=FRAMES).code == 0
+    wrong = dhcli("check", "zhou-3r", "--frames", "wrong.yaml", "--why")
+    assert wrong.code == 1
+    assert "DH1: o1 is off the axis of joint 1 (theta1): z1 passes a beside it" in wrong.out
+    assert "why: the frames are those of standard DH, and modified was asked" in wrong.out
+    assert dhcli("check", "zhou-3r", "--frames", "table.yaml").code == 0
+    assert dhcli("check", "puma560", "--frames", "table.yaml").code == 2
+    assert dhcli("check", "zhou-3r", "--frames", "pose.yaml").code == 1
+    assert dhcli("check", "zhou-3r", "--frames", "pose.yaml", "--pose", "zero").code == 0
+    assert dhcli("check", "zhou-3r", "--frames", "right.yaml", "--set", "a=1").code == 0
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("convention: standard", "convention: standrd", "did you mean standard?"),
+        ("convention: standard\n", "", "convention: is missing"),
+        ("x: +x, y: -z, z: +y", "x: +x, z: (0, 0, 0)", "z2 is (0, 0, 0): a direction is not zero"),
+        ("{origin: (a, 0, 0), x: +x, z: +z}", "{origin: (a, 0, 0), x: +x}", "z: is missing"),
+        ("{origin: (a, 0, 0), x: +x, z: +z}", "{o: (a, 0, 0), x: +x, z: +z}", "o: unknown key"),
+        ("{origin: (a, 0, 0), x: +x, z: +z}", "[1, 2]", "should be a mapping"),
+        ("frames:\n", "frames: []\nsource: x\nrest:\n", "frames: there are none"),
+        ("frame: 3", "frame: 7", "there is no frame 7"),
+        ("(a, 0, 0)", "(c, 0, 0)", "c is not a name that is known here"),
+    ],
+)
+def test_a_file_of_frames_with_a_slip_is_refused(dhcli: Run, old: str, new: str, said: str) -> None:
+    """Exit code 2, and where it is."""
+    done = dhcli("check", "zhou-3r", "--frames", "-", stdin=FRAMES.replace(old, new))
+    assert done.code == 2
+    assert said in done.out + done.err
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("zhou-3r", "--q", "1,2,3"), "only --pose NAME and --set go with it"),
+        (("zhou-3r", "--pose", "elbo"), "elbow"),
+        (("zhou-3r", "--answer", "0"), "use one of them"),
+        (("dh-link",), "directions depend on alpha_i"),
+        (("assembly-blocks",), "has no joints"),
+        ((PLANAR,), "leave --q, --symbolic and so on out"),
+        (("planar-2r", "--ik", "--position", "0.5,0.3,0"), "leave --table, --frames"),
+    ],
+)
+def test_frames_go_with_a_robot_alone(dhcli: Run, words: tuple[str, ...], said: str) -> None:
+    """Exit code 2, and what would do."""
+    done = dhcli("check", *words, "--frames", "-", stdin=FRAMES)
+    assert done.code == 2
+    assert said in done.err
 
 
 def test_a_table_is_compared_as_one_says(dhcli: Run, tmp_path: Path) -> None:

@@ -57,3 +57,25 @@ def question_about_table(robot: Robot, convention: Convention, compare: str = SA
     """
     part = Part("table", TableQuestion(convention, note), compare=compare)
     return Exercise(robot.name, robot.title, robot.source, "", (part,), robot)
+
+
+def question_about_frames(
+    robot: Robot, convention: Convention, pose: str = "", note: str = "", given: Mapping[str, Value] | None = None
+) -> Exercise:
+    """Frames on the axes of a robot, by the rules of one of the conventions.
+
+    Args:
+        robot: The robot.
+        convention: The convention of the answer.
+        pose: The named pose in which they are drawn; empty for the robot's own.
+        note: What to tell beside the verdict.
+        given: Values of lengths.
+
+    Raises:
+        UnknownNameError: The robot has no such pose.
+    """
+    from dhcli.checking.kinds.frames import FramesQuestion  # in a room that few commands need
+
+    question = FramesQuestion(convention, pose, note)
+    question.check(robot)
+    return Exercise(robot.name, robot.title, robot.source, "", (Part("frames", question),), robot, given or {})

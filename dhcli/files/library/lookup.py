@@ -28,7 +28,7 @@ AS_SIMILAR = 0.1
 LEAST_TYPED = 3
 """Letters by which names are found that hold them anywhere."""
 _SUFFIXES = (".yaml", ".yml")
-_PATHS = (*_SUFFIXES, ".urdf", ".xml", ".xacro")
+_PATHS = (*_SUFFIXES, ".urdf", ".xml", ".xacro", ".sdf", ".csv", ".tsv", ".md", ".m", ".py")
 """What the name of a file ends in, where it is no name of the library."""
 _PACKAGE = Path(__file__).parents[2]
 
@@ -100,7 +100,7 @@ def find(kind: Kind, name: str) -> Path:
         UnknownNameError: The library holds nothing of that name; the hint has the nearest and what to type next.
     """
     check_typed(kind, name)
-    if _is_path(kind, name):
+    if is_path(kind, name):
         return Path(name)
     known = entries(kind)
     if name.startswith(OWN):  # the library's own, whatever file of the user's has the same name
@@ -129,7 +129,7 @@ def check_typed(kind: Kind, name: object) -> None:
         )
 
 
-def _is_path(kind: Kind, name: str) -> bool:
+def is_path(kind: Kind, name: str) -> bool:
     """Whether a text is a path and not a name."""
     if name == "-" or name.lower().endswith(_PATHS):
         return True

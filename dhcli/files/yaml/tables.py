@@ -12,6 +12,7 @@ from dhcli.checking.tables.samples import Values
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import FileError, Place, Problem
+from dhcli.files.foreign.forms import Form, form_of
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
 from dhcli.files.yaml.robots import read_robot
@@ -44,19 +45,20 @@ class Table:
     note: str = ""
 
 
-def read_table(path: Path | str, reference: Robot) -> Table:
+def read_table(path: Path | str, reference: Robot, text: str | None = None) -> Table:
     """The DH table of a robot file, or in rows as an answer has them, to be compared with another robot.
 
     Args:
         path: The file.
         reference: The robot it is compared with. A length of the file that this one does not know, or knows with
             another value, is put in as a number; all others stay letters.
+        text: The text of the file, where it has been read.
 
     Raises:
         FileError: It is no robot file, or has products instead of a table.
     """
-    text, source = read_text(path), source_of(path)
-    root = read_yaml(text, source)
+    text, source = read_text(path) if text is None else text, source_of(path)
+    root = read_yaml(text, source, is_foreign=form_of(text) is Form.TABLE)
     if not isinstance(root, PlacedMapping):
         return _plain(root, text, reference)
     robot = read_robot(text, source, "stdin" if str(path) == "-" else Path(path).stem)
