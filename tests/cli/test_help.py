@@ -41,7 +41,7 @@ def test_a_command_is_a_topic(dhcli: Run, name: str) -> None:
         ("exercise", "did you mean exercises or exercise-files?"),
         ("convnetions", "did you mean conventions"),
         ("credit", "it is spoken of in judging, "),
-        ("rotation of a", "it is spoken of in "),
+        ("joint values", "it is spoken of in "),
         ("robts", "did you mean robots?;"),
         ("xyzzy", "dhcli help lists the topics"),
     ],
