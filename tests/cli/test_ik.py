@@ -291,6 +291,7 @@ def test_rows_from_the_keyboard_are_waited_for_aloud(tmp_path: Path) -> None:
         screen.until("reading from the keyboard; Ctrl-D on an empty line ends it")
         screen.type("p_x,p_y,p_z\n0.5,0.3,0\n\x04")
         assert screen.end() == 0
+    assert "0 rows" not in screen.seen, "a bar would stand between what is typed"
     assert "theta1" in screen.seen
 
 
