@@ -13,7 +13,6 @@ from dhcli.checking.motion.grid import Grid, Numbers, scale_of, within
 from dhcli.checking.motion.marking import values_of
 from dhcli.checking.tolerance import SLACK, typed_decimals, without_unit
 
-
 COARSE = 0.02
 """A share of the largest number that its digits must not leave open: two of them are too few."""
 
