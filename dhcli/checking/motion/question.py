@@ -137,7 +137,7 @@ class MotionQuestion(Question[Entries]):
     def answer_with(self, case: Case, name: str) -> str | None:
         """The answer of a mistake, of those too that another one names."""
         right = self.at_points(case.exercise, self._valued(case))
-        for slip, grid in self._every(case, self.right(case)):
+        for slip, grid in self.every(case, self.right(case)):
             if slip.name == name and not alike(self.at_points(case.exercise, grid), right):
                 return self.text(case, grid)
         return None
@@ -190,7 +190,7 @@ class MotionQuestion(Question[Entries]):
     def _made(self, case: Case) -> Iterator[Wrong]:
         exercise, right = case.exercise, self._valued(case)
         known = [self.at_points(exercise, right)]
-        for slip, grid in self._every(case, right):
+        for slip, grid in self.every(case, right):
             try:
                 seen = grid.numbers(exercise) if exercise.numeric else ()
                 limits = self._limits(case, grid) if exercise.numeric else ()
@@ -201,7 +201,7 @@ class MotionQuestion(Question[Entries]):
                 known.append(points)
                 yield Wrong(slip, grid, seen, limits, points)
 
-    def _every(self, case: Case, right: Grid) -> Iterator[tuple[Slip, Grid]]:
+    def every(self, case: Case, right: Grid) -> Iterator[tuple[Slip, Grid]]:
         """Mistakes in the work, then those in one entry."""
         yield from self.wrong(case)
         yield from signs(right, self.place)
