@@ -247,6 +247,9 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("check", "planar-2r", "--table", "robot.yaml", "--format", "json", "-o", "m.json", "--overwrite"),
     ("check", "planar-2r", "--table", "robot.yaml", "--compare", "same-motion"),
     ("check", "planar-2r", "--frames", "robot.yaml", "--pose", "zero", "--why"),
+    ("draw", "planar-2r", "--to", "fold", "--animate", "-o", "move.svg", "--overwrite"),
+    ("draw", "planar-2r", "--in", "two.csv", "-o", "strip.svg", "--overwrite"),
+    ("check", "planar-2r", "--table", "robot.yaml", "--compare", "same-motion", "--draw", "over.svg", "--overwrite"),
     ("watch", "yim/planar-in-numbers", "sheet.yaml", "--variant", "x", "--why"),
     ("hint", "yim/planar-in-numbers", "--part", "t02", "--variant", "bob"),
     ("solution", "yim/planar-in-numbers", "--part", "t02", "--yes", "--variant", "bob"),
@@ -362,6 +365,7 @@ def _line(chance: random.Random) -> Case:
     files = {
         "q.csv": ROWS["q.csv"],
         "poses.csv": poses,
+        "two.csv": b"theta1,theta2\n0.1,0.2\n0.3,0.4\n",
         "robot.yaml": source("robot"),
         "exercise.yaml": source("exercise"),
     }

@@ -75,7 +75,7 @@ def jacobian(  # noqa: PLR0913  each by its name
         UnknownNameError: The robot has no such frame, joint or length.
     """
     check_robot(robot)
-    if not parameters and (floats := plain_floats(cast("JointInput", q))) is not None:
+    if (floats := plain_floats(cast("JointInput", q), parameters)) is not None:
         played = _played(robot, floats, (part, angular_first, analytic), viewing)
         if played is not None:
             return played

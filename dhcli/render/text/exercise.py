@@ -7,7 +7,7 @@ from typing import Any
 
 from dhcli.checking.earning import worth_of
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.figures import shown
+from dhcli.checking.figures import subject
 from dhcli.files.yaml.robot_line import robot_line
 from dhcli.render.look import Look
 from dhcli.render.text.marks import question_text
@@ -40,8 +40,8 @@ def exercise_table(exercise: Exercise, look: Look) -> str:
     if worth := worth_of(exercise):
         lines += ["", *prose_lines(f"worth: {worth}", paper)]
     lines += ["", paper.ink(paper.spell(f"dhcli start {exercise.typed} writes a sheet to fill in"), "dim")]
-    if shown(exercise):
-        lines.append(paper.ink(paper.spell(f"dhcli draw {exercise.typed} draws the arm"), "dim"))
+    if drawn := subject(exercise):
+        lines.append(paper.ink(paper.spell(f"dhcli draw {exercise.typed} draws {drawn}"), "dim"))
     return "\n".join(lines) + "\n"
 
 
@@ -55,6 +55,7 @@ def exercise_content(exercise: Exercise, _look: Look) -> dict[str, Any]:
         "task": exercise.task,
         "variant": exercise.variant or None,
         "given": {name: in_units(value) for name, value in exercise.given.items()},
+        "picture": subject(exercise) or None,
         "parts": [
             {
                 "part": part.id,
