@@ -192,7 +192,8 @@ def _part_lines(exercise: Exercise, part: Part) -> Iterator[str]:
         yield from _comment(part.prompt.strip(), "  # ", "  # ")
     heading = " · ".join(filter(None, (part.heading(exercise), worth(exercise, part))))
     yield from _comment(heading, "  # ", "  # ")
-    yield from (f"  # {note}" for note in question.notes(exercise))
+    for note in question.notes(exercise):
+        yield from _comment(note, "  # ", "  # ")
     for number, option in enumerate(question.statements, 1):
         yield from _comment(option, f"  #   {number}: ", "  #      ")
     yield f"  {part.id}: |"

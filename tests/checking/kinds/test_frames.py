@@ -377,7 +377,8 @@ def test_a_sheet_shows_the_axes_and_a_row_for_each_frame() -> None:
     from dhcli.files.yaml.sheets import write_sheet
 
     sheet = write_sheet(written("Put frames on it."))
-    assert "seen from the base, drawn with all joints at 0: theta1 +z through (0, 0, 0); theta2 +z" in sheet
+    words = " ".join(sheet.replace("#", "").split())
+    assert "seen from the base, drawn with all joints at 0: theta1 +z through (0, 0, 0); theta2 +z" in words
     assert "  frames: |\n    _  _  _  _  _\n    _  _  _  _  _\n    _  _  _  _  _\n" in sheet
 
 
