@@ -13,15 +13,21 @@ if TYPE_CHECKING:
 
 
 class Columns:
-    """The registers of a program, for blocks of one length."""
+    """The registers of a program, for blocks of one length.
+
+    Attributes:
+        program: What is played.
+        length: Rows in a block.
+    """
 
     def __init__(self, program: Program, length: int) -> None:
         """Make the registers, and hand them to the instructions once for all blocks.
 
         Args:
             program: What to play.
-            length: Poses in a block.
+            length: Rows in a block.
         """
+        self.program, self.length = program, length
         registers = np.empty((program.registers, length))
         for register, value in program.constants.items():
             registers[register] = value

@@ -59,10 +59,10 @@ def assemble(tape: Tape, results: Sequence[Number]) -> Program:
     instructions = []
     for column, step in kept.items():
         operands = tuple(homes[o] if isinstance(o, Column) else o for o in step.operands)
-        free.update(homes[o] for o in step.columns if last_use[o] == column and o not in wanted.values())
         if column not in homes:
             homes[column] = free.pop() if free else top
             top = max(top, homes[column] + 1)
+        free.update(homes[o] for o in step.columns if last_use[o] == column and o not in wanted.values())
         instructions.append(Instruction(step.ufunc, (*operands, homes[column])))
     for k, column in wanted.items():
         if homes[column] != k:  # the same number twice, or a joint value as it is

@@ -59,7 +59,8 @@ class Pose(Generic[N]):
 
     def __post_init__(self) -> None:
         """Refuse what is no matrix, and make tuples of lists."""
-        object.__setattr__(self, "rows", _rows_of(self.rows))
+        if not _are_floats(self.rows):
+            object.__setattr__(self, "rows", _rows_of(self.rows))
 
     @property
     def is_symbolic(self) -> bool:
@@ -315,6 +316,14 @@ def matrix_name(reference: str, frame: str) -> str:
     """What the matrix between two frames is called: `T_03`, `T_{base,tool}`."""
     is_short = len(reference) == 1 and len(frame) == 1
     return f"T_{reference}{frame}" if is_short else f"T_{{{reference},{frame}}}"
+
+
+def _are_floats(given: object) -> bool:
+    """Whether something is four tuples of four floats, as most poses are: the checks of `_rows_of` in one glance."""
+    if type(given) is not tuple or list(map(type, given)) != [tuple] * 4 or list(map(len, given)) != [4] * 4:
+        return False
+    first, second, third, fourth = given
+    return {*map(type, first + second + third + fourth)} == {float}
 
 
 def _rows_of(given: object) -> tuple[tuple[Any, ...], ...]:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean, plural
 from dhcli.kinematics.derived import Value, replaced
 from dhcli.kinematics.description import Description
+from dhcli.kinematics.farlimits import far_limits
 from dhcli.kinematics.given import mapping_of
 from dhcli.kinematics.moves import Chain, names
 from dhcli.kinematics.validity import in_floats
@@ -97,7 +98,7 @@ def parameter_values(
         raise RobotError(Problem(f"with these values: {error.message}", place, error.hint)) from None
 
 
-def require(robot: Description, chain: Chain, values: Values) -> None:
+def require(robot: Description, chain: Chain, values: Mapping[str, object]) -> None:
     """Make sure that every name of a chain has a value.
 
     Raises:
@@ -135,6 +136,21 @@ def warnings(robot: Description, values: Values) -> Iterator[str]:
             if not is_within_limits(robot, joint.name, number):
                 shown, bounds = _shown(number, joint.kind), f"{_shown(low, joint.kind)} to {_shown(high, joint.kind)}"
                 yield f"{joint.name} = {shown} is outside its limits, {bounds}"
+    yield from _far(robot, values)
+
+
+def _far(robot: Description, values: Values) -> Iterator[str]:
+    """What is outside its limits on the other side of the drives: motors at joint values, joints at motor values."""
+    far = far_limits(robot)
+    given = [values.get(name) for name in robot.variables]
+    q = [in_floats(value) for value in given if value is not None and not symbols_of(value)]
+    if far is None or len(q) < len(given):
+        return
+    bounds = dict(zip(far.names, far.bounds, strict=True))
+    for name, at, _ in far.beyond(q, SLACK):
+        kind = "revolute" if name in far.turning else "prismatic"
+        low, high = (_shown(bound, kind) for bound in bounds[name])
+        yield f"{name} is then {_shown(at, kind)}, outside its limits, {low} to {high}"
 
 
 def is_within_limits(robot: Description, name: str, number: float) -> bool:
@@ -261,6 +277,8 @@ def _value(robot: Description, name: str, value: float | str | Value, bare: Bare
     except (TypeError, ValueError):
         hint = "forward_batch takes a row for each pose"
         raise RobotError(Problem(f"{name} wants one number, not {value!r}", place, hint)) from None
+    except OverflowError:
+        raise RobotError(Problem(f"{name} is beyond what a float can hold", place)) from None
     if not math.isfinite(number):
         raise RobotError(Problem(f"{name} = {number} is not a number that a joint can have", place))
     exact = Fraction(repr(number))  # 0.1 is a tenth, as it was typed, and not the binary fraction nearest to it

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 def program(*texts: str, variables: str = "a b", **known: Angle | float) -> Program:
     """A program that works out some expressions."""
-    tape = Tape(variables.split(), known)
+    tape = Tape(variables.split(), known, tangents=True)
     return assemble(tape, [evaluate_settled(parse(text), tape) for text in texts])
 
 

@@ -622,7 +622,7 @@ def test_an_answer_is_judged_as_soon_as_it_is_whole(
             screen.type(f"{line}\n")
             screen.until(r"\.\.\. ")
         screen.type(f"{lines[-1]}\n")
-        assert re.search(rf"^. {verdict} ", screen.until(rf"{verdict} +{part}:"), re.MULTILINE)
+        assert re.search(rf"^. {verdict} ", screen.until(rf"{verdict} +{part}\n"), re.MULTILINE)
 
 
 @terminal
@@ -691,3 +691,46 @@ def test_a_piece_that_a_pose_does_not_have_is_refused(dhcli: Run, words: tuple[s
     done = dhcli("check", "scara", "--q", "0.3,0.5,0.1", *words)
     assert done.code == 2
     assert said in done.err
+
+
+@pytest.mark.parametrize(
+    ("answer", "asked"),
+    [
+        ("abc!, 0.4259, 0.3", "position: the position of T_03"),
+        ("-0.2321, 0,4259, 0.3", "position: the position of T_03"),
+        ("1 0 0; 0 ? 0; 0 0 1", "rotation: the rotation of T_03"),
+        ("1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0", "pose: T_03"),
+    ],
+)
+def test_an_answer_that_cannot_be_read_is_taken_for_what_it_is_nearest_to_in_size(
+    dhcli: Run, answer: str, asked: str
+) -> None:
+    """Three entries are no 4x4 matrix, whatever is wrong with them."""
+    done = dhcli("check", "scara", "--q", "0.3,0.5,0.1", "--answer", answer)
+    assert done.code == 2
+    assert done.out.startswith(f"? CAN'T READ  {asked}, ")
+
+
+def test_hints_lead_to_the_variant_that_was_answered(dhcli: Run) -> None:
+    """Its numbers are others than those of the file."""
+    words = ("check", "planar-in-numbers", "--variant", "alice", "--part", "middle", "--answer", "1.001, 2.002, 3.003")
+    assert "dhcli hint yim/planar-in-numbers --variant alice --part middle\n" in dhcli(*words).out
+
+
+@pytest.mark.parametrize(
+    ("rows", "verdict"),
+    [
+        ("- [a1, 0, 0, theta1]\n- [a2, 0, 0, theta2]\n", "RIGHT"),
+        ("- {theta: theta1, d: 0, a: a1, alpha: 0}\n- {theta: theta2, d: 0, a: a2, alpha: 0}\n", "RIGHT"),
+        ("theta, d, a, alpha\ntheta1, 0, a1, 0\ntheta2, 0, a2, 0\n", "RIGHT"),
+        ("- [a1, 90°, 0, theta1]\n- [a2, 0, 0, theta2]\n", "WRONG"),
+        ("- [a1, 0, 0]\n- [a2, 0, 0, theta2]\n", "CAN'T READ"),
+        ("- just words\n", "CAN'T READ"),
+    ],
+)
+def test_a_table_to_compare_may_be_its_rows_alone(dhcli: Run, rows: str, verdict: str) -> None:
+    """As an answer has them: lists, mappings or lines, in the convention of the robot."""
+    Path("rows.yaml").write_text(rows, "utf-8")
+    done = dhcli("check", "planar-2r", "--table", "rows.yaml")
+    assert verdict in done.out.splitlines()[0]
+    assert ("the rows name no convention, and were read as standard DH" in done.out) is (verdict != "CAN'T READ")

@@ -16,12 +16,12 @@ from dhcli.algebra.floats import Floats
 from dhcli.algebra.residues import Residues
 from dhcli.algebra.symbolic import Sympy, to_sympy
 from dhcli.algebra.terms import TERMS
-from dhcli.kinematics.batch import recorded
 from dhcli.kinematics.conventions import Convention, Row, moves_of
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.merge import merge
 from dhcli.kinematics.moves import Chain, Fixed, Rot, Trans, expressions, inverse, names, read_chain, substituted
 from dhcli.kinematics.pose import Pose
+from dhcli.kinematics.recorded import recorded_chain
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO, Expr, Symbol, number
 from dhcli.notation.walk import substitute
@@ -234,10 +234,18 @@ def test_columns_are_floats_one_by_one(chain: Chain, listed: list[dict[str, floa
     """A batch of none, one or several poses at once, of the chain as it stands and merged."""
     variables = (*THETAS, *LENGTHS)
     values = np.array([[at[name] for at in listed] for name in variables])
-    wanted = np.array([np.array(fold(chain, Floats(at))).ravel() for at in listed]).T
+    wanted = np.array([np.array(fold(chain, Floats(at))).ravel() for at in listed]).T.reshape(16, -1)
+    recording = recorded_chain(chain, variables, {})
     for merged in (False, True):
-        columns = Columns(recorded(chain, variables, (), merged=merged), len(listed))
-        assert columns.play(values) == pytest.approx(wanted.reshape(16, len(listed)), abs=1e-12)
+        for tangents in (False, True):
+            columns = Columns(recording.program(merged=merged, tangents=tangents), len(listed))
+            assert columns.play(values) == pytest.approx(wanted, abs=1e-12)
+        kernel, found = recording.kernel(merged=merged), np.empty((len(listed), 16))
+        assert kernel is not None
+        assert kernel.play(np.ascontiguousarray(values.T), found, width=2)
+        assert np.array(found.T) == pytest.approx(wanted, abs=1e-12)
+    ones = [recording.one(row) for row in values.T.tolist()]
+    assert np.array(ones).reshape(-1, 16) == pytest.approx(wanted.T, abs=1e-12)
 
 
 @examples(0.15)

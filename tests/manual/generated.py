@@ -107,7 +107,17 @@ def library_page(head: str) -> str:
             continue
         lines += [f"### {name}", "", "```text", f"{name}{_signature(found)}", ""]
         lines += [*(inspect.getdoc(found) or "").splitlines(), "```", ""]
+        for method, function in _methods(found):
+            lines += ["```text", f"{name}.{method}{_signature(function)}", ""]
+            lines += [*(inspect.getdoc(function) or "").splitlines(), "```", ""]
     return "\n".join(lines)
+
+
+def _methods(found: object) -> list[tuple[str, Callable[..., object]]]:
+    """The public methods that a class itself tells about."""
+    own = vars(found) if isinstance(found, type) else {}
+    named = [(name, getattr(found, name)) for name in own if not name.startswith("_")]
+    return [(name, one) for name, one in named if inspect.isroutine(one) and one.__doc__]
 
 
 def _signature(found: Callable[..., object]) -> str:

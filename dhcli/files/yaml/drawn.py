@@ -14,7 +14,6 @@ from dhcli.files.yaml.typed import read_value
 from dhcli.geometry.orthonormal import not_a_rotation
 from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, length, scaled
 from dhcli.kinematics.conventions import Convention
-from dhcli.kinematics.describe.description import product_text
 from dhcli.kinematics.describe.drawn import Drawing, Frame, Line, drawing_of
 from dhcli.kinematics.describe.linear import LettersError, Point, moved, point_of
 from dhcli.kinematics.describe.products import chains_of
@@ -89,7 +88,7 @@ class DrawnLoader(Loader):
             self.places["links", i] = node.place
         if not nodes and self.given in self.fields:
             self.problems.add(self.fields.place_of(self.given), f"{self.given}: a robot has at least one joint")
-        return tuple(Link(first + i, chain, None, product_text(chain)) for i, chain in enumerate(chains))
+        return tuple(Link(first + i, chain) for i, chain in enumerate(chains))
 
     def read_poses(self, angles: frozenset[str]) -> dict[str, tuple[Value, ...]]:
         """The named poses, and the one drawn."""

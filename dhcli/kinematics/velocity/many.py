@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-from typing import TYPE_CHECKING, TypeAlias, Unpack, cast
+import math
+from typing import TYPE_CHECKING, Any, Unpack, cast
 
 import numpy as np
 
-from dhcli.algebra.columns import Columns
-from dhcli.algebra.program import Program, assemble
 from dhcli.algebra.tape import Number, Tape
-from dhcli.errors import RobotError
-from dhcli.kinematics.batch import BLOCK, MODEST, Known, joint_rows
+from dhcli.errors import DhcliError, RobotError
+from dhcli.kinematics.batch import joint_rows, room
 from dhcli.kinematics.fold import fold_rows
-from dhcli.kinematics.forward import Given
+from dhcli.kinematics.forward import Given, plain_floats
 from dhcli.kinematics.frames import between
 from dhcli.kinematics.merge import merge
+from dhcli.kinematics.playing import play
+from dhcli.kinematics.recorded import Recording, kept
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.values import JointInput, given_parameters, joint_values, numbers, parameter_values
 from dhcli.kinematics.velocity.analytic import TINY
@@ -34,12 +34,12 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+    from collections.abc import Sequence
 
-    Table: TypeAlias = NDArray[np.float64]
+    from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 
-def jacobian(
+def jacobian(  # noqa: PLR0913  each by its name
     robot: Robot,
     q: JointInput | ArrayLike = None,
     *,
@@ -47,8 +47,10 @@ def jacobian(
     angular_first: bool = False,
     analytic: str = "",
     parameters: Given | None = None,
+    dtype: DTypeLike | None = None,
+    threads: int = 1,
     **viewing: Unpack[Viewing],
-) -> Table:
+) -> NDArray[Any]:
     """The Jacobian of a robot in numbers: velocity of a point and of a frame for each joint's own.
 
     Args:
@@ -58,6 +60,9 @@ def jacobian(
         angular_first: Whether ω stands above v.
         analytic: Angles whose rates are wanted in the place of ω: `rpy`, or three axes such as `zyz`.
         parameters: Lengths and angles to use instead of the robot's own.
+        dtype: Of many, float64 by default; with float32 each entry is worked out in double precision and rounded at the
+            end, to 6e-8 of itself.
+        threads: Of many, how many threads share the work.
         **viewing: Between which frames, along which axes, of which point; see `Viewing`.
 
     Returns:
@@ -70,12 +75,43 @@ def jacobian(
         UnknownNameError: The robot has no such frame, joint or length.
     """
     check_robot(robot)
+    if (floats := plain_floats(cast("JointInput", q), parameters)) is not None:
+        played = _played(robot, floats, (part, angular_first, analytic), viewing)
+        if played is not None:
+            return played
     view = MotionView.of(robot, **viewing)
     form = Form(checked_part(part), angular_first, analytic)
     if _is_many(q):
-        return jacobians(robot, cast("ArrayLike", q), view, form, parameters or {})
+        return jacobians(robot, cast("ArrayLike", q), view, form, parameters or {}, dtype=dtype, threads=threads)
     values = {**parameter_values(robot, parameters or {}), **joint_values(robot, cast("JointInput", q))}
     return numeric_jacobian(robot, values, view, form).matrix
+
+
+def _played(
+    robot: Robot, q: Sequence[float], rows: tuple[Which, bool, str], viewing: Viewing
+) -> NDArray[np.float64] | None:
+    """One Jacobian by its recording, the same as by the fold; None where only that can tell what is wrong."""
+
+    def record() -> tuple[Recording, tuple[int, int]]:
+        part, angular_first, analytic = rows
+        view, form = MotionView.of(robot, **viewing), Form(checked_part(part), angular_first, analytic)
+        shape = len(form.labels), len(moving_joints(robot, view))
+        return recorded_jacobian(robot, view, form, {}), shape
+
+    try:
+        recording, shape = kept(robot, (rows, *viewing.items()), record)
+        if not recording.is_asked_again:
+            return None
+        found = recording.one(q)
+        if not math.isfinite(sum(q) + sum(found)):
+            return None
+        if rows[2]:
+            if found[-1] < TINY**2:
+                return None
+            found = found[:-1]
+    except (ArithmeticError, TypeError, ValueError, DhcliError):  # a point in a list is no key
+        return None
+    return np.array(found).reshape(shape)
 
 
 def symbolic_jacobian(
@@ -133,41 +169,56 @@ def _is_many(q: object) -> bool:
     return isinstance(q, list | tuple) and bool(q) and not isinstance(q[0], str) and hasattr(q[0], "__len__")
 
 
-def jacobians(robot: Robot, Q: ArrayLike, view: MotionView, form: Form, parameters: Given) -> Table:  # noqa: N803
+def jacobians(  # noqa: PLR0913  each by its name
+    robot: Robot,
+    Q: ArrayLike,  # noqa: N803
+    view: MotionView,
+    form: Form,
+    parameters: Given,
+    *,
+    dtype: DTypeLike | None = None,
+    threads: int = 1,
+) -> NDArray[Any]:
     """The Jacobians for many joint values, shape (N, n): shape (N, rows, joints); see `jacobian`."""
     q = joint_rows(robot, Q)
-    lengths = parameter_values(robot, parameters)
-    joints = moving_joints(robot, view)
-    check_values(robot, view, form, {**lengths, **dict.fromkeys(robot.variables, Angle())})
-    values = tuple(numbers(lengths).items())
-    rows, columns = len(form.labels), len(joints)
-    found = np.empty((len(q), rows, columns))
-    players: dict[tuple[bool, int], Columns] = {}
-    for first in range(0, len(q), BLOCK):
-        block = q[first : first + BLOCK]
-        kind = bool(np.abs(block).max(initial=0.0) <= MODEST), len(block)
-        if kind not in players:
-            players[kind] = Columns(recorded(robot, view, form, values, merged=kind[0]), len(block))
-        played = players[kind].play(block.T)
-        found[first : first + BLOCK] = played[: rows * columns].reshape(rows, columns, -1).transpose(2, 0, 1)
-        if form.analytic:
-            found[first : first + BLOCK][played[-1] < TINY**2] = np.nan
+    recording = recorded_jacobian(robot, view, form, parameters)
+    shape = len(q), len(form.labels), len(moving_joints(robot, view))
+    found = room(None, shape, dtype)
+    if form.analytic:
+        entries = np.empty((len(q), shape[1] * shape[2] + 1))
+        play(recording, q, entries, threads)
+        found[...] = entries[:, :-1].reshape(shape)
+        found[entries[:, -1] < TINY**2] = np.nan
+    else:
+        play(recording, q, found, threads)
     found[~np.isfinite(q).all(axis=1)] = np.nan
     return found
 
 
-@lru_cache(maxsize=32)
-def recorded(robot: Robot, view: MotionView, form: Form, values: Known, *, merged: bool) -> Program:
-    """The steps from joint values to the entries of a Jacobian, row by row.
+def recorded_jacobian(robot: Robot, view: MotionView, form: Form, parameters: Given) -> Recording:
+    """The entries of a Jacobian, row by row, kept with the robot.
 
     For rates of angles one number follows: the square of what vanishes where there are none.
+
+    Raises:
+        RobotError: A name has no value, or nothing moves.
     """
-    joints = moving_joints(robot, view)
-    tape = Tape(robot.variables, dict(values))
-    linear, angular = six_rows(tuple(parts(robot, view, joints, merged=merged)), len(joints), tape)
-    results: list[Number] = []
-    if form.analytic:
-        chain = between(robot, view.start, view.end)
-        angular, square = rates_by(form, fold_rows(merge(chain) if merged else chain, tape), angular, tape)
-        results = [square]
-    return assemble(tape, [entry for row in form.chosen(linear, angular) for entry in row] + results)
+    values = numbers(parameter_values(robot, parameters)) if parameters else None
+
+    def record() -> Recording:
+        known = numbers(parameter_values(robot, {})) if values is None else values
+        joints = moving_joints(robot, view)
+        check_values(robot, view, form, {**known, **dict.fromkeys(robot.variables, Angle())})
+
+        def entries(tape: Tape, merged: bool) -> list[Number]:  # noqa: FBT001  called by `Recording` alone
+            linear, angular = six_rows(tuple(parts(robot, view, joints, merged=merged)), len(joints), tape)
+            results: list[Number] = []
+            if form.analytic:
+                chain = between(robot, view.start, view.end)
+                angular, square = rates_by(form, fold_rows(merge(chain) if merged else chain, tape), angular, tape)
+                results = [square]
+            return [entry for row in form.chosen(linear, angular) for entry in row] + results
+
+        return Recording(robot.variables, known, entries)
+
+    return kept(robot, (view, form, None if values is None else tuple(values.items())), record)

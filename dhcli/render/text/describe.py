@@ -16,7 +16,7 @@ from dhcli.kinematics.describe.process import axis_word
 from dhcli.kinematics.describe.products import end_of
 from dhcli.kinematics.describe.words import Step
 from dhcli.kinematics.fold import fold
-from dhcli.kinematics.forward import spelled
+from dhcli.kinematics.moves import spelled
 from dhcli.notation.tree import Expr
 from dhcli.notation.writer import write
 from dhcli.render.look import Look

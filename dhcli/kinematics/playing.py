@@ -1,0 +1,118 @@
+"""Recordings played over many rows: a few one by one, more by numpy in blocks, or by the compiled loop."""
+
+from __future__ import annotations
+
+from collections import deque
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from dhcli.algebra.columns import Columns
+from dhcli.algebra.kernel import is_ready
+from dhcli.algebra.program import Program
+from dhcli.errors import RobotError
+from dhcli.kinematics.recorded import Recording
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+BLOCK = 4040
+"""Rows at a time: enough to make a call of numpy cheap beside its work, few enough to keep the columns in the cache.
+
+2000 to 8000 differ little where this was tried; PUMA 560 takes 34 columns of 32 kB, of which most rest. Columns of a
+power of two would lie on the same few lines of a cache: to turn them into rows takes up to three times as long then.
+"""
+
+CHUNK = 16 * BLOCK
+"""Rows that one thread takes at a time."""
+
+FEW = 16
+"""Rows that are played one by one in less time than numpy takes to begin."""
+
+MODEST = 10.0
+"""Joint values [rad] up to which parallel joints are merged; the sum of larger angles lacks digits of its parts."""
+
+_IDLE: deque[Columns] = deque(maxlen=8)
+"""Columns that nobody uses now: the next block, or the next call, of the same robot need not make them."""
+
+
+def play(recording: Recording, q: NDArray[np.float64], found: NDArray[Any], threads: int = 1) -> None:
+    """Work out what was recorded for each row.
+
+    Args:
+        recording: What to work out.
+        q: Joint values, shape (N, n); radians and metres.
+        found: Where the results go, shape (N, ...), as many numbers in each row as were recorded; NaN or infinite where
+            a joint value is. They are worked out in double precision and rounded once if it holds float32.
+        threads: How many threads share the work.
+
+    Raises:
+        RobotError: That is no number of threads.
+    """
+    if type(threads) is not int or threads < 1:
+        raise RobotError(f"threads is a number from 1, not {threads!r:.60}")
+    chunks = [slice(first, first + CHUNK) for first in range(0, len(q), CHUNK)]
+    with np.errstate(all="ignore"):
+        if is_ready(len(q)):
+            one = partial(_by_loop, recording, q, found)
+        elif len(q) <= FEW and _one_by_one(recording, q, found):
+            return
+        else:
+            one = partial(_by_columns, recording, q, found)
+        if threads == 1 or len(chunks) < 2:  # noqa: PLR2004  nothing to share
+            for chunk in chunks:
+                one(chunk)
+            return
+        from concurrent.futures import ThreadPoolExecutor  # a command that needs none starts sooner
+
+        with ThreadPoolExecutor(min(threads, len(chunks))) as pool:
+            list(pool.map(one, chunks))
+
+
+def _one_by_one(recording: Recording, q: NDArray[np.float64], found: NDArray[Any]) -> bool:
+    """A few rows, each in floats; whether all of them have values."""
+    try:
+        rows = [recording.one(row) for row in q.tolist()]
+    except (ArithmeticError, ValueError):
+        return False
+    found[...] = np.array(rows).reshape(found.shape)
+    return True
+
+
+def _by_loop(recording: Recording, q: NDArray[np.float64], found: NDArray[Any], chunk: slice) -> None:
+    """A chunk by the compiled loop; by numpy where that does not know a step, or an angle is too large for it."""
+    rows, target = np.ascontiguousarray(q[chunk]), found[chunk]
+    merged = bool(rows.size == 0 or (rows.max() <= MODEST and rows.min() >= -MODEST))
+    kernel = recording.kernel(merged=merged)
+    is_plain = target.flags.c_contiguous
+    flat = (target if is_plain else np.empty(target.shape, target.dtype)).reshape(len(rows), -1)
+    if kernel is None or not kernel.play(rows, flat):
+        _by_columns(recording, q, found, chunk)
+    elif not is_plain:
+        target[...] = flat.reshape(target.shape)
+
+
+def _by_columns(recording: Recording, q: NDArray[np.float64], found: NDArray[Any], chunk: slice) -> None:
+    """A chunk by numpy, block by block."""
+    rows, target = q[chunk], found[chunk]
+    with np.errstate(all="ignore"):  # a thread has its own
+        for first in range(0, len(rows), BLOCK):
+            block = rows[first : first + BLOCK]
+            merged = bool(np.abs(block).max(initial=0.0) <= MODEST)
+            columns = _columns(recording.program(merged=merged, tangents=True), len(block))
+            results = columns.play(block.T).reshape(*target.shape[1:], -1)
+            target[first : first + BLOCK] = np.moveaxis(results, -1, 0)
+            _IDLE.append(columns)
+
+
+def _columns(program: Program, length: int) -> Columns:
+    """Columns for a program, idle ones if there are any."""
+    for columns in tuple(_IDLE):
+        if columns.program is program and columns.length == length:
+            try:
+                _IDLE.remove(columns)
+            except ValueError:  # another thread was quicker
+                continue
+            return columns
+    return Columns(program, length)
