@@ -32,7 +32,7 @@ from dhcli.kinematics.describe.drawn import Frame
 from dhcli.kinematics.describe.linear import shifted
 from dhcli.kinematics.describe.normals import Lie
 from dhcli.notation.tree import ONE
-from tests.judging import answer_with, checked, expected, mark, slips, solution
+from tests.judging import answer_with, checked, expected, mark, slips, solution, vary
 
 LIBRARY = Path(__file__).parents[3] / "robots"
 OPEN = ("dh-link", "dh-link-modified", "assembly-blocks")
@@ -282,9 +282,27 @@ def test_what_cannot_be_read_says_what_would_be(answer: str, said: str) -> None:
     assert any(said in remark for remark in judged.remarks), judged.remarks
 
 
-def test_an_answer_that_is_too_long_is_refused() -> None:
-    """Work is bounded."""
-    assert "more than the" in told("+x " * 10_000).remarks[0]
+@pytest.mark.parametrize(
+    "answer",
+    [
+        "+x " * 10_000,
+        "(" * 9_000 + "+x" + ")" * 9_000,
+        "[" * 400 + "0 +x +z" + "]" * 400,
+        ";" * 15_000 + "+x",
+        "+x\n" * 6_000,
+        ZHOU.replace("a, 0, 0", "1e8^60, 0, 0", 1),
+        ZHOU.replace("a, 0, 0", "9^9^9^9, 0, 0", 1),
+        ZHOU.replace("(a, 0, 0) +x", "(a, 0, 0) (1e-300, 0, 0)", 1),
+        ZHOU.replace("(a, 0, 0) +x", "(a, 0, 0) (1e8^40, 0, 0)", 1),
+        ZHOU.replace("(a, 0, 0) +x", "(a, 0, 0) __import__('os')", 1),
+        "\u202e +x \x00",
+    ],
+)
+def test_nothing_that_is_typed_ends_in_anything_but_a_verdict(answer: str) -> None:
+    """Work is bounded, and nothing is evaluated as code."""
+    judged = told(answer)
+    assert judged.verdict in (Verdict.CANNOT_READ, Verdict.WRONG)
+    assert judged.remarks
 
 
 def test_a_table_that_no_frames_on_these_axes_have_is_wrong() -> None:
@@ -407,6 +425,39 @@ def test_a_pose_turns_the_axes() -> None:
     assert mark(exercise, part, expected(exercise, part)).verdict is Verdict.RIGHT
     sketch = sketch_of(exercise, Convention.STANDARD, "up")
     assert table_of(sketch, sketch.frames) == tuple(link.row for link in load_robot("planar-2r").links)
+
+
+IN_MM = """
+format: 1
+title: Frames in mm
+source: a test
+robot: planar-2r
+numeric: true
+unit: mm
+task: Put frames on it.
+given: {a1: 400 mm, a2: 300 mm}
+variants: {a1: 300 mm..500 mm step 10 mm}
+parts:
+  - {id: frames, ask: frames standard, hints: [z first]}
+tests:
+  - {part: frames, answer: "0 +x +z; (400, 0, 0) +x +z; (700, 0, 0) +x +z", verdict: RIGHT}
+  - {part: frames, mistake: frame-on-joint 1, verdict: WRONG}
+"""
+
+
+def test_frames_in_numbers_are_in_the_unit_of_the_sheet_and_vary() -> None:
+    """Each variant is right with its own numbers, and with no others."""
+    exercise = read_exercise(IN_MM, "x.yaml", "x")
+    part = exercise.parts[0]
+    assert expected(exercise, part) == "(0, 0, 0) +x +z; (400, 0, 0) +x +z; (700, 0, 0) +x +z"
+    assert mark(exercise, part, "0 +x +z; (400, 0, 0) +x +z; (0.7 m, 0, 0) +x +z").verdict is Verdict.RIGHT
+    other = vary(exercise, "alice")
+    assert expected(other, part) != expected(exercise, part)
+    assert mark(other, part, expected(other, part)).verdict is Verdict.RIGHT
+    names = [slip.name for slip in slips(exercise, part)]
+    assert names
+    for name in names:
+        assert mark(exercise, part, answer_with(exercise, part, name)).verdict is Verdict.WRONG
 
 
 def test_numbers_near_the_right_ones_are_right_within_the_tolerance() -> None:
