@@ -12,7 +12,7 @@ from dhcli.checking.frames.marking import frame_text, frames_text, mark_frames
 from dhcli.checking.frames.reading import TypedFrame, read_frames
 from dhcli.checking.frames.rows import table_of
 from dhcli.checking.frames.rules import Rules
-from dhcli.checking.frames.sketch import axes_text, drawn_at, pose_of, sketch_of
+from dhcli.checking.frames.sketch import axes_text, drawn_at, pose_of, seen_from, sketch_of
 from dhcli.checking.frames.slips import as_typed, causes_of, every_slip
 from dhcli.checking.frames.spelling import has_frames, rows_of
 from dhcli.checking.kinds.linked import needed
@@ -75,7 +75,8 @@ class FramesQuestion(Question[Answer]):
     def notes(self, exercise: Exercise) -> Iterable[str]:
         sketch = sketch_of(exercise, self.convention, self.pose)
         yield "a row for each frame: the coordinates of its origin, then x and z, such as a, 0, 0, +x, +z; or the table"
-        yield f"seen from the base, drawn with {drawn_at(sketch.pose)}: {'; '.join(axes_text(sketch))}"
+        seen = seen_from(exercise, self.convention)
+        yield f"seen from {seen}, drawn with {drawn_at(sketch.pose)}: {'; '.join(axes_text(sketch))}"
 
     @property
     def in_rows(self) -> bool:

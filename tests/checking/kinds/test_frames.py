@@ -180,21 +180,21 @@ def test_each_mistake_is_named(name: str, convention: Convention) -> None:
 @pytest.mark.parametrize(
     ("answer", "said", "earned"),
     [
-        (ZHOU.replace("+y", "+x +y", 0).replace("(a + b, 0, 0) +x +y;", "(a + b, 0, 0) +x +z;"), "is 90° off", 0.9),
+        (ZHOU.replace("(a + b, 0, 0) +x +y;", "(a + b, 0, 0) +x +z;"), "is 90° off", 0.75),
         (
             ZHOU.replace("(a, 0, 0)", "(a, b, 0)"),
             "DH1: o1 is off the axis of joint 2 (theta2): z1 passes b beside it",
-            0.9,
+            0.75,
         ),
-        (ZHOU.replace("(a, 0, 0) +x", "(a, 0, 0) (1, 1, 0)"), "DH3: x1 does not meet z0: it passes sqrt(2)*a/2", 0.9),
+        (ZHOU.replace("(a, 0, 0) +x", "(a, 0, 0) (1, 1, 0)"), "DH3: x1 does not meet z0: it passes sqrt(2)*a/2", 0.8),
         (
             ZHOU.replace("(a, 0, 0) +x", "(a, 0, 0) (1, 0, 1)"),
             "DH2: x1 is not perpendicular to z0: the angle is 45°",
-            0.9,
+            0.8,
         ),
-        (ZHOU.replace("(a, 0, 0) +x", "(a, 0, 0) -z"), "x1 is not perpendicular to z1: they are parallel", 0.9),
-        (ZHOU.replace("(a, 0, 0) +x +z", "o = (a, 0, 0), x = +x, y = -y, z = +z"), "y1 must be z1 × x1 = +y", 0.9),
-        (ZHOU.replace("(a + b, 0, 0) +x +y;", "(a + b, 0.1, 0) -z +y;"), "DH2: x2 is not perpendicular to z1", 0.9),
+        (ZHOU.replace("(a, 0, 0) +x", "(a, 0, 0) -z"), "x1 is not perpendicular to z1: they are parallel", 0.8),
+        (ZHOU.replace("(a, 0, 0) +x +z", "o = (a, 0, 0), x = +x, y = -y, z = +z"), "y1 must be z1 × x1 = +y", 0.8),
+        (ZHOU.replace("(a + b, 0, 0) +x +y;", "(a + b, 0.1, 0) -z +y;"), "DH2: x2 is not perpendicular to z1", 0.8),
     ],
 )
 def test_each_broken_rule_is_said_with_its_joint_and_by_how_much(answer: str, said: str, earned: float) -> None:
@@ -204,6 +204,12 @@ def test_each_broken_rule_is_said_with_its_joint_and_by_how_much(answer: str, sa
     assert any(said in remark for remark in judged.remarks), judged.remarks
     assert sum("x2" in remark for remark in judged.remarks if "DH" in remark) <= 1
     assert judged.earned == pytest.approx(earned)
+
+
+def test_frames_that_are_all_the_same_earn_nothing() -> None:
+    """Nobody has worked them out; and what lies as the base does earns nothing by itself."""
+    assert told("; ".join(["0 +x +z"] * 4)).earned == 0
+    assert told("0 +x +z; 0 +x +z; (a, 0, 0) +x +z; (a + b, 0, 0) +x +y").earned == pytest.approx(0.5)
 
 
 def test_what_is_drawn_otherwise_than_ours_is_named_with_its_table() -> None:
@@ -415,6 +421,18 @@ def test_a_question_that_cannot_be_asked_is_refused(ask: str, error: type[DhcliE
     with pytest.raises(error) as caught:
         read_question(ask, robot.scope).check(robot)
     assert said in str(caught.value)
+
+
+def test_a_robot_that_stands_on_something_is_seen_from_its_own_frame_0() -> None:
+    """Where its table says what that is; else from the base."""
+    robot = load_robot("zhou-3r").copy(base="Trans(0, 0, 0.5) Rot(x, 30°)")
+    exercise = question_about_frames(robot, Convention.STANDARD)
+    part = exercise.parts[0]
+    assert mark(exercise, part, ZHOU).remarks == ()
+    assert "seen from frame 0 of the robot, drawn" in " ".join(part.question.notes(exercise))
+    other = question_about_frames(robot, Convention.MODIFIED)
+    assert "seen from the base, drawn" in " ".join(other.parts[0].question.notes(other))
+    assert mark(other, other.parts[0], expected(other, other.parts[0])).verdict is Verdict.RIGHT
 
 
 def test_a_pose_turns_the_axes() -> None:
