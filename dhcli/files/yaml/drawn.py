@@ -7,9 +7,10 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean
+from dhcli.files.keys.robots import ROBOTS
 from dhcli.files.yaml.fields import Fields
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
-from dhcli.files.yaml.robot_loader import KEYS, Loader
+from dhcli.files.yaml.robot_loader import Loader
 from dhcli.files.yaml.typed import read_value
 from dhcli.geometry.orthonormal import not_a_rotation
 from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, length, scaled
@@ -27,15 +28,6 @@ from dhcli.notation.quantity import DimensionError, to_length
 from dhcli.notation.tree import ONE, ZERO, Expr
 from dhcli.notation.walk import symbols
 
-_OTHER = tuple(key for key in KEYS if key not in ("links", "base", "tool", "tools", "first"))
-_KNOWN = {
-    "axes": (*_OTHER, "drawn", "axes", "end"),
-    "screws": (*_OTHER, "frame", "screws", "home"),
-}
-_REQUIRED = {
-    "axes": ("title", "source", "convention", "variables", "axes"),
-    "screws": ("title", "source", "convention", "variables", "screws", "home"),
-}
 _SIDES: tuple[Side, ...] = ("space", "body")
 _SIX = 6
 _LEAST = 1e-9
@@ -65,7 +57,7 @@ class DrawnLoader(Loader):
 
     def __init__(self, root: PlacedNode, name: str, refused: list[Problem], convention: str) -> None:
         """Read the fields that every robot has."""
-        super().__init__(root, name, refused, _KNOWN[convention], _REQUIRED[convention])
+        super().__init__(root, name, refused, ROBOTS[convention])
         self.given = convention
         self.drawn: dict[str, Value] = {}
 
