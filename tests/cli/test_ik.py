@@ -191,7 +191,7 @@ def test_formulas_are_derived_step_by_step(dhcli: Run) -> None:
 def test_a_derivation_has_these_keys_in_json(dhcli: Run) -> None:
     """A new key is a decision, and stands here."""
     data = dhcli("ik", "puma560", "--derive", "--format", "json").data
-    assert set(data) == {"robot", "convention", "reference", "frame", "task", "branches", "steps"}
+    assert set(data) == {"robot", "convention", "reference", "frame", "task", "branches", "proved", "steps"}
     keys = {"rule", "unknown", "equations", "value", "plus_minus", "or_half_a_turn_more", "condition"}
     assert all(set(step) == keys for step in data["steps"])
     assert [step["unknown"] for step in data["steps"]][:4] == ["theta1", "theta3", "theta2 + theta3", "theta2"]

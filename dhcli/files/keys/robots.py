@@ -36,6 +36,12 @@ _OF_EVERY_ROBOT = (
     ),
     Key("limits", "lowest and highest value of joints", Named(PAIR), example="limits: {theta1: [-160°, 160°]}"),
     Key("poses", "named poses, a value for each variable", Named(TEXTS), example="poses: {home: [0, 90°]}"),
+    Key(
+        "actuators",
+        "motors with their limits, and for each joint that they drive in what way",
+        Named(Either((TEXT, TEXTS, Named(Either((Scalar(may_be_empty=True), PAIR)))))),
+        example="actuators: {motors: {m1: [-60°, 76°], m2: }, theta1: m1, theta2: m2 - m1}",
+    ),
 )
 _BESIDE_LINKS = (
     Key("first", "number of the first link, 1 by default", WHOLE, example="first: 4"),
