@@ -83,7 +83,8 @@ AXES = (
     ),
     Key(
         "axes",
-        "the axis of each joint: its direction, and through which point; `slides: true` for a slide",
+        "the axis of each joint: its direction, and through which point; `slides: true` for a slide, "
+        "`pitch: 5 mm` for each turn of a screw",
         Many(_LINE, 1),
         is_required=True,
         example="axes: [{theta1: +z, through: (0, 0, 0)}]",
