@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import cast
 
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.sizes import SIZES
@@ -24,6 +23,7 @@ from dhcli.kinematics.values import (
     joint_values,
     numbers,
     parameter_values,
+    plain_numbers,
     require,
 )
 from dhcli.notation.angle import Angle
@@ -33,8 +33,6 @@ from dhcli.notation.writer import write, write_angle
 
 LONGEST = 20_000
 """Symbols of the longest result that is written; Panda has about 2000."""
-
-_PLAIN = {float, int}
 
 Given = Mapping[str, float | str | Value]
 
@@ -65,7 +63,7 @@ def forward(
         UnknownNameError: The robot has no such frame, joint or length.
     """
     check_robot(robot)
-    if not parameters and (floats := _floats(q)) is not None:
+    if not parameters and (floats := plain_numbers(q)) is not None:
         frames = ends(robot, start, end)
         rows = _played(robot, floats, *frames)
         if rows is not None:
@@ -109,33 +107,15 @@ def numeric_pose(robot: Robot, values: Values, start: str, end: str) -> Pose[flo
     return Pose(in_numbers(chain, values), start, end, joints=robot.writing)
 
 
-def _floats(q: JointInput) -> Sequence[float] | None:
-    """Joint values that are plain numbers in joint order, as most programs give them; None for anything else."""
-    if type(q) is not list and type(q) is not tuple:
-        if getattr(q, "ndim", 0) != 1:
-            return None
-        q = q.tolist()  # type: ignore[union-attr]  # an array
-    kinds = set(map(type, q))
-    if kinds <= _PLAIN:
-        return cast("Sequence[float]", q)
-    return list(map(float, cast("Sequence[float]", q))) if all(issubclass(kind, float) for kind in kinds) else None
-
-
 def _played(robot: Robot, q: Sequence[float], start: str, end: str) -> tuple[tuple[float, ...], ...] | None:
-    """The pose by its recording, shape (4, 4), the same as by the fold; None where only that can tell what is wrong."""
+    """The pose by its recording, shape (4, 4); see `Recording.again`."""
     from dhcli.kinematics.recorded import recorded_pose  # a command has a robot once, and records nothing
 
     try:
-        recording = recorded_pose(robot, start, end)
-        if not recording.is_asked_again:
-            return None
-        found = recording.one(q)
-        # what is infinite or no number makes a sum one; a sum of numbers too large goes the long way for nothing
-        if not math.isfinite(sum(q) + sum(found)):
-            return None
-    except (ArithmeticError, ValueError, RobotError):
+        found = recorded_pose(robot, start, end).again(q)
+    except RobotError:
         return None
-    return found[:4], found[4:8], found[8:12], found[12:]
+    return None if found is None else (found[:4], found[4:8], found[8:12], found[12:])
 
 
 def symbolic_pose(robot: Robot, values: Values, start: str, end: str) -> Pose[Expr]:

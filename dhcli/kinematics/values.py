@@ -6,7 +6,7 @@ import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias, cast
 
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean, plural
 from dhcli.kinematics.derived import Value, replaced
@@ -33,6 +33,8 @@ JointInput: TypeAlias = "str | Sequence[float | str | Angle] | NDArray[Any] | Ma
 
 SLACK = 1e-9
 """By how much a value may be beyond a limit and still be at it [rad or m]: limits in degrees are no floats."""
+
+_PLAIN = {float, int}
 
 _ONE_VALUE = re.compile(r"([^\s=,;]+=)?[-+−–]?(\d|\.|√|π|pi|\()[^\s;]*(?<!,)")  # noqa: RUF001
 """A value without a blank in it, or a name with one."""
@@ -68,6 +70,18 @@ def joint_values(
         raise RobotError(Problem(f"{q!r} is no list of joint values", place, _joints_hint(robot, place))) from None
     _check_count(robot, len(given), place)
     return {n: _value(robot, n, v, bare, place) for n, v in zip(robot.variables, given, strict=True)}
+
+
+def plain_numbers(q: JointInput) -> Sequence[float] | None:
+    """Joint values that are plain numbers in joint order, as most programs give them; None for anything else."""
+    if type(q) is not list and type(q) is not tuple:
+        if getattr(q, "ndim", 0) != 1:
+            return None
+        q = q.tolist()  # type: ignore[union-attr]  # an array
+    kinds = set(map(type, q))
+    if kinds <= _PLAIN:
+        return cast("Sequence[float]", q)
+    return list(map(float, cast("Sequence[float]", q))) if all(issubclass(kind, float) for kind in kinds) else None
 
 
 def given_parameters(

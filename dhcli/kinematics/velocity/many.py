@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, Unpack, cast
 
 import numpy as np
 
+from dhcli.algebra.arrays import Array, library_of
 from dhcli.algebra.tape import Number, Tape
 from dhcli.errors import RobotError
 from dhcli.kinematics.batch import joint_rows, room
@@ -16,7 +18,8 @@ from dhcli.kinematics.merge import merge
 from dhcli.kinematics.playing import play
 from dhcli.kinematics.recorded import Recording, kept
 from dhcli.kinematics.robot import Robot, check_robot
-from dhcli.kinematics.values import JointInput, given_parameters, joint_values, numbers, parameter_values
+from dhcli.kinematics.traced import shaped, trace
+from dhcli.kinematics.values import JointInput, given_parameters, joint_values, numbers, parameter_values, plain_numbers
 from dhcli.kinematics.velocity.analytic import TINY
 from dhcli.kinematics.velocity.form import Form, Which
 from dhcli.kinematics.velocity.jacobian import (
@@ -53,6 +56,8 @@ def jacobian(  # noqa: PLR0913  each by its name
     Args:
         robot: The robot.
         q: Joint values in radians and metres, in any form that `forward` takes; or many, shape (N, n), a row for each.
+            An array of JAX, PyTorch or another library of the array API may have any shape (..., n), and gives one of
+            its own.
         part: `all` six rows, or the three of v, `linear`, or of ω, `angular`.
         angular_first: Whether ω stands above v.
         analytic: Angles whose rates are wanted in the place of ω: `rpy`, or three axes such as `zyz`.
@@ -74,8 +79,14 @@ def jacobian(  # noqa: PLR0913  each by its name
     check_robot(robot)
     view = MotionView.of(robot, **viewing)
     form = Form(checked_part(part), angular_first, analytic)
+    if library := library_of(q):
+        only = {"dtype": dtype, "threads": None if threads == 1 else threads}
+        return cast("NDArray[Any]", traced_jacobian(robot, q, view, form, parameters or {}, (library, only)))
     if _is_many(q):
         return jacobians(robot, cast("ArrayLike", q), view, form, parameters or {}, dtype=dtype, threads=threads)
+    plain = None if parameters or analytic else plain_numbers(cast("JointInput", q))
+    if plain is not None and (found := recorded_jacobian(robot, view, form, {}).again(plain)) is not None:
+        return np.array(found).reshape(len(form.labels), -1)
     values = {**parameter_values(robot, parameters or {}), **joint_values(robot, cast("JointInput", q))}
     return numeric_jacobian(robot, values, view, form).matrix
 
@@ -159,6 +170,19 @@ def jacobians(  # noqa: PLR0913  each by its name
         play(recording, q, found, threads)
     found[~np.isfinite(q).all(axis=1)] = np.nan
     return found
+
+
+def traced_jacobian(
+    robot: Robot, q: Array, view: MotionView, form: Form, parameters: Given, library: tuple[str, Mapping[str, object]]
+) -> Array:
+    """The Jacobians for an array of another library, shape (..., n): shape (..., rows, joints); see `trace`."""
+    shape = len(form.labels), len(moving_joints(robot, view))
+    found, q, xp = trace(robot, recorded_jacobian(robot, view, form, parameters), q, *library)
+    is_there = xp.all(xp.isfinite(q), axis=-1)
+    if form.analytic:
+        found, square = found[..., :-1], found[..., -1]
+        is_there = is_there & (square >= TINY**2)
+    return shaped(xp.where(is_there[..., None], found, xp.full_like(found, xp.nan)), q, xp, shape)
 
 
 def recorded_jacobian(robot: Robot, view: MotionView, form: Form, parameters: Given) -> Recording:
