@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     from dhcli.files.library.lookup import list_robots as list_robots
     from dhcli.files.yaml.exercises import load_exercise as load_exercise
     from dhcli.files.yaml.robots import load_robot as load_robot
-    from dhcli.files.yaml.writing import save_robot as save_robot
     from dhcli.geometry.many import axis_angles as axis_angles
     from dhcli.geometry.many import quaternions as quaternions
     from dhcli.geometry.many import roll_pitch_yaw as roll_pitch_yaw
@@ -77,7 +76,6 @@ _HOMES = {
     "manipulability": "dhcli.kinematics.velocity.measures",
     "quaternions": "dhcli.geometry.many",
     "roll_pitch_yaw": "dhcli.geometry.many",
-    "save_robot": "dhcli.files.yaml.writing",
     "singularities": "dhcli.kinematics.singular.finding",
     "sweep": "dhcli.kinematics.sweep.asked",
     "symbolic": "dhcli.kinematics.forward",
@@ -113,7 +111,6 @@ __all__ = [
     "manipulability",
     "quaternions",
     "roll_pitch_yaw",
-    "save_robot",
     "singularities",
     "sweep",
     "symbolic",

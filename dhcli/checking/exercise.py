@@ -6,11 +6,13 @@ An exercise is data. What is worked out for it is kept in a `Memo`, which a `Jud
 
 from __future__ import annotations
 
+import re
+import shlex
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Any, ClassVar, Generic, Protocol, Self, TypeAlias, TypeVar, cast
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, Protocol, Self, TypeAlias, TypeVar, cast
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.credit import USUAL, Shares
@@ -28,6 +30,11 @@ from dhcli.notation.quantity import LENGTH_UNITS, value_text
 from dhcli.notation.scope import Scope
 from dhcli.notation.styles import THETAS, Joints
 from dhcli.notation.tree import Expr
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.values import Values
+    from dhcli.mobility.linkage import Linkage
+    from dhcli.scene.traced import Traced
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -131,6 +138,7 @@ class Question(ABC, Generic[T]):
         is_plain: Whether an answer is neither a formula nor a measure, so that a sheet need not say how to write them.
         may_show_frames: Whether frames and lengths in a picture would not give the answer away.
         earns_by_row: Whether the entries of an answer belong together row by row, as those of a table do.
+        is_overlaid: Whether an answer can be drawn over the arm; see `overlaid`.
     """
 
     __slots__ = ()
@@ -143,6 +151,7 @@ class Question(ABC, Generic[T]):
     is_plain: ClassVar[bool] = False
     may_show_frames: ClassVar[bool] = False
     earns_by_row: ClassVar[bool] = False
+    is_overlaid: ClassVar[bool] = False
 
     @classmethod
     @abstractmethod
@@ -200,6 +209,11 @@ class Question(ABC, Generic[T]):
     def notes(self, _exercise: Exercise) -> Iterable[str]:
         """What a sheet says above the blanks."""
         return ()
+
+    @property
+    def linkage_counted(self) -> Linkage | None:
+        """The linkage that it is about, if it is about one."""
+        return None
 
     @property
     def in_rows(self) -> bool:
@@ -334,6 +348,23 @@ class Question(ABC, Generic[T]):
         """From which frame to which an answer leads within a span of frames, and the matrices at some points."""
         return None
 
+    def overlaid(self, _case: Case, _reading: Reading[T], _values: Values) -> Overlaid | None:
+        """What an answer draws over the arm at some values of all names; None where it draws nothing."""
+        return None
+
+
+@dataclass(frozen=True, slots=True)
+class Overlaid:
+    """An answer as a drawing over the arm that is right.
+
+    Attributes:
+        robot: The arm, with the table whose frames are compared.
+        traced: The frames of the answer.
+    """
+
+    robot: Robot
+    traced: Traced
+
 
 @dataclass(frozen=True, slots=True)
 class Points:
@@ -341,6 +372,9 @@ class Points:
 
     names: frozenset[str]
     at: tuple[Floats, ...]
+
+
+_FRAME = re.compile(r"\bframe \w+")
 
 
 @dataclass(frozen=True, slots=True)
@@ -377,6 +411,13 @@ class Part:
         """What is asked for, in a few words that do not tell more than the task does."""
         return self.question.describe_form(exercise) if self.prompt else self.question.describe(exercise)
 
+    def form(self, exercise: Exercise) -> str:
+        """What is to be written, below a prompt that has asked for it: what the prompt says itself is left out."""
+        heading = self.heading(exercise)
+        what, _, form = heading.rpartition(": ")
+        frames = set(_FRAME.findall(what))
+        return form if frames and frames <= set(_FRAME.findall(self.prompt)) else heading
+
 
 @dataclass(frozen=True, slots=True)
 class Exercise:
@@ -399,6 +440,7 @@ class Exercise:
         trials: Submissions the exercise tests itself with.
         shows_expected: Whether feedback may show the right entry.
         variants: What may be drawn by a seed, by name.
+        picture: What a picture may show, `none`, `axes` or `frames`; empty where the parts alone say it.
         variant: The seed that `given` was drawn by; empty for the numbers of the file.
         scope: The names that answers may use: the robot's, those given, and those the exercise adds.
         values: Values that may stand for their names: those given and, in numbers, the robot's own.
@@ -421,6 +463,7 @@ class Exercise:
     shows_expected: bool = False
     variants: Mapping[str, Range] = field(default_factory=dict)
     variant: str = ""
+    picture: str = ""
     scope: Scope = field(init=False, repr=False, compare=False)
     values: Mapping[str, Value] = field(init=False, repr=False, compare=False)
 
@@ -443,6 +486,11 @@ class Exercise:
                 return part
         known = [part.id for part in self.parts]
         raise UnknownNameError(f"{self.id} has no part {name}", did_you_mean(name, known) or ", ".join(known))
+
+    @property
+    def typed(self) -> str:
+        """What is typed behind a command to mean it: its id, and its variant."""
+        return f"{self.id} --variant {shlex.quote(self.variant)}" if self.variant else self.id
 
     @property
     def asked(self) -> tuple[Part, ...]:

@@ -50,7 +50,7 @@ WORST_FIRST = (
 COUNTED = " comes out when "
 """What a remark says between a number and the slip that gives it."""
 
-TOO_FEW = "right as far as it was typed, which is too little to judge: three decimals will do"
+TOO_FEW = "too few digits to judge: write three decimals; to the digits typed it agrees with what is right"
 """What is said of 0.4 for 0.449."""
 
 INVERSE = "this is the inverse: it shows the reference from the frame"

@@ -16,9 +16,9 @@ from dhcli.checking.units import on_sheet
 from dhcli.checking.wanted import Composed, Wanted
 from dhcli.kinematics.conventions import ORDER
 from dhcli.kinematics.fold import fold
-from dhcli.kinematics.forward import in_numbers, put_in, spelled, textbook_form
+from dhcli.kinematics.forward import in_numbers, put_in, textbook_form
 from dhcli.kinematics.frames import View, between, frame
-from dhcli.kinematics.moves import Chain, names
+from dhcli.kinematics.moves import Chain, names, spelled
 from dhcli.kinematics.pose import DIGITS, rounded
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import numbers

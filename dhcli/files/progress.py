@@ -15,10 +15,10 @@ from pathlib import Path
 
 from dhcli.checking.verdicts import WORST_FIRST, Verdict
 from dhcli.errors import FileError
-from dhcli.files.atomic import write_whole
 from dhcli.files.holding import held
-from dhcli.files.home import user_folder
 from dhcli.files.reading import read_text
+from dhcli.storage.atomic import write_whole
+from dhcli.storage.home import user_folder
 
 FORMAT = 1
 ORDER = (Verdict.SKIPPED.word, *(verdict.word for verdict in WORST_FIRST if verdict is not Verdict.SKIPPED))

@@ -30,28 +30,10 @@ def from_dh(
     *,
     convention: str = "standard",
     variables: Sequence[str],
-    parameters: Mapping[str, float | str | Value] | None = None,
+    parameters: Mapping[str, float | str | Value | None] | None = None,
     name: str = "robot",
 ) -> Made:
-    """A robot from the rows of its table.
-
-    >>> from dhcli.kinematics.robot import Robot
-    >>> from_dh(Robot, [("a1", 0, 0, "q1"), (0.3, "90°", 0, "q2")], variables=["q1", "q2"], parameters={"a1": 0.4})
-    <Robot robot: robot, 2 joints RR>
-
-    Args:
-        made: What is made: Robot, or a class of its kind.
-        rows: Each a mapping with a, alpha, d and theta, or these four in this order. A number is in metres or radians;
-            a text may have units, names and offsets: `"theta1 - 90°"`.
-        convention: standard or modified.
-        variables: The joint variables in order.
-        parameters: Values of the other names, in metres and radians or as text.
-        name: What it is called.
-
-    Raises:
-        RobotError: It is no robot; with every reason.
-        NotationError: A cell cannot be read.
-    """
+    """A robot from the rows of its table; what is taken is told by `Robot.from_dh`."""
     if convention not in ("standard", "modified"):
         raise UnknownNameError(f"there is no convention {convention}", "standard or modified")
     given = parameters or {}
@@ -61,7 +43,8 @@ def from_dh(
     links = tuple(Link(i, moves_of(row, kind), row) for i, row in enumerate(found, 1))
     open_: dict[str, Value | None] = dict.fromkeys(given)
     bare = made(name, name, "made in Python", kind, tuple(variables), links, open_)
-    return replace(bare, parameters={**open_, **parameter_values(bare, given)})
+    known = {parameter: value for parameter, value in given.items() if value is not None}
+    return replace(bare, parameters={**open_, **parameter_values(bare, known)})
 
 
 def copy(
@@ -72,27 +55,16 @@ def copy(
     parameters: Mapping[str, float | str | Value] | None = None,
     name: str | None = None,
 ) -> Made:
-    """The same robot with another tool, base or other lengths.
-
-    Args:
-        robot: The robot.
-        tool: Moves from its last frame to the tool, such as `"Trans(0, 0, 0.1)"`; empty for none.
-        base: Moves from the base to its first frame.
-        parameters: Lengths and angles instead of its own, in metres and radians or as text.
-        name: What the copy is called.
-
-    Raises:
-        UnknownNameError: It has no such length.
-        NotationError: The moves cannot be read.
-    """
+    """The same robot with something changed; what is taken is told by `Robot.copy`."""
     scope = Scope(lengths=tuple(robot.parameters))
+    named = {"tool": robot.tools, "base": {}}
     ends = {
-        end: read_chain(text, scope, Place(end)) if text.strip() else ()
+        end: named[end].get(text.strip(), ()) or (read_chain(text, scope, Place(end)) if text.strip() else ())
         for end, text in (("tool", tool), ("base", base))
         if text is not None
     }
     values = robot.parameters if parameters is None else {**robot.parameters, **parameter_values(robot, parameters)}
-    return replace(robot, name=name or robot.name, parameters=values, **ends)  # type: ignore[arg-type]
+    return replace(robot, name=name or robot.name, parameters=values, path=None, **ends)  # type: ignore[arg-type]
 
 
 def _row(row: Mapping[str, Cell] | Sequence[Cell], number: int, scope: Scope) -> Row:

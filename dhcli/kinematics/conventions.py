@@ -7,6 +7,7 @@ from enum import StrEnum
 
 from dhcli.kinematics.moves import Chain, Rot, along
 from dhcli.notation.angle import Angle
+from dhcli.notation.names import canonical, parts
 from dhcli.notation.tree import Expr
 
 
@@ -36,6 +37,18 @@ class Row:
 
 
 COLUMNS = ("a", "alpha", "d", "theta")
+
+_HEADS = {"a": "a", "r": "a", "alpha": "alpha", "d": "d", "s": "d", "theta": "theta"}
+_INDICES = {False: frozenset(("", "i", "j", "n")), True: frozenset(("i-1", "j-1", "n-1"))}
+
+
+def column_of(head: str) -> tuple[str, bool]:
+    """The column that a head such as `α_{i-1}` names, empty if none, and whether its index is the one before."""
+    stem, subscript = parts(canonical(head))
+    column = _HEADS.get(stem, "")
+    before = subscript in _INDICES[True]
+    return (column, before) if before or subscript in _INDICES[False] else ("", False)
+
 
 ORDER = {
     Convention.STANDARD: "A_i = Rot(z, theta_i) Trans(z, d_i) Trans(x, a_i) Rot(x, alpha_i)",

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from typing import cast
 
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.sizes import SIZES
 from dhcli.algebra.terms import TERMS
 from dhcli.errors import RobotError
-from dhcli.kinematics.conventions import Convention
+from dhcli.kinematics.conventions import Convention, Row, moves_of
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.frames import between, ends
 from dhcli.kinematics.merge import merge
-from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, substituted
+from dhcli.kinematics.moves import Chain, Trans, spelled, substituted
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.robot import Link, Robot, Value, check_robot
 from dhcli.kinematics.values import (
@@ -23,16 +24,15 @@ from dhcli.kinematics.values import (
     joint_values,
     numbers,
     parameter_values,
-    plain_numbers,
     require,
 )
 from dhcli.notation.angle import Angle
-from dhcli.notation.styles import THETAS, Joints
-from dhcli.notation.tree import Expr
-from dhcli.notation.writer import write, write_angle
+from dhcli.notation.tree import ZERO, Expr
 
 LONGEST = 20_000
 """Symbols of the longest result that is written; Panda has about 2000."""
+
+_PLAIN = {float, int}
 
 Given = Mapping[str, float | str | Value]
 
@@ -63,7 +63,7 @@ def forward(
         UnknownNameError: The robot has no such frame, joint or length.
     """
     check_robot(robot)
-    if not parameters and (floats := plain_numbers(q)) is not None:
+    if (floats := plain_floats(q, parameters)) is not None:
         frames = ends(robot, start, end)
         rows = _played(robot, floats, *frames)
         if rows is not None:
@@ -105,6 +105,24 @@ def numeric_pose(robot: Robot, values: Values, start: str, end: str) -> Pose[flo
     chain = between(robot, start, end)
     require(robot, chain, values)
     return Pose(in_numbers(chain, values), start, end, joints=robot.writing)
+
+
+def plain_floats(q: JointInput, parameters: Given | None) -> Sequence[float] | None:
+    """Joint values that are plain numbers in joint order, as most programs give them.
+
+    None for anything else, and where lengths are given besides.
+    """
+    has_lengths = parameters is not None and (not isinstance(parameters, Mapping) or len(parameters) > 0)  # type: ignore[redundant-expr]  # of a caller without types
+    if has_lengths:
+        return None
+    if type(q) is not list and type(q) is not tuple:
+        if getattr(q, "ndim", 0) != 1:
+            return None
+        q = q.tolist()  # type: ignore[union-attr]  # an array
+    kinds = set(map(type, q))
+    if kinds <= _PLAIN:
+        return cast("Sequence[float]", q)
+    return list(map(float, cast("Sequence[float]", q))) if all(issubclass(kind, float) for kind in kinds) else None
 
 
 def _played(robot: Robot, q: Sequence[float], start: str, end: str) -> tuple[tuple[float, ...], ...] | None:
@@ -165,6 +183,18 @@ def put_in(chain: Chain, values: Values) -> Chain:
         raise RobotError("with these values a length is divided by zero or becomes too large") from None
 
 
+def link_with(link: Link, values: Values, convention: Convention) -> Link:
+    """A link with exact values in the place of names."""
+    moves = put_in(link.moves, values)
+    if link.row is None:
+        return Link(link.number, moves)
+    angles = {name: value for name, value in values.items() if isinstance(value, Angle)}
+    lengths = put_in((Trans(link.row.a, link.row.d, ZERO),), values)[0]
+    assert isinstance(lengths, Trans)  # noqa: S101  it keeps its kind
+    row = Row(lengths.x, link.row.alpha.substitute(angles), lengths.y, link.row.theta.substitute(angles))
+    return Link(link.number, moves_of(row, convention), row)
+
+
 def factors(robot: Robot, link: Link, values: Values) -> tuple[Pose[Expr], ...]:
     """The elementary matrices of a link, in the order of its convention.
 
@@ -178,13 +208,3 @@ def factors(robot: Robot, link: Link, values: Values) -> tuple[Pose[Expr], ...]:
         Pose(fold((move,), TERMS), before, str(link.number), spelled(move, robot.writing), robot.writing)
         for move in put_in(link.moves, values)
     )
-
-
-def spelled(move: Move, joints: Joints = THETAS) -> str:
-    """A move as it is typed: `Rot(z, theta1)`, `Trans(0, 0, d1)`."""
-    if isinstance(move, Rot):
-        return f"Rot({move.axis}, {write_angle(move.angle, 'short', joints)})"
-    if isinstance(move, Fixed):
-        rows = "; ".join(" ".join(write(entry, "short", joints).replace(" ", "") for entry in row) for row in move.rows)
-        return f"[{rows}; 0 0 0 1]"
-    return "Trans(" + ", ".join(write(length, "short", joints) for length in move.offset) + ")"

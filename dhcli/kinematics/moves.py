@@ -11,8 +11,10 @@ from dhcli.geometry.motion import inverse as undone
 from dhcli.notation.angle import Angle
 from dhcli.notation.factors import AXES, Axis, Factor, in_order_of_motion, parse_factors
 from dhcli.notation.scope import OPEN, Scope
-from dhcli.notation.tree import ZERO, Expr, Number, negate
+from dhcli.notation.styles import THETAS, Joints
+from dhcli.notation.tree import PI, ZERO, Expr, Number, Symbol, add, multiply, negate, number
 from dhcli.notation.walk import substitute, symbols
+from dhcli.notation.writer import write, write_angle
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,7 +104,9 @@ def inverse(chain: Chain) -> Chain:
 
 
 def substituted(chain: Chain, lengths: Mapping[str, Expr], angles: Mapping[str, Angle]) -> Chain:
-    """The same chain with exact values in the place of names."""
+    """The same chain with exact values in the place of names; an angle in a length, as a screw has it, in radians."""
+    inside = frozenset().union(*(symbols(expr) for expr in expressions(chain) if type(expr) is not Number))
+    lengths = {**lengths, **{name: in_radians(angles[name]) for name in inside & angles.keys()}}
 
     def put(expr: Expr) -> Expr:
         return substitute(expr, lengths, angles)
@@ -117,6 +121,12 @@ def substituted(chain: Chain, lengths: Mapping[str, Expr], angles: Mapping[str, 
                 return Fixed(tuple((put(r[0]), put(r[1]), put(r[2]), put(r[3])) for r in rows))
 
     return tuple(changed(move) for move in chain)
+
+
+def in_radians(angle: Angle) -> Expr:
+    """An angle as a number of radians, names and π in it."""
+    constant = add(multiply(number(angle.degrees / 180), PI), number(angle.radians))
+    return add(*(multiply(number(factor), Symbol(name)) for name, factor in angle.terms), constant)
 
 
 def expressions(chain: Iterable[Move]) -> Iterable[Expr]:
@@ -137,3 +147,18 @@ def angle_names(chain: Iterable[Move]) -> frozenset[str]:
 def names(chain: Chain) -> frozenset[str]:
     """Every name that a chain needs a value for."""
     return angle_names(chain).union(*(symbols(expr) for expr in expressions(chain) if type(expr) is not Number))
+
+
+def spelled(move: Move, joints: Joints = THETAS) -> str:
+    """A move as it is typed: `Rot(z, theta1)`, `Trans(0, 0, d1)`."""
+    if isinstance(move, Rot):
+        return f"Rot({move.axis}, {write_angle(move.angle, 'short', joints)})"
+    if isinstance(move, Fixed):
+        rows = "; ".join(" ".join(write(entry, "short", joints).replace(" ", "") for entry in row) for row in move.rows)
+        return f"[{rows}; 0 0 0 1]"
+    return "Trans(" + ", ".join(write(length, "short", joints) for length in move.offset) + ")"
+
+
+def product_text(chain: Chain) -> str:
+    """A product of moves as a file spells it; nothing where there is none."""
+    return " * ".join(spelled(move) for move in chain)

@@ -17,10 +17,11 @@ from dhcli.kinematics.recorded import Recording
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-BLOCK = 4096
+BLOCK = 4040
 """Rows at a time: enough to make a call of numpy cheap beside its work, few enough to keep the columns in the cache.
 
-2048 to 8192 differ little where this was tried; PUMA 560 takes 34 columns of 32 kB, of which most rest.
+2000 to 8000 differ little where this was tried; PUMA 560 takes 34 columns of 32 kB, of which most rest. Columns of a
+power of two would lie on the same few lines of a cache: to turn them into rows takes up to three times as long then.
 """
 
 CHUNK = 16 * BLOCK

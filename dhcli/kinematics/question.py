@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Literal, TypeAlias, cast
 
 from dhcli.errors import RobotError, UnknownNameError
 from dhcli.geometry.words import in_words
-from dhcli.kinematics.forward import factors, in_numbers, put_in, spelled, textbook_form
+from dhcli.kinematics.forward import factors, in_numbers, put_in, textbook_form
 from dhcli.kinematics.frames import Point, View, between, path
-from dhcli.kinematics.moves import Chain, Trans, inverse
+from dhcli.kinematics.moves import Chain, Trans, inverse, spelled
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.robot import Link, Robot
 from dhcli.kinematics.values import Values, require, warnings

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import fields
+from importlib import import_module
+from pathlib import Path
 from types import MappingProxyType
+from typing import Any
 
 from dhcli.errors import RobotError, plural
 from dhcli.kinematics.derived import Value
@@ -34,7 +37,11 @@ class Robot(Description):
         notes: What else a reader should know.
         derived: Formulas of those parameters that follow from others; their values stand among the parameters.
         tools: Tools by name, each with the moves from the last frame to its own, to take in the place of `tool`.
+        actuators: The motors, where they drive joints together; `in_motors` gives the robot by their values.
+        drives: Of a robot by motor values, the robot by joint values.
         remarks: What was taken for something else when it was read, such as 1.5708 rad for 90°.
+        path: The file it was read from; None if it was made in Python or came from standard input. Two robots are equal
+            wherever they were read.
 
     Raises:
         InvalidRobotError: With every finding, if it is not a robot.
@@ -52,13 +59,114 @@ class Robot(Description):
         *,
         variables: Sequence[str],
         convention: str = "standard",
-        parameters: Mapping[str, float | str | Value] | None = None,
+        parameters: Mapping[str, float | str | Value | None] | None = None,
         name: str = "robot",
     ) -> Robot:
-        """A robot from the rows of its table; see `dhcli.kinematics.building.from_dh`."""
+        """A robot from the rows of its table.
+
+        >>> Robot.from_dh([("a1", 0, 0, "q1"), (0.3, "90°", 0, "q2")], variables=["q1", "q2"], parameters={"a1": 0.4})
+        <Robot robot: robot, 2 joints RR>
+
+        Args:
+            rows: Each a mapping with a, alpha, d and theta, or these four in this order. A number is in metres or
+                radians; a text may have units, names and offsets: `"theta1 - 90°"`.
+            convention: standard or modified.
+            variables: The joint variables in order.
+            parameters: Values of the other names, in metres and radians or as text; None for one that stays open.
+            name: What it is called.
+
+        Raises:
+            RobotError: It is no robot; with every reason.
+            NotationError: A cell cannot be read.
+        """
         from dhcli.kinematics.building import from_dh
 
         return from_dh(cls, rows, variables=variables, convention=convention, parameters=parameters, name=name)
+
+    @classmethod
+    def from_screws(
+        cls,
+        screws: Iterable[Sequence[float]],
+        home: object,
+        *,
+        frame: str = "space",
+        variables: Sequence[str] = (),
+        name: str = "robot",
+    ) -> Robot:
+        """A robot from its screws and its home pose.
+
+        >>> Robot.from_screws([(0, 0, 1, 0, 0, 0), (0, 0, 1, 0, -0.4, 0)], "Trans(0.7, 0, 0)")
+        <Robot robot: robot, 2 joints RR>
+
+        Args:
+            screws: Each six numbers, ω then v [m], or a direction of length 1 behind three zeros where the joint
+                slides; an array of shape (n, 6).
+            home: The end frame with all variables at zero: moves as text, or a matrix of shape (4, 4).
+            frame: `space` for screws in the base, `body` for screws in the end frame.
+            variables: The joint variables in order; by default theta1, d2, ... by what each joint does.
+            name: What it is called.
+
+        Raises:
+            RobotError: Some of it is no screw, or no pose.
+            NotationError: The moves of the home pose cannot be read.
+
+        Source: Lynch and Park, Modern Robotics, chapter 4.
+        """
+        from dhcli.kinematics.describe.making import from_screws
+
+        return from_screws(cls, screws, home, frame=frame, variables=variables, name=name)
+
+    @staticmethod
+    def from_text(text: str, *, name: str = "robot") -> Robot:
+        """A robot from the text of a robot file, or of a URDF with one tip.
+
+        >>> head = "{format: 1, title: t, source: s, convention: product, variables: [q1], links: "
+        >>> Robot.from_text(head + "['Rot(z, q1) Trans(0.4, 0, 0)']}").pattern
+        'R'
+
+        Args:
+            text: What a file would hold.
+            name: What the robot is called.
+
+        Raises:
+            FileError: With every problem, each with line and column.
+        """
+        found: Robot = _above("files.yaml.robots", "robot_of")(text, "text", name)
+        return found
+
+    @staticmethod
+    def from_urdf(
+        text: str, *, base: str | None = None, tip: str | None = None, as_typed: bool = False, name: str = "robot"
+    ) -> Robot:
+        """A robot from the text of a URDF, one serial chain of it; a file is read by `load_robot("arm.urdf")`.
+
+        Args:
+            text: The XML.
+            base: The link that is frame 0; by default the root.
+            tip: The link that is the last frame; by default the only one at the end of a chain that moves.
+            as_typed: Whether 1.5708 stays what it is, and is not taken as 90°.
+            name: What the robot is called.
+
+        Raises:
+            FileError: It is no URDF, or has no such chain.
+            UnknownNameError: There is no such link; the nearest are listed.
+        """
+        read = _above("files.urdf.robots", "read_urdf")
+        found: Robot = read(text, "text", name, base=base, tip=tip, as_typed=as_typed)
+        return found
+
+    def save(self, path: str | Path, *, overwrite: bool = False) -> None:
+        """Write a file that `load_robot` reads: YAML, or a URDF where the name of the file ends so.
+
+        Args:
+            path: Where to.
+            overwrite: Whether a file that stands there may be replaced.
+
+        Raises:
+            FileError: The file exists already, or cannot be written.
+            RobotError: It cannot be a URDF.
+        """
+        _above("files.yaml.writing", "save_robot")(self, path, overwrite=overwrite)
 
     def copy(
         self,
@@ -68,7 +176,19 @@ class Robot(Description):
         parameters: Mapping[str, float | str | Value] | None = None,
         name: str | None = None,
     ) -> Robot:
-        """The same robot with another tool, base or other lengths; see `dhcli.kinematics.building.copy`."""
+        """The same robot with another tool, base or other lengths.
+
+        Args:
+            tool: One of its tools by name, or the moves from its last frame to the tool, such as `"Trans(0, 0, 0.1)"`;
+                empty for none.
+            base: Moves from the base to its first frame.
+            parameters: Lengths and angles instead of its own, in metres and radians or as text.
+            name: What the copy is called.
+
+        Raises:
+            UnknownNameError: It has no such length.
+            NotationError: The moves cannot be read.
+        """
         from dhcli.kinematics.building import copy
 
         return copy(self, tool=tool, base=base, parameters=parameters, name=name)
@@ -85,6 +205,11 @@ class Robot(Description):
     def __hash__(self) -> int:
         """By the fields that cannot change in place; equal robots have equal ones."""
         return hash((self.name, self.convention, self.variables, self.links, self.base, self.tool, self.first))
+
+
+def _above(module: str, name: str) -> Any:  # noqa: ANN401  each caller says what it is
+    """A function of a floor above, which reads and writes files and is imported when it is asked for."""
+    return getattr(import_module(f"dhcli.{module}"), name)
 
 
 def check_robot(robot: object) -> None:

@@ -10,9 +10,9 @@ from typing import Literal, TypeAlias, cast
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean
 from dhcli.geometry.orthonormal import not_a_rotation
 from dhcli.geometry.words import in_words
-from dhcli.kinematics.forward import put_in, spelled
+from dhcli.kinematics.forward import put_in
 from dhcli.kinematics.frames import Point
-from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans, angle_names, expressions, from_factor, names
+from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans, angle_names, expressions, from_factor, names, spelled
 from dhcli.kinematics.placement import Placement, locked_warnings, placements
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.question import AnyPose, SeenPoint, folded

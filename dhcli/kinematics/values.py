@@ -6,11 +6,12 @@ import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, TypeAlias, cast
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean, plural
 from dhcli.kinematics.derived import Value, replaced
 from dhcli.kinematics.description import Description
+from dhcli.kinematics.farlimits import far_limits
 from dhcli.kinematics.given import mapping_of
 from dhcli.kinematics.moves import Chain, names
 from dhcli.kinematics.validity import in_floats
@@ -33,8 +34,6 @@ JointInput: TypeAlias = "str | Sequence[float | str | Angle] | NDArray[Any] | Ma
 
 SLACK = 1e-9
 """By how much a value may be beyond a limit and still be at it [rad or m]: limits in degrees are no floats."""
-
-_PLAIN = {float, int}
 
 _ONE_VALUE = re.compile(r"([^\s=,;]+=)?[-+−–]?(\d|\.|√|π|pi|\()[^\s;]*(?<!,)")  # noqa: RUF001
 """A value without a blank in it, or a name with one."""
@@ -70,18 +69,6 @@ def joint_values(
         raise RobotError(Problem(f"{q!r} is no list of joint values", place, _joints_hint(robot, place))) from None
     _check_count(robot, len(given), place)
     return {n: _value(robot, n, v, bare, place) for n, v in zip(robot.variables, given, strict=True)}
-
-
-def plain_numbers(q: JointInput) -> Sequence[float] | None:
-    """Joint values that are plain numbers in joint order, as most programs give them; None for anything else."""
-    if type(q) is not list and type(q) is not tuple:
-        if getattr(q, "ndim", 0) != 1:
-            return None
-        q = q.tolist()  # type: ignore[union-attr]  # an array
-    kinds = set(map(type, q))
-    if kinds <= _PLAIN:
-        return cast("Sequence[float]", q)
-    return list(map(float, cast("Sequence[float]", q))) if all(issubclass(kind, float) for kind in kinds) else None
 
 
 def given_parameters(
@@ -149,6 +136,21 @@ def warnings(robot: Description, values: Values) -> Iterator[str]:
             if not is_within_limits(robot, joint.name, number):
                 shown, bounds = _shown(number, joint.kind), f"{_shown(low, joint.kind)} to {_shown(high, joint.kind)}"
                 yield f"{joint.name} = {shown} is outside its limits, {bounds}"
+    yield from _far(robot, values)
+
+
+def _far(robot: Description, values: Values) -> Iterator[str]:
+    """What is outside its limits on the other side of the drives: motors at joint values, joints at motor values."""
+    far = far_limits(robot)
+    given = [values.get(name) for name in robot.variables]
+    q = [in_floats(value) for value in given if value is not None and not symbols_of(value)]
+    if far is None or len(q) < len(given):
+        return
+    bounds = dict(zip(far.names, far.bounds, strict=True))
+    for name, at, _ in far.beyond(q, SLACK):
+        kind = "revolute" if name in far.turning else "prismatic"
+        low, high = (_shown(bound, kind) for bound in bounds[name])
+        yield f"{name} is then {_shown(at, kind)}, outside its limits, {low} to {high}"
 
 
 def is_within_limits(robot: Description, name: str, number: float) -> bool:

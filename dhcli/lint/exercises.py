@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Exercise, Part
+from dhcli.checking.figures import held_back
 from dhcli.checking.judge import Judge
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import Mark, Verdict
@@ -50,6 +51,7 @@ def findings(judge: Judge) -> Iterator[Finding]:
     exercise = judge.exercise
     yield from _blank_sheet(judge)
     yield from _within_limits(exercise)
+    yield from _picture(exercise)
     for part in exercise.asked:
         yield from judge.findings(part, ("parts", part.id))
     tolerances = tuple(_tolerances(exercise))
@@ -73,6 +75,21 @@ def _given_away(judge: Judge, part: Part, where: tuple[str | int, ...]) -> Itera
             message = f"{part.id}: the question shows its answer: {heading}"
             yield Finding(where, message, "prompt: says in words what is asked; how it is found is not shown then")
             return
+
+
+def _picture(exercise: Exercise) -> Iterator[Finding]:
+    """A picture that would answer a part, or that shows nothing."""
+    where: tuple[str | int, ...] = ("picture",)
+    if (
+        exercise.picture
+        and exercise.robot is None
+        and not any(part.question.linkage_counted for part in exercise.asked)
+    ):
+        yield Finding(where, "picture: there is neither an arm nor a linkage to draw", "leave picture: out")
+    elif exercise.picture == "frames" and (parts := held_back(exercise)):
+        message = f"picture: frames would answer {', '.join(part.id for part in parts)}, and are not shown"
+        kinds = {part.question.words[0] for part in parts}
+        yield Finding(where, message, f"picture: axes; frames may not stand beside: {', '.join(sorted(kinds))}")
 
 
 def _texts(exercise: Exercise) -> Iterator[Finding]:

@@ -77,6 +77,10 @@ class Paper:
             return text
         return f"\x1b[{';'.join(_INKS[ink] for ink in inks)}m{text}\x1b[0m"
 
+    def aside(self, text: str) -> list[str]:
+        """A line that leads on, for who looks at a window; none for a file or a pipe."""
+        return [self.ink(self.spell(text), "dim")] if self.terminal else []
+
 
 def is_colour_wanted() -> bool:
     """Whether colours, bold letters among them, may be used where they can be: NO_COLOR and a dumb terminal say no."""

@@ -48,7 +48,7 @@ def arm_scene(robot: Robot, values: Values, size: float | None = None) -> Scene:
         unit=size,
         solids=solids,
         rods=(*_rods(skeleton, slid, size), *_stand(plate, size)),
-        arrows=tuple(arrows(skeleton, size)),
+        arrows=tuple(arrows(skeleton.states, skeleton.numbered, size)),
         dimensions=tuple(_dimensions(skeleton)),
         plate=plate,
         pinned=(Anchor(0, NULL),) if flat and robot.first == 1 else (),
@@ -185,11 +185,17 @@ def _local(frame: Frame, direction: Vec) -> Vec:
     return dot(direction, frame.x), dot(direction, frame.y), dot(direction, frame.z)
 
 
-def arrows(skeleton: Skeleton, size: float) -> Iterator[Arrow]:
-    """The x and z axes of all frames; what is the same arrow stands once, with all of its names."""
+def arrows(states: tuple[Frame, ...], numbered: tuple[tuple[str, int], ...], size: float) -> Iterator[Arrow]:
+    """The x and z axes of all frames; what is the same arrow stands once, with all of its names.
+
+    Args:
+        states: Frames in the world.
+        numbered: The names of those that have one, each with its place among the states.
+        size: The radius of the drums [m].
+    """
     merged: list[tuple[Vec, Vec, str, int, list[Words]]] = []
-    for name, state in skeleton.numbered:
-        frame = skeleton.states[state]
+    for name, state in numbered:
+        frame = states[state]
         for letter, direction in (("x", frame.x), ("z", frame.z)):
             words = (Run(letter), Run(name, below=True))
             for origin, known, kind, _, names in merged:

@@ -6,29 +6,30 @@ import math
 
 from dhcli.errors import RobotError
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.values import JointInput, Values, require
+from dhcli.kinematics.values import JointInput, Values, numbers, require
 from dhcli.notation.quantity import Bare
-from dhcli.scene.arm import arrows
+from dhcli.scene.arm import ARROW, arrows
 from dhcli.scene.camera import Camera
 from dhcli.scene.choice import with_examples
 from dhcli.scene.ink import Ink
 from dhcli.scene.labels import Rect, Wish, placed
-from dhcli.scene.overlay import frames
+from dhcli.scene.overlay import frames, pins
 from dhcli.scene.painter import painted
 from dhcli.scene.primitives import Arrow
 from dhcli.scene.shapes import Figure, Shape, arrowhead, ring
 from dhcli.scene.skeleton import Skeleton
 from dhcli.scene.staging import Paper, fitted, foot, stage_arm, values_at
-from dhcli.scene.vectors import Frame, along, norm, sub
+from dhcli.scene.traced import Traced, paired, traced
+from dhcli.scene.vectors import Frame, Vec, along, norm, sub
 from dhcli.scene.words import Run, Words
 
-CLOSE = 1e-6
-"""Frames nearer than this are the same: directions, and positions in parts of a drum's radius."""
+FAR = 4.0
+"""How far from the base a picture reaches, in parts of the farthest frame of the arm."""
 
 
 def beside_figure(  # noqa: PLR0913  what a figure of one robot takes, and the other
     robot: Robot,
-    other: Robot,
+    other: Robot | Traced,
     q: JointInput = None,
     *,
     pose: str | None = None,
@@ -41,7 +42,8 @@ def beside_figure(  # noqa: PLR0913  what a figure of one robot takes, and the o
 
     Args:
         robot: The robot that is right.
-        other: The other table; its lengths are those of the robot where they have the same names.
+        other: The other table, whose lengths are those of the robot where they have the same names; or frames at
+            these joint values.
         q: Joint values, as `forward` takes them; by default the pose that shows the robot best.
         pose: The name of a pose instead.
         view: Azimuth and elevation [deg].
@@ -53,74 +55,100 @@ def beside_figure(  # noqa: PLR0913  what a figure of one robot takes, and the o
         RobotError: The two have not the same joints; a length has no value.
     """
     paper = paper or Paper()
-    if robot.pattern != other.pattern:
-        counts = (
-            f"{robot.name} is {robot.pattern or 'without joints'}, {other.name} {other.pattern or 'without joints'}"
-        )
-        raise RobotError(f"the two arms have not the same joints: {counts}")
     staged = stage_arm(robot, q, pose=pose, view=view, parameters=parameters, bare=bare)
     values = values_at(robot, q, pose, parameters, bare)
-    theirs = _values(other, robot, values)
-    skeleton = Skeleton.of(other, theirs)
-    number = first_difference(Skeleton.of(robot, values), skeleton, staged.scene.unit)
-    camera = fitted(staged.scene, staged.view, paper, [frame.origin for frame in skeleton.states])
-    shapes = painted(staged.scene, camera, turns=False)
+    skeleton = Skeleton.of(robot, values)
+    theirs = other if isinstance(other, Traced) else traced_robot(other, robot, values)
+    number, size = first_difference(skeleton, theirs), 0.8 * staged.scene.unit
+    near = [point for point in theirs.line if _is_near(point, skeleton)]
+    near += [
+        along(frame.origin, axis, ARROW * size)
+        for _, frame in theirs.frames
+        for axis in (frame.x, frame.z)
+        if _is_near(frame.origin, skeleton)
+    ]
+    camera = fitted(staged.scene, staged.view, paper, near)
+    shapes = [
+        *pins(staged.scene, camera, staged.scene.pinned),
+        *painted(staged.scene, camera, turns=False),
+    ]
     axes, wishes = frames(staged.scene, camera)
-    line = [camera.flat(point) for leg in skeleton.legs for point in skeleton.ends(leg)]
-    lines = [Shape(tuple(line), "theirs")] if line else []
-    for arrow in arrows(skeleton, 0.8 * staged.scene.unit):
-        drawn, wish = _their_arrow(arrow, skeleton.states[arrow.start.state], camera)
+    lines = [Shape(tuple(map(camera.flat, theirs.line)), "theirs")] if len(theirs.line) > 1 else []
+    at = dict(theirs.frames)
+    for arrow in arrows(tuple(at.values()), tuple(zip(at, range(len(at)), strict=True)), size):
+        frame = theirs.frames[arrow.start.state][1]
+        if not _is_near(frame.origin, skeleton):
+            continue
+        drawn, wish = _their_arrow(arrow, frame, camera)
         lines += drawn
         if number is not None and any(run.text == number for run in arrow.words if run.below):
             wishes.append(wish)
-    if number is not None:
-        at = camera.flat(skeleton.states[dict(skeleton.numbered)[number]].origin)
-        lines.append(Shape(ring(at, 13.0, 28), "theirs-mark", closed=True))
+    is_near = number is None or _is_near(at[number].origin, skeleton)
+    if number is not None and is_near:
+        lines.append(Shape(ring(camera.flat(at[number].origin), 13.0, 28), "theirs-mark", closed=True))
     ink = Ink(paper.width, paper.height)
     ink.add([*shapes, *axes, *lines])
     leaders, texts = placed(
         wishes, ink, Rect(3, 3, paper.width - 3, paper.height - max(paper.foot, 3)), paper.lettering
     )
-    told = "no frame differs" if number is None else f"frame {number} is the first that differs"
-    caption = f"{staged.caption} · over it {other.name}: {told}"
+    told = "no frame differs" if number is None else f"frame {number} is the first that differs{theirs.note}"
+    aside = "" if is_near else ", far outside the picture"
+    caption = f"{staged.caption} · over it {theirs.name}: {told}{aside}"
     everything = (*shapes, *leaders, *axes, *lines)
     return Figure(
         paper.width, paper.height, everything, (*texts, *foot(robot.title, caption, paper)), robot.title, caption
     )
 
 
-def first_difference(right: Skeleton, other: Skeleton, unit: float) -> str | None:
-    """The first numbered frame in which two tables differ; of two conventions, and of tables of two lengths, the last.
+def first_difference(right: Skeleton, theirs: Traced) -> str | None:
+    """The first frame of the other that does not stand where it should.
 
     Args:
         right: The robot that is right, at a pose.
-        other: The other, at the same pose.
-        unit: The length against which a distance is small [m].
+        theirs: The other's frames at the same pose.
     """
-    ours, theirs = right.numbered, other.numbered
-    pairs = list(zip(ours, theirs, strict=False))
-    if right.robot.convention is not other.robot.convention or len(ours) != len(theirs):
-        pairs = [(ours[-1], theirs[-1])]
-    for (_, one), (name, two) in pairs:
-        if not same(right.states[one], other.states[two], unit):
+    ours, found = dict(right.numbered), dict(theirs.frames)
+    near = theirs.close * _size(right)
+    for one, name in theirs.pairs:
+        frame, other = right.states[ours[one]], found[name]
+        turned = max(norm(sub(a, b)) for a, b in zip(frame[:3], other[:3], strict=True))
+        if turned > theirs.close or norm(sub(frame.origin, other.origin)) > near:
             return name
     return None
 
 
-def same(one: Frame, other: Frame, unit: float) -> bool:
-    """Whether two frames are in one place with the same directions."""
-    turned = max(norm(sub(a, b)) for a, b in zip(one[:3], other[:3], strict=True))
-    return turned < CLOSE and norm(sub(one.origin, other.origin)) < CLOSE * max(unit, 1e-300)
+def traced_robot(other: Robot, robot: Robot, values: Values) -> Traced:
+    """The frames of another table of the same arm: joints in their order, lengths by their names.
 
-
-def _values(other: Robot, robot: Robot, values: Values) -> Values:
-    """The other table's values: joints in their order, lengths by their names."""
+    Raises:
+        RobotError: The two have not the same joints; a length has no value.
+    """
+    if robot.pattern != other.pattern:
+        counts = (
+            f"{robot.name} is {robot.pattern or 'without joints'}, {other.name} {other.pattern or 'without joints'}"
+        )
+        raise RobotError(f"the two arms have not the same joints: {counts}")
     joints = [values[name] for name in robot.variables]
     named = {name: values[name] for name in other.parameters if name in values}
     full, _ = with_examples(other, named)
     given = {**full, **dict(zip(other.variables, joints, strict=True))}
     require(other, other.chain, given)
-    return given
+    segments = [(str(other.first - 1), other.base), *((str(link.number), link.moves) for link in other.links)]
+    segments = [*[("base", ())] * bool(other.base), *segments, *[("tool", other.tool)] * bool(other.tool)]
+    ours = [name for name, _ in Skeleton.of(robot, values).numbered]
+    pairs = paired(ours, [name for name, _ in segments], alike=robot.convention is other.convention)
+    return traced(other.name, segments, numbers(given), pairs)
+
+
+def _is_near(point: Vec, skeleton: Skeleton) -> bool:
+    """Whether a point is on the paper of the arm; one in another unit would make the arm a dot."""
+    return norm(sub(point, skeleton.states[0].origin)) <= FAR * _size(skeleton)
+
+
+def _size(skeleton: Skeleton) -> float:
+    """How far from the base the farthest frame is [m]; 1 where all are in one place."""
+    base = skeleton.states[0].origin
+    return max(norm(sub(frame.origin, base)) for frame in skeleton.states) or 1.0
 
 
 def _their_arrow(arrow: Arrow, frame: Frame, camera: Camera) -> tuple[list[Shape], Wish]:

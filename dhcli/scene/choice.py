@@ -53,7 +53,7 @@ def best_pose(robot: Robot, parameters: Values) -> tuple[str, dict[str, Value]]:
         Its name, empty for an example, and a value for each joint.
     """
     best: tuple[float, str, dict[str, Value]] = (-math.inf, "", {})
-    for name, values in _poses(robot, parameters):
+    for name, values in poses(robot, parameters):
         score = pose_score(Skeleton.of(robot, {**parameters, **values})) - (0.0 if name else 0.8)
         if score > best[0] + 1e-9:
             best = score, name, values
@@ -152,7 +152,8 @@ def _tips(scene: Scene, camera: Camera) -> float:
     return 0.6 * worst
 
 
-def _poses(robot: Robot, parameters: Values) -> Iterator[tuple[str, dict[str, Value]]]:
+def poses(robot: Robot, parameters: Values) -> Iterator[tuple[str, dict[str, Value]]]:
+    """The poses of a robot by name, and an example without one, at which no angle is special."""
     for name, values in robot.poses.items():
         yield name, dict(zip(robot.variables, values, strict=True))
     yield "", {joint.name: _example(robot, joint, i, parameters) for i, joint in enumerate(robot.joints)}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from dhcli.errors import DhcliError
@@ -12,10 +12,13 @@ from dhcli.kinematics.values import JointInput
 from dhcli.mobility.linkage import Linkage
 from dhcli.scene.beside import beside_figure
 from dhcli.scene.linkages import linkage_figure
+from dhcli.scene.motion import Motion, Path, motion_of
+from dhcli.scene.panels import PANEL, on_one_sheet
 from dhcli.scene.shapes import Figure
-from dhcli.scene.staging import HEIGHT, WIDTH, Paper, figure_of, stage_arm
+from dhcli.scene.staging import HEIGHT, MARGIN, WIDTH, Paper, figure_of, stage_arm
 from dhcli.scene.strip import strip_figure
 from dhcli.scene.table import with_table
+from dhcli.scene.traced import Traced
 
 if TYPE_CHECKING:
     from dhcli.notation.quantity import Bare
@@ -37,7 +40,9 @@ class Drawing:
         parameters: Lengths and angles instead of the robot's own.
         bare: What a number without a unit means for a joint that turns.
         to: Joint values or the name of a pose to which the robot moves: then the picture is a film strip.
-        beside: Another table of the same arm, drawn over it; the first frame that differs is marked.
+        path: Joint values of each moment of a motion instead: a film strip of five of them.
+        more: Further drawings on the same sheet.
+        beside: Another table of the same arm, or frames, drawn over it; the first frame that differs is marked.
     """
 
     what: Robot | Linkage
@@ -51,16 +56,21 @@ class Drawing:
     parameters: Mapping[str, Value] | None = None
     bare: Bare = "rad"
     to: JointInput = None
-    beside: Robot | None = None
+    beside: Robot | Traced | None = None
+    path: Path = ()
+    more: tuple[Drawing, ...] = ()
 
     def figure(self, paper: Paper | None = None) -> Figure:
         """The finished drawing on a paper, by default one of the shape that the size asks for."""
+        if self.more:
+            panel = paper or Paper(*PANEL, margin=MARGIN * 0.8)
+            return on_one_sheet([one.figure(panel) for one in (replace(self, more=()), *self.more)])
         paper = paper or self._paper()
         if isinstance(self.what, Linkage):
-            if self.q is not None or self.pose is not None or self.table or self.to is not None or self.beside:
+            if self.q is not None or self.pose is not None or self.table or self.moves or self.beside:
                 raise DhcliError(f"{self.what.name or 'it'} is a linkage: it has no joint values, poses or DH table")
             return linkage_figure(self.what, view=self.view, paper=paper, worksheet=self.worksheet)
-        if self.to is not None:
+        if self.moves:
             return self._strip()
         if self.beside is not None:
             return self._compared(self.what, self.beside, paper)
@@ -70,7 +80,7 @@ class Drawing:
         drawn = figure_of(staged, paper, worksheet=self.worksheet)
         return with_table(drawn, self.what) if self.table else drawn
 
-    def _compared(self, robot: Robot, other: Robot, paper: Paper) -> Figure:
+    def _compared(self, robot: Robot, other: Robot | Traced, paper: Paper) -> Figure:
         if self.table or self.worksheet:
             raise DhcliError(
                 "two tables over each other leave no room for more", "leave out the table or the worksheet"
@@ -86,17 +96,41 @@ class Drawing:
             paper=paper,
         )
 
+    @property
+    def moves(self) -> bool:
+        """Whether it shows a motion."""
+        return self.to is not None or len(self.path) > 0
+
     def _strip(self) -> Figure:
-        assert isinstance(self.what, Robot)  # noqa: S101  the caller has looked
-        if self.table or self.worksheet:
+        return strip_figure(self.motion())
+
+    def motion(self) -> Motion:
+        """The motion that it shows.
+
+        Raises:
+            DhcliError: Nothing moves, or something else is to stand in the picture too.
+        """
+        if not self.moves or not isinstance(self.what, Robot):
+            raise DhcliError("nothing moves in this picture", "to=POSE or path=ROWS say where to; --to or --in")
+        if self.table or self.worksheet or self.beside is not None:
             raise DhcliError("a film strip has no frames and no table", "leave --to out, or the other")
-        start = self.q, self.pose
-        return strip_figure(self.what, start, self.to, view=self.view, parameters=self.parameters, bare=self.bare)
+        if len(self.path) and (self.to is not None or self.q is not None or self.pose is not None):
+            raise DhcliError("the rows say where all joints are", "leave --q, --pose and --to out")
+        return motion_of(
+            self.what,
+            self.q,
+            pose=self.pose,
+            to=self.to,
+            rows=self.path,
+            view=self.view,
+            parameters=self.parameters,
+            bare=self.bare,
+        )
 
     @property
     def shown_at(self) -> tuple[int, int] | None:
         """The size asked for, where the figure has that shape: one with a table beside has its own."""
-        return None if self.table or self.to is not None else self.size
+        return None if self.table or self.more or self.moves else self.size
 
     def _paper(self) -> Paper:
         if self.size is None:

@@ -27,28 +27,29 @@ def linkage_figure(
         linkage: The linkage.
         view: Azimuth and elevation, in space [deg]; the best view by default.
         paper: What it is drawn on.
-        worksheet: Whether names are left out.
+        worksheet: Whether names are left out, and the numbers of links and joints with them.
 
     Raises:
         LinkageError: It has too many links for a picture.
     """
     paper = paper or Paper()
-    caption = caption_of(linkage)
+    caption = "" if worksheet else caption_of(linkage)
     if not linkage.is_placed:
-        note = f"{caption} · no points are known: links and joints only"
+        note = " · ".join(filter(None, (caption, "no points are known: links and joints only")))
         return replace(graph_figure(linkage, paper, foot(linkage.title, note, paper)), caption=note)
     if linkage.space.is_planar:
         if view is not None:
             raise DhcliError(f"{linkage.name or 'it'} is planar: there is one view of it", "leave the view out")
         drawn = plane_figure(linkage, paper, foot(linkage.title, caption, paper), worksheet=worksheet)
         return replace(drawn, caption=caption)
-    return figure_of(stage_linkage(linkage, view), paper, worksheet=worksheet)
+    staged = replace(stage_linkage(linkage, view), caption=caption)
+    return figure_of(staged, paper, worksheet=worksheet)
 
 
 def stage_linkage(linkage: Linkage, view: tuple[float, float] | None = None) -> Staged:
     """A linkage in space, ready to be drawn."""
     scene = space_scene(linkage)
-    return Staged(scene, view or best_view(scene), linkage.title, caption_of(linkage))
+    return Staged(scene, view or best_view(scene), linkage.title, caption_of(linkage), None)
 
 
 def caption_of(linkage: Linkage) -> str:

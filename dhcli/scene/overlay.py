@@ -80,12 +80,12 @@ def turn_wishes(scene: Scene, camera: Camera) -> Iterator[Wish]:
             yield Wish(front, named(solid.name), "turn", (front[1][0] - x, front[1][1] - y))
 
 
-def joint_axes(scene: Scene, camera: Camera, first: int) -> tuple[list[Shape], list[Wish]]:
-    """The axes of the joints as dash-dotted lines with their numbers, for a worksheet."""
+def joint_axes(scene: Scene, camera: Camera, first: int | None) -> tuple[list[Shape], list[Wish]]:
+    """The axes of the joints as dash-dotted lines with their numbers, if they have some, for a worksheet."""
     shapes: list[Shape] = []
     wishes: list[Wish] = []
     bodies = [solid for solid in scene.solids if isinstance(solid, Drum | Box)]
-    for number, solid in enumerate(bodies, first):
+    for number, solid in enumerate(bodies, first or 1):
         centre = scene.point(solid.centre)
         axis = scene.direction(solid.centre.state, solid.axis)
         reach = 3.2 * scene.unit
@@ -98,7 +98,7 @@ def joint_axes(scene: Scene, camera: Camera, first: int) -> tuple[list[Shape], l
             continue
         shapes.append(Shape(tuple(ends), "axis"))
         wishes.append(Wish(tuple(ends), words, "number", (ends[0][0] - ends[1][0], ends[0][1] - ends[1][1])))
-    return shapes, wishes
+    return shapes, wishes if first is not None else []
 
 
 def pins(scene: Scene, camera: Camera, anchors: tuple[Anchor, ...]) -> list[Shape]:

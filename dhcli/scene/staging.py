@@ -40,14 +40,14 @@ class Staged:
         view: Azimuth and elevation [deg].
         title: What it is called.
         caption: What is shown: convention, pose, example lengths.
-        first: Number of the first joint.
+        first: Number of the first joint; None where joints have no numbers.
     """
 
     scene: Scene
     view: tuple[float, float]
     title: str
     caption: str
-    first: int = 1
+    first: int | None = 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -142,7 +142,7 @@ def figure_of(staged: Staged, paper: Paper | None = None, *, worksheet: bool = F
     room = Rect(3, 3, paper.width - 3, paper.height - max(paper.foot, 3))
     leaders, texts = placed(wishes, ink, room, paper.lettering)
     azimuth, elevation = staged.view
-    caption = f"{staged.caption} · az {azimuth:.4g}°, el {elevation:.4g}°"
+    caption = " · ".join(filter(None, (staged.caption, f"az {azimuth:.4g}°, el {elevation:.4g}°")))
     texts += foot(staged.title, caption, paper)
     return Figure(paper.width, paper.height, (*shapes, *leaders, *over), tuple(texts), staged.title, caption)
 
@@ -225,7 +225,7 @@ def foot(title: str, caption: str, paper: Paper) -> list[Text]:
     """The line under a figure."""
     if not paper.foot:
         return []
-    text = f"{title} · {caption}"
+    text = " · ".join(filter(None, (title, caption)))
     text = "".join(letter if letter.isprintable() else " " for letter in text)
     size = 12.5
     most = int((paper.width - 32) / (0.53 * size))

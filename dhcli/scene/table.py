@@ -54,7 +54,7 @@ def heads(robot: Robot) -> list[Words]:
 def cells(robot: Robot, link: Link) -> list[Words]:
     """The cells of one link, in the order of the columns."""
     if link.row is None:
-        return [spelled(link.text)]
+        return [spelled(link.product)]
     found = []
     for column in _columns(robot):
         if column in ("alpha", "theta"):

@@ -13,8 +13,9 @@ import random
 import statistics
 import sys
 import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
+from functools import partial
 from itertools import islice
 from pathlib import Path
 
@@ -23,7 +24,7 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 from dhcli import load_exercise, load_robot
 from dhcli.checking.diagnosis.matrix_causes import typed_text
 from dhcli.checking.diagnosis.mistakes import IN_TERMS
-from dhcli.checking.diagnosis.result import Diagnosis
+from dhcli.checking.diagnosis.result import Diagnosis, Slip
 from dhcli.checking.diagnosis.search import matches, same, search_of
 from dhcli.checking.diagnosis.slips import candidates
 from dhcli.checking.diagnosis.typed import typed_answer
@@ -32,6 +33,8 @@ from dhcli.checking.judge import Judge
 from dhcli.checking.kinds.made import question_about
 from dhcli.checking.kinds.matrix import MatrixQuestion
 from dhcli.checking.kinds.table import TableQuestion
+from dhcli.checking.motion.from_columns import ColumnsQuestion
+from dhcli.checking.motion.grid import alike as same_points
 from dhcli.checking.motion.marking import values_of
 from dhcli.checking.motion.question import MotionQuestion
 from dhcli.checking.symbolic import same as equal
@@ -42,6 +45,9 @@ from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import joint_values
 
 UNSOLVED = (Verdict.WRONG, Verdict.CLOSE)
+
+NOT_MADE = ("misprint", "convention")
+"""What is seen without making it: what the document prints, and a table of the other convention."""
 
 NEAR = 2e-3
 """Answers in numbers that differ by no more than this share of the largest entry are one, twice the tolerance."""
@@ -143,7 +149,7 @@ def singles(judge: Judge, part: Part, tally: Tally) -> None:
         )
         tally.few += hit and len(found.ids) <= 3
         for name in found.ids:
-            if name != "misprint" and " + " not in name and name not in makers:
+            if name not in NOT_MADE and " + " not in name and name not in makers:
                 other = judge.answer_with(part, name)
                 is_right = judge.mark(part, other).verdict.passed is True
                 tally.wrong += is_right or not agree(judge, part, answer, other)
@@ -209,20 +215,15 @@ def same_grid(judge: Judge, part: Part, answer: str, other: str) -> bool:
 
 def pairs(judge: Judge, part: Part, tally: Tally, count: int, draw: random.Random) -> None:
     """Some of the pairs of mistakes of a part."""
-    if not isinstance(part.question, MatrixQuestion):
-        return
-    case = Case(part, judge.memo)
-    every = search_of(part.question, judge.memo).pairs
-    works = {" + ".join(slip.name for slip in one.slips): one.work for one in every}
-    for pair in draw.sample(every, min(count, len(every))):
-        answer = typed_text(case, pair.work)
+    answers = pair_answers(judge, part)
+    for wanted in draw.sample(sorted(answers), min(count, len(answers))):
+        answer = answers[wanted]()
         judged = judge.judged(part, answer)
         if judged.mark.verdict not in UNSOLVED:
             continue
         start = time.perf_counter()
         found = judge.explained(part, judged).diagnosis or Diagnosis()
         tally.seconds.append(time.perf_counter() - start)
-        wanted = " + ".join(slip.name for slip in pair.slips)
         tally.made += 1
         tally.named += bool(found.causes)
         simpler = bool(found.causes) and len(found.causes[0]) == 1
@@ -230,24 +231,49 @@ def pairs(judge: Judge, part: Part, tally: Tally, count: int, draw: random.Rando
         unique = hit and len(found.ids) == 1
         tally.unique += unique
         tally.alike += not unique and bool(found.causes) and alike(judge, part, (wanted, *found.ids))
-        tally.wrong += sum(
-            not agree(judge, part, answer, typed_text(case, works[name])) for name in found.ids if name in works
-        )
+        tally.wrong += sum(not agree(judge, part, answer, answers[name]()) for name in found.ids if name in answers)
         tally.few += hit and len(found.ids) <= 3
 
 
-def alike(judge: Judge, part: Part, names: Iterable[str]) -> bool:
+def pair_answers(judge: Judge, part: Part) -> dict[str, Callable[[], str]]:
+    """For each pair of mistakes of a part the answer that it leads to."""
+    case, question = Case(part, judge.memo), part.question
+    if isinstance(question, MatrixQuestion):
+        works = search_of(question, judge.memo).pairs
+        return {names(one.slips): partial(typed_text, case, one.work) for one in works}
+    if isinstance(question, ColumnsQuestion):
+        return {names(one.slips): partial(question.text, case, one.grid) for one in question.pairs(case)}
+    return {}
+
+
+def names(slips: Iterable[Slip]) -> str:
+    """Mistakes that were made together as a diagnosis calls them."""
+    return " + ".join(slip.name for slip in slips)
+
+
+def alike(judge: Judge, part: Part, names_: Iterable[str]) -> bool:
     """Whether mistakes, or pairs of them, give one and the same answer at all values; a misprint copied does too."""
+    if isinstance(part.question, ColumnsQuestion) and any(" + " in name for name in names_):
+        return alike_grids(judge, part, part.question, set(names_))
     if not isinstance(part.question, MatrixQuestion):
         return not isinstance(part.question, TableQuestion)  # the same number or name, which is all there is
     search = search_of(part.question, judge.memo)
-    wanted = set(names) - {"misprint"}
+    wanted = set(names_) - {"misprint"}
     every = (*search.singles, *search.pairs) if any(" + " in name for name in wanted) else search.singles
-    works = [one.work for one in every if " + ".join(slip.name for slip in one.slips) in wanted]
+    works = [one.work for one in every if names(one.slips) in wanted]
     if len(works) != len(wanted):
         return False
     first, *others = (search.general.entries(work) for work in works)
     return all(same(first, other) for other in others)
+
+
+def alike_grids(judge: Judge, part: Part, question: ColumnsQuestion, wanted: set[str]) -> bool:
+    """Whether mistakes in columns, or pairs of them, give one and the same answer at all values."""
+    case = Case(part, judge.memo)
+    grids = [one.grid for one in question.pairs(case) if names(one.slips) in wanted]
+    grids += [grid for slip, grid in question.wrong(case) if slip.name in wanted]
+    first, *others = (question.at_points(judge.exercise, grid) for grid in grids)
+    return len(grids) >= len(wanted) and all(same_points(first, other) for other in others)
 
 
 MANY = 100

@@ -87,6 +87,26 @@ def test_what_is_close_earns_its_share(credit: str, share: float) -> None:
     assert earned(exercise("position of link 1", credit), "0.3484, 0.2000, 0") == (Verdict.CLOSE, share)
 
 
+@pytest.mark.parametrize(("credit", "share"), [("1", 3 / 4), ("{close: 0.6}", 3.6 / 4), ("{close: 1}", 1)])
+def test_an_entry_of_a_jacobian_that_is_close_earns_its_share(credit: str, share: float) -> None:
+    """One of the four that are not the same for everybody, 1.5 mm off where 0.5 mm are allowed."""
+    asked = exercise("jacobian linear of 0..2", credit)
+    assert earned(asked, "-0.4913 -0.2898; 0.4241 0.0776; 0 0") == (Verdict.CLOSE, share)
+
+
+@pytest.mark.parametrize(("credit", "share"), [("1", 1), ("{rounded: 0.5}", 0.5)])
+def test_a_velocity_that_is_rounded_earns_its_share(credit: str, share: float) -> None:
+    """All of it unless somebody says otherwise."""
+    assert earned(exercise("velocity of 0..2 with rates (1, 1)", credit), "-0.78, 0.50, 0") == (Verdict.ROUNDED, share)
+
+
+def test_a_zero_of_a_jacobian_that_is_none_costs_what_an_entry_earns() -> None:
+    """Whatever was set: four entries count, and the wrong zero is a fifth."""
+    for credit in ("1", "{close: 0.5}", "{rounded: 0.3}"):
+        asked = exercise("jacobian linear of 0..2", credit)
+        assert earned(asked, "-0.4898 -0.2898; 0.4241 0.0776; 0 0.5") == (Verdict.WRONG, 4 / 5)
+
+
 @pytest.mark.parametrize(("credit", "share"), [("1", 0), ("{close: 0.6}", 0.6)])
 def test_a_value_that_is_close_earns_its_share(credit: str, share: float) -> None:
     """1 % off."""
@@ -108,6 +128,9 @@ def test_what_is_rounded_earns_its_share(credit: str, share: float) -> None:
         ("pose 0..1", LINK.replace("0.3464", "346.4").replace("0.2", "200")),
         ("table standard", "400 0 0 theta1; 300 0 0 theta2"),
         ("rpy of link 1", "0, 0, 0.5236"),
+        ("jacobian linear of 0..2", "-489.8 -289.8; 424.1 77.65; 0 0"),
+        ("velocity of 0..2 with rates (1, 1)", "-779.6, 501.7, 0"),
+        ("determinant of jacobian linear of 0..2", "84852.8"),
     ],
 )
 def test_an_answer_that_is_right_in_another_unit_earns_its_share(

@@ -15,8 +15,10 @@ from dhcli.checking.verdicts import Verdict
 from dhcli.checking.workings import MOST_DECIMALS
 from dhcli.files.library.lookup import Kind, entries
 from dhcli.files.yaml.exercises import load_exercise, read_exercise
+from dhcli.kinematics.conventions import Convention
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import to_length
+from dhcli.notation.writer import write, write_angle
 from tests.judging import mark, shortest, solution
 
 EXERCISES = [entry.name for entry in entries(Kind.EXERCISES)]
@@ -86,3 +88,24 @@ def test_a_table_is_shown_row_by_row(name: str) -> None:
             assert len({tuple(match.start() for match in re.finditer("=", line)) for line in lines}) == 1
             for column in exercise.robot.columns:
                 assert all(f" {column} = " in line for line in lines)
+
+
+@pytest.mark.parametrize("name", EXERCISES)
+def test_each_cell_of_a_table_is_found_on_the_way(name: str) -> None:
+    """The steps say each x axis with its four cells, and those are the cells of the answer."""
+    exercise = load_exercise(name)
+    for part in exercise.parts:
+        robot = exercise.robot
+        is_table = isinstance(part.question, TableQuestion) and robot is not None
+        if not is_table or robot is None or exercise.also or robot.convention is not part.question.convention:
+            continue
+        steps = solution(exercise, part)
+        if "dh-link" in robot.name:
+            continue
+        told = "\n".join(step.text for step in steps)
+        for number, link in enumerate(robot.links, robot.first):
+            assert link.row is not None
+            back = number - (robot.convention is Convention.MODIFIED)
+            assert f"a{back} = {write(link.row.a)}, α{back} = {write_angle(link.row.alpha)}" in told
+            assert f"d{number} = {write(link.row.d)}, θ{number} = {write_angle(link.row.theta)}" in told
+        assert told.index("1  z axes: DH1: ") < told.index("\n3  x axes: ") < told.index("\n4  Each row leads")

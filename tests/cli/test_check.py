@@ -267,7 +267,7 @@ def test_without_an_answer_and_without_a_terminal_it_never_waits(dhcli: Run, wor
         (("check", PLANAR, "--answer", "1"), "has 8 parts: say which one is answered"),
         (("check", PLANAR, "--part", "a9", "--answer", "1"), "has no part a9"),
         (("check", PLANAR, "none.yaml"), "no such file"),
-        (("check", PLANAR, "none.yaml", "--answer", "1"), "three ways to give an answer"),
+        (("check", PLANAR, "none.yaml", "--answer", "1"), "are ways to give an answer"),
         ((*AT, "--from", "7", "--answer", "1"), "7"),
         ((*AT, "--tol-position", "1°", "--answer", "1"), "unit of angle"),
         ((*AT, "--tol-position", "x", "--answer", "1"), "x"),
@@ -333,6 +333,79 @@ def test_a_table_is_checked_against_a_robot(dhcli: Run, tmp_path: Path) -> None:
     assert dhcli("check", "planar-2r", "--table", "wrong.yaml").code == 1
     (tmp_path / "broken.yaml").write_text("links: 1\n", "utf-8")
     assert dhcli("check", "planar-2r", "--table", "broken.yaml").code == 2
+
+
+FRAMES = """format: 1
+convention: standard
+frames:
+  - {origin: (0, 0, 0), x: +x, z: +z}
+  - {origin: (a, 0, 0), x: +x, z: +z}
+  - {origin: (a + b, 0, 0), x: +x, y: -z, z: +y}
+  - {frame: 3, origin: [a + b, 0, 0], x: +x, z: +y}
+"""
+
+
+def test_frames_are_checked_against_the_axes_of_a_robot(dhcli: Run, tmp_path: Path) -> None:
+    """By the rules of their convention, each broken one named; a robot file is its table."""
+    for name, text in (
+        ("right.yaml", FRAMES),
+        ("wrong.yaml", FRAMES.replace("standard", "modified")),
+        ("table.yaml", (Path(__file__).parents[2] / "robots" / "zhou-3r-modified.yaml").read_text("utf-8")),
+        ("pose.yaml", FRAMES.replace("frames:", "pose: elbow\nframes:")),
+    ):
+        (tmp_path / name).write_text(text, "utf-8")
+    right = dhcli("check", "zhou-3r", "--frames", "right.yaml")
+    assert (right.code, right.out) == (0, "✓ RIGHT       frames: frames 0 to 3 by the rules of standard DH\n")
+    assert dhcli("check", "zhou-3r", "--frames", "-", stdin=FRAMES).code == 0
+    wrong = dhcli("check", "zhou-3r", "--frames", "wrong.yaml", "--why")
+    assert wrong.code == 1
+    assert "DH1: o1 is off the axis of joint 1 (theta1): z1 passes a beside it" in wrong.out
+    assert "why: the frames are those of standard DH, and modified was asked" in wrong.out
+    assert dhcli("check", "zhou-3r", "--frames", "table.yaml").code == 0
+    assert dhcli("check", "puma560", "--frames", "table.yaml").code == 2
+    assert dhcli("check", "zhou-3r", "--frames", "pose.yaml").code == 1
+    assert dhcli("check", "zhou-3r", "--frames", "pose.yaml", "--pose", "zero").code == 0
+    assert dhcli("check", "zhou-3r", "--frames", "right.yaml", "--set", "a=1").code == 0
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("convention: standard", "convention: standrd", "did you mean standard?"),
+        ("convention: standard\n", "", "convention: is missing"),
+        ("x: +x, y: -z, z: +y", "x: +x, z: (0, 0, 0)", "z2 is (0, 0, 0): a direction is not zero"),
+        ("{origin: (a, 0, 0), x: +x, z: +z}", "{origin: (a, 0, 0), x: +x}", "z: is missing"),
+        ("{origin: (a, 0, 0), x: +x, z: +z}", "{o: (a, 0, 0), x: +x, z: +z}", "o: unknown key"),
+        ("{origin: (a, 0, 0), x: +x, z: +z}", "[1, 2]", "should be a mapping"),
+        ("frames:\n", "frames: []\nsource: x\nrest:\n", "frames: there are none"),
+        ("frame: 3", "frame: 7", "there is no frame 7"),
+        ("(a, 0, 0)", "(c, 0, 0)", "c is not a name that is known here"),
+    ],
+)
+def test_a_file_of_frames_with_a_slip_is_refused(dhcli: Run, old: str, new: str, said: str) -> None:
+    """Exit code 2, and where it is."""
+    done = dhcli("check", "zhou-3r", "--frames", "-", stdin=FRAMES.replace(old, new))
+    assert done.code == 2
+    assert said in done.out + done.err
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("zhou-3r", "--q", "1,2,3"), "only --pose NAME and --set go with it"),
+        (("zhou-3r", "--pose", "elbo"), "elbow"),
+        (("zhou-3r", "--answer", "0"), "use one of them"),
+        (("dh-link",), "directions depend on alpha_i"),
+        (("assembly-blocks",), "has no joints"),
+        ((PLANAR,), "leave --q, --symbolic and so on out"),
+        (("planar-2r", "--ik", "--position", "0.5,0.3,0"), "leave --table, --frames"),
+    ],
+)
+def test_frames_go_with_a_robot_alone(dhcli: Run, words: tuple[str, ...], said: str) -> None:
+    """Exit code 2, and what would do."""
+    done = dhcli("check", *words, "--frames", "-", stdin=FRAMES)
+    assert done.code == 2
+    assert said in done.err
 
 
 def test_a_table_is_compared_as_one_says(dhcli: Run, tmp_path: Path) -> None:
@@ -549,7 +622,7 @@ def test_an_answer_is_judged_as_soon_as_it_is_whole(
             screen.type(f"{line}\n")
             screen.until(r"\.\.\. ")
         screen.type(f"{lines[-1]}\n")
-        assert re.search(rf"^. {verdict} ", screen.until(rf"{verdict} +{part}:"), re.MULTILINE)
+        assert re.search(rf"^. {verdict} ", screen.until(rf"{verdict} +{part}\n"), re.MULTILINE)
 
 
 @terminal
@@ -618,3 +691,46 @@ def test_a_piece_that_a_pose_does_not_have_is_refused(dhcli: Run, words: tuple[s
     done = dhcli("check", "scara", "--q", "0.3,0.5,0.1", *words)
     assert done.code == 2
     assert said in done.err
+
+
+@pytest.mark.parametrize(
+    ("answer", "asked"),
+    [
+        ("abc!, 0.4259, 0.3", "position: the position of T_03"),
+        ("-0.2321, 0,4259, 0.3", "position: the position of T_03"),
+        ("1 0 0; 0 ? 0; 0 0 1", "rotation: the rotation of T_03"),
+        ("1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0", "pose: T_03"),
+    ],
+)
+def test_an_answer_that_cannot_be_read_is_taken_for_what_it_is_nearest_to_in_size(
+    dhcli: Run, answer: str, asked: str
+) -> None:
+    """Three entries are no 4x4 matrix, whatever is wrong with them."""
+    done = dhcli("check", "scara", "--q", "0.3,0.5,0.1", "--answer", answer)
+    assert done.code == 2
+    assert done.out.startswith(f"? CAN'T READ  {asked}, ")
+
+
+def test_hints_lead_to_the_variant_that_was_answered(dhcli: Run) -> None:
+    """Its numbers are others than those of the file."""
+    words = ("check", "planar-in-numbers", "--variant", "alice", "--part", "middle", "--answer", "1.001, 2.002, 3.003")
+    assert "dhcli hint yim/planar-in-numbers --variant alice --part middle\n" in dhcli(*words).out
+
+
+@pytest.mark.parametrize(
+    ("rows", "verdict"),
+    [
+        ("- [a1, 0, 0, theta1]\n- [a2, 0, 0, theta2]\n", "RIGHT"),
+        ("- {theta: theta1, d: 0, a: a1, alpha: 0}\n- {theta: theta2, d: 0, a: a2, alpha: 0}\n", "RIGHT"),
+        ("theta, d, a, alpha\ntheta1, 0, a1, 0\ntheta2, 0, a2, 0\n", "RIGHT"),
+        ("- [a1, 90°, 0, theta1]\n- [a2, 0, 0, theta2]\n", "WRONG"),
+        ("- [a1, 0, 0]\n- [a2, 0, 0, theta2]\n", "CAN'T READ"),
+        ("- just words\n", "CAN'T READ"),
+    ],
+)
+def test_a_table_to_compare_may_be_its_rows_alone(dhcli: Run, rows: str, verdict: str) -> None:
+    """As an answer has them: lists, mappings or lines, in the convention of the robot."""
+    Path("rows.yaml").write_text(rows, "utf-8")
+    done = dhcli("check", "planar-2r", "--table", "rows.yaml")
+    assert verdict in done.out.splitlines()[0]
+    assert ("the rows name no convention, and were read as standard DH" in done.out) is (verdict != "CAN'T READ")

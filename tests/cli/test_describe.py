@@ -20,9 +20,25 @@ def test_a_table_in_the_other_convention_says_what_went_to_the_tool() -> None:
 
 def test_the_steps_name_their_rules_and_what_was_free() -> None:
     """DH1 to DH3, parallel axes."""
-    out = run("describe", "puma560", "--as", "modified", "--steps").out
-    for words in ("DH1: z_i is the axis of joint i", "DH2, DH3", "free: d along z2", "are parallel, a2 apart", "skew"):
+    out = " ".join(run("describe", "puma560", "--as", "modified", "--steps").out.split())
+    for words in ("DH1: z_i is the axis of joint i", "DH2: x_i is", "DH3: x_i meets it", "are parallel, a2 apart"):
         assert words in out
+    assert "free: d2, as a normal stands anywhere; d2 is 0 there" in out
+    assert "x3: z3 and z4 are skew" in out
+
+
+def second_row(out: str) -> list[str]:
+    """The cells of row 2 of a table."""
+    return next(line for line in out.split("\n") if line.startswith(" 2 ")).split()
+
+
+def test_a_choice_is_made_as_it_is_asked_for() -> None:
+    """The lengths of the maker are negative, and the cylindrical arm has its height in row 1."""
+    assert "-a2" in second_row(run("describe", "ur5e", "--as", "standard", "--steps").out)
+    assert "a2" in second_row(run("describe", "ur5e", "--as", "standard", "--choose", "previous-x").out)
+    out = run("describe", "cylindrical", "--as", "standard", "--choose", "next-d", "--steps").out
+    assert " 1   0     0      d1    theta1   revolute" in out
+    assert "free: x1 and its origin; x0 is kept, d2 is 0 there" in out
 
 
 def test_a_written_description_is_a_robot(tmp_path: Path) -> None:
@@ -50,6 +66,7 @@ def test_json_has_the_table_the_steps_and_the_proof() -> None:
     [
         (("scara", "--as", "modifed"), "did you mean modified"),
         (("dh-link", "--as", "axes"), "directions depend on alpha_i"),
+        (("scara", "--as", "axes", "--choose", "next_d"), "did you mean next-d"),
         (("assembly-blocks", "--as", "standard"), "no joints"),
         (("scara", "--as", "axes", "--pose", "elbo"), "elbow"),
         (("dh-link", "--as", "modified", "--numbers"), "has no value"),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import math
 import re
 from pathlib import Path
 
@@ -103,7 +105,37 @@ def test_a_motion_is_a_film_strip_and_a_page_that_plays(dhcli: Run, tmp_path: Pa
     assert "pose zero to pose pick" in text
     assert 'class="trace"' in text
     assert dhcli("draw", "scara", "--deg", "--to", "10,20,0.1", "-o", str(tmp_path / "s.html")).code == 0
-    assert '"to":[0.17453' in (tmp_path / "s.html").read_text("utf-8")
+    assert '"path":[[0.17453' in (tmp_path / "s.html").read_text("utf-8")
+
+
+def test_rows_of_a_file_are_a_strip_an_animation_and_a_page(dhcli: Run, tmp_path: Path) -> None:
+    """Columns by name, a joint without a column by --q, degrees by --deg: as fk reads them."""
+    rows = tmp_path / "q.csv"
+    rows.write_text("theta2,theta1\n" + "".join(f"{k},{2 * k}\n" for k in range(0, 90, 10)), "utf-8")
+    words = ("draw", "scara", "--in", str(rows), "--q", "d3=0.05", "--deg")
+    assert dhcli(*words, "-o", "strip.svg").code == 0
+    assert "to 9 rows" in Path("strip.svg").read_text("utf-8")
+    assert dhcli(*words, "-o", "move.svg", "--animate").code == 0
+    assert Path("move.svg").read_text("utf-8").count('<g class="') == 9
+    assert dhcli(*words, "-o", "move.html").code == 0
+    model = json.loads(re.findall(r'id="model">(.*?)</script>', Path("move.html").read_text("utf-8"))[0])
+    assert model["joints"][0]["q"] == 0
+    assert model["path"][-1] == pytest.approx([math.radians(160), math.radians(80), 0.05], abs=1e-8)
+    assert len(model["path"]) == 8
+
+
+def test_rows_that_are_none_for_this_arm_are_refused(dhcli: Run, tmp_path: Path) -> None:
+    """With file and line."""
+    rows = tmp_path / "q.csv"
+    for text, said in (
+        ("theta1,theta2\n1,2\n", "d3"),
+        ("theta1,theta2,d3\n1,2,x\n", "q.csv:2:5"),
+        ("theta1,theta2,d3\n", "q.csv"),
+    ):
+        rows.write_text(text, "utf-8")
+        done = dhcli("draw", "scara", "--in", str(rows), "-o", "a.svg")
+        assert done.code == 2
+        assert said in done.err
 
 
 def test_another_table_is_drawn_over_the_arm_and_the_first_difference_named(dhcli: Run, tmp_path: Path) -> None:
@@ -151,6 +183,26 @@ def test_an_exercise_in_numbers_is_drawn_at_its_own_values_with_frames(dhcli: Ru
     assert path.read_text("utf-8") != text
 
 
+def test_the_linkages_of_a_task_stand_on_one_sheet_without_what_is_to_be_counted(dhcli: Run, tmp_path: Path) -> None:
+    """And `show` and `start` say so; with --solution after a try they have names and numbers."""
+    path = tmp_path / "task.svg"
+    assert dhcli("draw", "yim/planar-linkages", "-o", str(path)).code == 0
+    text = path.read_text("utf-8")
+    assert set(re.findall(r'class="t-(\w+)"', text)) == {"caption"}
+    assert text.count('class="t-caption"') == 4
+    assert "dhcli draw yim/planar-linkages draws the linkages" in dhcli("show", "yim/planar-linkages").out
+    assert "draws the linkages" in dhcli("start", "yim/planar-linkages", "-o", str(tmp_path / "s.yaml")).err
+    letters = dhcli("draw", "yim/planar-linkages", "--size", "60x16").out
+    assert letters.count("Parallel four-bar") == 2
+    assert max(map(len, letters.split("\n"))) <= 60
+    assert dhcli("draw", "yim/planar-linkages", "--solution").code == 2
+    for part in ("n4", "j4", "f4", "parallel", "n5", "f5", "m5", "six"):
+        dhcli("check", "yim/planar-linkages", "--part", part, "--answer", "4")
+    solved = dhcli("draw", "yim/planar-linkages", "--solution", "-o", str(path), "--overwrite")
+    assert solved.code == 0, solved.err
+    assert "coupler" in path.read_text("utf-8")
+
+
 def test_open_writes_a_page_and_opens_it(dhcli: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     """Without -o in a folder of its own."""
     opened: list[str] = []
@@ -183,12 +235,19 @@ def test_open_writes_a_page_and_opens_it(dhcli: Run, monkeypatch: pytest.MonkeyP
         ("scara --to pick", "no picture in letters"),
         ("scara --to 1,2 -o a.svg", "scara has 3 joints, 2 values given"),
         ("scara --to pick --worksheet -o a.svg", "a film strip has no frames"),
+        ("scara --in q.csv --pose pick -o a.svg", "--in says where all joints are"),
+        ("scara --in no.csv -o a.svg", "no.csv"),
+        ("scara --animate -o a.svg", "--animate is for an .svg of a motion"),
+        ("scara --to pick --animate -o a.html", "--animate is for an .svg of a motion"),
+        ("bennett --in q.csv -o a.svg", "bennett is a linkage"),
         ("bennett --to zero -o a.svg", "bennett is a linkage"),
         ("bennett --table", "bennett is a linkage"),
         ("scara --table", "dhcli show scara --draw has both"),
         ("scara --table -o a.html", "a page always has the table"),
         ("watt --view top", "watt is planar: there is one view of it"),
         ("yim/dh-process", "yim/dh-process has no robot"),
+        ("yim/counting-freedoms", "has no robot and no linkage with points"),
+        ("motion/five-bar-loop -o a.html", "a page computes frames"),
         ("wpi/puma560-table -o a.html", "which a worksheet leaves to the student"),
         ("yim/stanford-arm --pose zero", "yim/stanford-arm is an exercise"),
         ("yim/stanford-arm --solution", "never tried"),

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import sympy
 
-from dhcli import forward, load_robot, save_robot, symbolic
+from dhcli import forward, load_robot, symbolic
 from tests.cli.running import Done, Run
 
 Q = "0.3,0.5,0.1"
@@ -388,7 +388,7 @@ def test_a_tool_of_the_file_is_asked_for_by_name(dhcli: Run, tmp_path: Path) -> 
     path, copy = tmp_path / "arm.yaml", tmp_path / "copy.yaml"
     path.write_text(text + "tools: {gripper: 'Trans(0,0,l3) Rot(z,30°)', none: 'Trans(0,0,0)'}\n", "utf-8")
     arm = load_robot(path)
-    save_robot(arm, copy)
+    arm.save(copy)
     assert load_robot(copy).tools == arm.tools
     for robot in (path, copy):
         named, typed = (
@@ -399,7 +399,7 @@ def test_a_tool_of_the_file_is_asked_for_by_name(dhcli: Run, tmp_path: Path) -> 
     assert "tool gripper  Trans(0, 0, l3) Rot(z, 30°)" in dhcli("show", str(path)).out
     wrong = dhcli("fk", str(path), "--q", Q, "--tool", "griper")
     assert (wrong.code, "did you mean gripper?" in wrong.err) == (2, True)
-    save_robot(arm, tmp_path / "arm.urdf")
+    arm.save(tmp_path / "arm.urdf")
     assert load_robot(tmp_path / "arm.urdf").tools == {}
     said = dhcli("describe", str(path), "--as", "modified", "--numbers")
     assert "the tools of the file are left out" in said.out

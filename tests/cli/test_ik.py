@@ -15,7 +15,7 @@ from tests.cli.terminal import Terminal
 
 CONTENT = {
     *("robot", "convention", "values", "task", "reference", "frame", "joints", "reachable", "why", "held", "closest"),
-    *("target", "solutions"),
+    *("target", "solutions", "factors", "how"),
 }
 SOLUTION = {"q", "branch", "within_limits", "beyond", "residual", "free"}
 PAGE = """\
@@ -191,7 +191,7 @@ def test_formulas_are_derived_step_by_step(dhcli: Run) -> None:
 def test_a_derivation_has_these_keys_in_json(dhcli: Run) -> None:
     """A new key is a decision, and stands here."""
     data = dhcli("ik", "puma560", "--derive", "--format", "json").data
-    assert set(data) == {"robot", "convention", "reference", "frame", "task", "branches", "steps"}
+    assert set(data) == {"robot", "convention", "reference", "frame", "task", "branches", "proved", "steps"}
     keys = {"rule", "unknown", "equations", "value", "plus_minus", "or_half_a_turn_more", "condition"}
     assert all(set(step) == keys for step in data["steps"])
     assert [step["unknown"] for step in data["steps"]][:4] == ["theta1", "theta3", "theta2 + theta3", "theta2"]
@@ -292,3 +292,75 @@ def test_rows_from_the_keyboard_are_waited_for_aloud(tmp_path: Path) -> None:
         screen.type("p_x,p_y,p_z\n0.5,0.3,0\n\x04")
         assert screen.end() == 0
     assert "theta1" in screen.seen
+
+
+def test_why_tells_the_rule_the_steps_and_the_limits(dhcli: Run) -> None:
+    """A line for each joint in the order in which it is found, and for each solution that limits keep out."""
+    done = dhcli("ik", "puma560", "--pose", "nominal", "--why", "--format", "json").data
+    how = done["how"]
+    assert how["rules"] == ["ONE"]
+    assert [step.partition(":")[0] for step in how["steps"]] == [f"theta{k}" for k in (3, 2, 1, 4, 5, 6)]
+    assert "the point fixed under theta4, theta5, theta6" in how["steps"][0]
+    outside = [k + 1 for k, solution in enumerate(done["solutions"]) if not solution["within_limits"]]
+    assert [int(line.partition(":")[0]) for line in how["limits"]] == outside == [1, 6, 7]
+    page = dhcli("ik", "puma560", "--pose", "nominal", "--why", "--within-limits").out
+    assert "left, elbow up, wrist noflip, left out: theta4 would be 180°, its limits are -110° and" in page
+    assert "How, by rule ONE" in page
+    assert dhcli("ik", "puma560", "--pose", "nominal", "--format", "json").data["how"] is None
+
+
+def test_the_number_of_solutions_is_told_as_a_product(dhcli: Run) -> None:
+    """Where the choices between roots multiply to it; of a part of the solutions they do not."""
+    assert "8 solutions = 2 (theta3) × 2 (theta2) × 2 (wrist)" in dhcli("ik", "puma560", "--pose", "nominal").out
+    assert dhcli("ik", "puma560", "--pose", "nominal", "--format", "json").data["factors"] == {
+        "theta3": 2,
+        "theta2": 2,
+        "wrist": 2,
+    }
+    part = dhcli("ik", "puma560", "--pose", "nominal", "--branch", "elbow up").out
+    assert "4 solutions\n" in part
+
+
+@pytest.mark.parametrize(("order", "moves"), [("zyz", "Rot(z,{0}) Rot(y,{1}) Rot(z,{2})"), ("fixed-xyz", "")])
+def test_three_turns_say_an_orientation(dhcli: Run, order: str, moves: str) -> None:
+    """In any order, about current or fixed axes: the same as in moves, or as rpy."""
+    angles = ("10°", "20°", "30°")
+    same = ("--target", moves.format(*angles), "--task", "orientation") if moves else ("--rpy", ",".join(angles))
+    one = dhcli("ik", "spherical-wrist", "--euler", f"{order} {','.join(angles)}", "--format", "json").data
+    other = dhcli("ik", "spherical-wrist", *same, "--format", "json").data
+    found, wanted = ([solution["q"] for solution in each["solutions"]] for each in (one, other))
+    assert np.allclose(found, wanted, atol=1e-12)
+    assert len(found) == 2
+
+
+def test_the_pose_may_be_the_second_word(dhcli: Run) -> None:
+    """As a pipe gives it: `dhcli fk ... --format json | dhcli ik ROBOT -`."""
+    told = dhcli("fk", "puma560", "--pose", "nominal", "--format", "json").out
+    assert dhcli("ik", "puma560", "-", stdin=told).out == dhcli("ik", "puma560", "--pose", "nominal").out
+    done = dhcli("ik", "puma560", "Trans(0.4,0,0)", "--target", "Trans(0.4,0,0)")
+    assert (done.code, "two ways" in done.err) == (2, True)
+
+
+@pytest.mark.parametrize(
+    ("euler", "said"),
+    [
+        ("zzy 1,2,3", "no order zzy"),
+        ("zyz 1,2", "three angles are wanted, not 2"),
+        ("zyz", "three angles are wanted"),
+        ("zyz a,1,2", "a is not a name"),
+        ("fixed-zyz 300,0,0", "more than a turn"),
+    ],
+)
+def test_what_is_no_order_or_no_angles_is_refused(dhcli: Run, euler: str, said: str) -> None:
+    """With what would be right."""
+    done = dhcli("ik", "spherical-wrist", "--euler", euler)
+    assert (done.code, said in done.err) == (2, True)
+
+
+def test_out_of_reach_is_told_by_the_joint_that_has_no_real_value(dhcli: Run) -> None:
+    """Too near to the shoulder: the links laid end to end would reach it, the law of cosines would not."""
+    done = dhcli("ik", "planar-2r", "--position", "0.05,0,0")
+    assert done.code == 1
+    assert "theta2 has no real value: a cosine in its equation would be 1.031" in done.out
+    cosine = (0.05**2 - 0.4**2 - 0.3**2) / (2 * 0.4 * 0.3)
+    assert cosine == pytest.approx(-1.031, abs=5e-4)

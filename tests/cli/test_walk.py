@@ -32,7 +32,8 @@ def test_credits_and_the_order_of_columns_are_told_before_a_part_is_answered(tmp
     """As `show` and the sheet tell them."""
     with Terminal(tmp_path, "check", PLANAR) as screen:
         asked = screen.until("table> ")
-        assert "table: the standard DH table · 2 credits" in asked
+        assert re.search(r"\ntable: .* · 2 credits\n", asked)
+        assert "the standard DH table\n" in asked
         assert "columns: a  alpha  d  theta; angles in degrees" in asked
 
 

@@ -15,9 +15,9 @@ import pytest
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import FileError
 from dhcli.files import holding
-from dhcli.files.atomic import write_whole
-from dhcli.files.home import user_folder
 from dhcli.files.progress import Try, path_of_progress, read_progress, record, solved_parts
+from dhcli.storage.atomic import write_whole
+from dhcli.storage.home import user_folder
 
 ROOT = Path(__file__).parents[2]
 TRY = """
@@ -152,7 +152,7 @@ def test_a_kill_leaves_a_file_of_the_kind_that_is_swept(tmp_path: Path) -> None:
     """Whatever it is called, the sweep knows it."""
     program = (
         "import os, signal\n"
-        "from dhcli.files.atomic import whole_file\n"
+        "from dhcli.storage.atomic import whole_file\n"
         "with whole_file('out', overwrite=False) as stream:\n"
         "    stream.write(b'half'); stream.flush(); os.kill(os.getpid(), signal.SIGKILL)\n"
     )

@@ -186,6 +186,7 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("describe", "zhou-3r", "--as", "standard", "--steps", "--set", "a=0.3", "--numbers", "--format", "json"),
     ("describe", "puma560", "--as", "axes", "--pose", "ready", "-o", "d.yaml", "--overwrite"),
     ("describe", "puma560", "--as", "axes", "--tool", "Trans(0,0,0.1) Rot(z,45°)"),
+    ("describe", "ur5e", "--as", "standard", "--choose", "next-d,previous-x"),
     ("draw", "yim/planar-in-numbers", "--variant", "alice", "--solution", "--worksheet", "-o", "w.svg"),
     ("ik", "planar-2r", "--q", "10,20", "--deg", "--set", "a1=1", "--task", "position", "--from", "0", "--to", "2"),
     ("ik", "puma560", "--pose", "ready", "--near", "ready", "--branch", "elbow up", "--within-limits", "--digits", "3"),
@@ -208,6 +209,8 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("ik", "panda", "--pose", "ready", "--hold", "theta7=0", "--family", "3"),
     ("ik", "puma560", "--position", "0.4,0.15,0.3", "--pointing", "0,0,-1"),
     ("ik", "planar-2r", "--derive"),
+    ("ik", "puma560", "--position", "0.4,0.15,0.3", "--euler", "zyz 0,30°,1", "--why"),
+    ("ik", "planar-2r", "Trans(0.4,0.15,0)", "--task", "position"),
     ("ik", "scara", "--in", "poses.csv", "--each", "first"),
     ("ik", "scara", "--in", "poses.csv", "--skip-bad"),
     ("ik", "scara", "--in", "poses.csv", "--follow", "--near", "zero"),
@@ -243,6 +246,10 @@ LINES: tuple[tuple[str, ...], ...] = (
     ),
     ("check", "planar-2r", "--table", "robot.yaml", "--format", "json", "-o", "m.json", "--overwrite"),
     ("check", "planar-2r", "--table", "robot.yaml", "--compare", "same-motion"),
+    ("check", "planar-2r", "--frames", "robot.yaml", "--pose", "zero", "--why"),
+    ("draw", "planar-2r", "--to", "fold", "--animate", "-o", "move.svg", "--overwrite"),
+    ("draw", "planar-2r", "--in", "two.csv", "-o", "strip.svg", "--overwrite"),
+    ("check", "planar-2r", "--table", "robot.yaml", "--compare", "same-motion", "--draw", "over.svg", "--overwrite"),
     ("watch", "yim/planar-in-numbers", "sheet.yaml", "--variant", "x", "--why"),
     ("hint", "yim/planar-in-numbers", "--part", "t02", "--variant", "bob"),
     ("solution", "yim/planar-in-numbers", "--part", "t02", "--yes", "--variant", "bob"),
@@ -269,6 +276,8 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("new", "linkage", "press", "--form", "bars", "-o", "-"),
     ("new", "linkage", "press", "--form", "joints", "-o", "press.yaml", "--overwrite"),
     ("new", "robot", "arm", "-o", "arm.yaml", "--overwrite"),
+    ("new", "robot", "--from", "table.csv", "--convention", "standard", "--joints", "RR", "--units", "mm", "-o", "-"),
+    ("new", "robot", "--from", "arm.urdf", "--base", "base_link", "--tip", "hand", "--as-typed", "-o", "-"),
     ("sweep", "planar-2r", "--over", "theta1 n 3", "--q", "theta2=0", "-o", "t.csv", "--overwrite"),
     ("transform", "Rot(z,a)", "-o", "t.json", "--overwrite"),
     ("grade", "class", "-o", "c.csv", "--overwrite"),
@@ -284,11 +293,21 @@ FILES: dict[str, tuple[str, tuple[tuple[str, ...], ...]]] = {
     "product": ("robots/scara.yaml", (("show", "./x.yaml"), ("fk", "./x.yaml", "--pose", "pick"), ("lint", "x.yaml"))),
     "modified": (
         "robots/puma560.yaml",
-        (("fk", "./x.yaml", "-s", "--format", "numpy"), ("check", "puma560", "--table", "x.yaml")),
+        (
+            ("fk", "./x.yaml", "-s", "--format", "numpy"),
+            ("check", "puma560", "--table", "x.yaml"),
+            ("check", "puma560", "--frames", "x.yaml"),
+        ),
     ),
     "urdf": (
         "tests/data/urdf/three-joints.urdf",
         (("fk", "./x.urdf", "--q", "0,0,0"), ("describe", "./x.urdf", "--as", "standard"), ("show", "./x.urdf")),
+    ),
+    "listing": ("tests/data/foreign/four-links.m", (("new", "robot", "--from", "x.m", "-o", "-"), ("fk", "x.m"))),
+    "page": ("tests/data/foreign/craig.md", (("new", "robot", "--from", "x.md", "-o", "-"),)),
+    "kinematics": (
+        "tests/data/foreign/ur5e-kinematics.yaml",
+        (("new", "robot", "--from", "x.yaml", "-o", "-"), ("show", "./x.yaml")),
     ),
     "linkage": ("robots/linkages/planar-four-bar.yaml", (("show", "./x.yaml"), ("dof", "x.yaml"), ("lint", "x.yaml"))),
     "spatial": ("robots/linkages/bennett.yaml", (("dof", "x.yaml", "--format", "json"),)),
@@ -346,10 +365,11 @@ def _line(chance: random.Random) -> Case:
     files = {
         "q.csv": ROWS["q.csv"],
         "poses.csv": poses,
+        "two.csv": b"theta1,theta2\n0.1,0.2\n0.3,0.4\n",
         "robot.yaml": source("robot"),
         "exercise.yaml": source("exercise"),
     }
-    files |= {"arm.urdf": source("urdf")}
+    files |= {"arm.urdf": source("urdf"), "table.csv": b"a,alpha [deg],d,theta\n300,90,0,q1\n200,0,0,q2*\n"}
     files |= {"class/one/s.yaml": source("sheet"), "sheet.yaml": source("sheet")}
     return Case(tuple(word.replace("\0", "") for word in words), files, chance.choice(("", IDENTITY)))
 
@@ -358,7 +378,7 @@ def _file(chance: random.Random) -> Case:
     kind = chance.choice(sorted(FILES))
     words = chance.choice(FILES[kind][1])
     content = source(kind)
-    name = "x.urdf" if kind == "urdf" else "x.yaml"
+    name = f"x{Path(FILES[kind][0]).suffix}"
     if chance.random() < 0.1:
         return Case(words, {name: mutated_bytes(content, chance)})
     return Case(words, {name: mutated(content.decode(), chance).encode("utf-8", "surrogatepass")})

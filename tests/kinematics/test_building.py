@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
 
-from dhcli import DhcliError, Robot, forward, list_robots, load_robot, save_robot
+from dhcli import DhcliError, Robot, forward, list_robots, load_robot
 from dhcli.files.yaml.robots import read_robot
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 PLANAR = [("a1", 0, 0, "theta1"), {"a": 0.3, "alpha": "0°", "theta": "theta2"}]
 
@@ -36,16 +40,123 @@ def test_a_copy_has_another_tool_and_other_lengths() -> None:
     assert longer.copy(tool="").tool == ()
 
 
+def test_a_copy_takes_one_of_the_tools_by_name() -> None:
+    """And is from no file any more."""
+    robot = Robot.from_text(FILE + "tools: {gripper: 'Trans(0.2, 0, 0)'}\n")
+    assert robot.copy(tool="gripper").tool == robot.tools["gripper"]
+    assert load_robot("planar-2r").copy(name="other").path is None
+
+
+FILE = "format: 1\ntitle: t\nsource: s\nconvention: product\nvariables: [q1]\nlinks: ['Rot(z, q1) Trans(0.4, 0, 0)']\n"
+
+
+def test_a_robot_is_read_from_text_and_remembers_its_file(tmp_path: Path) -> None:
+    """The two are equal; only where they come from differs."""
+    path = tmp_path / "arm.yaml"
+    path.write_text(FILE, "utf-8")
+    read, loaded = Robot.from_text(FILE, name="arm"), load_robot(path)
+    assert read == loaded
+    assert (read.path, loaded.path, loaded.copy().path) == (None, path, None)
+    with pytest.raises(DhcliError, match="text:1:1: format: is missing"):
+        Robot.from_text("title: t\n")
+
+
+def test_a_chain_of_a_urdf_is_read_from_text() -> None:
+    """As from its file."""
+    path = Path(__file__).parents[1] / "data" / "urdf" / "three-joints.urdf"
+    read = Robot.from_urdf(path.read_text("utf-8"), tip="camera", name="three-joints")
+    assert read.links == load_robot(path, tip="camera").links
+    with pytest.raises(DhcliError, match="which one"):
+        Robot.from_text(path.read_text("utf-8"))
+
+
+def matrix_exponential(screw: NDArray[np.float64], angle: float) -> NDArray[np.float64]:
+    """By its series, which knows no axis."""
+    wx, wy, wz, *v = screw
+    twist = np.zeros((4, 4))
+    twist[:3, :3] = [[0, -wz, wy], [wz, 0, -wx], [-wy, wx, 0]]
+    twist[:3, 3] = v
+    total = term = np.eye(4)
+    for k in range(1, 40):
+        term = term @ twist * angle / k
+        total = total + term
+    return total
+
+
+UR5_HOME = np.array([[-1, 0, 0, 0.817], [0, 0, 1, 0.191], [0, 1, 0, -0.006], [0, 0, 0, 1]])
+UR5_SCREWS = np.array(
+    [
+        [0, 0, 1, 0, 0, 0],
+        [0, 1, 0, -0.089, 0, 0],
+        [0, 1, 0, -0.089, 0, 0.425],
+        [0, 1, 0, -0.089, 0, 0.817],
+        [0, 0, -1, -0.109, 0.817, 0],
+        [0, 1, 0, 0.006, 0, 0.817],
+    ]
+)
+"""Lynch and Park, Modern Robotics, example 4.5."""
+
+
+@pytest.mark.parametrize("frame", ["space", "body"])
+def test_a_robot_of_screws_moves_as_the_product_of_their_exponentials(frame: str) -> None:
+    """The UR5 of the book, in the base and with the same screws moved into its end frame."""
+    q = [0.3, -0.8, 1.1, 0.4, -1.3, 0.7]
+    expected = np.linalg.multi_dot([*map(matrix_exponential, UR5_SCREWS, q), UR5_HOME])
+    screws = UR5_SCREWS
+    if frame == "body":
+        back = np.linalg.inv(UR5_HOME)
+        rotation, (x, y, z) = back[:3, :3], back[:3, 3]
+        adjoint = np.zeros((6, 6))
+        adjoint[:3, :3] = adjoint[3:, 3:] = rotation
+        adjoint[3:, :3] = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]]) @ rotation
+        screws = UR5_SCREWS @ adjoint.T
+    robot = Robot.from_screws(screws, UR5_HOME, frame=frame)
+    assert robot.variables == ("theta1", "theta2", "theta3", "theta4", "theta5", "theta6")
+    assert np.allclose(forward(robot, q).matrix, expected, atol=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("screws", "home", "said"),
+    [
+        ([(0, 0, 1, 0, 0)], "", "5 numbers, not six"),
+        ([3], "", "is no screw"),
+        ([], "", "0 variables and 0 screws"),
+        ([(0, 0, 0, 0, 0, 0)], "", "is zero"),
+        ([(0, 0, 1, 0, 0, float("nan"))], "", "nan is no value"),
+        ([(0, 0, 1, 0, 0, 0)], np.eye(3), "shape (4, 4)"),
+        ([(0, 0, 1, 0, 0, 0)], np.diag([1, 1, 2, 1]), "home"),
+        ([(0, 0, 1, 0, 0, 0)], "Trans(l, 0, 0)", "no value"),
+        ([(0, 0, 1, 0, 0, 0)], 5, "home"),
+    ],
+)
+def test_what_is_no_screw_or_no_home_is_refused(screws: list[object], home: object, said: str) -> None:
+    """With what it is."""
+    with pytest.raises(DhcliError) as caught:
+        Robot.from_screws(screws, home)  # type: ignore[arg-type]
+    assert said in str(caught.value)
+    with pytest.raises(DhcliError, match="did you mean space"):
+        Robot.from_screws([(0, 0, 1, 0, 0, 0)], "", frame="spice")
+
+
+def test_a_length_of_a_table_may_stay_open() -> None:
+    """And a product made in Python shows itself though nobody wrote it."""
+    robot = Robot.from_dh([("a1", 0, 0, "theta1")], variables=["theta1"], parameters={"a1": None})
+    assert robot.parameters == {"a1": None}
+    assert Robot.from_screws([(0, 0, 1, 0, 0, 0)], "Trans(0.7, 0, 0)").links[0].product == (
+        "Rot(z, theta1) * Trans(0.7, 0, 0)"
+    )
+
+
 @pytest.mark.parametrize("name", ["x.yaml", "x.urdf"])
 def test_what_is_saved_is_loaded(name: str, tmp_path: Path) -> None:
     """And not over a file that stands there."""
     path = tmp_path / name
     robot = load_robot("stanford")
-    save_robot(robot, path)
+    robot.save(path)
     q = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]
     assert np.allclose(forward(load_robot(path), q).matrix, forward(robot, q).matrix, atol=1e-14)
     with pytest.raises(DhcliError, match=r"stands|exists"):
-        save_robot(robot, path)
+        robot.save(path)
 
 
 def test_the_library_is_listed_and_its_own_robot_found_behind_one_of_the_same_name(
@@ -53,7 +164,7 @@ def test_the_library_is_listed_and_its_own_robot_found_behind_one_of_the_same_na
 ) -> None:
     """`builtin:` means what dhcli brings along."""
     (tmp_path / "robots").mkdir()
-    save_robot(load_robot("planar-2r"), tmp_path / "robots" / "puma560.yaml")
+    load_robot("planar-2r").save(tmp_path / "robots" / "puma560.yaml")
     monkeypatch.chdir(tmp_path)
     assert "puma560" in list_robots()
     assert len(load_robot("puma560").variables) == 2

@@ -7,8 +7,8 @@ import pytest
 
 from dhcli.errors import NotationError, RobotError
 from dhcli.files.yaml.robots import load_robot
-from dhcli.kinematics.forward import factors, forward, spelled, symbolic, textbook_form
-from dhcli.kinematics.moves import read_chain
+from dhcli.kinematics.forward import factors, forward, symbolic, textbook_form
+from dhcli.kinematics.moves import read_chain, spelled
 from dhcli.kinematics.pose import Pose, rounded
 
 

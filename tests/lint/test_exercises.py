@@ -51,6 +51,31 @@ WRITE = "write what belongs there"
 
 
 @cases(
+    Broken(
+        "unit: m\n",
+        "unit: m\npicture: frames\n",
+        "7:10",
+        "picture: frames would answer table, and are not shown",
+        "picture: axes; frames may not stand beside: table",
+    ),
+)
+def test_a_picture_shows_nothing_that_a_part_asks_for(broken: Broken, tmp_path: Path) -> None:
+    """By the list of what each kind of question may stand beside."""
+    assert_told(tmp_path, CLEAN, broken)
+
+
+def test_a_picture_of_nothing_is_told(tmp_path: Path) -> None:
+    """Where there is neither an arm nor a linkage."""
+    text = CLEAN[: CLEAN.index("given:")].replace("robot: planar-2r\n", "picture: axes\n") + (
+        "task: Count.\nparts:\n  - {id: n, ask: scalar 2*3, hints: [a, b]}\n"
+        "tests:\n  - {part: n, answer: '6', verdict: RIGHT}\n  - {part: n, answer: '5', verdict: WRONG}\n"
+    )
+    assert [one.message for one in findings(tmp_path, text)] == [
+        "picture: there is neither an arm nor a linkage to draw"
+    ]
+
+
+@cases(
     Broken("title: Two links", "title: TODO", "2:8", "title: still says 'TODO'", WRITE),
     Broken("source: a test", "source: FIXME later", "3:9", "source: still says 'FIXME'", WRITE),
     Broken("source: a test", "source: {document: D, item: TBD}", "3:1", "source: still says 'TBD'", WRITE),

@@ -53,6 +53,7 @@ def _help_of(*words: str) -> list[str]:
 def mistakes_page() -> str:
     """Every mistake that dhcli knows, by name."""
     from dhcli.checking.diagnosis.mistakes import EVERY
+    from dhcli.checking.frames.slips import MISTAKES
     from dhcli.checking.motion.mistakes import IN_COLUMNS
 
     lines = [
@@ -75,11 +76,22 @@ def mistakes_page() -> str:
         "|---|---|",
     ]
     lines += [f"| `{one.id}` | {_words(one.words)} |" for one in IN_COLUMNS]
+    lines += [
+        "",
+        "In frames; the number behind the name is the frame. `convention` is one of them as well.",
+        "",
+        "| name | what has happened |",
+        "|---|---|",
+    ]
+    lines += [f"| `{one.id}` | {_words(one.words)} |" for one in MISTAKES]
     return "\n".join([*lines, ""])
 
 
+_FRAMES = (("{before}", "i-1"), ("{other}", "i-1 or i+1"))
+
+
 def _words(text: str) -> str:
-    for name, shown in (("{where}", "i"), ("{row}", "i"), ("{entry}", "i"), ("{term}", "...")):
+    for name, shown in (("{where}", "i"), ("{row}", "i"), ("{entry}", "i"), ("{term}", "..."), ("{k}", "i"), *_FRAMES):
         text = text.replace(name, shown)
     return text.replace("|", "\\|")
 
@@ -95,7 +107,17 @@ def library_page(head: str) -> str:
             continue
         lines += [f"### {name}", "", "```text", f"{name}{_signature(found)}", ""]
         lines += [*(inspect.getdoc(found) or "").splitlines(), "```", ""]
+        for method, function in _methods(found):
+            lines += ["```text", f"{name}.{method}{_signature(function)}", ""]
+            lines += [*(inspect.getdoc(function) or "").splitlines(), "```", ""]
     return "\n".join(lines)
+
+
+def _methods(found: object) -> list[tuple[str, Callable[..., object]]]:
+    """The public methods that a class itself tells about."""
+    own = vars(found) if isinstance(found, type) else {}
+    named = [(name, getattr(found, name)) for name in own if not name.startswith("_")]
+    return [(name, one) for name, one in named if inspect.isroutine(one) and one.__doc__]
 
 
 def _signature(found: Callable[..., object]) -> str:

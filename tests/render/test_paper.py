@@ -58,3 +58,9 @@ def test_every_text_has_a_spelling_in_ascii(text: str, ascii_text: str) -> None:
 def test_what_steers_a_terminal_becomes_a_blank() -> None:
     """Escapes, bells, line ends, marks of direction."""
     assert Paper().spell("a\x1b[2Jb\x07c\nd\u202ee\x9bf") == "a [2Jb c d e f"
+
+
+def test_an_aside_is_for_who_looks_at_a_window() -> None:
+    """A pipe or a file gets the answer alone."""
+    assert Paper(terminal=True).aside("dhcli ik puma560") == ["dhcli ik puma560"]
+    assert Paper().aside("dhcli ik puma560") == []

@@ -6,7 +6,8 @@ import pytest
 
 from dhcli import forward, load_robot
 from dhcli.kinematics.values import joint_values
-from dhcli.scene.strip import CELL, MOMENTS, between, strip_figure
+from dhcli.scene.motion import MOST_SCENES, between, moments, motion_of
+from dhcli.scene.strip import CELL, MOMENTS, strip_figure
 
 
 @pytest.mark.parametrize(
@@ -15,7 +16,7 @@ from dhcli.scene.strip import CELL, MOMENTS, between, strip_figure
 )
 def test_a_strip_has_its_moments_side_by_side_each_in_its_own_cell(name: str, start: str, end: str) -> None:
     """The base stands still in all of them; the way grows from picture to picture."""
-    figure = strip_figure(load_robot(name), (None, start), end)
+    figure = strip_figure(motion_of(load_robot(name), pose=start, to=end))
     assert figure.caption.endswith(f"pose {start} to pose {end}")
     assert figure.width == CELL * MOMENTS
     for shape in figure.shapes:
@@ -35,3 +36,32 @@ def test_joints_go_evenly_and_end_exactly_at_both_ends() -> None:
     middle = forward(robot, between(start, end, 0.5))  # type: ignore[arg-type]
     expected = forward(robot, "15°, 67.5°, 0.05")
     assert middle.position == pytest.approx(expected.position, abs=1e-9)
+
+
+def test_a_strip_of_rows_begins_at_the_first_and_ends_at_the_last() -> None:
+    """The way of the end goes through the place of every row, also of those that are not drawn."""
+    robot = load_robot("planar-2r")
+    rows = [(0.01 * k, 0.5 - 0.002 * k) for k in range(300)]
+    motion = motion_of(robot, rows=rows)
+    assert (motion.steps[0], motion.steps[-1], len(motion.places)) == (0, 299, 300)
+    assert len(motion.scenes) == MOST_SCENES + 1
+    for row, place in zip(rows, motion.places, strict=True):
+        assert place == pytest.approx(forward(robot, row).position, abs=1e-9)
+    for step, scene in zip(motion.steps, motion.scenes, strict=True):
+        assert scene.states[-1].origin == pytest.approx(motion.places[step], abs=1e-12)
+    assert strip_figure(motion).caption.endswith("to 300 rows")
+
+
+@pytest.mark.parametrize("count", [1, 2, 3])
+def test_a_path_of_few_rows_has_no_more_pictures_than_rows(count: int) -> None:
+    """One row is one picture."""
+    figure = strip_figure(motion_of(load_robot("planar-2r"), rows=[(0.1 * k, 0.2) for k in range(count)]))
+    assert figure.width == CELL * count
+
+
+def test_what_stands_still_does_so_in_every_moment_of_an_animation() -> None:
+    """The ground of a spatial arm is the same area in all of them."""
+    figures = moments(motion_of(load_robot("stanford"), pose="zero", to="grasp"))
+    plates = {shape.points for figure in figures for shape in figure.shapes if shape.look == "plate"}
+    assert len(plates) == 1
+    assert len(figures) == 25

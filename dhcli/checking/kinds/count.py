@@ -55,6 +55,12 @@ class CountQuestion(Question[int]):
     def completed(self, besides: Besides) -> Self:
         return replace(self, found=besides.linkage(self.linkage))
 
+    @property
+    def linkage_counted(self) -> Linkage | None:
+        from dhcli.mobility.linkage import Linkage
+
+        return self.found if isinstance(self.found, Linkage) else None
+
     def describe(self, _exercise: Exercise) -> str:
         return f"{self.what} of {self.linkage}, a whole number"
 

@@ -10,12 +10,13 @@ from dhcli.algebra.equality import equal
 from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.exercise import Case, Exercise, Shown
 from dhcli.checking.motion.asked import Motion
-from dhcli.checking.motion.columns import jacobian_grid
-from dhcli.checking.motion.grid import Grid
-from dhcli.checking.motion.mistakes import made
+from dhcli.checking.motion.columns import Columns, jacobian_grid
+from dhcli.checking.motion.from_columns import ColumnsQuestion
+from dhcli.checking.motion.grid import Grid, exact
+from dhcli.checking.motion.linear import determinant_of
 from dhcli.checking.motion.question import OneNumberQuestion
-from dhcli.checking.motion.task import columns_for, found_for, kept_rows, read_task, square
-from dhcli.errors import Place
+from dhcli.checking.motion.task import columns_for, found_for, kept_rows, read_task, square, values_in
+from dhcli.errors import Place, RobotError
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.velocity.cramer import LARGEST, determinant
 from dhcli.kinematics.velocity.form import GEOMETRIC, Form
@@ -25,7 +26,7 @@ from dhcli.notation.writer import write
 
 
 @dataclass(frozen=True, slots=True)
-class DeterminantQuestion(OneNumberQuestion):
+class DeterminantQuestion(OneNumberQuestion, ColumnsQuestion):
     """The determinant of a Jacobian, of the rows that the joints can move.
 
     Attributes:
@@ -51,8 +52,21 @@ class DeterminantQuestion(OneNumberQuestion):
         rows = ", ".join(square(*self.motion.check(exercise.robot), self.form).rows)
         return f"the determinant of the Jacobian {self.motion.where}, rows {rows}"
 
+    def columns(self, case: Case) -> Columns:
+        return columns_for(case, self.motion)
+
     def computed(self, case: Case) -> Grid:
         return self._one(case, found_for(case, self.motion, self.form).determinant or ZERO)
+
+    def of_columns(self, case: Case, columns: Columns) -> Grid:
+        kept = kept_rows(found_for(case, self.motion, self.form))
+        if len(kept) > LARGEST and not case.exercise.numeric:
+            raise RobotError(f"a determinant of {len(kept)} rows is not written out")
+        is_short = len(kept) <= LARGEST
+        value = determinant(columns.cut(kept)) if is_short else exact(determinant_of(values_in(case, columns, kept)))
+        if equal(value, ZERO):  # to which many mistakes lead
+            raise RobotError("the determinant is 0")
+        return self._one(case, value)
 
     def _one(self, case: Case, value: Expr) -> Grid:
         columns, kept = columns_for(case, self.motion), kept_rows(found_for(case, self.motion, self.form))
@@ -60,24 +74,20 @@ class DeterminantQuestion(OneNumberQuestion):
         lengths = sum(k < 3 for k in kept) - slides  # noqa: PLR2004  the rows of v
         return Grid(((value,),), ((max(0, lengths),),))
 
-    def wrong(self, case: Case) -> Iterator[tuple[Slip, Grid]]:
+    def besides(self, case: Case, columns: Columns) -> Iterator[tuple[Slip, Grid]]:
         found = found_for(case, self.motion, self.form)
-        right, kept = found.determinant or ZERO, kept_rows(found)
+        kept, is_right = kept_rows(found), columns == self.columns(case)
+        right = (found.determinant or ZERO) if is_right else self.of_columns(case, columns).rows[0][0]
         yield Slip("sign", "the sign is turned round", "look at the sign", Rank.WHOLE), self._one(case, negate(right))
-        for factor in found.factors:
+        for factor in found.factors if is_right else ():
             text = write(factor.zeros[0], "short", found.writing)
             slip = Slip(f"factor-forgotten {text}", f"the factor {text} is missing", "go through the factors")
             yield slip, self._one(case, multiply(right, power(factor.zeros[0], -factor.exponent)))
         if len(kept) > LARGEST:
             return
-        columns = columns_for(case, self.motion)
         words = "every second product is added instead of taken away"
         slip = Slip("signs-of-minors", words, "which signs have the products of a determinant?", Rank.WHOLE)
         yield slip, self._one(case, determinant(columns.cut(kept), signed=False))
-        for slip, changed in made(columns):
-            value = determinant(changed.cut(kept))
-            if not equal(value, ZERO):  # to which many mistakes lead
-                yield slip, self._one(case, value)
 
     def steps(self, case: Case) -> Iterable[Shown]:
         found, columns = found_for(case, self.motion, self.form), columns_for(case, self.motion)

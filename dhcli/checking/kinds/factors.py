@@ -17,9 +17,8 @@ from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.checking.wanted import Wanted
 from dhcli.errors import Place
 from dhcli.kinematics.conventions import ORDER, moves_of
-from dhcli.kinematics.forward import spelled
 from dhcli.kinematics.frames import View
-from dhcli.kinematics.moves import Chain
+from dhcli.kinematics.moves import Chain, spelled
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.scope import Scope
 

@@ -8,17 +8,18 @@ from dataclasses import dataclass, replace
 from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Rank, Slip
-from dhcli.checking.exercise import Case, Exercise, Shown
+from dhcli.checking.entries import Entries
+from dhcli.checking.exercise import Case, Exercise, Reading, Shown
 from dhcli.checking.motion.asked import Motion, form_of, read_motion
 from dhcli.checking.motion.columns import Columns, columns_in, jacobian_grid
+from dhcli.checking.motion.from_columns import ColumnsQuestion, Typed, axes_step
 from dhcli.checking.motion.grid import Grid
-from dhcli.checking.motion.mistakes import made
-from dhcli.checking.motion.question import MotionQuestion, axes_step
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.velocity.form import GEOMETRIC, Form
-from dhcli.kinematics.velocity.view import joints_between
+from dhcli.kinematics.velocity.jacobian import textbook_jacobian
+from dhcli.kinematics.velocity.view import MotionView, joints_between
 from dhcli.notation.scope import Scope
 
 _HEAD = re.compile(
@@ -28,7 +29,7 @@ _HEAD = re.compile(
 
 
 @dataclass(frozen=True, slots=True)
-class JacobianQuestion(MotionQuestion):
+class JacobianQuestion(ColumnsQuestion):
     """A Jacobian, a column of it or an entry.
 
     Attributes:
@@ -91,12 +92,20 @@ class JacobianQuestion(MotionQuestion):
         shape = "" if exercise.robot is None else " ({}x{})".format(*self.size(exercise.robot))
         return whole + shape
 
-    def _columns(self, case: Case) -> Columns:
+    def columns(self, case: Case) -> Columns:
         robot, view = self.motion.check(case.exercise.robot, self.twist)
         return columns_in(case, robot, view)
 
     def computed(self, case: Case) -> Grid:
-        return self.piece(self._grid(case, self._columns(case)))
+        columns = self.columns(case)
+        found = self.of_columns(case, columns)
+        if not self.form.analytic or case.exercise.numeric:
+            return found
+        rows = textbook_jacobian(columns.robot, {}, columns.view, self.form).rows  # the same, and shorter
+        return replace(found, rows=self.piece(replace(self._grid(case, columns), rows=rows)).rows)
+
+    def of_columns(self, case: Case, columns: Columns) -> Grid:
+        return self.piece(self._grid(case, columns))
 
     def _grid(self, case: Case, columns: Columns, form: Form | None = None) -> Grid:
         values = case.exercise.values if case.exercise.numeric else None
@@ -112,10 +121,7 @@ class JacobianQuestion(MotionQuestion):
             cosines=True,
         )
 
-    def wrong(self, case: Case) -> Iterator[tuple[Slip, Grid]]:
-        columns = self._columns(case)
-        for slip, changed in made(columns):
-            yield slip, self.piece(self._grid(case, changed))
+    def besides(self, case: Case, columns: Columns) -> Iterator[tuple[Slip, Grid]]:
         if self.form.part == "all" and not self.row:
             above, below = ("v", "ω") if self.form.angular_first else ("ω", "v")
             slip = Slip("rows-swapped", f"{above} stands above {below}", "which rows stand above?", Rank.WHOLE)
@@ -128,6 +134,9 @@ class JacobianQuestion(MotionQuestion):
         if self.column:
             yield from self._neighbours(self._grid(case, columns))
 
+    def place(self, row: int, column: int) -> str:
+        return f"{self.row or row + 1},{self.column or column + 1}"
+
     def _neighbours(self, grid: Grid) -> Iterator[tuple[Slip, Grid]]:
         """Another column than that asked for."""
         for k in range(1, grid.shape[1] + 1):
@@ -135,8 +144,22 @@ class JacobianQuestion(MotionQuestion):
                 slip = Slip(f"other-column {k}", f"this is column {k}", "which column is asked for?")
                 yield slip, replace(self, column=k).piece(grid)
 
+    def typed_entries(self, case: Case, reading: Reading[Entries]) -> tuple[MotionView, Typed] | None:
+        if self.form.analytic:
+            return None
+        six = self.form.chosen((0, 1, 2), (3, 4, 5))
+        rows = six[self.row - 1 : self.row] if self.row else six
+        count = len(self.columns(case).each)
+        columns = (self.column - 1,) if self.column else range(count)
+        typed = {
+            (r, c): entry.expr
+            for r, line in zip(rows, reading.value, strict=True)
+            for c, entry in zip(columns, line, strict=True)
+        }
+        return self.columns(case).view, typed
+
     def steps(self, case: Case) -> Iterable[Shown]:
-        columns = self._columns(case)
+        columns = self.columns(case)
         yield axes_step(case, columns)
         if self.form.analytic:
             yield self.shown(case, "The rows of v and ω", self._grid(case, columns, replace(self.form, analytic="")))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Mapping, Sequence
 
 from dhcli.checking.exercise import Case, Exercise, Memo, Part
@@ -12,6 +14,8 @@ from dhcli.checking.tables.comparing import SAME_ROBOT
 from dhcli.errors import NotationError
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.robot import Robot, Value
+
+_SEPARATOR = re.compile(r"[\s,;]+")
 
 
 def question_about(robot: Robot, ask: str, *, numeric: bool, given: Mapping[str, Value]) -> Exercise:
@@ -28,7 +32,7 @@ def question_about(robot: Robot, ask: str, *, numeric: bool, given: Mapping[str,
 
 
 def question_answered(exercises: Sequence[Exercise], answer: str) -> Exercise:
-    """The first of some exercises of one part to which a text can be read as an answer; else the first of all."""
+    """The first of some exercises of one part to which a text can be read as an answer; else the nearest in size."""
     for exercise in exercises:
         (part,) = exercise.parts
         try:
@@ -36,7 +40,10 @@ def question_answered(exercises: Sequence[Exercise], answer: str) -> Exercise:
         except (UnreadableError, NotationError):
             continue
         return exercise
-    return exercises[0]
+    if not answer.strip():
+        return exercises[0]
+    typed = len(_SEPARATOR.split(answer.strip()))
+    return min(exercises, key=lambda exercise: abs(math.prod(exercise.parts[0].question.blank(exercise)) - typed))
 
 
 def question_about_table(robot: Robot, convention: Convention, compare: str = SAME_ROBOT, note: str = "") -> Exercise:
@@ -50,3 +57,25 @@ def question_about_table(robot: Robot, convention: Convention, compare: str = SA
     """
     part = Part("table", TableQuestion(convention, note), compare=compare)
     return Exercise(robot.name, robot.title, robot.source, "", (part,), robot)
+
+
+def question_about_frames(
+    robot: Robot, convention: Convention, pose: str = "", note: str = "", given: Mapping[str, Value] | None = None
+) -> Exercise:
+    """Frames on the axes of a robot, by the rules of one of the conventions.
+
+    Args:
+        robot: The robot.
+        convention: The convention of the answer.
+        pose: The named pose in which they are drawn; empty for the robot's own.
+        note: What to tell beside the verdict.
+        given: Values of lengths.
+
+    Raises:
+        UnknownNameError: The robot has no such pose.
+    """
+    from dhcli.checking.kinds.frames import FramesQuestion  # in a room that few commands need
+
+    question = FramesQuestion(convention, pose, note)
+    question.check(robot)
+    return Exercise(robot.name, robot.title, robot.source, "", (Part("frames", question),), robot, given or {})

@@ -11,9 +11,9 @@ from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.exercise import Case, Exercise, Shown
 from dhcli.checking.motion.asked import Motion
 from dhcli.checking.motion.columns import Columns, jacobian_grid
+from dhcli.checking.motion.from_columns import ColumnsQuestion
 from dhcli.checking.motion.grid import Grid, exact
 from dhcli.checking.motion.linear import determinant_of
-from dhcli.checking.motion.mistakes import made
 from dhcli.checking.motion.question import OneNumberQuestion
 from dhcli.checking.motion.task import columns_for, found_for, kept_rows, read_task, values_in
 from dhcli.errors import Place, RobotError
@@ -26,7 +26,7 @@ LEAST = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
-class ManipulabilityQuestion(OneNumberQuestion):
+class ManipulabilityQuestion(OneNumberQuestion, ColumnsQuestion):
     """The manipulability of an arm where it stands, in numbers.
 
     Attributes:
@@ -59,7 +59,16 @@ class ManipulabilityQuestion(OneNumberQuestion):
     def computed(self, case: Case) -> Grid:
         if not case.exercise.numeric:
             raise RobotError("manipulability is asked in numbers", "numeric: true")
-        return self._one(case, self._volume(case, columns_for(case, self.motion)))
+        return self._one(case, self._volume(case, self.columns(case)))
+
+    def columns(self, case: Case) -> Columns:
+        return columns_for(case, self.motion)
+
+    def of_columns(self, case: Case, columns: Columns) -> Grid:
+        value = self._volume(case, columns)
+        if value <= LEAST * self._volume(case, self.columns(case)):  # 0 has many reasons
+            raise RobotError("the manipulability is 0")
+        return self._one(case, value)
 
     def _kept(self, case: Case) -> tuple[int, ...]:
         return kept_rows(found_for(case, self.motion, self.form))
@@ -77,8 +86,7 @@ class ManipulabilityQuestion(OneNumberQuestion):
         squares = [[sum(a * b for a, b in zip(one, other, strict=True)) for other in rows] for one in rows]
         return math.sqrt(max(0.0, determinant_of(squares)))
 
-    def wrong(self, case: Case) -> Iterator[tuple[Slip, Grid]]:
-        columns = columns_for(case, self.motion)
+    def besides(self, case: Case, columns: Columns) -> Iterator[tuple[Slip, Grid]]:
         right = self._volume(case, columns)
         powers = self.right(case).powers
         slip = Slip("root-forgotten", "this is det(J Jᵀ), without the root", "w is a root", Rank.WHOLE)
@@ -86,10 +94,6 @@ class ManipulabilityQuestion(OneNumberQuestion):
         slip = Slip("reciprocal", "this is 1/w", "is it large or small near a singular pose?", Rank.WHOLE)
         if right:
             yield slip, Grid(((exact(1 / right),),), powers)
-        for slip, changed in made(columns):
-            value = self._volume(case, changed)
-            if value > LEAST * right:  # 0 has many reasons
-                yield slip, self._one(case, value)
 
     def steps(self, case: Case) -> Iterable[Shown]:
         columns, found = columns_for(case, self.motion), found_for(case, self.motion, self.form)

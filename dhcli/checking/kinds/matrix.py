@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import Any, ClassVar, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.entries import Entries, entries_text, read_entries
-from dhcli.checking.exercise import Case, Causes, Exercise, Judged, Matrices, Points, Question, Reading, Shown
+from dhcli.checking.exercise import Case, Causes, Exercise, Judged, Matrices, Overlaid, Points, Question, Reading, Shown
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.truth import is_length, names_in, truth_of, unvalued
@@ -23,12 +23,16 @@ from dhcli.notation.quantity import DimensionError
 from dhcli.notation.scope import Scope
 from dhcli.notation.writer import write
 
+if TYPE_CHECKING:
+    from dhcli.kinematics.values import Values
+
 
 @dataclass(frozen=True, slots=True)
 class MatrixQuestion(Wanted, Question[Entries]):
     """A matrix, or a piece of one."""
 
     may_show_frames: ClassVar = True
+    is_overlaid: ClassVar = True
     words: ClassVar = ("link", "pose", "product", "inverse", "rotation", "position", "entry", "axis", "point", "vector")
     examples: ClassVar = (
         "link 1",
@@ -36,6 +40,7 @@ class MatrixQuestion(Wanted, Question[Entries]):
         'product "Rot(z, 90°)"',
         "inverse of link 1",
         "rotation of pose 0..3",
+        "rotation from rpy(10°, 20°, 30°)",
         "position of pose 0..3",
         "entry 1 4 of pose 0..3",
         "axis x of pose 0..3",
@@ -275,6 +280,11 @@ class MatrixQuestion(Wanted, Question[Entries]):
         typed = typed_answer(case, self, reading.value)
         is_forward = span[0] <= start < min(end, span[1])
         return (start, end, typed.values) if typed is not None and is_forward else None
+
+    def overlaid(self, case: Case, reading: Reading[Entries], values: Values) -> Overlaid | None:
+        from dhcli.checking.overlaid import overlaid_matrix
+
+        return overlaid_matrix(case.exercise, self, reading.value, values)
 
 
 def outside_brackets(text: str) -> dict[str, int]:

@@ -12,13 +12,12 @@ from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.exercise import Case, Exercise, Shown
 from dhcli.checking.motion.asked import Motion, read_motion, three
 from dhcli.checking.motion.columns import Columns, columns_of, combined, jacobian_grid, plain
+from dhcli.checking.motion.from_columns import ColumnsQuestion, axes_step
 from dhcli.checking.motion.grid import Grid, over
 from dhcli.checking.motion.linear import solution
-from dhcli.checking.motion.mistakes import made
-from dhcli.checking.motion.question import MotionQuestion, axes_step
 from dhcli.checking.motion.task import columns_for
 from dhcli.checking.wanted import NotAskedError
-from dhcli.errors import DhcliError, Place, RobotError
+from dhcli.errors import Place, RobotError
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.singular.neat import neat_determinant
 from dhcli.kinematics.values import numbers
@@ -37,7 +36,7 @@ _HEAD = re.compile(
 
 
 @dataclass(frozen=True, slots=True)
-class RatesQuestion(MotionQuestion):
+class RatesQuestion(ColumnsQuestion):
     """The joint rates for a velocity, an angular velocity or both, of an arm with as many joints as they have rows.
 
     Attributes:
@@ -112,11 +111,13 @@ class RatesQuestion(MotionQuestion):
             raise RobotError(
                 f"{case.exercise.id} asks for numbers, and has no value for {', '.join(missing)}", "given:"
             )
-        return self._solved(case, columns_for(case, self.motion), is_right=True)
+        return self.of_columns(case, self.columns(case))
 
-    def _solved(self, case: Case, columns: Columns, *, is_right: bool = False) -> Grid:
-        """The rates by which columns give the velocity."""
-        exercise, kept = case.exercise, self._kept(columns_for(case, self.motion))
+    def columns(self, case: Case) -> Columns:
+        return columns_for(case, self.motion)
+
+    def of_columns(self, case: Case, columns: Columns) -> Grid:
+        exercise, kept = case.exercise, self._kept(self.columns(case))
         rows, asked = columns.cut(kept), self._asked(kept)
         if exercise.numeric:
             arithmetic = Floats(numbers(exercise.values))
@@ -125,6 +126,7 @@ class RatesQuestion(MotionQuestion):
             )
         if len(kept) > LARGEST:
             raise RobotError(f"rates of {len(kept)} joints are too long in symbols", "numeric: true")
+        is_right = columns == self.columns(case)
         whole = neat_determinant(columns.robot, columns.view, self._part, {}, rows) if is_right else None
         return self._column(columns, solved(rows, asked, whole))
 
@@ -132,9 +134,8 @@ class RatesQuestion(MotionQuestion):
     def _column(columns: Columns, entries: Iterable[Expr]) -> Grid:
         return Grid(tuple((one,) for one in entries), tuple((int(not one.turns),) for one in columns.each))
 
-    def wrong(self, case: Case) -> Iterator[tuple[Slip, Grid]]:
-        columns = columns_for(case, self.motion)
-        kept = self._kept(columns)
+    def besides(self, case: Case, columns: Columns) -> Iterator[tuple[Slip, Grid]]:
+        kept = self._kept(self.columns(case))
         rows, asked = columns.cut(kept), self._asked(kept)
         hint = "does the matrix lead from rates to velocities, or back?"
         transposed = (combined(column, asked) for column in zip(*rows, strict=True))
@@ -145,20 +146,15 @@ class RatesQuestion(MotionQuestion):
         yield Slip("inverse-forgotten", words, hint, Rank.WHOLE), self._column(columns, multiplied)
         if case.exercise.numeric:
             factor = multiply(number(180), power(PI, -1))
-            pairs = zip(columns.each, self.right(case).rows, strict=True)
+            pairs = zip(columns.each, self.of_columns(case, columns).rows, strict=True)
             degrees = (multiply(factor, row[0]) if one.turns else row[0] for one, row in pairs)
             slip = Slip(
                 "degrees", "the rates are in degrees a second", "in which unit are angular rates asked for?", Rank.WHOLE
             )
             yield slip, self._column(columns, degrees)
-        for slip, changed in made(columns):
-            try:
-                yield slip, self._solved(case, changed)
-            except (DhcliError, ZeroDivisionError):  # no rates give the velocity then
-                continue
 
     def steps(self, case: Case) -> Iterable[Shown]:
-        columns = columns_for(case, self.motion)
+        columns = self.columns(case)
         yield axes_step(case, columns)
         form = Form(self._part)
         values = case.exercise.values if case.exercise.numeric else None

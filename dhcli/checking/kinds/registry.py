@@ -52,9 +52,10 @@ LATER = {
     "velocity": "velocity.VelocityQuestion",
     "angular": "velocity.VelocityQuestion",
     "joint rates": "rates.RatesQuestion",
+    "frames": "frames.FramesQuestion",
     "differential": "differential.DifferentialQuestion",
 }
-"""Kinds by their first words that are imported when one is asked: those about motion, which need rooms of their own."""
+"""Kinds by their first words that are imported when one is asked, because they need rooms of their own."""
 
 
 def read_question(text: str, scope: Scope, place: Place | None = None) -> Question[Any]:

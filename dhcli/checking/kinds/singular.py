@@ -1,56 +1,37 @@
-"""`singular when`: the factors that make a Jacobian lose rank, in any order and up to constants."""
+"""`singular when`: what makes a Jacobian lose rank, in any order and up to constants."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import ClassVar, Self
+from typing import Any, ClassVar, Self, TypeAlias
 
-from dhcli.algebra.equality import equal
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
+from dhcli.checking.kinds.determinant import DeterminantQuestion
+from dhcli.checking.kinds.linked import needed
 from dhcli.checking.motion.asked import Motion
-from dhcli.checking.motion.task import found_for, read_task, square
+from dhcli.checking.motion.conditions import Condition, Zero, apart, covers, read_conditions
+from dhcli.checking.motion.task import found_for, listed, read_task
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.verdicts import Mark, Verdict
-from dhcli.errors import NotationError, Place
+from dhcli.errors import Place
 from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.singular.result import Singularities
 from dhcli.kinematics.velocity.form import GEOMETRIC, Form
-from dhcli.notation.angle import Angle
-from dhcli.notation.parser import parse
-from dhcli.notation.quantity import DimensionError, to_angle, to_length
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import Expr, Number, Power, Product, Symbol, Trig, add, multiply, negate
+from dhcli.notation.tree import Trig
 from dhcli.notation.trig import cosine, sine
-from dhcli.notation.walk import substitute, symbols, walk
 from dhcli.notation.writer import write, write_angle
 
-_BETWEEN = re.compile(r"[,;\n]|\bor\b|\band\b")
-HALF_TURN, TURN = 180, 360
-LONGEST = 2000
-
-Factors = tuple[Expr, ...]
-"""What is zero at a singular pose, each alone."""
+Conditions: TypeAlias = tuple[Condition, ...]
+"""Each is enough by itself; what stands in one is zero at once."""
 
 
 @dataclass(frozen=True, slots=True)
-class Typed:
-    """Factors as typed.
-
-    Attributes:
-        factors: What is zero, each alone; products taken apart.
-        half: Joints of which one of two angles was given: the factor that vanishes at both.
-    """
-
-    factors: Factors
-    half: Factors = ()
-
-
-@dataclass(frozen=True, slots=True)
-class SingularQuestion(Question[Typed]):
-    """Where a Jacobian loses rank: the factors of its determinant that joints can make zero.
+class SingularQuestion(Question[Conditions]):
+    """Where a Jacobian loses rank: the factors of its determinant that joints can make zero, or the conditions.
 
     Attributes:
         motion: Of which frame and point.
@@ -69,7 +50,10 @@ class SingularQuestion(Question[Typed]):
         return cls(*read_task("singular when", text, scope, place))
 
     def check(self, robot: Robot | None) -> None:
-        square(*self.motion.check(robot), self.form)
+        self._found(robot)
+
+    def _found(self, robot: Robot | None) -> Singularities:
+        return listed(*self.motion.check(robot), self.form)
 
     @property
     def needs_table(self) -> bool:
@@ -80,85 +64,78 @@ class SingularQuestion(Question[Typed]):
         return True
 
     def describe(self, exercise: Exercise) -> str:
-        rows = ", ".join(square(*self.motion.check(exercise.robot), self.form).rows)
-        return f"when the Jacobian {self.motion.where}, rows {rows}, is singular: what is zero, each alone"
+        found = self._found(exercise.robot)
+        rank = "loses rank" if len(found.rows) != len(found.joints) else "is singular"
+        said = "what is zero, each alone" if not _is_joined(found) else "what is zero, alone or at once"
+        return f"when the Jacobian {self.motion.where}, rows {', '.join(found.rows)}, {rank}: {said}"
 
-    def notes(self, _exercise: Exercise) -> Iterable[str]:
-        yield "What is zero, with commas between: s1 = 0, a1 + a2*c2 = 0. Or theta1 = 0 or 180°."
+    def notes(self, exercise: Exercise) -> Iterable[str]:
+        if _is_joined(self._found(exercise.robot)):
+            yield "With `and` between what is zero at once, and commas between the cases: s1 = 0 and c3 = 0, s4 = 0."
+        else:
+            yield "What is zero, with commas between: s1 = 0, a1 + a2*c2 = 0. Or theta1 = 0 or 180°."
 
     def expected(self, case: Case, style: str = "short") -> str:
         return self._text(case, self._right(case), style)
 
-    def _text(self, case: Case, factors: Factors, style: str = "short") -> str:
-        return ", ".join(f"{write(factor, style, case.exercise.writing)} = 0" for factor in factors) or "never"
+    def _text(self, case: Case, conditions: Iterable[Condition], style: str = "short") -> str:
+        def zero(one: Zero) -> str:
+            if one.at is not None and isinstance(one.expr, Trig):
+                return f"{write_angle(one.expr.angle, style, case.exercise.writing)} = {float(one.at):g}°"
+            return f"{write(one.expr, style, case.exercise.writing)} = 0"
 
-    def _right(self, case: Case) -> Factors:
-        return tuple(factor.zeros[0] for factor in found_for(case, self.motion, self.form).factors)
+        order = self._order(case)
+        said = [" and ".join(map(zero, sorted(one, key=order))) for one in conditions]
+        return (", " if not _is_joined(found_for(case, self.motion, self.form)) else "; ").join(said) or "never"
+
+    def _order(self, case: Case) -> Callable[[Zero], tuple[int, str]]:
+        """Zeros as the right answer has them, then all others."""
+        known = [zero for factor in found_for(case, self.motion, self.form).factors for zero in factor.zeros]
+        return lambda one: (known.index(one.expr) if one.expr in known else len(known), str(one.expr))
+
+    def _right(self, case: Case) -> Conditions:
+        found = found_for(case, self.motion, self.form)
+        return tuple(frozenset(map(Zero, factor.zeros)) for factor in found.factors)
 
     def steps(self, case: Case) -> Iterable[Shown]:
         found, exercise = found_for(case, self.motion, self.form), case.exercise
         if found.determinant is not None:
             yield Shown(f"The determinant is {write(found.determinant, 'short', exercise.writing)}")
+        elif found.factors:
+            most = min(len(found.rows), len(found.joints))
+            yield Shown(f"The rank falls where all determinants of {most} rows and {most} columns are zero at once")
         for factor in found.factors:
             said = factor.text("short", exercise.writing) + (f": {factor.angles}" if factor.angles else "")
             lines = [said + (f"; {factor.words}" if factor.words else "")]
             if factor.lost:
                 lines.append(f"what is lost there: {factor.lost}")
             yield Shown("\n".join(lines))
+        if not found.factors:
+            yield Shown(f"Everywhere {found.rank} of its {len(found.joints)} columns are independent")
 
-    def read(self, case: Case, text: str, place: Place | None = None) -> Typed:
-        if len(text) > LONGEST:
-            raise UnreadableError(f"an answer of more than {LONGEST} characters is not read")
-        if text.strip().lower() in ("never", "nowhere"):
-            return Typed(())
-        found: list[Expr] = []
-        angles, last = _Angles(), ""
-        pieces = [piece.strip() for piece in _BETWEEN.split(text.strip().strip("{}[]")) if piece.strip()]
-        if len(pieces) == 1 and pieces[0].count("=") > 1:
-            raise UnreadableError("write each condition by itself, with a comma between")
-        for piece in pieces:
-            left, sign, right = (part.strip() for part in piece.partition("="))
-            if not sign and last and _is_constant(left):  # theta3 = 0 or 180°
-                left, sign, right = last, "=", left
-            last = left if sign else ""
-            one = self._piece(case, (left, right if sign else "0"), angles, place)
-            found += one
-        return Typed((*found, *angles.whole), tuple(angles.half))
+    def read(self, case: Case, text: str, place: Place | None = None) -> Conditions:
+        joined = _is_joined(found_for(case, self.motion, self.form))
+        return read_conditions(text, case.exercise, place, joined=joined)
 
-    def _piece(self, case: Case, sides: tuple[str, str], angles: _Angles, place: Place | None) -> Sequence[Expr]:
-        exercise, where = case.exercise, place or Place("answer")
-        left, right = (parse(side, exercise.scope, where) for side in sides)
-        named = symbols(left)
-        joints = (
-            frozenset(exercise.robot.angles) & frozenset(exercise.robot.variables) if exercise.robot else frozenset()
-        )
-        if named and named <= joints and not _has_trig(left):
-            try:
-                angles.take(to_angle(left) - to_angle(right, bare="deg"))
-            except DimensionError as error:
-                raise UnreadableError(error.message) from None
-            return ()
-        try:
-            return _apart(add(to_length(left), negate(to_length(right))), exercise)
-        except DimensionError as error:
-            raise UnreadableError(error.message) from None
-
-    def mark(self, case: Case, reading: Reading[Typed]) -> Mark:
-        wanted = self._right(case)
-        named = [factor for factor in wanted if any(_alike(factor, one, case) for one in reading.value.factors)]
-        wrong = [one for one in reading.value.factors if not any(_alike(factor, one, case) for factor in wanted)]
-        half = [one for one in reading.value.half if not any(_alike(one, other, case) for other in named)]
-        text = self._text(case, (*reading.value.factors, *reading.value.half))
+    def mark(self, case: Case, reading: Reading[Conditions]) -> Mark:
+        robot, wanted, given = needed(case.exercise.robot), self._right(case), reading.value
+        named = [one for one in wanted if any(_same(one, other, robot) for other in given)]
+        half = [one for one in given if any(zero.at is not None for zero in one)]
+        half = [one for one in half if not any(covers(other, one, robot) for other in named)]
+        special = [one for one in given if one not in half and any(covers(other, one, robot) for other in wanted)]
+        wrong = [one for one in given if one not in half and one not in special]
         is_right = len(named) == len(wanted) and not wrong and not half
-        remarks = [f"{len(named)} of {len(wanted)} are right"] if not is_right else []
+        remarks = [f"{len(named)} of {len(wanted)} are right"] if not is_right and wanted else []
         if wrong:
-            shown = ", ".join(write(one, "short", case.exercise.writing) for one in wrong)
-            remarks.append(f"the rank does not fall where {shown} is zero")
+            remarks.append(f"the rank need not fall where {self._text(case, wrong)}")
         if half:
             remarks.append("one more angle belongs to each of those given: half a turn on")
+        if not is_right and (less := [one for one in special if not any(_same(one, two, robot) for two in wanted)]):
+            remarks.append(f"{self._text(case, less)} asks for more than is needed")
         earned = max(0, len(named) - len(wrong)) / (len(wanted) or 1)
         verdict = Verdict.RIGHT if is_right else Verdict.WRONG
-        return Mark(verdict, text, (), tuple(remarks), 1.0 if is_right else min(earned, 0.99), self._text(case, wanted))
+        text, right = self._text(case, given), self._text(case, wanted)
+        return Mark(verdict, text, (), tuple(remarks), 1.0 if is_right else min(earned, 0.99), right)
 
     # --- Mistakes -----------------------------------------------------------------------------------------------
 
@@ -166,103 +143,70 @@ class SingularQuestion(Question[Typed]):
         return (slip for slip, _ in self._wrong(case))
 
     def answer_with(self, case: Case, name: str) -> str | None:
-        for slip, typed in self._wrong(case):
-            if slip.name == name:
-                angles = [
-                    f"{write_angle(one.angle, 'short', case.exercise.writing)} = 0"
-                    for one in typed.half
-                    if isinstance(one, Trig)
-                ]
-                return ", ".join(filter(None, (self._text(case, typed.factors) if typed.factors else "", *angles)))
-        return None
+        return next((self._text(case, given) for slip, given in self._wrong(case) if slip.name == name), None)
 
-    def causes(self, case: Case, reading: Reading[Typed]) -> Causes:
-        return tuple((slip,) for slip, typed in self._wrong(case) if self._same(case, typed, reading.value))
+    def causes(self, case: Case, reading: Reading[Conditions]) -> Causes:
+        robot = needed(case.exercise.robot)
+        return tuple((slip,) for slip, given in self._wrong(case) if _all_same(given, reading.value, robot))
 
-    def _same(self, case: Case, one: Typed, other: Typed) -> bool:
-        return all(
-            len(a) == len(b) and all(any(_alike(x, y, case) for y in b) for x in a)
-            for a, b in ((one.factors, other.factors), (one.half, other.half))
-        )
-
-    def _wrong(self, case: Case) -> Iterator[tuple[Slip, Typed]]:
-        right, writing = self._right(case), case.exercise.writing
-        for k, factor in enumerate(right):
-            text = write(factor, "short", writing)
-            others = (*right[:k], *right[k + 1 :])
+    def _wrong(self, case: Case) -> Iterator[tuple[Slip, Conditions]]:
+        right = self._right(case)
+        for k, condition in enumerate(right):
+            text, others = self._text(case, [condition]), (*right[:k], *right[k + 1 :])
+            name = text.replace(" = 0", "")
             if others:
-                slip = Slip(
-                    f"factor-forgotten {text}", f"{text} = 0 is missing", "go through the factors of the determinant"
-                )
-                yield slip, Typed(others)
-            if isinstance(factor, Trig):
-                words = f"{text} = 0 has two solutions in a turn, half a turn apart"
-                yield Slip(f"half {text}", words, "where else is it zero?"), Typed(others, (factor,))
-                other = cosine(factor.angle) if factor.function == "sin" else sine(factor.angle)
-                slip = Slip(f"sin-cos {text}", f"sine and cosine have changed places in {text}", "draw the arm there")
-                yield slip, Typed((*others, other))
+                hint = "go through the factors of the determinant" if len(condition) == 1 else "go through the cases"
+                yield Slip(f"factor-forgotten {name}", f"{text} is missing", hint), others
+            if len(condition) > 1:
+                words = f"{text} belong together: the rank falls only where all of them are zero"
+                slip = Slip(f"apart {name}", words, "is one of them alone enough?")
+                yield slip, (*others, *(frozenset({zero}) for zero in condition))
+            for zero in sorted(condition, key=self._order(case)):
+                yield from self._in_angle(case, zero, condition - {zero}, others)
+
+    def _in_angle(
+        self, case: Case, zero: Zero, rest: Condition, others: Conditions
+    ) -> Iterator[tuple[Slip, Conditions]]:
+        """One of the two angles at which a sine or cosine is zero, and sine for cosine."""
+        if not isinstance(zero.expr, Trig):
+            return
+        is_sine, text = zero.expr.function == "sin", write(zero.expr, "short", case.exercise.writing)
+        words = f"{text} = 0 has two solutions in a turn, half a turn apart"
+        half = rest | {Zero(zero.expr, Fraction(0 if is_sine else 90))}
+        yield Slip(f"half {text}", words, "where else is it zero?"), (*others, half)
+        other = rest | {Zero(cosine(zero.expr.angle) if is_sine else sine(zero.expr.angle))}
+        words = f"sine and cosine have changed places in {text}"
+        yield Slip(f"sin-cos {text}", words, "draw the arm there"), (*others, other)
+
+    # --- Follow-through -----------------------------------------------------------------------------------------
+
+    def follows(self, case: Case, reading: Reading[Conditions], earlier: Mapping[str, Reading[Any]]) -> tuple[str, ...]:
+        robot = needed(case.exercise.robot)
+        for other in case.exercise.before(case.part):
+            question = other.question
+            if other.id not in earlier or not isinstance(question, DeterminantQuestion):
+                continue
+            if (question.motion.view(robot), question.form) != (self.motion.view(robot), self.form):
+                continue
+            try:
+                factors = apart(earlier[other.id].value[0][0].expr, case.exercise)
+            except UnreadableError:
+                continue
+            if _all_same(tuple(frozenset({Zero(one)}) for one in factors), reading.value, robot):
+                return (other.id,)
+        return ()
 
 
-class _Angles:
-    """Angles that were given one by one; two that are half a turn apart make a factor."""
-
-    def __init__(self) -> None:
-        self._seen: dict[Expr, set[Fraction]] = {}
-
-    def take(self, angle: Angle) -> None:
-        """Take an angle that is to be zero."""
-        if angle.radians:
-            raise UnreadableError("write angles in degrees, or as multiples of pi")
-        bare = Angle(angle.terms)
-        quarter = angle.degrees % HALF_TURN
-        if quarter not in (0, HALF_TURN // 2):
-            raise UnreadableError(
-                f"{write_angle(bare)} = {float(-angle.degrees):g}° cannot be judged; write what is zero"
-            )
-        factor = sine(bare) if quarter == 0 else cosine(bare)
-        self._seen.setdefault(factor, set()).add(angle.degrees % TURN)
-
-    @property
-    def whole(self) -> list[Expr]:
-        """Factors of which both angles were given."""
-        return [factor for factor, seen in self._seen.items() if len(seen) > 1]
-
-    @property
-    def half(self) -> list[Expr]:
-        """The others."""
-        return [factor for factor, seen in self._seen.items() if len(seen) == 1]
+def _is_joined(found: Singularities) -> bool:
+    """Whether something must be zero together with something else."""
+    return any(len(factor.zeros) > 1 for factor in found.factors)
 
 
-def _is_constant(text: str) -> bool:
-    try:
-        return not symbols(parse(text, Scope(is_open=True)))
-    except NotationError:  # what cannot be read is told where it is read
-        return False
+def _same(one: Condition, other: Condition, robot: Robot) -> bool:
+    return covers(one, other, robot) and covers(other, one, robot)
 
 
-def _has_trig(expr: Expr) -> bool:
-    return any(isinstance(node, Trig) for node in walk(expr))
-
-
-def _apart(expr: Expr, exercise: Exercise) -> list[Expr]:
-    """The factors of a product that hold a joint, each once."""
-    variables = frozenset(exercise.robot.variables) if exercise.robot else frozenset[str]()
-    factors = expr.factors if isinstance(expr, Product) else (expr,)
-    bases = [factor.base if isinstance(factor, Power) and factor.exponent > 0 else factor for factor in factors]
-    found = [base for base in bases if symbols(base) & variables]
-    if not found:
-        shown = write(expr, "short", exercise.writing)
-        what = "a number" if isinstance(expr, Number) else "a length that does not change"
-        raise UnreadableError(f"{shown} is {what}: write what the joints make zero")
-    return found
-
-
-def _alike(first: Expr, second: Expr, case: Case) -> bool:
-    """Whether two factors are the same up to a constant: f(q) g(q') = g(q) f(q') for all q and q'."""
-    robot = case.exercise.robot
-    if robot is None:
-        return False
-    slides = {name: Symbol(f"{name}_b") for name in robot.variables if name not in robot.angles}
-    turns = {name: Angle.of(f"{name}_b") for name in robot.variables if name in robot.angles}
-    one, other = (substitute(expr, slides, turns) for expr in (first, second))
-    return equal(multiply(first, other), multiply(second, one))
+def _all_same(first: Sequence[Condition], second: Sequence[Condition], robot: Robot) -> bool:
+    return all(
+        any(_same(one, other, robot) for other in b) for a, b in ((first, second), (second, first)) for one in a
+    ) and bool(first) == bool(second)

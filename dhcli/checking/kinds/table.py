@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import ClassVar, Self
+from typing import TYPE_CHECKING, ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Causes, Exercise, Judged, Matrices, Points, Question, Reading, Shown
+from dhcli.checking.exercise import Case, Causes, Exercise, Judged, Matrices, Overlaid, Points, Question, Reading, Shown
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.tables.typed_rows import TypedRow, read_table
 from dhcli.checking.verdicts import Mark
@@ -18,6 +18,9 @@ from dhcli.kinematics.moves import names
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.validity import Finding
 from dhcli.notation.scope import Scope
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.values import Values
 
 FIRST = 1
 """Index of frame 0, behind the base."""
@@ -39,6 +42,7 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
     examples: ClassVar = ("table standard",)
     keys: ClassVar = ("compare",)
     is_in_table: ClassVar = True
+    is_overlaid: ClassVar = True
     earns_by_row: ClassVar = True
 
     @classmethod
@@ -73,12 +77,13 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
 
     def steps(self, case: Case) -> Iterable[Shown]:
         from dhcli.checking.tables.answer import own_rows
-        from dhcli.checking.tables.steps import MEANINGS, table_lines
+        from dhcli.checking.tables.steps import MEANINGS, process_lines, table_lines
 
         exercise = case.exercise
-        yield Shown("Each row leads from one frame to the next:\n" + "\n".join(MEANINGS[self.convention]))
         for robot in (exercise.robot, exercise.also and exercise.also[0]):
             if robot is not None and exercise.robot is not None and robot.convention is self.convention:
+                yield from process_lines(robot)
+                yield Shown("4  Each row leads from one frame to the next:\n" + "\n".join(MEANINGS[self.convention]))
                 lines = table_lines(own_rows(robot), exercise.robot.columns, robot.first, exercise)
                 yield Shown("Row by row:\n" + "\n".join(lines))
                 return
@@ -172,6 +177,19 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         if not names(chain) <= points.names:
             return None
         return start, end, tuple(fold(chain, over) for over in points.at)
+
+    def overlaid(self, case: Case, reading: Reading[tuple[TypedRow, ...]], values: Values) -> Overlaid:
+        from dhcli.checking.tables.marking import robot_of
+        from dhcli.kinematics.values import numbers
+        from dhcli.scene.traced import paired, traced
+
+        exercise, own = case.exercise, robot_of(case.exercise)
+        also = exercise.also[0] if exercise.also else own
+        robot = also if own.convention is not self.convention and also.convention is self.convention else own
+        rows = [moves_of(row, self.convention) for row in _settled(case, reading)]
+        segments = [(str(own.first + k - 1), moves) for k, moves in enumerate((own.base, *rows))]
+        pairs = paired(robot.frames[1:-1], [name for name, _ in segments], alike=robot.convention is self.convention)
+        return Overlaid(robot, traced("your table", segments, numbers(values), pairs))
 
 
 def _settled(case: Case, reading: Reading[tuple[TypedRow, ...]]) -> tuple[Row, ...]:

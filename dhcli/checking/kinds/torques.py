@@ -11,9 +11,8 @@ from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.exercise import Case, Exercise, Shown
 from dhcli.checking.motion.asked import Motion, read_motion, three
 from dhcli.checking.motion.columns import Columns, columns_in, combined, jacobian_grid
+from dhcli.checking.motion.from_columns import ColumnsQuestion, axes_step
 from dhcli.checking.motion.grid import Grid
-from dhcli.checking.motion.mistakes import made
-from dhcli.checking.motion.question import MotionQuestion, axes_step
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
 from dhcli.kinematics.frames import ORIGIN
@@ -30,7 +29,7 @@ _HEAD = re.compile(r"torques\s+for\s*(?P<force>\(.*?\))(?:\s+moment\s*(?P<moment
 
 
 @dataclass(frozen=True, slots=True)
-class TorquesQuestion(MotionQuestion):
+class TorquesQuestion(ColumnsQuestion):
     """Joint torques for a wrench that the end exerts: tau = Jᵀ F.
 
     Attributes:
@@ -77,27 +76,21 @@ class TorquesQuestion(MotionQuestion):
         )
         return f"the joint {what} with which the end exerts the force {wrench}, {self.motion.where}"
 
-    def _columns(self, case: Case) -> Columns:
+    def columns(self, case: Case) -> Columns:
         robot, view = self.motion.check(case.exercise.robot)
         return columns_in(case, robot, view)
 
-    def computed(self, case: Case) -> Grid:
-        return self._borne(self._columns(case))
-
-    def _borne(self, columns: Columns) -> Grid:
+    def of_columns(self, _case: Case, columns: Columns) -> Grid:
         six = (*self.force, *self.moment)
         return _column([combined((*one.linear, *one.angular), six) for one in columns.each])
 
-    def wrong(self, case: Case) -> Iterator[tuple[Slip, Grid]]:
-        columns = self._columns(case)
-        right = self._borne(columns)
+    def besides(self, case: Case, columns: Columns) -> Iterator[tuple[Slip, Grid]]:
+        right = self.of_columns(case, columns)
         hint = "who presses on whom: the end on the load, or the load on the end?"
         yield (
             Slip("sign", "all signs are turned round", hint, Rank.WHOLE),
             _column([negate(row[0]) for row in right.rows]),
         )
-        for slip, changed in made(columns):
-            yield slip, self._borne(changed)
         six = (*self.force, *self.moment)
         kept = [k for k in columns.moved if k < 3 or self.moment != ORIGIN]  # noqa: PLR2004  the rows of v
         rows = columns.cut(kept)
@@ -114,7 +107,7 @@ class TorquesQuestion(MotionQuestion):
                 return
 
     def steps(self, case: Case) -> Iterable[Shown]:
-        columns = self._columns(case)
+        columns = self.columns(case)
         yield axes_step(case, columns)
         values = case.exercise.values if case.exercise.numeric else None
         yield self.shown(case, "The Jacobian, rows v above ω", jacobian_grid(columns, GEOMETRIC, values))

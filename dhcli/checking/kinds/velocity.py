@@ -12,9 +12,8 @@ from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.exercise import Case, Exercise, Shown
 from dhcli.checking.motion.asked import Motion, read_motion, three
 from dhcli.checking.motion.columns import Columns, columns_in, combined, jacobian_grid
+from dhcli.checking.motion.from_columns import ColumnsQuestion, axes_step
 from dhcli.checking.motion.grid import Grid
-from dhcli.checking.motion.mistakes import made
-from dhcli.checking.motion.question import MotionQuestion, axes_step
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
 from dhcli.kinematics.robot import Robot
@@ -29,7 +28,7 @@ _HEAD = re.compile(r"(?P<angular>angular\s+)?velocity(?:\s+of\s+point\s*(?P<poin
 
 
 @dataclass(frozen=True, slots=True)
-class VelocityQuestion(MotionQuestion):
+class VelocityQuestion(ColumnsQuestion):
     """The velocity of a point of a frame, or the angular velocity of the frame.
 
     Attributes:
@@ -79,7 +78,7 @@ class VelocityQuestion(MotionQuestion):
         at = "" if self.motion.rates is None else f", for the joint rates ({', '.join(map(write, self.motion.rates))})"
         return f"{what} {self.motion.where}: three numbers{at}"
 
-    def _columns(self, case: Case) -> Columns:
+    def columns(self, case: Case) -> Columns:
         robot, view = self.motion.check(case.exercise.robot)
         return columns_in(case, robot, view)
 
@@ -88,19 +87,15 @@ class VelocityQuestion(MotionQuestion):
             return self.motion.rates
         return tuple(Symbol(f"d{one.joint}") for one in columns.each)
 
-    def computed(self, case: Case) -> Grid:
-        columns = self._columns(case)
+    def of_columns(self, _case: Case, columns: Columns) -> Grid:
         return self._moved(columns, self._rates(columns))
 
     def _moved(self, columns: Columns, rates: tuple[Expr, ...]) -> Grid:
         rows = columns.cut((3, 4, 5) if self.angular else (0, 1, 2))
         return Grid(tuple((combined(row, rates),) for row in rows), ((int(not self.angular),),) * 3)
 
-    def wrong(self, case: Case) -> Iterator[tuple[Slip, Grid]]:
-        columns = self._columns(case)
+    def besides(self, case: Case, columns: Columns) -> Iterator[tuple[Slip, Grid]]:
         rates = self._rates(columns)
-        for slip, changed in made(columns):
-            yield slip, self._moved(changed, rates)
         if case.exercise.numeric:
             hint = "in which unit is an angular rate multiplied?"
             half = number(180)
@@ -117,7 +112,7 @@ class VelocityQuestion(MotionQuestion):
         yield Slip("rates-reversed", "the rates stand in the reverse order", hint), self._moved(columns, rates[::-1])
 
     def steps(self, case: Case) -> Iterable[Shown]:
-        columns = self._columns(case)
+        columns = self.columns(case)
         yield axes_step(case, columns)
         form = Form("angular" if self.angular else "linear")
         values = case.exercise.values if case.exercise.numeric else None

@@ -23,6 +23,9 @@ RELATIVE = 1e-3
 
 MOST_DIGITS = 9
 
+CLOSE = 1e-9
+"""What rounding leaves of the difference of equal entries."""
+
 
 @dataclass(frozen=True, slots=True)
 class Grid:
@@ -98,6 +101,23 @@ class Grid:
 def over(rows: Iterable[Iterable[Expr]], arithmetic: Floats) -> Numbers:
     """Entries in floats."""
     return tuple(tuple(arithmetic.value(entry) for entry in row) for row in rows)
+
+
+def alike(first: Sequence[Numbers], second: Sequence[Numbers]) -> bool:
+    """Whether entries are the same at every point, but for rounding."""
+    pairs = [
+        (a, b)
+        for one, other in zip(first, second, strict=True)
+        for row, line in zip(one, other, strict=True)
+        for a, b in zip(row, line, strict=True)
+    ]
+    return all(abs(a - b) <= CLOSE * max(1.0, abs(a), abs(b)) for a, b in pairs)
+
+
+def within(first: Numbers, second: Numbers, limits: Numbers) -> bool:
+    """Whether entries are near enough."""
+    rows = zip(first, second, limits, strict=True)
+    return all(abs(a - b) <= limit for row in rows for a, b, limit in zip(*row, strict=True))
 
 
 def scale_of(exercise: Exercise, power: int) -> float:

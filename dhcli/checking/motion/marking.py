@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from functools import partial
 
 from dhcli.algebra.floats import Floats
@@ -11,26 +12,45 @@ from dhcli.checking.entries import Entries, Entry, entries_text
 from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.motion.grid import Grid, Numbers, scale_of, typed
 from dhcli.checking.motion.reading import as_read
-from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.pasted import UnreadableError, WrongUnitError
 from dhcli.checking.symbolic import about_equal, counterexample, has_decimals, same
 from dhcli.checking.tolerance import is_rounding_of, judge, typed_decimals, without_unit
-from dhcli.checking.verdicts import CellMark, Mark, Verdict, worst
+from dhcli.checking.verdicts import IN_OTHER_UNIT, CellMark, Mark, Verdict, worst
 from dhcli.kinematics.values import numbers
-from dhcli.notation.quantity import LENGTH_UNITS
 from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write
 
 PASSED = (Verdict.RIGHT, Verdict.ROUNDED)
+
+CLEAR = 10
+"""Tolerances above which a length is right in another unit by no chance: near zero many are."""
 
 
 def mark_grid(case: Case, right: Grid, entries: Entries) -> Mark:
     """Judge an answer against the right one.
 
     Raises:
-        UnreadableError: An entry has no finite value, or all lengths are right in another unit.
+        UnreadableError: An entry has no finite value, or all of the answer is right in another unit.
     """
     exercise = case.exercise
-    cells = _in_numbers(case, right, entries) if exercise.numeric else _in_symbols(exercise, right, entries)
+    if not exercise.numeric:
+        return _marked(exercise, entries, _in_symbols(exercise, right, entries))
+    own = mark_numbers(case, exercise, right, entries)
+    mark = _marked(exercise, entries, own)
+    other = None if mark.verdict in PASSED else in_other_unit(case, right, entries, own)
+    if other is None:
+        return mark
+    there = _marked(exercise, entries, other.cells)
+    if there.verdict in PASSED:
+        digits = ", to the digits typed" if there.verdict is Verdict.ROUNDED else ""
+        raise WrongUnitError(other.unit, f"this sheet is in {exercise.unit}", digits)
+    remark = f"{IN_OTHER_UNIT}{other.unit}; this sheet is in {exercise.unit}: the rest is judged in {other.unit}"
+    cells = tuple(replace(cell, expected=one.expected) for cell, one in zip(other.cells, own, strict=True))
+    return replace(mark, verdict=Verdict.WRONG, cells=cells, remarks=(remark, *there.remarks))
+
+
+def _marked(exercise: Exercise, entries: Entries, cells: tuple[CellMark, ...]) -> Mark:
+    """The mark that follows from those of the entries."""
     verdict = worst(cell.verdict for cell in cells)
     remarks: tuple[str, ...] = ()
     if verdict is Verdict.ROUNDED:
@@ -39,10 +59,55 @@ def mark_grid(case: Case, right: Grid, entries: Entries) -> Mark:
             if exercise.numeric
             else "right approximately: decimals stand where an exact value is",
         )
-    width = right.shape[1]
+    width = len(entries[0])
     reading = _in_rows([write(entry.typed, "short", exercise.writing) for row in entries for entry in row], width)
     expected = _in_rows([cell.expected for cell in cells], width)
-    return Mark(verdict, reading, cells, remarks, _earned(cells), expected)
+    return Mark(verdict, reading, cells, remarks, _earned(cells, numeric=exercise.numeric), expected)
+
+
+@dataclass(frozen=True, slots=True)
+class InUnit:
+    """An answer read in another unit than that of the sheet.
+
+    Attributes:
+        unit: The unit.
+        entries: The answer in metres, its bare lengths in that unit.
+        cells: The judgement of each entry.
+    """
+
+    unit: str
+    entries: Entries
+    cells: tuple[CellMark, ...]
+
+
+def in_other_unit(case: Case, right: Grid, entries: Entries, own: Sequence[CellMark]) -> InUnit | None:
+    """A wrong answer whose lengths are plainly in another unit than that of the sheet, read in that one.
+
+    They are where a length that is not near zero is right there and not here, and none is right here alone.
+    """
+    exercise, tolerance = case.exercise, case.tolerance
+    truth, limits = right.numbers(exercise), right.limits(exercise, tolerance.position, tolerance.rotation)
+    for unit in ("mm", "cm", "m") if exercise.unit not in ("none", "") else ():
+        if unit == exercise.unit:
+            continue
+        there = replace(exercise, unit=unit)
+        moved = tuple(
+            tuple(
+                replace(entry, expr=as_read(there, power, entry.typed))
+                for entry, power in zip(row, powers, strict=True)
+            )
+            for row, powers in zip(entries, right.powers, strict=True)
+        )
+        cells = mark_numbers(case, there, right, moved)
+        clear = [
+            (here.verdict in PASSED, other.verdict in PASSED)
+            for here, other in zip(own, cells, strict=True)
+            if right.powers[here.row][here.column]
+            and abs(truth[here.row][here.column]) > CLEAR * limits[here.row][here.column]
+        ]
+        if (False, True) in clear and (True, False) not in clear:
+            return InUnit(unit, moved, cells)
+    return None
 
 
 def values_of(entries: Entries, exercise: Exercise) -> Numbers:
@@ -83,8 +148,9 @@ def _in_symbols(exercise: Exercise, right: Grid, entries: Entries) -> tuple[Cell
     return tuple(cell(entry, r, c) for r, row in enumerate(entries) for c, entry in enumerate(row))
 
 
-def _in_numbers(case: Case, right: Grid, entries: Entries) -> tuple[CellMark, ...]:
-    exercise, tolerance = case.exercise, case.tolerance
+def mark_numbers(case: Case, exercise: Exercise, right: Grid, entries: Entries) -> tuple[CellMark, ...]:
+    """Each entry of an answer in numbers; the exercise says the unit in which it was read."""
+    tolerance = case.tolerance
     found, truth = values_of(entries, exercise), right.numbers(exercise)
     limits = right.limits(exercise, tolerance.position, tolerance.rotation)
 
@@ -100,28 +166,12 @@ def _in_numbers(case: Case, right: Grid, entries: Entries) -> tuple[CellMark, ..
         counted = not right.is_same_for_all(r, c)
         return CellMark(r, c, verdict, entry.text, typed(truth[r][c], scale, limits[r][c]), counted=counted)
 
-    cells = tuple(cell(entry, r, c) for r, row in enumerate(entries) for c, entry in enumerate(row))
-    if any(one.verdict not in PASSED for one in cells):
-        _check_units(exercise, right, (found, truth, limits))
-    return cells
+    return tuple(cell(entry, r, c) for r, row in enumerate(entries) for c, entry in enumerate(row))
 
 
-def _check_units(exercise: Exercise, right: Grid, three: tuple[Numbers, Numbers, Numbers]) -> None:
-    """Refuse an answer whose lengths would all be right in another unit, and whose rest is right."""
-    for other in ("mm", "cm", "m") if exercise.unit != "none" else ():
-        factor = float(LENGTH_UNITS[other] / exercise.metres)
-        rows = zip(right.powers, *three, strict=True)
-        if factor != 1 and all(
-            judge(value * factor**power, truth, limit) is Verdict.RIGHT
-            for row in rows
-            for power, value, truth, limit in zip(*row, strict=True)
-        ):
-            raise UnreadableError(f"right in {other}; this sheet is in {exercise.unit}")
-
-
-def _earned(cells: Sequence[CellMark]) -> float:
-    """Share of the credit: that of the entries which are not the same for everybody."""
+def _earned(cells: Sequence[CellMark], *, numeric: bool) -> float:
+    """Share of the credit: that of the entries which are not the same for everybody; others only cost something."""
     counted = [cell for cell in cells if cell.counted] or list(cells)
     right = sum(cell.verdict in PASSED for cell in counted)
     spoiled = sum(not cell.counted and cell.verdict not in PASSED for cell in cells)
-    return max(0, right - spoiled) / len(counted)
+    return right / (len(counted) + spoiled) if numeric else max(0, right - spoiled) / len(counted)

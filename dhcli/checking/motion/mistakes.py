@@ -8,23 +8,31 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from enum import IntEnum
 from typing import TypeAlias
 
 from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.motion.columns import NOTHING, Column, Columns, Vector, axis_z, cross, minus, position
+from dhcli.checking.motion.differentiated import differentiated
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.frames import ORIGIN, between
-from dhcli.kinematics.moves import Trans
 from dhcli.notation.derivative import derivative
-from dhcli.notation.tree import Expr, Symbol, Trig, add, multiply, negate, number
+from dhcli.notation.tree import Expr, Trig, negate, number
 from dhcli.notation.trig import cosine, sine
-from dhcli.notation.walk import rebuild, walk
+from dhcli.notation.walk import rebuild
 
 Made: TypeAlias = Iterator[tuple[str, Columns]]
 Maker: TypeAlias = Callable[[Columns], Made]
 
-HELD = "held still"
-"""A name that no answer has, for a cosine that is not differentiated."""
+
+class Stage(IntEnum):
+    """The stages of the work, of which a later one keeps what went wrong in an earlier one."""
+
+    FRAMES = 0
+    COLUMNS = 1
+    SIGNS = 2
+    WRITING = 3
+    ORDER = 4
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,6 +44,7 @@ class ColumnMistake:
         words: What has happened, `{where}` for the joint or frame.
         hint: Where to look, without the answer.
         made: Every way to make it, each with its place.
+        stage: When it is made: in choosing frames and points, in the columns, or in writing them down.
         rank: How soon it is named.
     """
 
@@ -43,6 +52,7 @@ class ColumnMistake:
     words: str
     hint: str
     made: Maker
+    stage: Stage
     rank: Rank = Rank.PLACE
 
 
@@ -50,11 +60,13 @@ IN_COLUMNS: list[ColumnMistake] = []
 """In the order in which they are tried and named."""
 
 
-def _mistake(name: str, words: str, hint: str, rank: Rank = Rank.WHOLE) -> Callable[[Maker], Maker]:
+def _mistake(
+    name: str, words: str, hint: str, rank: Rank = Rank.WHOLE, *, stage: Stage = Stage.COLUMNS
+) -> Callable[[Maker], Maker]:
     """The record of a mistake, beside what makes it."""
 
     def taken(made: Maker) -> Maker:
-        IN_COLUMNS.append(ColumnMistake(name, words, hint, made, rank))
+        IN_COLUMNS.append(ColumnMistake(name, words, hint, made, stage, rank))
         return made
 
     return taken
@@ -76,6 +88,23 @@ def made(columns: Columns, kind: str = "") -> Iterator[tuple[Slip, Columns]]:
                 yield slip, changed
 
 
+def then(columns: Columns, first: Slip) -> Iterator[tuple[Slip, Columns]]:
+    """Every mistake that is made after another one, or of the same kind behind it.
+
+    Args:
+        columns: What the first has led to.
+        first: The first.
+    """
+    place = {mistake.id: mistake for mistake in IN_COLUMNS}
+    before = place[first.name.partition(" ")[0]]
+    for mistake in IN_COLUMNS:
+        is_again = mistake is before and mistake.rank is Rank.PLACE
+        if mistake.stage > before.stage or is_again or (mistake, before) == (place["reference"], place["in-frame"]):
+            for slip, changed in made(columns, mistake.id):
+                if not is_again or slip.name > first.name:
+                    yield slip, changed
+
+
 def _each(columns: Columns, change: Callable[[Column], Column]) -> Columns:
     return replace(columns, each=tuple(map(change, columns.each)))
 
@@ -89,6 +118,7 @@ def _turned(columns: Columns, arm: Callable[[Column], Vector]) -> Columns:
     "in-frame",
     "the vectors are written along the axes of frame {where}",
     "along the axes of which frame are the vectors asked for?",
+    stage=Stage.FRAMES,
 )
 def in_frame(columns: Columns) -> Made:
     """All vectors in another frame, such as the end frame for the base frame."""
@@ -144,7 +174,13 @@ def axis_shifted(columns: Columns) -> Made:
     yield "", _each(columns, shifted)
 
 
-@_mistake("joint-left-out", "joint {where} is left out: its column is 0", "does every joint have a column?", Rank.PLACE)
+@_mistake(
+    "joint-left-out",
+    "joint {where} is left out: its column is 0",
+    "does every joint have a column?",
+    Rank.PLACE,
+    stage=Stage.WRITING,
+)
 def joint_left_out(columns: Columns) -> Made:
     """A column of zeros, such as where z_0 is forgotten."""
     for k, one in enumerate(columns.each):
@@ -153,7 +189,10 @@ def joint_left_out(columns: Columns) -> Made:
 
 
 @_mistake(
-    "cross-reversed", "the cross product is taken the wrong way round", "which vector comes first in z x (p - o)?"
+    "cross-reversed",
+    "the cross product is taken the wrong way round",
+    "which vector comes first in z x (p - o)?",
+    stage=Stage.SIGNS,
 )
 def cross_reversed(columns: Columns) -> Made:
     """(p - o) x z."""
@@ -178,7 +217,7 @@ def own_angle_only(columns: Columns) -> Made:
         joints = [joint for joint in order if joint in trig.angle.names]
         return derivative(trig, name) if joints and joints[-1] == name else number(0)
 
-    yield from _by_derivatives(columns, slope)
+    yield from differentiated(columns, slope)
 
 
 @_mistake("cosine-sign", "the derivative of a cosine has the wrong sign", "what is the derivative of a cosine?")
@@ -189,7 +228,7 @@ def cosine_sign(columns: Columns) -> Made:
         found = derivative(trig, name)
         return negate(found) if trig.function == "cos" else found
 
-    yield from _by_derivatives(columns, slope)
+    yield from differentiated(columns, slope)
 
 
 @_mistake(
@@ -218,6 +257,7 @@ def sums_from_base(columns: Columns) -> Made:
     "reference",
     "the velocity is that of the origin of frame {where}",
     "whose velocity is asked for: which point moves?",
+    stage=Stage.FRAMES,
 )
 def reference(columns: Columns) -> Made:
     """Another reference point, such as the origin one frame short of the end."""
@@ -233,13 +273,17 @@ def _about(columns: Columns, point: Vector) -> Columns:
     return replace(_turned(columns, lambda one: minus(point, one.origin)), point=point)
 
 
-@_mistake("angular-dropped", "the angular velocities are 0", "how does each joint turn the end frame?")
+@_mistake(
+    "angular-dropped", "the angular velocities are 0", "how does each joint turn the end frame?", stage=Stage.WRITING
+)
 def angular_dropped(columns: Columns) -> Made:
     """Zeros in the place of ω."""
     yield "", _each(columns, lambda one: replace(one, angular=NOTHING))
 
 
-@_mistake("columns-reversed", "the columns stand in the reverse order", "which joint has the first column?")
+@_mistake(
+    "columns-reversed", "the columns stand in the reverse order", "which joint has the first column?", stage=Stage.ORDER
+)
 def columns_reversed(columns: Columns) -> Made:
     """The last joint first."""
     values = [(one.linear, one.angular) for one in reversed(columns.each)]
@@ -247,7 +291,13 @@ def columns_reversed(columns: Columns) -> Made:
     yield "", replace(columns, each=tuple(replace(one, linear=v, angular=w) for one, (v, w) in pairs))
 
 
-@_mistake("sin-cos", "sines and cosines have changed places", "from which axis are the angles measured?", Rank.SYMPTOM)
+@_mistake(
+    "sin-cos",
+    "sines and cosines have changed places",
+    "from which axis are the angles measured?",
+    Rank.SYMPTOM,
+    stage=Stage.WRITING,
+)
 def sine_cosine(columns: Columns) -> Made:
     """Sine for cosine and back, everywhere."""
 
@@ -261,31 +311,3 @@ def sine_cosine(columns: Columns) -> Made:
         return x, y, z
 
     yield "", _each(columns, lambda one: replace(one, linear=changed(one.linear), angular=changed(one.angular)))
-
-
-def _by_derivatives(columns: Columns, slope: Callable[[Trig, str], Expr]) -> Made:
-    """The position differentiated by each joint, with another rule for cosines and sines."""
-    view, robot = columns.view, columns.robot
-    if view.axes != view.start or view.place != view.end:
-        return
-    chain = between(robot, view.start, view.end)
-    place = position(chain if view.point == ORIGIN else (*chain, Trans(*view.point)))
-
-    def differentiated(one: Column) -> Column:
-        x, y, z = (_by(entry, one.joint, slope) for entry in place)
-        return replace(one, linear=(x, y, z))
-
-    yield "", _each(columns, differentiated)
-
-
-def _by(expr: Expr, name: str, slope: Callable[[Trig, str], Expr]) -> Expr:
-    """A derivative by the chain rule: by each cosine and sine, and by the name itself."""
-    shares = []
-    trigs = list(dict.fromkeys(node for node in walk(expr) if isinstance(node, Trig)))
-    for trig in trigs:
-        outer = derivative(rebuild(expr, lambda node, t=trig: Symbol(HELD) if node == t else node), HELD)  # type: ignore[misc]
-        back = rebuild(outer, lambda node, t=trig: t if node == Symbol(HELD) else node)  # type: ignore[misc]
-        shares.append(multiply(back, slope(trig, name)))
-    if not any(name in trig.angle.names for trig in trigs):
-        shares.append(derivative(expr, name))
-    return add(*shares)

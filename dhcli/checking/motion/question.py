@@ -3,34 +3,30 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
 from itertools import islice
 
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.points import general
-from dhcli.checking.diagnosis.result import Slip
+from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.entries import Entries, entries_text
 from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
-from dhcli.checking.motion.columns import Columns
-from dhcli.checking.motion.grid import Grid, Numbers, over, scale_of
-from dhcli.checking.motion.marking import mark_grid, values_of
+from dhcli.checking.motion.grid import Grid, Numbers, alike, over, scale_of, within
+from dhcli.checking.motion.in_entries import signs, term_causes
+from dhcli.checking.motion.marking import in_other_unit, mark_grid, mark_numbers, values_of
 from dhcli.checking.motion.reading import read_cells
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.symbolic import same
 from dhcli.checking.verdicts import Mark
 from dhcli.errors import DhcliError, Place, RobotError
-from dhcli.kinematics.pose import rounded
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import numbers
 from dhcli.notation.names import natural_key
-from dhcli.notation.tree import Expr
-from dhcli.notation.walk import symbols
-from dhcli.notation.writer import write
 
 SEED = 31
 POINTS = 2
-CLOSE = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,9 +100,10 @@ class MotionQuestion(Question[Entries]):
 
     def expected(self, case: Case, style: str = "short") -> str:
         """The entries as a matrix; a column in a row."""
-        return self._text(case, self._valued(case), style)
+        return self.text(case, self._valued(case), style)
 
-    def _text(self, case: Case, grid: Grid, style: str = "short") -> str:
+    def text(self, case: Case, grid: Grid, style: str = "short") -> str:
+        """A grid as an answer that may be typed."""
         tolerance, (rows, width) = case.tolerance, grid.shape
         cells = grid.text(case.exercise, tolerance.position, tolerance.rotation, style)
         if width == 1 and rows > 1:
@@ -138,10 +135,10 @@ class MotionQuestion(Question[Entries]):
 
     def answer_with(self, case: Case, name: str) -> str | None:
         """The answer of a mistake, of those too that another one names."""
-        right = self._at_points(case.exercise, self._valued(case))
-        for slip, grid in self.wrong(case):
-            if slip.name == name and not _alike(self._at_points(case.exercise, grid), right):
-                return self._text(case, grid)
+        right = self.at_points(case.exercise, self._valued(case))
+        for slip, grid in self._every(case, self.right(case)):
+            if slip.name == name and not alike(self.at_points(case.exercise, grid), right):
+                return self.text(case, grid)
         return None
 
     def hidden(self, case: Case) -> Iterable[Slip]:
@@ -152,8 +149,31 @@ class MotionQuestion(Question[Entries]):
         """Mistakes that give just this answer, the plainest first; zeros in numbers have too many reasons."""
         if case.exercise.numeric and not any(any(row) for row in values_of(reading.value, case.exercise)):
             return ()
-        found = [one for one in self._wrong(case) if self._gives(case, one, reading.value)]
-        return tuple((one.slip,) for one in sorted(found, key=lambda one: one.slip.rank))
+        entries = self._in_unit(case, reading.value)
+        found = [one for one in self._wrong(case) if self._made_by(case, one, entries)]
+        plain = [one for one in found if one.slip.rank < Rank.SYMPTOM] or found
+        if plain:
+            return tuple((one.slip,) for one in sorted(plain, key=lambda one: one.slip.rank))
+        right, exercise = self.right(case), case.exercise
+        at = partial(self.at_points, exercise)
+        in_terms = term_causes(exercise, right, self.given(right, entries), at, self.place)
+        return in_terms.one or self.paired_causes(case, entries) or in_terms.more
+
+    def place(self, row: int, column: int) -> str:
+        """Row and column of an entry as they are told."""
+        return f"{row + 1},{column + 1}"
+
+    def paired_causes(self, _case: Case, _entries: Entries) -> Causes:
+        """Two mistakes that give just this answer together."""
+        return ()
+
+    def _in_unit(self, case: Case, entries: Entries) -> Entries:
+        """An answer in metres, its bare lengths in the unit in which they plainly are."""
+        if not case.exercise.numeric:
+            return entries
+        right = self._valued(case)
+        other = in_other_unit(case, right, entries, mark_numbers(case, case.exercise, right, entries))
+        return other.entries if other else entries
 
     def _wrong(self, case: Case) -> tuple[Wrong, ...]:
         """The mistakes that change the answer at general values; of those that are the same the first."""
@@ -161,19 +181,24 @@ class MotionQuestion(Question[Entries]):
 
     def _made(self, case: Case) -> Iterator[Wrong]:
         exercise, right = case.exercise, self._valued(case)
-        known = [self._at_points(exercise, right)]
-        for slip, grid in self.wrong(case):
+        known = [self.at_points(exercise, right)]
+        for slip, grid in self._every(case, right):
             try:
                 seen = grid.numbers(exercise) if exercise.numeric else ()
                 limits = self._limits(case, grid) if exercise.numeric else ()
-                points = self._at_points(exercise, grid)
+                points = self.at_points(exercise, grid)
             except (DhcliError, KeyError, ZeroDivisionError, OverflowError):
                 continue
-            if not any(_alike(points, other) for other in known):
+            if not any(alike(points, other) for other in known):
                 known.append(points)
                 yield Wrong(slip, grid, seen, limits, points)
 
-    def _at_points(self, exercise: Exercise, grid: Grid) -> tuple[Numbers, ...]:
+    def _every(self, case: Case, right: Grid) -> Iterator[tuple[Slip, Grid]]:
+        """Mistakes in the work, then those in one entry."""
+        yield from self.wrong(case)
+        yield from signs(right, self.place)
+
+    def at_points(self, exercise: Exercise, grid: Grid) -> tuple[Numbers, ...]:
         """Entries at general points; at the values given, in symbols."""
         named = grid.names | frozenset(exercise.scope.names) | frozenset(exercise.names)
         known = {} if exercise.numeric else numbers(exercise.values)
@@ -183,10 +208,11 @@ class MotionQuestion(Question[Entries]):
         """Whether a mistake cannot be seen at the values given."""
         if not case.exercise.numeric:
             return False
-        right, limits = case.memo.of(("motion numbers", self), lambda: self._right_numbers(case))
-        return _within(one.seen, right, limits)
+        right, limits = case.memo.of(("motion numbers", self), lambda: self.right_numbers(case))
+        return within(one.seen, right, limits)
 
-    def _right_numbers(self, case: Case) -> tuple[Numbers, Numbers]:
+    def right_numbers(self, case: Case) -> tuple[Numbers, Numbers]:
+        """The right entries at the values given, and how far from them an answer may be."""
         right = self.right(case)
         return right.numbers(case.exercise), self._limits(case, right)
 
@@ -195,20 +221,36 @@ class MotionQuestion(Question[Entries]):
         tolerance = case.tolerance
         return grid.limits(case.exercise, tolerance.position, tolerance.rotation)
 
-    def _gives(self, case: Case, one: Wrong, entries: Entries) -> bool:
+    def _made_by(self, case: Case, one: Wrong, entries: Entries) -> bool:
         """Whether an answer is that of a mistake: near it in numbers, proved equal in symbols."""
-        exercise = case.exercise
-        if exercise.numeric:
-            typed = values_of(entries, exercise)
-            return _within(typed, one.seen, one.limits) and not self._is_right(case, one)
-        given = Grid(tuple(tuple(entry.expr for entry in row) for row in entries), one.grid.powers)
+        if case.exercise.numeric:
+            typed = values_of(entries, case.exercise)
+            return within(typed, one.seen, one.limits) and not self._is_right(case, one)
+        return self._equals(case, one.grid, one.general, entries)
+
+    def gives(self, case: Case, grid: Grid, entries: Entries) -> bool:
+        """Whether an answer is that of a grid."""
+        if case.exercise.numeric:
+            typed = values_of(entries, case.exercise)
+            return within(typed, grid.numbers(case.exercise), self._limits(case, grid))
+        return self._equals(case, grid, self.at_points(case.exercise, grid), entries)
+
+    def _equals(self, case: Case, grid: Grid, points: Sequence[Numbers], entries: Entries) -> bool:
+        """Whether expressions are proved equal; those that differ at a point need no proof."""
+        given = self.given(grid, entries)
         try:
-            if not _alike(self._at_points(exercise, given), one.general):
+            if not alike(self.at_points(case.exercise, given), points):
                 return False
         except (KeyError, UnreadableError):
             return False
-        pairs = zip(given.rows, one.grid.rows, strict=True)
-        return all(same(a, b, exercise.values) for row, other in pairs for a, b in zip(row, other, strict=True))
+        pairs = zip(given.rows, grid.rows, strict=True)
+        values = case.exercise.values
+        return all(same(a, b, values) for row, other in pairs for a, b in zip(row, other, strict=True))
+
+    @staticmethod
+    def given(like: Grid, entries: Entries) -> Grid:
+        """An answer as a grid that measures the same."""
+        return replace(like, rows=tuple(tuple(entry.expr for entry in row) for row in entries))
 
     # --- Solutions ----------------------------------------------------------------------------------------------
 
@@ -237,37 +279,3 @@ class OneNumberQuestion(MotionQuestion):
     def in_rows(self) -> bool:
         """There is but one."""
         return False
-
-
-def axes_step(case: Case, columns: Columns) -> Shown:
-    """Axis and origin of each joint, and the point, in words."""
-    exercise = case.exercise
-
-    def vector(entries: Iterable[Expr], power: int) -> str:
-        entries = tuple(entries)
-        if exercise.numeric and not frozenset().union(*map(symbols, entries)) - exercise.values.keys():
-            arithmetic = Floats(numbers(exercise.values))
-            return ", ".join(rounded(arithmetic.value(one) / scale_of(exercise, power)) for one in entries)
-        return ", ".join(write(one, "short", exercise.writing) for one in entries)
-
-    lines = [f"Vectors along the axes of frame {columns.view.axes}; p = ({vector(columns.point, 1)})"]
-    for one in columns.each:
-        what = f"{one.joint} {'turns about' if one.turns else 'slides along'} ({vector(one.axis, 0)})"
-        lines.append(what + (f" through ({vector(one.origin, 1)})" if one.turns else ""))
-    lines.append("A joint that turns moves the point by axis x (p - o), one that slides along its axis")
-    return Shown("\n".join(lines))
-
-
-def _alike(first: tuple[Numbers, ...], second: tuple[Numbers, ...]) -> bool:
-    pairs = [
-        (a, b)
-        for one, other in zip(first, second, strict=True)
-        for row, line in zip(one, other, strict=True)
-        for a, b in zip(row, line, strict=True)
-    ]
-    return all(abs(a - b) <= CLOSE * max(1.0, abs(a), abs(b)) for a, b in pairs)
-
-
-def _within(first: Numbers, second: Numbers, limits: Numbers) -> bool:
-    rows = zip(first, second, limits, strict=True)
-    return all(abs(a - b) <= limit for row in rows for a, b, limit in zip(*row, strict=True))

@@ -78,6 +78,21 @@ def square(robot: Robot, view: MotionView, form: Form) -> Singularities:
     return found
 
 
+def listed(robot: Robot, view: MotionView, form: Form) -> Singularities:
+    """What was found for a Jacobian whose singular poses can be listed, square or not.
+
+    Raises:
+        RobotError: It is singular everywhere, or nobody would read the list.
+    """
+    found = find(robot, view, None if form == GEOMETRIC else form.part, {})
+    if found.finding == "everywhere":
+        raise RobotError("this Jacobian is singular everywhere", "ask for its rank, or for another part or point")
+    if found.finding == "unreadable":
+        message = f"where this Jacobian of {len(found.joints)} joints is singular is more than anybody would read"
+        raise RobotError(message, "ask for its rank at joint values")
+    return found
+
+
 def values_in(case: Case, columns: Columns, kept: Sequence[int]) -> Numbers:
     """Rows of a Jacobian in floats at the values given; at values that have nothing special about them in symbols."""
     from dhcli.algebra.points import general

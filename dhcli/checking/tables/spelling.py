@@ -6,9 +6,9 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from dhcli.kinematics.conventions import COLUMNS
+from dhcli.kinematics.conventions import COLUMNS, column_of
 from dhcli.notation.cells import matching
-from dhcli.notation.names import canonical, parts
+from dhcli.notation.names import canonical
 from dhcli.notation.quantity import LENGTH_UNITS, UNITS, Bare
 from dhcli.notation.scope import Scope
 from dhcli.notation.tokens import Token
@@ -16,8 +16,6 @@ from dhcli.notation.tree import Symbol
 
 ANGLES = ("alpha", "theta")
 
-_LETTERS = {"a": "a", "r": "a", "alpha": "alpha", "d": "d", "s": "d", "theta": "theta"}
-_SUBSCRIPTS = frozenset(("", "i", "i-1", "j", "j-1", "n", "n-1"))
 _FILLING = frozenset(("i", "j", "n", "link", "joint", "no", "nr", "row", "type", "1", *",&|-/_[](){}")) | UNITS
 _NUMBERING = frozenset(("link", "joint", "row"))
 _KINDS = frozenset(("revolute", "prismatic", "fixed"))
@@ -174,9 +172,7 @@ def _without_numbering(tokens: list[Token]) -> list[Token]:
 
 def _column(word: str) -> str:
     """The column that a head such as `α_{i-1}` names, or nothing."""
-    stem, subscript = parts(canonical(word))
-    known = _LETTERS.get(stem, "")
-    return known if subscript in _SUBSCRIPTS else ""
+    return column_of(word)[0]
 
 
 def _closing(tokens: Sequence[Token], start: int) -> int:

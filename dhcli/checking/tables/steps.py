@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from dhcli.checking.exercise import Exercise
+from dhcli.checking.exercise import Exercise, Shown
 from dhcli.checking.tables.cells import spelled
+from dhcli.errors import RobotError
 from dhcli.kinematics.conventions import Convention, Row
+from dhcli.kinematics.robot import Robot
 
 MEANINGS = {
     Convention.STANDARD: (
@@ -23,6 +25,23 @@ MEANINGS = {
     ),
 }
 """What the four parameters of a row measure, in the order of `COLUMNS`."""
+
+
+def process_lines(robot: Robot) -> Iterator[Shown]:
+    """The first three steps of the process, in words: the z axes, frame 0, and each x axis with its four cells.
+
+    They are told with all joints at 0, and every free choice as the table makes it. Nothing is told of a table with a
+    row without a joint, nor where a twist is a letter.
+    """
+    from dhcli.kinematics.describe.retold import retold
+    from dhcli.kinematics.describe.words import Speaker, written
+
+    try:
+        walked = retold(robot)
+    except RobotError:
+        return
+    steps = Speaker(walked, robot.convention, robot.first, robot.writing).drawn()
+    yield from map(Shown, written(steps))
 
 
 def table_lines(rows: Sequence[Row], columns: Sequence[str], first: int, exercise: Exercise) -> Iterator[str]:

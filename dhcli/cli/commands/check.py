@@ -36,6 +36,8 @@ dhcli check puma560 --pose ready --as rpy --answer "0, 0, 180°"
 dhcli check planar-2r --ik --position 0.5,0.3,0 --answer "2.477°, 67.98°"
 
 dhcli check puma560 --table my-table.yaml
+
+dhcli check puma560 --frames my-frames.yaml
 """
 _QUESTION = "A question about a robot"
 _TOLERANCE = "How near is near enough"
@@ -50,7 +52,19 @@ def check(
     symbolic: Annotated[bool, typer.Option("--symbolic", "-s", help="In symbols.", rich_help_panel=_QUESTION)] = False,
     table: Annotated[
         str | None,
-        typer.Option(metavar="FILE", help="A DH table: a robot file in either convention.", rich_help_panel=_QUESTION),
+        typer.Option(
+            metavar="FILE",
+            help="A DH table: a robot file in either convention, or rows alone.",
+            rich_help_panel=_QUESTION,
+        ),
+    ] = None,
+    frames: Annotated[
+        str | None,
+        typer.Option(
+            metavar="FILE",
+            help="Frames on the robot's axes, judged by the rules DH1 to DH3; or a robot file whose table they have.",
+            rich_help_panel=_QUESTION,
+        ),
     ] = None,
     compare: Annotated[
         str | None,
@@ -106,47 +120,66 @@ def check(
         typer.Option(min=1, max=12, metavar="N", help="Decimals the task asks for.", rich_help_panel=_TOLERANCE),
     ] = None,
     why: Annotated[bool, typer.Option("--why", help="Name the slip behind a wrong answer.")] = False,
+    draw: Annotated[
+        str | None,
+        typer.Option(
+            metavar="FILE",
+            help="Draw the answer over the right arm, and mark the first frame that differs: .svg .pdf .png .tex .txt.",
+            rich_help_panel="Output",
+        ),
+    ] = None,
     format_: Format = None,
     output: Output = None,
     force: Force = False,
 ) -> ExitStatus:
-    """Check an answer sheet, one answer, or a DH table."""
+    """Check an answer sheet, one answer, a DH table, or frames."""
     from dhcli.checking.judge import Judge
     from dhcli.checking.variants import variant_of
     from dhcli.cli.shell.delivery import Delivery
+    from dhcli.cli.shell.overlaid import check_overlaid, check_picture, draw_over
     from dhcli.cli.shell.quiz import RobotOptions, exercise_of, exit_code, remember, with_tolerance
     from dhcli.errors import DhcliError
     from dhcli.files.yaml.sheets import judged_sheet, read_sheet
     from dhcli.kinematics.values import warnings
 
-    delivery = Delivery("check", format_, output=output, force=force)
+    delivery = Delivery("check", format_, output=output, force=force and not (draw and output is None))
     delivery.chosen("marks")
+    if draw is not None:
+        check_picture(draw, force=force)
     goal = _goal(target, position) if ik else None
     if not ik and (target, position, branch) != (None, None, None):
         raise DhcliError("--target, --position and --branch belong to --ik", "add --ik")
     if ik and target == answer == "-":
         raise DhcliError("the pose and the answer cannot both come from standard input", "save one in a file")
     which = (branch or "") if ik else ""
-    asked = RobotOptions(chosen, symbolic, table, as_, entry, compare, goal, which)
+    asked = RobotOptions(chosen, symbolic, table, frames, as_, entry, compare, goal, which)
     answer = None if answer is None else _text(answer)
     exercise, typed = exercise_of(asked, answer or "")
     warned = tuple(warnings(exercise.robot, exercise.given)) if asked.given and exercise.robot else ()
     exercise = with_tolerance(exercise, tol_rotation, tol_position, decimals)
-    if sum(source is not None for source in (sheet, answer, table)) > 1:
-        raise DhcliError("a sheet, --answer and --table are three ways to give an answer", "use one of them")
-    if sheet is None and answer is None and table is None:
+    if sum(source is not None for source in (sheet, answer, table, frames)) > 1:
+        raise DhcliError("a sheet, --answer, --table and --frames are ways to give an answer", "use one of them")
+    if draw is not None:
+        check_overlaid(exercise, part)
+    if sheet is None and answer is None and table is None and frames is None:
+        if draw is not None:
+            raise DhcliError("--draw draws an answer that was given", "name a sheet, --answer or --table")
         delivery.warn(warned)
         return _walk(variant_of(Judge(exercise), variant), part, why=why)
     if sheet is not None:
         read = read_sheet(sheet)
         exercise.accepts(read.exercise, sheet)
         marked = judged_sheet(Judge(exercise), read, sheet, variant, part)
+        answers = {name: one.text for name, one in read.answers.items()}
     else:
         judge = variant_of(Judge(exercise), variant)
         only = _meant(exercise, part)
-        marked = judge.sheet({only: typed if answer is None else answer}, only=only)
+        answers = {only: typed if answer is None else answer}
+        marked = judge.sheet(answers, only=only)
     remember(marked)
     delivery.hand_over("marks", replace(marked, why=why), warned)
+    if draw is not None:
+        draw_over(marked, answers, draw, force=force)
     return exit_code(marked.verdict)
 
 
@@ -162,7 +195,7 @@ def _walk(judge: Judge, part: str | None, *, why: bool) -> ExitStatus:
     from dhcli.errors import DhcliError
 
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
-        hint = f"dhcli start {judge.exercise.id} writes one; or give --part PART --answer TEXT"
+        hint = f"dhcli start {judge.exercise.typed} writes one; or give --part PART --answer TEXT"
         if "/" not in judge.exercise.id:
             hint = "give it with --answer TEXT; - reads it from standard input"
         raise DhcliError("there is no answer to check: name a sheet", hint)

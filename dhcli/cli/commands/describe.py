@@ -17,6 +17,8 @@ dhcli describe puma560 --as standard
 
 dhcli describe zhou-3r --as modified --steps
 
+dhcli describe ur5e --as standard --choose previous-x
+
 dhcli describe panda --as screws
 
 dhcli describe scara --as axes -o drawn.yaml
@@ -39,8 +41,15 @@ def complete_form(incomplete: str) -> list[str]:
     return [form for form in (*FORMS, "urdf") if form.startswith(incomplete)]
 
 
+def complete_choice(incomplete: str) -> list[str]:
+    """The choices that begin like this."""
+    from dhcli.kinematics.describe.choices import WORDS
+
+    return [word for word in WORDS if word.startswith(incomplete)]
+
+
 def describe(
-    chosen: Annotated[Chosen, But(without=("q", "deg", "from_", "to"))],
+    chosen: Annotated[Chosen, But(without=("q", "deg", "motors", "from_", "to"))],
     as_: Annotated[
         str | None,
         typer.Option(
@@ -53,6 +62,14 @@ def describe(
     steps: Annotated[
         bool, typer.Option("--steps", help="Tell the process of Denavit and Hartenberg, step by step.")
     ] = False,
+    choose: Annotated[
+        str | None,
+        typer.Option(
+            metavar="WHAT",
+            help="Where the rules leave a choice: next-d (parallel axes: the next d is 0), previous-x (a may be < 0).",
+            autocompletion=complete_choice,
+        ),
+    ] = None,
     numbers: Annotated[bool, typer.Option("--numbers", help="Put the values of lengths in.")] = False,
     format_: Annotated[str | None, format_option("table", "json", "yaml", "urdf")] = None,
     output: Annotated[str | None, output_option(".yaml", ".urdf", ".json", ".txt")] = None,
@@ -66,6 +83,7 @@ def describe(
 
     from dhcli.cli.shell.delivery import Delivery
     from dhcli.cli.shell.given import lengths_of, named_pose, robot_of
+    from dhcli.kinematics.describe.choices import read_choices
     from dhcli.kinematics.describe.description import Asked, check_form
     from dhcli.kinematics.describe.description import describe as described
 
@@ -76,5 +94,5 @@ def describe(
     arm = robot_of(chosen)
     arm = replace(arm, parameters={**arm.parameters, **lengths_of(arm, chosen, symbolic=True)})
     drawn = None if chosen.pose is None else named_pose(arm, chosen.pose)
-    result = described(arm, Asked(form, steps, numbers, drawn))
+    result = described(arm, Asked(form, steps, numbers, drawn, read_choices(choose or "")))
     delivery.hand_over("description", result, (*arm.remarks, *result.warnings))

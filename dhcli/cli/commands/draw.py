@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING, Annotated, TypeAlias
+from dataclasses import replace
+from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
 import typer
 
@@ -13,8 +14,6 @@ from dhcli.cli.shell.spreading import But
 from dhcli.errors import DhcliError
 
 if TYPE_CHECKING:
-    from dhcli.kinematics.robot import Robot
-    from dhcli.mobility.linkage import Linkage
     from dhcli.render.pictures.picture import Picture
 
 EXAMPLES = """
@@ -25,6 +24,8 @@ dhcli draw puma560
 dhcli draw scara --pose pick -o scara.svg
 
 dhcli draw panda --worksheet --table -o sheet.pdf
+
+dhcli draw scara --pose zero --to pick --animate -o move.svg
 
 dhcli draw peaucellier -o peaucellier.html
 
@@ -50,7 +51,7 @@ Name: TypeAlias = Annotated[
 
 
 def draw(
-    chosen: Annotated[Chosen, But(without=("from_", "to"), instead={"robot": Name})],
+    chosen: Annotated[Chosen, But(without=("motors", "from_", "to"), instead={"robot": Name})],
     to: Annotated[
         str | None,
         typer.Option(
@@ -60,6 +61,15 @@ def draw(
             autocompletion=complete_pose,
         ),
     ] = None,
+    in_: Annotated[
+        str | None,
+        typer.Option(
+            "--in", metavar="FILE", help="A motion through joint values, a row each: .csv, .jsonl or .npy; as in fk."
+        ),
+    ] = None,
+    animate: Annotated[
+        bool, typer.Option("--animate", help="An .svg of a motion moves by itself instead of being a strip.")
+    ] = False,
     beside: Annotated[
         str | None,
         typer.Option(
@@ -126,20 +136,24 @@ def draw(
     look = {"view": None if view is None else read_view(view), "dark": dark}
     robot = chosen.robot
     if kind_of(robot).noun == "exercise":
-        if chosen.more or table or to or beside:
+        if chosen.more or table or to or beside or in_:
             raise DhcliError(
                 f"{robot} is an exercise: it says itself what is given", "--view, --size and --dark are free"
             )
-        arm, given, hidden = of_exercise(robot, variant, solution=solution)
-        what: Robot | Linkage = arm
-        picture = Picture(arm, worksheet=worksheet or hidden, **look, **given)  # type: ignore[arg-type]
+        first, *others = (
+            Picture(**look, **{**one, "worksheet": worksheet or one["worksheet"]})  # type: ignore[arg-type]
+            for one in of_exercise(robot, variant, solution=solution)
+        )
+        what, picture = first.what, replace(first, more=tuple(others))
     else:
         if solution or variant is not None:
             raise DhcliError(f"{robot} is no exercise: it has no solution and no variants", "leave the option out")
         what = find(chosen)
-        given = posed(what, chosen, to=to, beside=beside)
+        given: dict[str, Any] = posed(what, chosen, to=to, beside=beside, rows=in_)
         picture = Picture(what, worksheet=worksheet, table=table, **look, **given)  # type: ignore[arg-type]
     pixels = None if size is None else sides(size)
+    if animate and (name != "svg" or not picture.moves):
+        raise DhcliError("--animate is for an .svg of a motion", "--to or --in says where to; a page plays it anyway")
     if table and (name in ("page", "terminal") or name is None):
         refuse_table(what, name)
     if name is None and not open_:
@@ -152,7 +166,8 @@ def draw(
         if name is None:
             path = _opened_page(picture, what.name or "linkage")
         else:
-            path = _written(picture.rendered(name), output or "", force=force)
+            content = picture.animated() if animate else picture.rendered(name)
+            path = _written(content, output or "", force=force)
     if open_:
         import webbrowser
         from pathlib import Path
@@ -161,8 +176,6 @@ def draw(
 
 
 def _sized(picture: Picture, sides: tuple[int, int]) -> Picture:
-    from dataclasses import replace
-
     from dhcli.render.pictures.picture import check_size
 
     check_size(sides)
@@ -191,7 +204,7 @@ def _written(content: str | bytes, output: str, *, force: bool) -> str:
     """
     from dhcli.cli.shell.console import tell
     from dhcli.cli.shell.delivery import check_free
-    from dhcli.files.atomic import write_whole
+    from dhcli.storage.atomic import write_whole
 
     check_free(output, force=force)
     write_whole(output, content, overwrite=force)
@@ -200,7 +213,7 @@ def _written(content: str | bytes, output: str, *, force: bool) -> str:
 
 
 def _opened_page(picture: Picture, name: str) -> str:
-    """A page in a folder of its own that the system clears; a worksheet, which is no page, as SVG."""
+    """A page in a folder of its own that the system clears; a worksheet, which is no page, and several as SVG."""
     import re
     import tempfile
     from pathlib import Path
@@ -208,7 +221,7 @@ def _opened_page(picture: Picture, name: str) -> str:
     from dhcli.cli.shell.console import tell
 
     folder = tempfile.mkdtemp(prefix="dhcli-")
-    suffix, text = ("svg", picture.svg()) if picture.worksheet else ("html", picture.page())
+    suffix, text = ("svg", picture.svg()) if picture.worksheet or picture.more else ("html", picture.page())
     path = Path(folder) / f"{re.sub(r'[^A-Za-z0-9_-]+', '-', name) or 'page'}.{suffix}"
     path.write_text(text, encoding="utf-8")
     tell(f"wrote {path}")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shlex
 import sys
 from typing import Annotated
 
@@ -49,6 +48,5 @@ def hint(
     message = message or record_hint(exercise.id, meant.id)
     if message:
         tell(f"dhcli: {message}")
-    option = f" --variant {shlex.quote(exercise.variant)}" if exercise.variant else ""
     if number + 1 == len(meant.hints):
-        tell(f"that was the last one; dhcli solution {exercise.id}{option} --part {meant.id} works it out")
+        tell(f"that was the last one; dhcli solution {exercise.typed} --part {meant.id} works it out")

@@ -63,6 +63,7 @@ StandingPose: TypeAlias = Annotated[
 
 def ik(
     chosen: Annotated[Chosen, But(instead={"q": Standing, "pose": StandingPose})],
+    goal_: Annotated[str | None, typer.Argument(metavar="[TARGET]", help="The same as --target.")] = None,
     target: Annotated[
         str | None,
         typer.Option(
@@ -82,6 +83,14 @@ def ik(
     quaternion: Annotated[
         str | None,
         typer.Option(metavar="W,X,Y,Z", help="With --position: a quaternion.", rich_help_panel=_POSE),
+    ] = None,
+    euler: Annotated[
+        str | None,
+        typer.Option(
+            metavar="'ORDER A,B,C'",
+            help="With --position: three turns, 'zyz 0,30°,90°' or any order of axes; 'fixed-xyz ...' has fixed axes.",
+            rich_help_panel=_POSE,
+        ),
     ] = None,
     pointing: Annotated[
         str | None,
@@ -157,12 +166,18 @@ def ik(
         ),
     ] = False,
     skip_bad: SkipBad = False,
+    why: Annotated[
+        bool,
+        typer.Option("--why", help="Which rule finds each joint, and which limits keep solutions out."),
+    ] = False,
     derive: Annotated[
         bool, typer.Option("--derive", help="The formulas, step by step as a book derives them; no pose is needed.")
     ] = False,
-    format_: Annotated[str | None, format_option("table", "json", "csv", "latex", "numpy", "matlab", "c")] = None,
+    format_: Annotated[
+        str | None, format_option("table", "json", "csv", "latex", "md", "python", "numpy", "matlab", "c")
+    ] = None,
     digits: Digits = None,
-    output: Annotated[str | None, output_option(".json", ".csv", ".tex", ".py", ".m", ".c", ".txt")] = None,
+    output: Annotated[str | None, output_option(".json", ".csv", ".tex", ".md", ".py", ".m", ".c", ".txt")] = None,
     force: Force = False,
 ) -> int:
     """Inverse kinematics: every way to hold the joints so that the end frame stands in a pose."""
@@ -174,7 +189,7 @@ def ik(
     from dhcli.cli.shell.given import robot_of
     from dhcli.cli.shell.goal import Goal, asked
     from dhcli.cli.shell.solutions import derived, held_of, near_of, only_branches
-    from dhcli.errors import ExitStatus
+    from dhcli.errors import DhcliError, ExitStatus
 
     if in_ is not None or each is not None or follow or skip_bad:
         from dhcli.cli.shell.inverse_rows import RowWish, solve_rows
@@ -188,12 +203,15 @@ def ik(
         }
         others |= {"--quaternion": quaternion, "--pointing": pointing, "--branch": branch, "--family": family}
         others |= {"--all-turns": all_turns, "--derive": derive, "--digits": digits}
+        others |= {"--euler": euler, "--why": why, "TARGET": goal_}
         rows = RowWish(in_, each, task, near, hold or [], within_limits, follow, skip_bad)
         return solve_rows(chosen, rows, others, format_, output, force=force)
     delivery = Delivery("ik", format_, digits, None, output, force)
     delivery.chosen("derivation" if derive else "inverse")
     arm = robot_of(chosen)
-    goal = Goal(target, position, rpy, quaternion, pointing, task)
+    if goal_ is not None and target is not None:
+        raise DhcliError("the pose is given in two ways", "leave --target out, it is the same as the second word")
+    goal = Goal(goal_ if target is None else target, position, rpy, quaternion, euler, pointing, task)
     if derive:
         delivery.hand_over("derivation", derived(arm, goal, chosen))
         return ExitStatus.DONE
@@ -217,5 +235,5 @@ def ik(
         parameters=question.lengths,
     )
     found = only_branches(found, branch or [])
-    delivery.hand_over("inverse", question.answered(found, wish), found.remarks)
+    delivery.hand_over("inverse", question.answered(found, wish, why=why), found.remarks)
     return ExitStatus.DONE if len(found) else ExitStatus.NOT_RIGHT

@@ -8,7 +8,12 @@ from typing import Annotated
 import typer
 
 from dhcli.cli.app import Group, One
+from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.options import Force
+from dhcli.cli.shell.spreading import But, spread
+
+_OF_URDF = But(without=("robot", "q", "deg", "pose", "set_", "from_", "to", "tool"))
+"""Of the options about a robot those that choose a chain of a URDF."""
 
 new = typer.Typer(cls=Group, add_completion=False, rich_markup_mode="rich", help="Write a file to start from.")
 
@@ -18,11 +23,42 @@ def _group() -> None:
     """Write a file to start from."""
 
 
-@new.command(cls=One, epilog="dhcli new robot my-arm --convention standard --joints RRP")
+@new.command(
+    cls=One,
+    epilog="dhcli new robot my-arm --convention standard --joints RRP\n\n"
+    "dhcli new robot --from table.csv --convention modified",
+)
+@spread
 def robot(
-    name: Annotated[str, typer.Argument(metavar="NAME", help="Name of the robot.")],
-    convention: Annotated[str, typer.Option(metavar="NAME", help="standard, modified or product.")] = "standard",
-    joints: Annotated[str, typer.Option(metavar="LETTERS", help="R revolute, P prismatic, such as RRP.")] = "RRP",
+    *,
+    name: Annotated[
+        str | None, typer.Argument(metavar="NAME", help="Name of the robot; with --from that of the file by default.")
+    ] = None,
+    convention: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME",
+            help="standard, modified or product; of a table in FILE the one it is in.",
+            show_default=False,
+        ),
+    ] = None,
+    joints: Annotated[
+        str | None,
+        typer.Option(metavar="LETTERS", help="R revolute, P prismatic, such as RRP; with --from also F fixed."),
+    ] = None,
+    from_: Annotated[
+        str | None,
+        typer.Option(
+            "--from",
+            metavar="FILE",
+            help="Make it of this: a DH table as CSV or Markdown, a listing with SerialLink or DHRobot, kinematics "
+            "YAML of ROS, or a URDF; - is stdin.",
+        ),
+    ] = None,
+    units: Annotated[
+        str | None, typer.Option(metavar="UNIT", help="Unit of the bare lengths in FILE: m, mm, cm or in.")
+    ] = None,
+    chain: Annotated[Chosen, _OF_URDF],
     output: Annotated[
         str | None,
         typer.Option(
@@ -31,12 +67,26 @@ def robot(
     ] = None,
     force: Force = False,
 ) -> None:
-    """Write a commented robot file that loads, for you to change."""
+    """Write a commented robot file that loads, for you to change, or one that is made of another description."""
     from dhcli.cli.shell.console import tell, write_out
     from dhcli.cli.shell.delivery import make_folder, write_file
-    from dhcli.files.yaml.templates import robot_template
+    from dhcli.errors import DhcliError
+    from dhcli.files.yaml.templates import check_name, robot_template
 
-    text = robot_template(name, convention, joints)
+    if from_ is not None:
+        from dhcli.cli.shell.imported import imported
+        from dhcli.files.foreign.importing import Wish
+
+        name = name or ("stdin" if from_ == "-" else Path(from_).stem)
+        check_name(name)
+        wish = Wish(name, convention, joints or "", units or "", chain.base, chain.tip, chain.as_typed)
+        text = imported(from_, wish)
+    elif name is None:
+        raise DhcliError("a new robot wants a name", "write dhcli new robot my-arm, or --from FILE")
+    elif units or chain.more:
+        raise DhcliError("--units, --base, --tip and --as-typed say how a file is read", "name one: --from arm.urdf")
+    else:
+        text = robot_template(name, convention or "standard", joints or "RRP")
     if output == "-":
         write_out(text)
         return

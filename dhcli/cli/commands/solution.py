@@ -39,13 +39,18 @@ def solution(
     exercise = judge.exercise
     parts = (exercise.part(part),) if part else exercise.asked
     if not yes:
-        ask_once(exercise, parts)
+        ask_once(exercise, parts, "try first with dhcli check, or say --yes")
     paper = Paper.of(sys.stdout)
     write_out("\n".join(solution_text(exercise, one, judge.solution(one), paper) for one in parts))
 
 
-def ask_once(exercise: Exercise, parts: tuple[Part, ...]) -> None:
+def ask_once(exercise: Exercise, parts: tuple[Part, ...], hint: str) -> None:
     """Make sure that a person wants to see parts that were never tried.
+
+    Args:
+        exercise: The exercise.
+        parts: What would be seen.
+        hint: What to do where nobody can be asked.
 
     Raises:
         DhcliError: They do not, or nobody is there to ask.
@@ -62,7 +67,7 @@ def ask_once(exercise: Exercise, parts: tuple[Part, ...]) -> None:
     listed = ", ".join(untried)
     paper = Paper.of(sys.stderr)
     if not sys.stdin.isatty():
-        raise DhcliError(f"never tried: {listed}", "try first with dhcli check, or say --yes")
+        raise DhcliError(f"never tried: {listed}", hint)
     say(f"You have not tried {paper.spell(listed)} yet. Show the solution all the same? [y/N] ")
     if sys.stdin.readline().strip().lower() not in ("y", "yes"):
-        raise DhcliError("not shown", f"dhcli hint {exercise.id} gives a hint")
+        raise DhcliError("not shown", f"dhcli hint {exercise.typed} gives a hint")

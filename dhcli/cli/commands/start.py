@@ -29,7 +29,7 @@ def start(
     force: Annotated[bool, typer.Option("--overwrite", help="Overwrite the file.")] = False,
 ) -> None:
     """Write an answer sheet for an exercise."""
-    from dhcli.checking.figures import shown
+    from dhcli.checking.figures import subject
     from dhcli.checking.judge import Judge
     from dhcli.checking.variants import variant_of
     from dhcli.cli.shell.console import tell, write_out
@@ -46,7 +46,7 @@ def start(
     path = output or f"{exercise.id.split('/')[-1]}.sheet.yaml"
     write_file(path, text, force=force)
     tell(f"wrote {path}")
-    if shown(exercise):
+    if pictured := subject(exercise):
         drawn = f" --variant {shlex.quote(variant)}" if variant else ""
-        tell(f"dhcli draw {named}{drawn} draws the arm")
+        tell(f"dhcli draw {named}{drawn} draws {pictured}")
     tell(f"next: fill it in, then dhcli check {named} {path}, or dhcli watch {named} {path}")

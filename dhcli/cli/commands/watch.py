@@ -65,7 +65,8 @@ def watch(
     exercise = load_exercise(name)
     path = sheet or f"{exercise.id.split('/')[-1]}.sheet.yaml"
     if not os.path.isfile(path):  # noqa: PTH113
-        raise DhcliError(f"there is no sheet {path}", f"dhcli start {exercise.id} -o {path} writes one")
+        drawn = replace(exercise, variant=variant or "")
+        raise DhcliError(f"there is no sheet {path}", f"dhcli start {drawn.typed} -o {path} writes one")
     if not sys.stdout.isatty():
         raise DhcliError("watch needs a terminal", f"dhcli check {exercise.id} {path} checks once")
     with _single_keys() as key:

@@ -12,7 +12,16 @@ from dhcli.errors import DhcliError, FileError, Place, Problem, UnknownNameError
 from dhcli.render.look import Look, check_format, content, render
 from dhcli.render.paper import Paper
 
-SUFFIXES = {".json": "json", ".tex": "latex", ".m": "matlab", ".c": "c", ".py": "numpy", ".csv": "csv", ".txt": "table"}
+SUFFIXES = {
+    ".json": "json",
+    ".tex": "latex",
+    ".md": "md",
+    ".m": "matlab",
+    ".c": "c",
+    ".py": "numpy",
+    ".csv": "csv",
+    ".txt": "table",
+}
 STYLES = ("short", "full")
 
 
@@ -157,7 +166,7 @@ def write_file(path: Path | str, text: str, *, force: bool) -> None:
     Raises:
         FileError: It exists already and may not be overwritten, or it cannot be written.
     """
-    from dhcli.files.atomic import write_whole
+    from dhcli.storage.atomic import write_whole
 
     check_free(path, force=force)
     write_whole(path, text, overwrite=force)

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.errors import DhcliError, Place, Problem
+from dhcli.errors import DhcliError, FileError, Place, Problem
 
 if TYPE_CHECKING:
     from dhcli.kinematics.robot import Robot
@@ -34,41 +35,51 @@ def find(chosen: Chosen) -> Robot | Linkage:
     return robot_of(chosen)
 
 
-def of_exercise(name: str, variant: str | None, *, solution: bool) -> tuple[Robot, dict[str, object], bool]:
-    """The arm of an exercise at the values that the task gives, and whether its frames are an answer and left out.
+def of_exercise(name: str, variant: str | None, *, solution: bool) -> list[dict[str, Any]]:
+    """What the picture of an exercise shows: its arm at the values that the task gives, and the linkages it counts.
+
+    Returns:
+        The fields of a picture for each of them. Frames that are an answer are left out, and names and numbers of
+        links and joints.
 
     Raises:
-        DhcliError: It has no robot; its solution is asked for before it was tried.
+        DhcliError: There is nothing to draw; its solution is asked for before it was tried.
     """
-    from dataclasses import replace
-
-    from dhcli.checking.figures import held_back, shown
+    from dhcli.checking.figures import held_back, linkages, shown
     from dhcli.checking.judge import Judge
     from dhcli.checking.variants import variant_of
     from dhcli.cli.commands.solution import ask_once
     from dhcli.files.yaml.exercises import load_exercise
 
     exercise = variant_of(Judge(load_exercise(name)), variant).exercise
-    if exercise.robot is None or (level := shown(exercise)) is None:
-        raise DhcliError(f"{exercise.id} has no robot: there is nothing to draw", f"dhcli show {exercise.id}")
+    level, counted = shown(exercise), linkages(exercise)
+    if level is None and not counted:
+        what = "is to have no picture" if exercise.picture == "none" else "has no robot and no linkage with points"
+        raise DhcliError(f"{exercise.id} {what}", f"dhcli show {exercise.typed}")
     if solution:
-        ask_once(exercise, held_back(exercise))
-    arm = replace(exercise.robot, title=exercise.title)
-    lengths = {name: value for name, value in exercise.given.items() if name in arm.parameters}
-    joints = {name: value for name, value in exercise.given.items() if name in arm.variables}
-    given: dict[str, object] = {"parameters": lengths}
-    if arm.variables and len(joints) == len(arm.variables):
-        given["q"] = joints
-    return arm, given, level == "axes" and not solution
+        counts = tuple(part for part in exercise.asked if part.question.linkage_counted)
+        held = held_back(exercise) if level is not None else ()
+        ask_once(exercise, (*held, *counts), "try first with dhcli check")
+    found: list[dict[str, Any]] = []
+    if exercise.robot is not None and level is not None:
+        arm = replace(exercise.robot, title=exercise.title)
+        lengths = {name: value for name, value in exercise.given.items() if name in arm.parameters}
+        joints = {name: value for name, value in exercise.given.items() if name in arm.variables}
+        found.append({"what": arm, "parameters": lengths, "worksheet": level == "axes" and not solution})
+        if arm.variables and len(joints) == len(arm.variables):
+            found[0]["q"] = joints
+    return found + [{"what": linkage, "worksheet": not solution} for linkage in counted]
 
 
-def posed(what: Robot | Linkage, chosen: Chosen, *, to: str | None, beside: str | None) -> dict[str, object]:
+def posed(
+    what: Robot | Linkage, chosen: Chosen, *, to: str | None, beside: str | None, rows: str | None
+) -> dict[str, object]:
     """Joint values, pose and lengths, as far as a robot has them."""
     from dhcli.kinematics.robot import Robot
 
     if not isinstance(what, Robot):
-        if chosen.more or to is not None or beside is not None:
-            raise DhcliError(f"{what.name} is a linkage: --q, --pose, --to, --beside and --set are for robots")
+        if chosen.more or to is not None or beside is not None or rows is not None:
+            raise DhcliError(f"{what.name} is a linkage: --q, --pose, --to, --in, --beside and --set are for robots")
         return {}
     from dhcli.cli.shell.given import lengths_of, values_of
     from dhcli.kinematics.values import joint_values
@@ -81,10 +92,41 @@ def posed(what: Robot | Linkage, chosen: Chosen, *, to: str | None, beside: str 
 
         goal["beside"] = load_robot(beside)
     lengths = lengths_of(what, chosen, symbolic=True)
+    if rows is not None:
+        if chosen.pose is not None or to is not None:
+            raise DhcliError("--in says where all joints are", "leave --pose and --to out")
+        return {"path": _read_rows(what, rows, chosen), "parameters": lengths, **goal}
     if chosen.q is None:
         return {"pose": chosen.pose, "parameters": lengths, **goal}
     joints = {name: value for name, value in values_of(what, chosen).items() if name in what.variables}
     return {"q": joints, "parameters": lengths, **goal}
+
+
+MOST_ROWS = 100_000
+"""Rows of a motion that are drawn; of more, nobody sees the way."""
+
+
+def _read_rows(robot: Robot, path: str, chosen: Chosen) -> tuple[tuple[float, ...], ...]:
+    """Joint values of the rows of a file.
+
+    Raises:
+        FileError: The file is no table for this robot, a row is bad, or there are none or too many.
+    """
+    from dhcli.cli.shell.batch import asked_of_rows
+    from dhcli.files.rows.formats import joint_rows
+    from dhcli.files.rows.source import open_source
+
+    found: list[tuple[float, ...]] = []
+    with open_source(path) as source:
+        for block in joint_rows(source, asked_of_rows(robot, chosen, ignores=False)).blocks():
+            if block.bad:
+                raise FileError(block.bad)
+            found += map(tuple, block.q.tolist())
+            if len(found) > MOST_ROWS:
+                raise FileError(Problem(f"has more than {MOST_ROWS:,} rows", Place(path), "draw every tenth"))
+    if not found:
+        raise FileError(Problem("holds no joint values", Place(path)))
+    return tuple(found)
 
 
 def refuse_table(what: Robot | Linkage, name: str | None) -> None:

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, cast
 from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.given import lengths_of, point_of, split, values_of
 from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean, plural
+from dhcli.geometry.euler import EulerAngles, Order, RollPitchYaw, euler
+from dhcli.geometry.rotations import Quaternion
 from dhcli.kinematics.forward import numeric_pose
 from dhcli.kinematics.frames import ends
 from dhcli.kinematics.inverse.answer import InverseKinematics
@@ -23,6 +25,7 @@ from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr
 
 if TYPE_CHECKING:
+    from dhcli.geometry.rotations import Rotation
     from dhcli.kinematics.inverse.solutions import Solutions
     from dhcli.kinematics.inverse.tasks import TaskName
 
@@ -38,6 +41,7 @@ class Goal:
         position: Where the origin is.
         rpy: Roll, pitch and yaw.
         quaternion: A quaternion.
+        euler: An order of three axes, and three angles.
         pointing: Where z points to.
         task: What of it counts.
     """
@@ -46,6 +50,7 @@ class Goal:
     position: str | None = None
     rpy: str | None = None
     quaternion: str | None = None
+    euler: str | None = None
     pointing: str | None = None
     task: str | None = None
 
@@ -70,10 +75,13 @@ class Question:
     end: str
     lengths: Mapping[str, Value]
 
-    def answered(self, found: Solutions, near: Sequence[float] | None) -> InverseKinematics:
-        """The question with its answer."""
+    def answered(self, found: Solutions, near: Sequence[float] | None, *, why: bool) -> InverseKinematics:
+        """The question with its answer, and with how that came about if it is wanted."""
+        from dhcli.kinematics.inverse.explained import explained
+
         wish = None if near is None else tuple(near)
-        return InverseKinematics(self.robot, self.lengths, self.task, self.start, self.end, found, self.pose, wish)
+        how = explained(found) if why else None
+        return InverseKinematics(self.robot, self.lengths, self.task, self.start, self.end, found, self.pose, wish, how)
 
 
 def asked(
@@ -106,7 +114,7 @@ def task_of(goal: Goal) -> str:
             hint = did_you_mean(goal.task, known) or "known: " + ", ".join(known)
             raise UnknownNameError(Problem(f"there is no task {goal.task}", Place("--task"), hint))
         return goal.task
-    turned = goal.rpy is not None or goal.quaternion is not None
+    turned = any(turn is not None for turn in (goal.rpy, goal.quaternion, goal.euler))
     if goal.pointing is not None:
         return "direction" if goal.position is None else "axis"
     if goal.position is not None:
@@ -116,11 +124,13 @@ def task_of(goal: Goal) -> str:
 
 def _rows(robot: Robot, goal: Goal, chosen: Chosen, frames: tuple[str, str]) -> Rows:
     """The matrix."""
-    parts = (goal.position, goal.rpy, goal.quaternion, goal.pointing)
+    parts = (goal.position, goal.rpy, goal.quaternion, goal.euler, goal.pointing)
     ways = [chosen.stands, goal.target is not None, any(p is not None for p in parts)]
     if sum(ways) != 1:
         said = "no pose is given" if not any(ways) else "the pose is given in two ways"
-        raise DhcliError(said, "one of --q, --pose, --target, or --position with --rpy, --quaternion or --pointing")
+        raise DhcliError(
+            said, "one of --q, --pose, --target, or --position with --rpy, --quaternion, --euler or --pointing"
+        )
     if ways[0]:
         return numeric_pose(robot, values_of(robot, chosen), *frames).rows
     if goal.target is not None:
@@ -144,18 +154,22 @@ def _target(text: str, typed: str) -> Rows:
 
 
 def _from_parts(goal: Goal, bare: Bare) -> Rows:
-    turns = [p for p in (goal.rpy, goal.quaternion, goal.pointing) if p is not None]
+    turns = [p for p in (goal.rpy, goal.quaternion, goal.euler, goal.pointing) if p is not None]
     if len(turns) > 1:
-        raise DhcliError("the orientation is given in two ways", "one of --rpy, --quaternion or --pointing")
+        raise DhcliError("the orientation is given in two ways", "one of --rpy, --quaternion, --euler or --pointing")
     place = (0.0, 0.0, 0.0) if goal.position is None else _vector(goal.position, "--position")
+    turn: Rotation[float] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
     if goal.rpy is not None:
-        turn = _rpy(_angles(goal.rpy, "--rpy", bare))
+        turn = RollPitchYaw(*_angles(goal.rpy, "--rpy", bare)).rotation()
     elif goal.quaternion is not None:
-        turn = _quaternion(_numbers(goal.quaternion, "--quaternion", 4))
+        q = _numbers(goal.quaternion, "--quaternion", 4)
+        size = math.hypot(*q)
+        turn = Quaternion(*(part / size for part in q)).rotation()
+    elif goal.euler is not None:
+        order, _, angles = goal.euler.strip().partition(" ")
+        turn = EulerAngles(_order(order), _angles(angles, "--euler", bare)).rotation()
     elif goal.pointing is not None:
         turn = _pointing(_numbers(goal.pointing, "--pointing", 3))
-    else:
-        turn = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
     return (*((*row, length) for row, length in zip(turn, place, strict=True)), (0.0, 0.0, 0.0, 1.0))
 
 
@@ -175,7 +189,8 @@ def _known(parts: Sequence[Expr], option: str) -> Sequence[Expr]:
 def _angles(text: str, option: str, bare: Bare) -> tuple[float, float, float]:
     pieces = list(split(text))
     if len(pieces) != 3:  # noqa: PLR2004
-        raise DhcliError(Problem(f"three angles are wanted, not {len(pieces)}", Place(option), "write 0,90°,0"))
+        hint = "write --euler 'zyz 0,30°,90°'" if option == "--euler" else "write 0,90°,0"
+        raise DhcliError(Problem(f"three angles are wanted, not {len(pieces)}", Place(option), hint))
     exprs = [parse(piece, Scope(), Place(option)) for _, piece in pieces]
     try:
         a, b, c = (to_angle(expr, bare=bare).constant() for expr in exprs)
@@ -199,26 +214,14 @@ def _numbers(text: str, option: str, count: int) -> tuple[float, ...]:
     return values
 
 
-def _rpy(angles: tuple[float, float, float]) -> Rows:
-    """R = Rz(yaw) Ry(pitch) Rx(roll)."""
-    from math import cos, sin
-
-    (a, b, c), (d, e, f) = map(cos, angles), map(sin, angles)
-    return (
-        (c * b, c * e * d - f * a, c * e * a + f * d),
-        (f * b, f * e * d + c * a, f * e * a - c * d),
-        (-e, b * d, b * a),
-    )
-
-
-def _quaternion(q: tuple[float, ...]) -> Rows:
-    size = sum(part * part for part in q) ** 0.5
-    w, x, y, z = (part / size for part in q)
-    return (
-        (1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)),
-        (2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)),
-        (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)),
-    )
+def _order(name: str) -> Order:
+    """An order of three axes as it was typed, `zyz` or `fixed-xyz`."""
+    try:
+        return euler(name.removeprefix("fixed-"), fixed=name.startswith("fixed-"))
+    except UnknownNameError as error:
+        problem = error.problems[0]
+        hint = f"write --euler 'zyz 0,30°,90°', or fixed-zyz; {problem.hint}"
+        raise UnknownNameError(Problem(problem.message, Place("--euler"), hint)) from None
 
 
 def _pointing(direction: tuple[float, ...]) -> Rows:

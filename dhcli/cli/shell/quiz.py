@@ -28,6 +28,7 @@ class RobotOptions:
         chosen: The robot, its joint values and the frames.
         symbolic: Whether symbols are asked for.
         table: The file with a DH table to compare; its convention is the one asked for.
+        frames: The file with frames, or with their table, that are to lie on the robot's axes.
         form: What of the pose is answered, or how: position, rotation, rpy, zyz, quaternion and so on.
         entry: Row and column of the one entry that is answered.
         compare: How the table is compared.
@@ -38,6 +39,7 @@ class RobotOptions:
     chosen: Chosen
     symbolic: bool = False
     table: str | None = None
+    frames: str | None = None
     form: str | None = None
     entry: str | None = None
     compare: str | None = None
@@ -51,7 +53,7 @@ class RobotOptions:
 
 
 def exercise_of(asked: RobotOptions, answer: str = "") -> tuple[Exercise, str]:
-    """The exercise of a name, or a question about the robot of that name, and the text of the table to compare.
+    """The exercise of a name, or a question about the robot of that name, and the table or the frames to compare.
 
     Args:
         asked: What is answered, and the question about it where it is a robot.
@@ -92,6 +94,8 @@ def _about(robot: Robot, asked: RobotOptions, answer: str) -> tuple[Exercise, st
 
         table = read_table(asked.table, robot)
         return question_about_table(robot, table.convention, _comparison(asked), table.note), table.text
+    if asked.frames is not None:
+        return _about_frames(robot, asked, asked.frames)
     if asked.compare is not None:
         raise DhcliError("--compare says how a table is compared, and there is none", "--table FILE")
     if not asked.symbolic and not asked.chosen.stands and robot.variables:
@@ -102,6 +106,21 @@ def _about(robot: Robot, asked: RobotOptions, answer: str) -> tuple[Exercise, st
     asks = [f"{piece}pose {start}..{end}" for piece in _pieces(asked)]
     exercises = [question_about(robot, ask, numeric=not asked.symbolic, given=values) for ask in asks]
     return question_answered(exercises, answer), ""
+
+
+def _about_frames(robot: Robot, asked: RobotOptions, path: str) -> tuple[Exercise, str]:
+    """A question about frames, and those of the file."""
+    from dhcli.checking.kinds.made import question_about_frames
+    from dhcli.cli.shell.given import lengths_of
+    from dhcli.files.yaml.frames import read_frames
+
+    chosen = asked.chosen
+    views = (chosen.q, chosen.from_, chosen.to, chosen.tool, asked.form, asked.entry, asked.compare)
+    if asked.symbolic or any(view is not None for view in views):
+        raise DhcliError("--frames asks for frames in a pose", "only --pose NAME and --set go with it")
+    frames = read_frames(path, robot)
+    given, pose = lengths_of(robot, chosen, symbolic=True), chosen.pose or frames.pose
+    return question_about_frames(robot, frames.convention, pose, frames.note, given), frames.text
 
 
 def _comparison(asked: RobotOptions) -> str:
@@ -121,8 +140,8 @@ def _about_joints(robot: Robot, asked: RobotOptions, goal: Goal) -> Exercise:
     from dhcli.checking.solving.goal import TASKS, given_target
     from dhcli.cli.shell.goal import asked as pose_asked
 
-    if asked.table or asked.symbolic or asked.form or asked.entry:
-        raise DhcliError("--ik asks for joint values", "leave --table, --symbolic, --as and --entry out")
+    if asked.table or asked.frames or asked.symbolic or asked.form or asked.entry:
+        raise DhcliError("--ik asks for joint values", "leave --table, --frames, --symbolic, --as and --entry out")
     question = pose_asked(robot, goal, asked.chosen)
     if question.task not in TASKS:
         raise DhcliError(Problem(f"--ik checks no {question.task}", Place("--task"), ", ".join(TASKS)))

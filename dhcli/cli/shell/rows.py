@@ -94,7 +94,7 @@ class RowDelivery:
             with _sink(name, layout) as sink:
                 yield sink
             return
-        from dhcli.files.atomic import whole_file
+        from dhcli.storage.atomic import whole_file
 
         with (
             whole_file(self.output, overwrite=self.force) as stream,

@@ -101,7 +101,7 @@ class _Walk:
         """Ask the parts in order, those that are solved only on the way back."""
         self.introduce()
         if self.marks.keys() >= {part.id for part in parts}:
-            again = f"dhcli check {self.judge.exercise.id} --part {parts[0].id}"
+            again = f"dhcli check {self.judge.exercise.typed} --part {parts[0].id}"
             self.write(f"All parts are solved; {again} asks one again.")
             return
         if self.marks:

@@ -14,8 +14,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from dhcli.errors import DhcliError, Problem
-from dhcli.files.home import user_folder
 from dhcli.files.library.lookup import Entry, Kind, entries
+from dhcli.storage.cache import cache, cached
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +40,9 @@ class Listed:
     parts: tuple[str, ...] = ()
     solved: str = ""
 
+
+INDEX = "library.json"
+"""What it is called in the cache."""
 
 ROOMS = ("checking", "files", "kinematics", "mobility", "notation")
 """Where it is decided what a file says: a checkout changes without a new version."""
@@ -138,36 +141,21 @@ def _stamp(path: str) -> tuple[int, int]:
     return found.st_mtime_ns, found.st_size
 
 
-def _path_of_index() -> Path:
-    return user_folder("XDG_CACHE_HOME", ".cache") / "dhcli" / "library.json"
-
-
 def _remembered(state: list[Any]) -> dict[str, Row] | None:
     """What was read when the library was in this state; None if it was in another, or nothing is kept."""
-    path = _path_of_index()
-    if not os.path.isfile(path):  # a pipe would be waited for
-        return None
     try:
-        with open(path, encoding="utf-8") as stream:
-            kept = json.load(stream)
+        kept = json.loads(cached(INDEX) or "null")
         if kept["state"] != state:
             return None
         return {
             str(path): Row(str(title), str(joints), tuple(map(str, parts)))
             for path, (title, joints, parts) in kept["rows"].items()
         }
-    except (OSError, ValueError, TypeError, KeyError, AttributeError, RecursionError):
+    except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
         return None
 
 
 def _remember(state: list[Any], every: dict[Kind, tuple[Listed, ...]]) -> None:
     """Keep what was read; where that cannot be, the next list takes as long as this one."""
-    from dhcli.files.atomic import write_whole
-
     rows = {str(one.entry.path): (one.title, one.joints, one.parts) for listed in every.values() for one in listed}
-    path = _path_of_index()
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        write_whole(path, json.dumps({"state": state, "rows": rows}), overwrite=True)
-    except (DhcliError, OSError):
-        pass
+    cache(json.dumps({"state": state, "rows": rows}), INDEX)

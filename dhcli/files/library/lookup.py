@@ -28,7 +28,7 @@ AS_SIMILAR = 0.1
 LEAST_TYPED = 3
 """Letters by which names are found that hold them anywhere."""
 _SUFFIXES = (".yaml", ".yml")
-_PATHS = (*_SUFFIXES, ".urdf", ".xml", ".xacro")
+_PATHS = (*_SUFFIXES, ".urdf", ".xml", ".xacro", ".sdf", ".csv", ".tsv", ".md", ".m", ".py")
 """What the name of a file ends in, where it is no name of the library."""
 _PACKAGE = Path(__file__).parents[2]
 
@@ -100,7 +100,7 @@ def find(kind: Kind, name: str) -> Path:
         UnknownNameError: The library holds nothing of that name; the hint has the nearest and what to type next.
     """
     check_typed(kind, name)
-    if _is_path(kind, name):
+    if is_path(kind, name):
         return Path(name)
     known = entries(kind)
     if name.startswith(OWN):  # the library's own, whatever file of the user's has the same name
@@ -129,7 +129,7 @@ def check_typed(kind: Kind, name: object) -> None:
         )
 
 
-def _is_path(kind: Kind, name: str) -> bool:
+def is_path(kind: Kind, name: str) -> bool:
     """Whether a text is a path and not a name."""
     if name == "-" or name.lower().endswith(_PATHS):
         return True
@@ -150,7 +150,21 @@ def _hint(kind: Kind, name: str, known: tuple[Entry, ...]) -> str:
     for path in (name, *(name + suffix for suffix in _SUFFIXES)):
         if os.path.isfile(path):
             hints = [f"for the file in this folder type ./{path}"]
+    if found := above(kind, name):
+        hints = [found]
     return "; ".join(hint for hint in (*hints, f"dhcli list {kind.value} shows what there is") if hint)
+
+
+def above(kind: Kind, name: str) -> str:
+    """A hint at something of this name in the library of a folder above the current one; empty if there is none."""
+    up = ""
+    for folder in Path.cwd().parents:
+        up += "../"
+        for path in _files(folder / kind.folder, nested=kind is Kind.EXERCISES):
+            if name in (path.stem, f"{path.parent.name}/{path.stem}"):
+                typed = up + path.relative_to(folder).as_posix()
+                return f"in a folder above there is one: type {typed}, or go to the folder that has {kind.folder}/"
+    return ""
 
 
 def similar(name: str, kinds: Iterable[Kind]) -> str:

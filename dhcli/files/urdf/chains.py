@@ -24,6 +24,8 @@ def chain_of(model: Model, base: str | None = None, tip: str | None = None) -> t
     joints = _up(above, end, start)
     if joints is None:
         raise UnknownNameError(f"{end} is not below {start}", f"below it: {_listed(_leaves(model, above, start))}")
+    if not joints:
+        raise UnknownNameError(f"{end} is the base itself", f"--tip {_listed(_leaves(model, above, start))}")
     for joint in joints:
         if joint.kind not in KINDS:
             hint = f"choose a chain without it, or make it one of {', '.join(KINDS)}"

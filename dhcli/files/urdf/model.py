@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from xml.parsers import expat
 
 from dhcli.errors import FileError, Place, Problem
+from dhcli.files.foreign.forms import Form, form_of, told
 
 DEEPEST = 100
 MOST = 20_000
@@ -77,8 +78,11 @@ def read_model(text: str, source: str) -> Model:
     Raises:
         FileError: It is no XML, or no URDF, or has what cannot be read; with its line.
     """
+    form = form_of(text)
+    if form in (Form.SDF, Form.MJCF):
+        raise FileError(told(form, source))
     reader = _Reader(Model(source))
-    parser = expat.ParserCreate()
+    parser = expat.ParserCreate("UTF-8")  # the text was decoded already, whatever its first line says
     parser.StartElementHandler = reader.start
     parser.EndElementHandler = reader.end
     parser.StartDoctypeDeclHandler = reader.doctype

@@ -13,7 +13,6 @@ from dhcli.files.urdf.chains import chain_of
 from dhcli.files.urdf.model import Joint, read_model
 from dhcli.files.urdf.numbers import Meaning, length
 from dhcli.kinematics.conventions import Convention
-from dhcli.kinematics.describe.description import product_text
 from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans
 from dhcli.kinematics.robot import Link, Robot, Value
 from dhcli.kinematics.validity import InvalidRobotError
@@ -44,7 +43,24 @@ def read_urdf(
     """
     model = read_model(text, source)
     joints = chain_of(model, base, tip)
-    return _Builder(joints, Meaning(as_typed)).robot(name, model.name or name, source)
+    said = f"the URDF {source}, from link {joints[0].parent} to link {joints[-1].child}"
+    return robot_of_joints(joints, name, model.name or name, said, as_typed=as_typed)
+
+
+def robot_of_joints(joints: tuple[Joint, ...], name: str, title: str, source: str, *, as_typed: bool = False) -> Robot:
+    """The robot whose joints follow each other.
+
+    Args:
+        joints: From the base to the tip.
+        name: What the robot is called.
+        title: Its title.
+        source: Where it comes from.
+        as_typed: Whether 1.5708 stays what it is.
+
+    Raises:
+        FileError: An axis has no direction, or a joint follows another.
+    """
+    return _Builder(joints, Meaning(as_typed)).robot(name, title, source)
 
 
 class _Builder:
@@ -71,15 +87,16 @@ class _Builder:
             waiting = []
         if links:
             links[-1] = Link(links[-1].number, (*links[-1].moves, *waiting))
-        written = tuple(Link(link.number, link.moves, None, product_text(link.moves)) for link in links)
+        elif waiting:
+            links.append(Link(1, tuple(waiting)))
         limits = {variables[joint.name]: found for joint in self.moving if (found := self.limits(joint)) is not None}
         return Robot(
             name=name,
             title=title,
-            source=f"the URDF {source}, from link {self.joints[0].parent} to link {self.joints[-1].child}",
+            source=source,
             convention=Convention.PRODUCT,
             variables=tuple(variables.values()),
-            links=written,
+            links=tuple(links),
             limits=limits,
             remarks=(*self.taken(), *self.remarks),
             notes="\n".join(

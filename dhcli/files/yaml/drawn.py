@@ -6,16 +6,16 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 
-from dhcli.errors import NotationError, Problem, RobotError, did_you_mean
+from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean
+from dhcli.files.yaml.fields import Fields
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
 from dhcli.files.yaml.robot_loader import KEYS, Loader
 from dhcli.files.yaml.typed import read_value
 from dhcli.geometry.orthonormal import not_a_rotation
 from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, length, scaled
 from dhcli.kinematics.conventions import Convention
-from dhcli.kinematics.describe.description import product_text
 from dhcli.kinematics.describe.drawn import Drawing, Frame, Line, drawing_of
-from dhcli.kinematics.describe.linear import LettersError, Point, point_of
+from dhcli.kinematics.describe.linear import LettersError, Point, moved, point_of
 from dhcli.kinematics.describe.products import chains_of
 from dhcli.kinematics.describe.screws import ScrewAxis, Side, lines_of
 from dhcli.kinematics.moves import Chain, Fixed
@@ -38,6 +38,8 @@ _REQUIRED = {
 }
 _SIDES: tuple[Side, ...] = ("space", "body")
 _SIX = 6
+_LEAST = 1e-9
+"""Two points of an axis that are nearer are one [m]."""
 
 
 def with_semicolons(text: str) -> str:
@@ -86,7 +88,7 @@ class DrawnLoader(Loader):
             self.places["links", i] = node.place
         if not nodes and self.given in self.fields:
             self.problems.add(self.fields.place_of(self.given), f"{self.given}: a robot has at least one joint")
-        return tuple(Link(first + i, chain, None, product_text(chain)) for i, chain in enumerate(chains))
+        return tuple(Link(first + i, chain) for i, chain in enumerate(chains))
 
     def read_poses(self, angles: frozenset[str]) -> dict[str, tuple[Value, ...]]:
         """The named poses, and the one drawn."""
@@ -140,19 +142,38 @@ class DrawnLoader(Loader):
                     node.place, f"axes: row {i + 1} names {len(known)} joints", "write {theta1: +z, through: (0, 0, 0)}"
                 )
                 continue
-            slides = fields.text("slides") == "true" or self.slides_by_name(known[0])
-            if "through" not in fields and not slides:
+            yield self.axis_line(fields, known[0], node.place)
+
+    def axis_line(self, fields: Fields, name: str, place: Place) -> Line:
+        """The line of one joint: a direction and a point, or two points."""
+        slides = fields.text("slides") == "true" or self.slides_by_name(name)
+        node, drawn = fields.get(name), self.drawn.get(name, ZERO)
+        if isinstance(node, PlacedScalar) and (ends := node.text.split(" to ")) and len(ends) == 2:  # noqa: PLR2004
+            start, end = (self.point(replace(node, text=text.strip()), name) for text in ends)
+            direction = self.between(start, end, node, name)
+            return Line(name, direction, None if slides else start, turns=not slides, drawn=drawn)
+        if "through" not in fields and not slides:
+            message = f"{name} turns about a line, and a point of it is missing"
+            self.problems.add(place, message, "write through: (0, 0, 0), or slides: true")
+        through = fields.get("through")
+        point = self.point(through, "through") if through is not None else {}
+        return Line(name, self.direction(node, name), None if slides else point, turns=not slides, drawn=drawn)
+
+    def between(self, start: Point, end: Point, node: PlacedNode, name: str) -> Vector:
+        """The direction from one point of an axis to another."""
+        gap = {letter: vector for letter, vector in moved(end, start, -1).items() if length(vector) > _LEAST}
+        if not gap:
+            if not self.problems.found:
                 self.problems.add(
-                    node.place,
-                    f"{known[0]} turns about a line, and a point of it is missing",
-                    "write through: (0, 0, 0), or slides: true",
+                    node.place, f"{name}: the two points of the axis are one", "write (0, 0, 0) to (0, 0, 1)"
                 )
-            direction = self.direction(fields.get(known[0]), known[0])
-            through = fields.get("through")
-            point = self.point(through, "through") if through is not None else {}
-            yield Line(
-                known[0], direction, None if slides else point, turns=not slides, drawn=self.drawn.get(known[0], ZERO)
-            )
+            return UNITS[2]
+        if set(gap) - {ONE}:
+            letters = ", ".join(str(letter) for letter in gap if letter != ONE)
+            message = f"{name}: the direction from one point to the other depends on {letters}"
+            self.problems.add(node.place, message, "points an equal way apart, such as (a, 0, 0) to (a, 0, 1)")
+            return UNITS[2]
+        return scaled(gap[ONE], 1 / length(gap[ONE]))
 
     def screw_lines(self, nodes: tuple[PlacedNode, ...], home: Frame) -> tuple[Line, ...]:
         """The lines of screws, in the base."""

@@ -7,6 +7,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from dhcli.checking.exercise import Exercise
+from dhcli.checking.figures import LEVELS
 from dhcli.checking.verdicts import Verdict
 from dhcli.checking.written import Printed, Range, Trial, answer_scope
 from dhcli.errors import DhcliError, FileError, Problem, did_you_mean
@@ -49,6 +50,7 @@ KEYS = (
     "tests",
     "variants",
     "feedback",
+    "picture",
 )
 
 
@@ -172,6 +174,10 @@ class _Loader:
             self.problems.add(
                 self.fields.place_of("feedback"), f"feedback: '{feedback}' is not known", "write expected"
             )
+        picture = self.fields.text("picture", "")
+        if picture and picture not in LEVELS:
+            levels = ", ".join(LEVELS)
+            self.problems.add(self.fields.place_of("picture"), f"picture: '{picture}' is not known", f"write {levels}")
         return Exercise(
             id=self.name,
             title=self.fields.text("title"),
@@ -189,6 +195,7 @@ class _Loader:
             trials=trials,
             shows_expected=feedback == "expected",
             variants=self.variants(),
+            picture=picture,
         )
 
     def read_robot(self, key: str) -> Robot | None:

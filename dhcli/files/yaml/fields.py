@@ -55,7 +55,9 @@ class Problems:
         for key, value in root.entries if isinstance(root, PlacedMapping) else ():
             if key.text == "format":
                 _check_format(value)
-        return self.mapping(root, "the file", known=("format", *known), required=("format", *required))
+        example = "format: 1 and other 'key: value' lines; dhcli new writes a file to start from"
+        what, keys = "the file", ("format", *required)
+        return self.mapping(root, what, known=("format", *known), required=keys, example=example)
 
     def mapping(
         self,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from dhcli.errors import DhcliError, FileError, Place, Problem
-from dhcli.files.library.lookup import Kind, check_typed, entries, find
+from dhcli.files.library.lookup import Kind, check_typed, entries, find, is_path
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.yaml.coordinates import Coordinates
 from dhcli.files.yaml.fields import Problems
@@ -47,7 +47,7 @@ def find_linkage(what: str, space: Space = SPATIAL, tolerance: float = 0.0) -> L
         LinkageError: It is nothing of these; the message shows one of each.
         FileError: The file is neither a linkage nor a robot.
     """
-    if what == "-" or "/" in what or what.lower().endswith((".yaml", ".yml")):
+    if is_path(Kind.LINKAGES, what):
         return load_linkage(Path(what), tolerance)
     if any(entry.name == what for entry in entries(Kind.LINKAGES)):
         return load_linkage(what, tolerance)

@@ -22,7 +22,19 @@ from dhcli.kinematics.robot import Robot
 from dhcli.notation.scope import Scope
 
 KEYS = ("id", "ask", "prompt", "credit", "withdrawn", "depends", "hints", *keys(), "exact", "decimals")
-OF_ALL = ("numeric", "unit", "tolerance", "given", "names", "printed", "feedback", "variants", "also", "tests")
+OF_ALL = (
+    "numeric",
+    "unit",
+    "tolerance",
+    "given",
+    "names",
+    "printed",
+    "feedback",
+    "variants",
+    "also",
+    "tests",
+    "picture",
+)
 """Keys that stand at the top of a file and hold for all parts."""
 
 

@@ -82,7 +82,7 @@ class PlacedMapping:
 PlacedNode: TypeAlias = PlacedScalar | PlacedSequence | PlacedMapping
 
 
-def read_yaml(text: str, source: str, refused: list[Problem] | None = None) -> PlacedNode:
+def read_yaml(text: str, source: str, refused: list[Problem] | None = None, *, is_foreign: bool = False) -> PlacedNode:
     """Read one YAML document into a tree with places.
 
     Args:
@@ -90,6 +90,7 @@ def read_yaml(text: str, source: str, refused: list[Problem] | None = None) -> P
         source: What to call it in messages, usually the file name.
         refused: Where to note what is refused but does not stop the reading, such as a key given twice, for a loader
             that tells everything at once; by default it is raised.
+        is_foreign: Whether it is known to be no file of dhcli's; else one that is of another form is told apart.
 
     Raises:
         FileError: Every problem up to the first that stops the reading: it is empty, is not YAML, uses what dhcli
@@ -98,21 +99,30 @@ def read_yaml(text: str, source: str, refused: list[Problem] | None = None) -> P
     import yaml
 
     text = text.lstrip("\ufeff")
-    if text.lstrip().startswith(("<?xml", "<robot")):
-        hint = "dhcli fk, show and describe take one in the place of a robot: dhcli describe arm.urdf --as standard"
-        raise FileError(Problem("this is a URDF or other XML, not YAML", Place(source, 1, 1), hint))
     builder = _Builder([*_LINE_BREAK.split(text), ""], source)  # one line more: a mark may stand after the last
     builder.refuse_unreadable()
     loader = yaml.CBaseLoader if yaml.__with_libyaml__ else yaml.BaseLoader  # the first is five times as fast
     try:
         root = builder.document(yaml.parse(text, Loader=loader))
     except yaml.MarkedYAMLError as error:
+        if not is_foreign:
+            _refuse_foreign(text, source)
         raise FileError([*builder.problems, explain_syntax(error, builder.lines, builder.place)]) from None
+    if not is_foreign and not (isinstance(root, PlacedMapping) and "format" in {key.text for key, _ in root.entries}):
+        _refuse_foreign(text, source)
     if refused is not None:
         refused += builder.problems
     elif builder.problems:
         raise FileError(builder.problems)
     return root
+
+
+def _refuse_foreign(text: str, source: str) -> None:
+    """Say so if a text that is no file of dhcli's is a URDF, a table or another form that can become one."""
+    from dhcli.files.foreign.forms import form_of, told  # most files are what they should be
+
+    if (form := form_of(text)) is not None:
+        raise FileError(told(form, source))
 
 
 @dataclass(slots=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 from dhcli.errors import FileError, Place, Problem
@@ -36,14 +37,22 @@ def load_robot(name: str | Path, *, base: str | None = None, tip: str | None = N
     path = name if isinstance(name, Path) else find(Kind.ROBOTS, name)
     called = "stdin" if str(path) == "-" else path.stem
     text = read_text("-" if str(path) == "-" else path, limit=XML_LIMIT if path.suffix.lower() in XML else LIMIT)
+    found = robot_of(text, source_of(path), called, base=base, tip=tip, as_typed=as_typed)
+    return found if called == "stdin" else replace(found, path=path)
+
+
+def robot_of(
+    text: str, source: str, name: str, *, base: str | None = None, tip: str | None = None, as_typed: bool = False
+) -> Robot:
+    """A robot from the text of a file, which may be a URDF; see `load_robot`."""
     if is_xml(text):
         from dhcli.files.urdf.robots import read_urdf  # most robots are YAML
 
-        return read_urdf(text, source_of(path), called, base=base, tip=tip, as_typed=as_typed)
+        return read_urdf(text, source, name, base=base, tip=tip, as_typed=as_typed)
     if base is not None or tip is not None or as_typed:
         hint = "frames of a robot file are named with --from and --to"
-        raise FileError(Problem("only a URDF has links to choose from", Place(source_of(path)), hint))
-    return read_robot(text, source_of(path), called)
+        raise FileError(Problem("only a URDF has links to choose from", Place(source), hint))
+    return read_robot(text, source, name)
 
 
 def is_xml(text: str) -> bool:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import shlex
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -95,8 +94,7 @@ def check_numbers(sheet: Sheet, exercise: Exercise, written: str) -> None:
         if then != now.get(name):
             today = f"{now[name]} now" if name in now else "no value now"
             message = f"{written} was written with other numbers than this exercise has: {name} = {then} there, {today}"
-            option = f" --variant {shlex.quote(exercise.variant)}" if exercise.variant else ""
-            raise DhcliError(message, f"judge it by the exercise as it was, or dhcli start {exercise.id}{option} again")
+            raise DhcliError(message, f"judge it by the exercise as it was, or dhcli start {exercise.typed} again")
 
 
 def judged_sheet(
@@ -188,10 +186,9 @@ def _units(exercise: Exercise) -> Iterator[str]:
 def _part_lines(exercise: Exercise, part: Part) -> Iterator[str]:
     question = part.question
     yield ""
-    if part.prompt.strip():
-        yield from _comment(part.prompt.strip(), "  # ", "  # ")
-    heading = " · ".join(filter(None, (part.heading(exercise), worth(exercise, part))))
-    yield from _comment(heading, "  # ", "  # ")
+    asked = (part.prompt.strip(), part.form(exercise)) if part.prompt.strip() else (part.heading(exercise),)
+    for text in (*asked[:-1], " · ".join(filter(None, (asked[-1], worth(exercise, part))))):
+        yield from _comment(text, "  # ", "  # ")
     yield from (f"  # {note}" for note in question.notes(exercise))
     for number, option in enumerate(question.statements, 1):
         yield from _comment(option, f"  #   {number}: ", "  #      ")

@@ -12,6 +12,7 @@ from dhcli.checking.tables.samples import Values
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import FileError, Place, Problem
+from dhcli.files.foreign.forms import Form, form_of
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
 from dhcli.files.yaml.robots import read_robot
@@ -44,18 +45,22 @@ class Table:
     note: str = ""
 
 
-def read_table(path: Path | str, reference: Robot) -> Table:
-    """The DH table of a robot file, to be compared with another robot.
+def read_table(path: Path | str, reference: Robot, text: str | None = None) -> Table:
+    """The DH table of a robot file, or in rows as an answer has them, to be compared with another robot.
 
     Args:
         path: The file.
         reference: The robot it is compared with. A length of the file that this one does not know, or knows with
             another value, is put in as a number; all others stay letters.
+        text: The text of the file, where it has been read.
 
     Raises:
         FileError: It is no robot file, or has products instead of a table.
     """
-    text, source = read_text(path), source_of(path)
+    text, source = read_text(path) if text is None else text, source_of(path)
+    root = read_yaml(text, source, is_foreign=form_of(text) is Form.TABLE)
+    if not isinstance(root, PlacedMapping):
+        return _plain(root, text, reference)
     robot = read_robot(text, source, "stdin" if str(path) == "-" else Path(path).stem)
     own = {
         name: value
@@ -64,7 +69,7 @@ def read_table(path: Path | str, reference: Robot) -> Table:
     }
     lengths = {name: value for name, value in own.items() if isinstance(value, Expr)}
     angles = {name: value for name, value in own.items() if isinstance(value, Angle)}
-    has_units = any(_LENGTH.search(value) for value in _values(read_yaml(text, source)))
+    has_units = any(_LENGTH.search(value) for value in _values(root))
     lines = ["a [m], alpha, d [m], theta" if has_units else ", ".join(COLUMNS)]  # bare, it may be meant in mm
     for link in robot.links:
         if link.row is None:
@@ -75,6 +80,24 @@ def read_table(path: Path | str, reference: Robot) -> Table:
         alpha, theta = row.alpha.substitute(angles), row.theta.substitute(angles)
         lines.append(", ".join((write(a), write_angle(alpha), write(d), write_angle(theta))))
     return Table(robot.convention, "\n".join(lines), _besides(robot, reference))
+
+
+def _plain(root: PlacedNode, text: str, reference: Robot) -> Table:
+    """Rows alone: lists, mappings or lines; the convention is that of the other robot, for no row says it."""
+    convention = Convention.MODIFIED if reference.convention is Convention.MODIFIED else Convention.STANDARD
+    if isinstance(root, PlacedSequence):
+        heads: list[str] = []
+        for row in root.items:
+            if isinstance(row, PlacedMapping):
+                heads = [key.text for key, _ in row.entries]
+                break
+        lines = [", ".join(heads)] if heads else []
+        for row in root.items:
+            cells = {key.text: value for key, value in row.entries} if isinstance(row, PlacedMapping) else {}
+            nodes = [cells[head] for head in heads if head in cells] if heads else [row]
+            lines.append(", ".join(cell for node in nodes for cell in _scalars(node)))
+        text = "\n".join(lines)
+    return Table(convention, text, f"the rows name no convention, and were read as {convention.value} DH")
 
 
 def _besides(robot: Robot, reference: Robot) -> str:

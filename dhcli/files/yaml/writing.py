@@ -7,14 +7,14 @@ from fractions import Fraction
 from pathlib import Path
 
 from dhcli.kinematics.conventions import ORDER, Convention
-from dhcli.kinematics.describe.description import Described, product_text
+from dhcli.kinematics.describe.description import Described
 from dhcli.kinematics.describe.drawn import Drawing
 from dhcli.kinematics.describe.exact import exact_factor, places_of
 from dhcli.kinematics.describe.linear import Point, coordinates_of
 from dhcli.kinematics.describe.process import axis_word
 from dhcli.kinematics.describe.products import end_of
 from dhcli.kinematics.describe.screws import ScrewAxis
-from dhcli.kinematics.moves import Chain
+from dhcli.kinematics.moves import Chain, product_text
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Number
@@ -35,7 +35,10 @@ def robot_text(robot: Robot) -> str:
         else:
             cells = ", ".join(f"{column}: {cell(quantity(getattr(link.row, column)))}" for column in robot.columns)
             lines.append(f"  - {{{cells}}}")
-    return "\n".join([*lines, *_end("tool", robot.tool), *_tools(robot), *_limits(robot), *_poses(robot)]) + "\n"
+    return (
+        "\n".join([*lines, *_end("tool", robot.tool), *_tools(robot), *_limits(robot), *_motors(robot), *_poses(robot)])
+        + "\n"
+    )
 
 
 def save_robot(robot: Robot, path: str | Path, *, overwrite: bool = False) -> None:
@@ -45,7 +48,7 @@ def save_robot(robot: Robot, path: str | Path, *, overwrite: bool = False) -> No
         FileError: The file exists already, or cannot be written.
         RobotError: It cannot be a URDF.
     """
-    from dhcli.files.atomic import write_whole
+    from dhcli.storage.atomic import write_whole
 
     if str(path).lower().endswith(".urdf"):
         from dhcli.files.urdf.writing import urdf_text
@@ -94,7 +97,7 @@ def product(moves: Chain) -> str:
 
 def _drawn_text(robot: Robot, convention: str, body: list[str]) -> str:
     poses = {name: values for name, values in robot.poses.items() if name != "drawn" or convention != "axes"}
-    lines = [*_head(robot, convention), *_parameters(robot), "", *body, *_limits(robot)]
+    lines = [*_head(robot, convention), *_parameters(robot), "", *body, *_limits(robot), *_motors(robot)]
     return "\n".join([*lines, *_poses(robot, poses)]) + "\n"
 
 
@@ -144,6 +147,20 @@ def _limits(robot: Robot) -> Iterator[str]:
         yield "limits:"
         for name, (low, high) in robot.limits.items():
             yield f"  {name}: [{quantity(low, 'm')}, {quantity(high, 'm')}]"
+
+
+def _motors(robot: Robot) -> Iterator[str]:
+    """The coupled drives."""
+    driven = robot.actuators
+    if driven is None:
+        return
+    own = [motor for motor in driven.motors if motor not in driven.joints]
+    limits = {name: f"[{', '.join(quantity(value, 'm') for value in pair)}]" for name, pair in driven.limits.items()}
+    yield ""
+    yield "actuators:"
+    listed = ", ".join(f"{cell(motor)}: {limits.get(motor, '')}".strip() for motor in own)
+    yield f"  motors: {{{listed}}}"
+    yield from (f"  {sentence.replace(' = ', ': ', 1)}" for sentence in driven.sentences())
 
 
 def _poses(robot: Robot, poses: Mapping[str, tuple[Value, ...]] | None = None) -> Iterator[str]:

@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 from typing import Literal, get_args
 
 from dhcli.errors import RobotError, UnknownNameError, did_you_mean
-from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
+from dhcli.kinematics.conventions import COLUMNS, Convention, Row
+from dhcli.kinematics.describe.choices import USUAL, Choices
 from dhcli.kinematics.describe.drawn import Drawing, drawing_of
 from dhcli.kinematics.describe.linear import LettersError
 from dhcli.kinematics.describe.process import walk
@@ -16,12 +17,11 @@ from dhcli.kinematics.describe.proof import CLOSE, Proof, proved
 from dhcli.kinematics.describe.repairing import repaired, with_table
 from dhcli.kinematics.describe.screws import ScrewAxis, Side, lines_of, screws_of
 from dhcli.kinematics.describe.words import Speaker, Step
-from dhcli.kinematics.forward import put_in, spelled
-from dhcli.kinematics.moves import Chain, Trans
+from dhcli.kinematics.forward import link_with, put_in
+from dhcli.kinematics.moves import Chain, spelled
 from dhcli.kinematics.robot import Link, Robot, Value
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import ZERO
 
 Form = Literal["standard", "modified", "axes", "screws", "body-screws", "product"]
 FORMS: tuple[Form, ...] = get_args(Form)
@@ -77,12 +77,19 @@ class Asked:
         steps: Whether the process is to be told: then a table comes from the axes, even from another table.
         numbers: Whether lengths are to be numbers.
         pose: The pose in which the robot is drawn; None for the one named `drawn`, else zero.
+        choices: What decides where the rules leave a choice; then, too, a table comes from the axes.
     """
 
     form: Form
     steps: bool = False
     numbers: bool = False
     pose: Mapping[str, Value] | None = None
+    choices: Choices = USUAL
+
+    @property
+    def from_axes(self) -> bool:
+        """Whether a table is to come from the axes, even where rows would only have to be grouped anew."""
+        return self.steps or self.pose is not None or self.choices != USUAL
 
 
 def check_form(text: str) -> Form:
@@ -113,7 +120,7 @@ def describe(robot: Robot, asked: Asked) -> Described:
     robot = in_numbers(robot) if asked.numbers else robot
     is_table = asked.form in ("standard", "modified")
     other = {"standard": Convention.MODIFIED, "modified": Convention.STANDARD}.get(asked.form)
-    if is_table and robot.convention is other and not asked.steps and asked.pose is None:
+    if is_table and robot.convention is other and not asked.from_axes:
         return _regrouped(robot, asked.form)
     try:
         return _from_axes(robot, asked)
@@ -139,7 +146,7 @@ def _named(robot: Robot, form: Form) -> Robot:
     """The robot with a title and a note that say what was made of what."""
     note = f"Made by `dhcli describe {robot.name} --as {form}`: the same motion from base to tool."
     known = "".join(f"\n{line}" for line in robot.notes.rstrip().split("\n")) if robot.notes else ""
-    return replace(robot, title=f"{robot.title}, as {NAMES[form]}", notes=note + known)
+    return replace(robot, title=f"{robot.title}, as {NAMES[form]}", notes=note + known, path=None)
 
 
 def in_numbers(robot: Robot) -> Robot:
@@ -152,25 +159,9 @@ def in_numbers(robot: Robot) -> Robot:
     if lacking := [name for name, value in robot.parameters.items() if value is None]:
         raise RobotError(f"{', '.join(lacking)} has no value", "numbers need one: --set NAME=VALUE")
     base, tool = put_in(robot.base, values), put_in(robot.tool, values)
-    links = tuple(_valued(link, values, robot.convention) for link in robot.links)
+    links = tuple(link_with(link, values, robot.convention) for link in robot.links)
     tools = {name: put_in(chain, values) for name, chain in robot.tools.items()}
     return replace(robot, links=links, base=base, tool=tool, tools=tools, parameters={}, derived={})
-
-
-def _valued(link: Link, values: Mapping[str, Value], convention: Convention) -> Link:
-    moves = put_in(link.moves, values)
-    if link.row is None:
-        return Link(link.number, moves, None, product_text(moves))
-    angles = {name: value for name, value in values.items() if isinstance(value, Angle)}
-    lengths = put_in((Trans(link.row.a, link.row.d, ZERO),), values)[0]
-    assert isinstance(lengths, Trans)  # noqa: S101  it keeps its kind
-    row = Row(lengths.x, link.row.alpha.substitute(angles), lengths.y, link.row.theta.substitute(angles))
-    return Link(link.number, moves_of(row, convention), row)
-
-
-def product_text(chain: Chain) -> str:
-    """A product as a file spells it."""
-    return " * ".join(spelled(move) for move in chain)
 
 
 def _regrouped(robot: Robot, form: Form) -> Described:
@@ -212,7 +203,7 @@ def _from_axes(robot: Robot, asked: Asked) -> Described:
 
 
 def _by_process(robot: Robot, convention: Convention, asked: Asked, drawing: Drawing) -> Described:
-    walked = walk(drawing)
+    walked = walk(drawing, asked.choices)
     found = _table(robot, convention, walked.rows(convention), walked.base(convention), walked.tool(convention))
     names = tuple(line.name for line in drawing.lines)
     found = replace(found, variables=names, poses=_sorted(robot, names))
@@ -243,7 +234,7 @@ def _screws(robot: Robot, form: Form, drawing: Drawing) -> Described:
 def as_product(robot: Robot, drawing: Drawing) -> Robot:
     """A robot as products of moves, from its drawing."""
     chains = tuple(chains_of(drawing))
-    links = tuple(Link(robot.first + i, chain, None, product_text(chain)) for i, chain in enumerate(chains))
+    links = tuple(Link(robot.first + i, chain) for i, chain in enumerate(chains))
     names = tuple(line.name for line in drawing.lines)
     return replace(
         robot,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 
@@ -43,14 +44,15 @@ class Normal:
     same: int
 
 
-def normal(first: Line, second: Line, before: Frame, ruler: Ruler) -> Normal:
+def normal(first: Line, second: Line, near: Frame, ruler: Ruler, *, is_signed: bool = False) -> Normal:
     """The common normal of two lines.
 
     Args:
         first: The line one stands on, with a point.
         second: The next line, with a point.
-        before: The frame that stands on the first line: its x axis and its origin decide what is free.
+        near: A frame whose x axis and whose origin, on the first line, decide what is free.
         ruler: What decides about lengths.
+        is_signed: Whether x is to lie on the side of the x near, so that it may lead from the second line to the first.
 
     Raises:
         LettersError: The direction of the normal depends on how long letters are.
@@ -59,7 +61,7 @@ def normal(first: Line, second: Line, before: Frame, ruler: Ruler) -> Normal:
     between = ruler.cleaned_point(moved(_through(second), _through(first), -1))
     same = same_direction(u, v)
     if same:
-        return _of_parallel(u, between, before, ruler, same)
+        return _signed(_of_parallel(u, between, near, ruler, same), near, is_signed=is_signed)
     sign = 1.0 if dot(u, v) >= 0 else -1.0
     n = cross(u, (v[0] - sign * u[0], v[1] - sign * u[1], v[2] - sign * u[2]))
     n = scaled(n, 1 / length(n))
@@ -68,10 +70,8 @@ def normal(first: Line, second: Line, before: Frame, ruler: Ruler) -> Normal:
     if apart:
         if not ruler.is_positive(apart):
             n, apart = scaled(n, -1), {letter: -value for letter, value in apart.items()}
-        return Normal(Lie.SKEW, n, start, end, apart, 0)
-    if dot(n, before.x) < -CLOSE:
-        n = scaled(n, -1)
-    return Normal(Lie.MEET, n, start, end, {}, 0)
+        return _signed(Normal(Lie.SKEW, n, start, end, apart, 0), near, is_signed=is_signed)
+    return _signed(Normal(Lie.MEET, n, start, end, {}, 0), near, is_signed=True)
 
 
 def through_end(found: Normal, end: Frame, ruler: Ruler) -> Normal:
@@ -81,9 +81,7 @@ def through_end(found: Normal, end: Frame, ruler: Ruler) -> Normal:
     if found.lie is Lie.PARALLEL:
         back = {letter: -value for letter, value in found.apart.items()}
         return replace(found, start=ruler.cleaned_point(shifted(end.origin, found.x, back)), end=end.origin)
-    if found.lie is Lie.MEET and dot(found.x, end.x) < -CLOSE:
-        return replace(found, x=scaled(found.x, -1))
-    return found
+    return _signed(found, end, is_signed=found.lie is Lie.MEET)
 
 
 def placed(drawing: Drawing, base: Frame) -> tuple[Line, ...]:
@@ -109,7 +107,7 @@ def placed(drawing: Drawing, base: Frame) -> tuple[Line, ...]:
         elif before.through is not None and same_direction(lines[k].direction, before.direction):
             point = before.through
         else:
-            point = _origin_on(lines, k + 1, ruler)
+            point = origin_on(lines, k + 1, ruler)
         lines[k] = replace(lines[k], through=point)
     return tuple(lines)
 
@@ -129,7 +127,7 @@ def _clustered(lines: tuple[Line, ...], *known: Vector) -> tuple[Line, ...]:
     return tuple(found)
 
 
-def _origin_on(lines: list[Line], k: int, ruler: Ruler) -> Point:
+def origin_on(lines: Sequence[Line], k: int, ruler: Ruler) -> Point:
     """Where the next frame stands on a line: where the line after it meets it, else at the point that is given."""
     line = lines[k]
     if k + 1 < len(lines) and not same_direction(line.direction, lines[k + 1].direction):
@@ -137,10 +135,17 @@ def _origin_on(lines: list[Line], k: int, ruler: Ruler) -> Point:
     return _through(line)
 
 
-def _of_parallel(u: Vector, between: Point, before: Frame, ruler: Ruler, same: int) -> Normal:
+def _signed(found: Normal, near: Frame, *, is_signed: bool) -> Normal:
+    """The normal with its x on the side of the x near, if it is to be."""
+    if not is_signed or dot(found.x, near.x) >= -CLOSE:
+        return found
+    return replace(found, x=scaled(found.x, -1), apart={letter: -value for letter, value in found.apart.items()})
+
+
+def _of_parallel(u: Vector, between: Point, near: Frame, ruler: Ruler, same: int) -> Normal:
     wide = ruler.cleaned_point({letter: across(vector, u) for letter, vector in between.items()})
     if not wide:
-        return Normal(Lie.SAME, before.x, before.origin, before.origin, {}, same)
+        return Normal(Lie.SAME, near.x, near.origin, near.origin, {}, same)
     longest = max(wide.values(), key=length)
     x = scaled(longest, 1 / length(longest))
     if any(length(cross(x, vector)) > CLOSE * length(vector) for vector in wide.values()):
@@ -149,8 +154,8 @@ def _of_parallel(u: Vector, between: Point, before: Frame, ruler: Ruler, same: i
     apart = ruler.cleaned(along(wide, x))
     if not ruler.is_positive(apart):
         x, apart = scaled(x, -1), {letter: -value for letter, value in apart.items()}
-    end = ruler.cleaned_point(moved(before.origin, wide))
-    return Normal(Lie.PARALLEL, x, before.origin, end, apart, same)
+    end = ruler.cleaned_point(moved(near.origin, wide))
+    return Normal(Lie.PARALLEL, x, near.origin, end, apart, same)
 
 
 def _feet(first: Line, second: Line, ruler: Ruler) -> tuple[Point, Point]:

@@ -6,7 +6,6 @@ way along line k from one normal to the next. A standard row i is Zi Xi, a modif
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
@@ -14,6 +13,7 @@ from math import pi
 
 from dhcli.geometry.vectors import UNITS, Vector, angle_about, cross, length, plus
 from dhcli.kinematics.conventions import Convention, Row
+from dhcli.kinematics.describe.choices import USUAL, Choices
 from dhcli.kinematics.describe.drawn import Drawing, Frame, Line
 from dhcli.kinematics.describe.exact import exact_angle
 from dhcli.kinematics.describe.linear import Form, along, length_of, moved
@@ -52,14 +52,14 @@ class Leg:
         normal: The normal.
         along_z: The way along the line, with the joint variable.
         along_x: The way along the normal.
-        previous: The x axis before, which decided what was free.
+        before: The frame before, on the line that it starts from.
     """
 
     number: int
     normal: Normal
     along_z: Along
     along_x: Along
-    previous: Vector
+    before: Frame
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,11 +104,12 @@ class Walk:
         return (*self.legs[-1].along_x.moves("x"), *last) if convention is Convention.MODIFIED else last
 
 
-def walk(drawing: Drawing) -> Walk:
+def walk(drawing: Drawing, choices: Choices = USUAL) -> Walk:
     """Go from the base to the end, normal by normal.
 
     Args:
         drawing: The robot as it is drawn; the base is the frame that it is drawn in.
+        choices: What decides where the rules leave a choice.
 
     Raises:
         LettersError: A direction depends on how long letters are against each other.
@@ -118,7 +119,8 @@ def walk(drawing: Drawing) -> Walk:
     legs: list[Leg] = []
     warnings: list[str] = []
     for k, (first, second) in enumerate(pairwise(lines)):
-        found = normal(first, second, here, ruler)
+        near = choices.near(k, here, lines, ruler)
+        found = normal(first, second, near, ruler, is_signed=choices.is_signed)
         if k == len(lines) - 2:
             found = through_end(found, drawing.end, ruler)
         if warning := far_feet(found, first, second, ruler):
@@ -127,7 +129,7 @@ def walk(drawing: Drawing) -> Walk:
         turn = angle_about(u, here.x, found.x)
         way = ruler.cleaned(along(moved(found.start, here.origin, -1), u))
         twist = exact_angle(_angle(found, u, v))
-        legs.append(Leg(k, found, _joint(first, turn, way), Along(twist, length_of(found.apart)), here.x))
+        legs.append(Leg(k, found, with_variable(first, turn, way), Along(twist, length_of(found.apart)), here))
         here = Frame(found.x, v, found.end)
     end = drawing.end
     rest = ruler.cleaned(along(moved(end.origin, here.origin, -1), here.z))
@@ -142,7 +144,7 @@ def _angle(found: Normal, u: Vector, v: Vector) -> float:
     return angle_about(found.x, u, v) if found.lie in (Lie.SKEW, Lie.MEET) else (0.0 if found.same > 0 else pi)
 
 
-def _joint(line: Line, turn: float, way: Form) -> Along:
+def with_variable(line: Line, turn: float, way: Form) -> Along:
     """The way along a line, with the variable of its joint: in the pose drawn it is as drawn."""
     turned, offset = exact_angle(turn), length_of(way)
     if line.name in ("base", "end"):
@@ -163,10 +165,12 @@ def _rounded(angle: Angle) -> Angle:
     return Angle(degrees=degrees - 360 if degrees > Fraction(180) else degrees)
 
 
-def frames_of(walked: Walk) -> Iterator[Frame]:
-    """The frame after each leg: on the next line, its x along the normal."""
-    for leg, line in zip(walked.legs, walked.lines[1:], strict=True):
-        yield Frame(leg.normal.x, line.direction, leg.normal.end)
+def frames_of(walked: Walk, convention: Convention) -> tuple[Frame, ...]:
+    """The frames of a convention: x along each normal, on the line behind it or, in the modified one, before it."""
+    pairs = zip(walked.legs, pairwise(walked.lines), strict=True)
+    if convention is Convention.MODIFIED:
+        return tuple(Frame(leg.normal.x, line.direction, leg.normal.start) for leg, (line, _) in pairs)
+    return tuple(Frame(leg.normal.x, line.direction, leg.normal.end) for leg, (_, line) in pairs)
 
 
 def axis_word(direction: Vector) -> str:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from dhcli.kinematics.robot import Robot, Value
 
 if TYPE_CHECKING:
+    from dhcli.kinematics.inverse.explained import Explanation
     from dhcli.kinematics.inverse.solutions import Solutions
 
 
@@ -25,6 +26,7 @@ class InverseKinematics:
         solutions: The answer.
         pose: The pose as it was read, shape (4, 4) [m]; what the task does not count says nothing.
         near: Joint values that solutions should be near to, in joint order [rad, m]; or None.
+        how: How the answer came about, where that is wanted.
     """
 
     robot: Robot
@@ -35,3 +37,4 @@ class InverseKinematics:
     solutions: Solutions
     pose: tuple[tuple[float, ...], ...]
     near: tuple[float, ...] | None = None
+    how: Explanation | None = None

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhcli.errors import RobotError, plural
+from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.frames import between, ends
-from dhcli.kinematics.inverse.branches import branch_names
-from dhcli.kinematics.inverse.families import Freedom
+from dhcli.kinematics.inverse.branches import branch_names, factors
 from dhcli.kinematics.inverse.prepared import Prepared, prepare
 from dhcli.kinematics.inverse.running import CONFIRMED
 from dhcli.kinematics.inverse.solutions import Free, Solutions, in_numbers, relation, shown_value, turning_joints
@@ -30,10 +30,10 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from dhcli.kinematics.inverse.arm import Array
+    from dhcli.kinematics.inverse.families import Freedom
 
 SEARCHED = 48
 """Values of a joint held that are tried where none was asked for and the first does not do."""
-
 
 SPREAD = (1.0, 0.6180339887498949, 0.7548776662466927, 0.8191725133961645, 0.5698402909980532, 0.6710436067037893)
 """Steps, in turns, by which values of several joints are spread."""
@@ -155,6 +155,19 @@ def inverse(  # noqa: PLR0913  what may be asked of a pose
         RobotError: T is no pose, a length has no value, or a joint held is none.
         UnknownNameError: The robot has no such frame, joint or length.
     """
+    check_robot(robot)
+    if is_coupled(robot):
+        from dhcli.kinematics.inverse.coupled import through  # few robots are
+
+        asked: dict[str, object] = {
+            "near": near,
+            "hold": hold,
+            "within_limits": within_limits,
+            "all_turns": all_turns,
+            "start": start,
+        }
+        asked |= {"task": task, "family": family, "end": end, "parameters": parameters, "tolerance": tolerance}
+        return through(inverse, robot, T, **asked)
     question, held = ask(robot, task, near=near, hold=hold, start=start, end=end, parameters=parameters)
     ready = question.ready
     poses, changed = read_targets(T, ready.task)
@@ -251,9 +264,21 @@ def _answer(question: Question, solved: Solved, said: list[str]) -> Solutions:
     free = tuple(tuple(_free(question, row, way) for way in ways) for row, ways in zip(q, solved.freedoms, strict=True))
     held = tuple((ready.arm.axes[j].name, float(q[0, question.order[j]])) for j in ready.plan.held) if len(q) else ()
     names = list[str]()
-    for index in dict.fromkeys(solved.index.tolist()):
+    once = dict.fromkeys(solved.index.tolist())
+    for index in once:
         names += branch_names(ready.plan, ready.parts, solved.motions[solved.index == index])
-    return Solutions(robot, ready.task.name, q, tuple(names), solved.residual, (), free, held, remarks=tuple(said))
+    return Solutions(
+        robot,
+        ready.task.name,
+        q,
+        tuple(names),
+        solved.residual,
+        free=free,
+        held=held,
+        remarks=tuple(said),
+        factors=factors(ready.plan, ready.parts, solved.motions) if len(once) == 1 else (),
+        ready=ready,
+    )
 
 
 def _free(question: Question, q: Array, way: Freedom) -> Free:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from math import prod
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -39,6 +40,24 @@ def branch_names(plan: Plan, parts: Anatomy, motions: Array) -> tuple[str, ...]:
         if _tells(said, signs):
             said = [words + ([f"{name} {sign}"] if sign else []) for words, sign in zip(said, signs, strict=True)]
     return tuple(_with_values(plan, motions, said))
+
+
+def factors(plan: Plan, parts: Anatomy, motions: Array) -> tuple[tuple[str, int], ...]:
+    """What the number of solutions of one pose is a product of: each choice between roots, and between how many.
+
+    Args:
+        plan: The plan that found them.
+        parts: The parts of the arm.
+        motions: The solutions, shape (K, n).
+
+    Returns:
+        Names, a joint or `wrist`, and counts; nothing where the choices do not multiply to the number.
+    """
+    arm = plan.actions.arm
+    last = [axis.name for axis in arm.axes[: arm.joints]][-3:] if parts.flips else []
+    counts = [("wrist" if name in last else name, len(set(signs))) for name, signs in _signs(plan, motions)]
+    found = tuple((name, count) for name, count in counts if count > 1)
+    return found if prod(count for _, count in found) == len(motions) > 1 else ()
 
 
 def _tells(said: Sequence[Sequence[str]], signs: Sequence[str]) -> bool:

@@ -7,14 +7,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhcli.kinematics.inverse.polishing import jacobian, polished, product, residuals
+from dhcli.kinematics.inverse.polishing import SINGULAR, jacobian, polished, product, residuals
 
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.arm import Arm, Array
     from dhcli.kinematics.inverse.tasks import Task
-
-SINGULAR = 1e-6
-"""Singular values of the Jacobian below this may be zero; a finite motion then decides."""
 
 _TRY = 0.05
 """How far the arm is moved to see whether its end stays [rad, reaches]."""

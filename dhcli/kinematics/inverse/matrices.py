@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cache
+from functools import cache, cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -28,14 +28,17 @@ class Actions:
 
     Attributes:
         arm: The arm.
-        parts: For each kind and axis the three parts of its action, shape (3, d, d).
     """
 
     def __init__(self, arm: Arm) -> None:
-        """Write out each joint's action."""
+        """Take the arm; a joint's action is written out when it is asked for."""
         self.arm = arm
-        self.parts = [[_parts(kind, axis) for axis in arm.axes] for kind in range(len(SIZES))]
         self._fixed: dict[tuple[int, tuple[int, ...]], Array] = {}
+
+    @cached_property
+    def parts(self) -> list[list[Array]]:
+        """For each kind and axis the three parts of its action, shape (3, d, d)."""
+        return [[_parts(kind, axis) for axis in self.arm.axes] for kind in range(len(SIZES))]
 
     def fixed(self, kind: int, run: Sequence[int]) -> Array:
         """What a run of joints leaves fixed: a basis, one thing a row, with as many zeros as there can be."""
@@ -90,7 +93,7 @@ def forms(kind: int) -> Array:
     return np.array([[form(kind, x, y) for y in units] for x in units], dtype=float)
 
 
-def value_of(angle_or_length: Entry, *, turns: bool) -> tuple[Entry, Entry]:
+def value_of(angle_or_length: Array, *, turns: bool) -> tuple[Array, Array]:
     """The two numbers in which equations are linear: cosine and sine, or the length and half its square."""
     q = angle_or_length
     return (np.cos(q), np.sin(q)) if turns else (q, 0.5 * q * q)

@@ -16,6 +16,9 @@ STEPS = 12
 ENOUGH = 4e-15
 """A residual that no further step makes smaller."""
 
+SINGULAR = 1e-6
+"""Singular values of the Jacobian below this may be zero; a finite motion then decides."""
+
 _RANK = 1e-11
 """Singular values of the Jacobian below this share of the largest are not divided by."""
 

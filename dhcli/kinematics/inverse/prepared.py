@@ -2,20 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
-from itertools import combinations, islice
 from typing import TypeAlias
 
-import numpy as np
-
-from dhcli.errors import RobotError, plural
+from dhcli.errors import RobotError
 from dhcli.kinematics.inverse.anatomy import NOTHING, Anatomy, anatomy
 from dhcli.kinematics.inverse.arm import Arm, arm_of
-from dhcli.kinematics.inverse.planning import NoPlanError, find_plan
-from dhcli.kinematics.inverse.polishing import jacobian, spread
-from dhcli.kinematics.inverse.steps import One, Plan
+from dhcli.kinematics.inverse.keeping import recalled, remember
+from dhcli.kinematics.inverse.steps import Plan
 from dhcli.kinematics.inverse.tasks import Task, TaskName, for_task, task_called
 from dhcli.kinematics.moves import Chain
 from dhcli.notation.angle import Angle
@@ -25,11 +20,6 @@ Known: TypeAlias = tuple[tuple[str, Angle | float], ...]
 
 MOST_JOINTS = 10
 """Joints that an arm may have; its loop is planned in seconds at most."""
-
-_CHOICES = 24
-"""Sets of joints to hold that are tried."""
-
-_RANK = 1e-8
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,54 +70,12 @@ def prepare(
         raise RobotError(f"the arm has {arm.joints} joints", f"inverse kinematics takes at most {MOST_JOINTS}")
     names = [axis.name for axis in arm.axes[: arm.joints]]
     asked = tuple(names.index(name) for name in hold if name in names)
-    spare = arm.joints - _rank(arm, task)
-    plan = _plan(arm, task, asked, spare)
+    kept = recalled(arm, task, asked)
+    if kept is None:
+        from dhcli.kinematics.inverse.choosing import chosen  # not for a plan that was found before
+
+        kept = chosen(arm, task, asked)
+        remember(kept, task, asked)
+    plan, spare = kept.plan, kept.spare
     parts = anatomy(arm) if names == [name for name in variables if name in names] else NOTHING
     return Prepared(plan, task, spare, len(plan.held) > len(asked), parts)
-
-
-def _plan(arm: Arm, task: Task, asked: tuple[int, ...], spare: int) -> Plan:
-    """The plan with the joints asked for held, and as many more as must be: the best choice of them."""
-    fallback: Plan | None = None
-    for more in islice(_choices(arm, task, asked, spare), _CHOICES):
-        try:
-            plan = find_plan(arm, (*asked, *more))
-        except NoPlanError:
-            continue
-        if all(isinstance(step, One) for step in plan.steps):
-            return plan
-        fallback = fallback or plan
-    if fallback is None:
-        names = ", ".join(axis.name for axis in arm.axes[: arm.joints])
-        hint = f"hold {plural(spare, 'joint')} more: hold={{name: value}}" if spare > 0 else ""
-        raise RobotError(f"no way was found to compute {names} from the {task.words} of the end", hint)
-    return fallback
-
-
-def _choices(arm: Arm, task: Task, asked: tuple[int, ...], spare: int) -> Iterator[tuple[int, ...]]:
-    """Which further joints to hold; none of the sets that leave the arm short of the task where the joints held are 0.
-
-    Of an arm that only has to point, the first joints are held, for its wrist points; else the last ones.
-    """
-    missing = max(spare - len(asked), 0)
-    others = [j for j in range(arm.joints) if j not in asked]
-    if task.place:
-        others.reverse()
-    wanted = arm.joints - spare
-    doubtful = []
-    for more in combinations(others, missing):
-        if len(asked) > spare or _rank(arm, task, (*asked, *more)) == wanted:
-            yield more
-        else:
-            doubtful.append(more)
-    yield from doubtful
-
-
-def _rank(arm: Arm, task: Task, held: tuple[int, ...] = ()) -> int:
-    """How many conditions the joints can meet in an ordinary pose, those held left out."""
-    motions = 2.6 * spread(3, arm.joints, 7) - 1.3
-    motions[:, list(held)] = 0
-    _, slope = jacobian(arm, task, motions)
-    slope[:, :, list(held)] = 0
-    sizes = np.linalg.svd(slope, compute_uv=False)
-    return int((sizes > _RANK).sum(axis=1).max())

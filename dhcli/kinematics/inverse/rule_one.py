@@ -9,7 +9,6 @@ import numpy as np
 from dhcli.kinematics.inverse.roots import STRAY, known_as, pair, slides, two_ways
 from dhcli.kinematics.inverse.rows import Rows
 from dhcli.kinematics.inverse.steps import One
-from dhcli.kinematics.inverse.weak import from_all
 
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.arm import Array, Flags
@@ -33,6 +32,8 @@ def read_off(rows: Rows, step: One, draws: Array) -> Rows:
         strong, found = _ordinary(rows, step)
     if strong.all():
         return found
+    from dhcli.kinematics.inverse.weak import from_all  # ordinary poses need none of it
+
     weak = from_all(rows.take(~strong), step, draws)
     return found.joined(weak)
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhcli.kinematics.inverse.matrices import value_of
 from dhcli.kinematics.inverse.motions import DIRECTION, POINT
 from dhcli.kinematics.inverse.polishing import polished, product, residuals
 from dhcli.kinematics.inverse.rows import Rows
@@ -116,7 +117,7 @@ def _turned(step: Step) -> Step:
 def _tried(plan: Plan, task: Task, goal: Array, draws: Array, held: Mapping[int, Array], tolerance: float) -> Found:
     """The solutions that a plan finds, each once."""
     arm = plan.actions.arm
-    known = {j: _value(value, turns=arm.axes[j].turns) for j, value in held.items()}
+    known = {j: value_of(value, turns=arm.axes[j].turns) for j, value in held.items()}
     rows = Rows.start(plan.actions, goal, known, plan.slack)
     for step in plan.steps:
         if isinstance(step, Two):
@@ -130,10 +131,6 @@ def _tried(plan: Plan, task: Task, goal: Array, draws: Array, held: Mapping[int,
         else:
             rows = read_off(rows, step, draws[step.joint])
     return _once(plan, task, goal, _confirmed(plan, task, rows, tolerance))
-
-
-def _value(motion: Array, *, turns: bool) -> tuple[Array, Array]:
-    return (np.cos(motion), np.sin(motion)) if turns else (motion, 0.5 * motion * motion)
 
 
 def _confirmed(plan: Plan, task: Task, rows: Rows, tolerance: float) -> Found:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from dhcli.errors import RobotError
+from dhcli.kinematics.farlimits import far_limits
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import JointInput, joint_values
 
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from numpy.typing import DTypeLike, NDArray
 
     from dhcli.kinematics.inverse.arm import Array
+    from dhcli.kinematics.inverse.prepared import Prepared
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,6 +67,10 @@ class Solutions:
         why: Why it does not, or why nothing is left; empty where there is a solution.
         closest: Joint values that come nearest to the pose where nothing reaches it, shape (n,); else None.
         remarks: What else a reader should know.
+        factors: What the number of solutions is a product of, as names and counts, such as (`theta1`, 2); empty where
+            it is none.
+        left_out: Solutions outside the limits that were not wanted.
+        ready: The arm with its plan.
     """
 
     robot: Robot
@@ -79,6 +85,9 @@ class Solutions:
     why: str = ""
     closest: Array | None = None
     remarks: tuple[str, ...] = ()
+    factors: tuple[tuple[str, int], ...] = ()
+    left_out: Solutions | None = None
+    ready: Prepared | None = None
 
     def __len__(self) -> int:
         return len(self.q)
@@ -92,6 +101,19 @@ class Solutions:
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:  # noqa: FBT001
         """Let numpy read the joint values as an array of the shape (K, n)."""
         return np.array(self.q, dtype=dtype)
+
+    def take(self, at: Sequence[int]) -> Solutions:
+        """Some of them."""
+        whole = self.factors if len(at) == len(self) else ()
+        return replace(
+            self,
+            q=self.q[list(at)],
+            branches=tuple(self.branches[k] for k in at),
+            residual=None if self.residual is None else self.residual[list(at)],
+            beyond=tuple(self.beyond[k] for k in at),
+            free=tuple(self.free[k] for k in at),
+            factors=whole,
+        )
 
     @property
     def within_limits(self) -> NDArray[np.bool_]:
@@ -152,9 +174,10 @@ class Solutions:
 
 def shown_beyond(robot: Robot, outside: Beyond) -> str:
     """A joint outside its limits in words, such as `theta2 12° above`."""
-    kinds = {joint.name: joint.kind for joint in robot.joints}
+    far = far_limits(robot)
+    turning = {joint.name for joint in robot.joints if joint.kind == "revolute"} | (far.turning if far else set())
     size = abs(outside.by)
-    shown = f"{np.degrees(size):.4g}°" if kinds[outside.joint] == "revolute" else f"{size:.4g} m"
+    shown = f"{np.degrees(size):.4g}°" if outside.joint in turning else f"{size:.4g} m"
     return f"{outside.joint} {shown} {'above' if outside.by > 0 else 'below'}"
 
 

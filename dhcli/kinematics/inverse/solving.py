@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhcli.kinematics.inverse.families import SINGULAR, Freedom, freedoms, moved_to
-from dhcli.kinematics.inverse.polishing import jacobian, product, residuals
+from dhcli.kinematics.inverse.polishing import SINGULAR, jacobian, product, residuals
 from dhcli.kinematics.inverse.prepared import Prepared
 from dhcli.kinematics.inverse.running import CONFIRMED, Found, run
 
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.arm import Array, Flags, Ints
+    from dhcli.kinematics.inverse.families import Freedom
 
 TRIED = np.array([0.0, 0.5, -0.5, 1.0, 0.25, -0.25, 0.75, -0.75])
 """Where a free joint is tried: half turns from where it should best be, or reaches."""
@@ -65,16 +65,23 @@ def solve(
     found = found.take(kept)
     rows: list[tuple[int, Array, tuple[Freedom, ...]]] = []
     for index, motions, ways in zip(found.index.tolist(), found.motions, families, strict=True):
-        placed = motions
-        for way in ways:
-            there = moved_to(arm, task, placed, goal, way, float(best[way.parameter]), plan.held)
-            placed = placed if there is None else there
+        placed = _at_best(ready, motions, goal, best, ways) if ways else motions
         if not any(index == other and _gap(arm.turning, placed, row) < _SAME for other, row, _ in rows):
             rows.append((index, placed, ways))
     order = sorted(range(len(rows)), key=lambda k: (rows[k][0], *np.round(rows[k][1], 7).tolist()))
     wrapped = np.array([_wrapped(rows[k][1], arm.turning) for k in order])
     left = residuals(task, arm.home, product(arm, wrapped), np.repeat(goal[None], len(wrapped), axis=0))
     return Solved(wrapped, left, tuple(rows[k][2] for k in order), np.array([rows[k][0] for k in order]))
+
+
+def _at_best(ready: Prepared, motions: Array, goal: Array, best: Array, ways: tuple[Freedom, ...]) -> Array:
+    """The member of a family whose free joints stand where they should best be."""
+    from dhcli.kinematics.inverse.families import moved_to  # ordinary poses have no families
+
+    for way in ways:
+        there = moved_to(ready.arm, ready.task, motions, goal, way, float(best[way.parameter]), ready.plan.held)
+        motions = motions if there is None else there
+    return motions
 
 
 def tries(ready: Prepared, best: Array) -> Array:
@@ -120,6 +127,10 @@ def representatives(ready: Prepared, found: Found, least: Array) -> tuple[Ints, 
     ways: dict[int, tuple[Freedom, ...]] = {}
     seen = set[tuple[int, int]]()
     loose = set(np.flatnonzero(least < SINGULAR).tolist())
+    if not loose:
+        return np.arange(len(found.index)), [()] * len(found.index)
+    from dhcli.kinematics.inverse.families import freedoms
+
     for k in sorted(range(len(found.index)), key=lambda k: int(found.draw[k])):
         key = int(found.index[k]), int(found.path[k])
         if k in loose and found.free[k] and key in seen:

@@ -10,16 +10,26 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhcli.errors import plural
+from dhcli.kinematics.inverse.matrices import value_of
 from dhcli.kinematics.inverse.planning import NoPlanError, find_plan
 from dhcli.kinematics.inverse.prepared import Prepared
 from dhcli.kinematics.inverse.reasons import nearest_reachable, what_never_changes
+from dhcli.kinematics.inverse.rows import Rows
+from dhcli.kinematics.inverse.rule_one import read_off
 from dhcli.kinematics.inverse.running import run
 from dhcli.kinematics.inverse.solutions import Solutions
 from dhcli.kinematics.inverse.solving import tries
+from dhcli.kinematics.inverse.steps import One
 from dhcli.kinematics.inverse.tasks import TASKS, for_task
 
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.arm import Array
+
+_SMALL = 1e-9
+"""Coefficients below this say nothing of a joint."""
+
+LEAST = 1e-5
+"""Less than this of a metre, or of a degree, is nothing to a reader."""
 
 
 FAR = 20
@@ -48,15 +58,20 @@ def why_not(
     motions = np.where(arm.turning, motions - 2 * np.pi * np.round(motions / (2 * np.pi)), motions)
     reasons = list(what_never_changes(arm, ready.task, pose))
     if not reasons:
-        reasons = list(_too_far(ready, goal))
+        reasons = _too_far(ready, goal) or _not_real(ready, goal, held)
     parts = list(_parts(ready, goal, held)) if ready.task.name in {"pose", "axis"} else []
-    left = [f"{apart:.4g} m"] if ready.task.place else []
-    left += [f"{np.degrees(angle):.4g}°"] if ready.task.directions else []
+    left = [f"{_shown(apart):.4g} m"] if ready.task.place else []
+    left += [f"{_shown(float(np.degrees(angle))):.4g}°"] if ready.task.directions else []
     nearest = f"the nearest pose reached is {' and '.join(left)} away"
     if FAR * arm.reach < apart < 100 * FAR * arm.reach:
         nearest += ": bare lengths are metres, did you mean mm?"
     why = "; ".join((*reasons, *parts, nearest))
     return replace(answer, reachable=False, why=why, closest=values(motions))
+
+
+def _shown(left: float) -> float:
+    """What is left of a distance or an angle, without what the search for the nearest pose leaves."""
+    return 0.0 if left < LEAST else left
 
 
 def _too_far(ready: Prepared, goal: Array) -> list[str]:
@@ -74,6 +89,27 @@ def _too_far(ready: Prepared, goal: Array) -> list[str]:
     if distance <= longest:
         return []
     return [f"the point is {distance:.4g} m from the first joint, and the links laid end to end are {longest:.4g} m"]
+
+
+def _not_real(ready: Prepared, goal: Array, held: dict[int, float]) -> list[str]:
+    """The joint at which all candidates end, because a cosine in its equation would be beyond 1."""
+    arm, plan = ready.arm, ready.plan
+    if set(plan.held) != set(held):  # many values of a joint were tried
+        return []
+    fixed = {j: value_of(np.array([value]), turns=arm.axes[j].turns) for j, value in held.items()}
+    rows = Rows.start(plan.actions, goal[None], fixed, plan.slack)
+    draws = tries(ready, np.zeros(arm.joints))
+    for step in plan.steps:
+        if not isinstance(step, One):
+            return []
+        equation = rows.coefficients(step.equations[0], step.joint)
+        e, a, b = (np.broadcast_to(part, len(rows)) for part in equation)
+        rows = read_off(rows, step, draws[step.joint])
+        if not len(rows):
+            least = float((np.abs(e) / np.maximum(np.hypot(a, b), _SMALL)).min())
+            said = f"{arm.axes[step.joint].name} has no real value: a cosine in its equation would be {least:.4g}"
+            return [said] if step.kind == "pair" and least < 1 / _SMALL else []
+    return []
 
 
 def _parts(ready: Prepared, goal: Array, held: dict[int, float]) -> list[str]:

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import combinations
+from itertools import product as every
 from math import comb
 from typing import TypeAlias
 
+from dhcli.algebra.equality import equal
 from dhcli.kinematics.singular.arm import Arm, Point
 from dhcli.kinematics.singular.blocks import blocks_of
 from dhcli.kinematics.singular.forms import shortest
@@ -15,11 +17,14 @@ from dhcli.kinematics.singular.modular import determinant
 from dhcli.kinematics.singular.polynomial import TooLongError
 from dhcli.kinematics.singular.square import Choice, Writing, best_places, choices_of_rows, differences, factored
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import Expr, Trig
+from dhcli.notation.tree import ZERO, Expr, Symbol, Trig
 from dhcli.notation.walk import operations, substitute, symbols
 
 Zeros: TypeAlias = frozenset[Expr]
 """Factors of one determinant: it vanishes where one of them does. Or expressions that are zero at once."""
+
+Put: TypeAlias = tuple[dict[str, Expr], dict[str, Angle]]
+"""A value of a slide, or of an angle, to be put in."""
 
 MOST_MINORS = 40
 MOST_STEPS = 400
@@ -49,7 +54,7 @@ def conditions(arm: Arm, point: Point, kept: Sequence[int]) -> tuple[tuple[Expr,
         splitting.split(minors, frozenset())
     except TooLongError:
         raise UnreadableError from None
-    found = splitting.found
+    found = {_trimmed(one, arm.joints) for one in splitting.found}
     least = [one for one in found if not any(other < one for other in found)]
     if len(least) > MOST_CONDITIONS or any(sum(map(operations, one)) > LONGEST_CONDITION for one in least):
         raise UnreadableError
@@ -142,22 +147,23 @@ class _Splitting:
 
     def given(self, minor: Zeros, zero: Expr) -> Zeros | None:
         """A determinant where something is zero: simpler factors, none that can vanish, or None if it vanishes too."""
-        if not isinstance(zero, Trig):
+        ways = zeroing(zero, self.arm.joints)
+        if not ways:
             return minor
         kept: set[Expr] = set()
         for factor in minor:
-            branches = [self.simpler(factor, values) for values in _right_angles(zero, self.arm.joints)]
-            if branches == [None, None]:
+            branches = [self.simpler(factor, values) for values in ways]
+            if all(branch is None for branch in branches):
                 return None
-            if branches[0] is None or branches[0] != branches[1]:
+            if branches[0] is None or any(branch != branches[0] for branch in branches):
                 kept.add(factor)  # another one on each branch: it stays as it is
             else:
                 kept |= branches[0]
         return frozenset(kept)
 
-    def simpler(self, factor: Expr, values: dict[str, Angle]) -> Zeros | None:
+    def simpler(self, factor: Expr, values: Put) -> Zeros | None:
         """The factors that are left of one when a joint has a value; itself if it is no shorter, None if it is 0."""
-        put = substitute(factor, {}, values)
+        put = substitute(factor, *values)
         if put == factor:
             return frozenset({factor})
         value, factors = shortest(put)
@@ -168,13 +174,34 @@ class _Splitting:
         return left if shorter else frozenset({factor})
 
 
-def _right_angles(zero: Trig, joints: Sequence[str]) -> list[dict[str, Angle]]:
-    """The values of one joint for which a cosine or sine is zero."""
+def zeroing(zero: Expr, joints: Sequence[str]) -> list[Put]:
+    """The values of one joint for which a cosine or sine, or a slide by itself, is zero; none for what else is."""
+    if isinstance(zero, Symbol):
+        return [({zero.name: ZERO}, {})]
+    if not isinstance(zero, Trig):
+        return []
     terms = dict(zero.angle.terms)
     name = next(name for name in reversed(joints) if name in terms)
     start = 0 if zero.function == "sin" else 90
     rest = zero.angle - Angle.of(name) * terms[name]
-    return [{name: (Angle.in_degrees(start + half) - rest) * (Fraction(1) / terms[name])} for half in (0, 180)]
+    share = Fraction(1) / terms[name]
+    return [({}, {name: (Angle.in_degrees(start + half) - rest) * share}) for half in (0, 180)]
+
+
+def _trimmed(zeros: Zeros, joints: Sequence[str]) -> Zeros:
+    """Zeros without those that follow from the others."""
+    for zero in sorted(zeros, key=_plainness, reverse=True):
+        ways = [zeroing(other, joints) for other in zeros if other != zero]
+        settled = [way for way in ways if way]
+        if settled and all(equal(_put(zero, puts), ZERO) for puts in every(*settled)):
+            return _trimmed(zeros - {zero}, joints)
+    return zeros
+
+
+def _put(expr: Expr, puts: Iterable[Put]) -> Expr:
+    for put in puts:
+        expr = substitute(expr, *put)
+    return expr
 
 
 def _plainness(factor: Expr) -> tuple[int, str]:

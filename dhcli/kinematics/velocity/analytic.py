@@ -68,6 +68,16 @@ class Triple:
         return f"{self.angles[1]} is {'0 or 180°' if self.is_proper else '±90°'}"
 
     @property
+    def vanishing(self) -> str:
+        """The determinant of B, by which ω = B (α', β', γ'): where it is 0 there are no rates."""
+        second = self.angles[1]
+        size = f"sin({second})" if self.is_proper else f"cos({second})"
+        three = [self.rates(axis, (1, 0), (1, 0)) for axis in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
+        (a, b, c), (d, e, f), (g, h, i) = three
+        sign = a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
+        return size if sign > 0 else f"-{size}"
+
+    @property
     def _third(self) -> tuple[int, int]:
         """The axis that is neither a nor b, and the sign with which a × b points along it."""
         first, second, _ = self.axes

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, TypeAlias
 
-from dhcli.errors import RobotError
+from dhcli.errors import RobotError, plural
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values, warnings
 from dhcli.kinematics.velocity.form import GEOMETRIC, Form, Which
@@ -246,7 +246,8 @@ def answer_symbolic_rates(
     joints = len(found.joints)
     if len(kept) != joints or joints > LARGEST:
         message = (
-            f"{joints} joints and {len(kept)} rows that they can move: in letters only square ones up to {LARGEST}"
+            f"{plural(joints, 'joint')} for {plural(len(kept), 'row')} that can move: "
+            f"in letters as many joints as rows, up to {LARGEST}"
         )
         raise RobotError(message, "leave --symbolic out")
     for k in set(range(len(rows))) - set(kept):

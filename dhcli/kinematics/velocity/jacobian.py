@@ -14,15 +14,16 @@ from dhcli.algebra.terms import TERMS
 from dhcli.errors import RobotError
 from dhcli.kinematics.fold import fold_rows
 from dhcli.kinematics.frames import ORIGIN, between
-from dhcli.kinematics.moves import Trans
+from dhcli.kinematics.moves import Rot, Trans
 from dhcli.kinematics.pose import DIGITS, rounded
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values, numbers, require
 from dhcli.kinematics.velocity.analytic import TINY, Triple
 from dhcli.kinematics.velocity.form import GEOMETRIC, Form
 from dhcli.kinematics.velocity.steps import Vector, fold_columns
-from dhcli.kinematics.velocity.view import MotionView, Part, check_size, joints_between, parts
+from dhcli.kinematics.velocity.view import MotionView, Part, Way, check_size, joints_between, parts
 from dhcli.notation.angle import Angle
+from dhcli.notation.factors import AXES
 from dhcli.notation.styles import THETAS, Joints
 from dhcli.notation.tree import Expr, power
 from dhcli.notation.trig import cosine, sine
@@ -182,11 +183,24 @@ def textbook_jacobian(robot: Robot, values: Values, view: MotionView, form: Form
     check_size(made)
     linear, angular = six_rows(made, len(joints), TERMS)
     if form.analytic:
-        triple = Triple.called(form.analytic)
-        alpha, beta = (Angle.of(free_name(robot, name)) for name in triple.angles[:2])
-        vanishing, other = (sine(beta), cosine(beta)) if triple.is_proper else (cosine(beta), sine(beta))
-        angular = rates_of(form, angular, (cosine(alpha), sine(alpha)), (power(vanishing, -1), other), TERMS)
+        angular = _rates_in_terms(robot, values, view, form)
     return Jacobian(form.chosen(linear, angular), form.labels, joints, view, form, robot.writing)
+
+
+def _rates_in_terms(robot: Robot, values: Values, view: MotionView, form: Form) -> Rows[Expr]:
+    """Rows of rates of angles, from ω along the axes that the first angle has reached.
+
+    So that angle and the joints about parallel axes are merged before anything is multiplied: sin(theta4 - yaw).
+    """
+    triple = Triple.called(form.analytic)
+    alpha, beta = (Angle.of(free_name(robot, name)) for name in triple.angles[:2])
+    vanishing, other = (sine(beta), cosine(beta)) if triple.is_proper else (cosine(beta), sine(beta))
+    joints = moving_joints(robot, view)
+    way = Way((Rot(AXES[triple.axes[0]], -alpha),), between(robot, view.start, view.end))
+    made = tuple(way.parts(joints, robot.angles, merged=True, values=values))
+    check_size(made)
+    turned = six_rows(made, len(joints), TERMS)[1]
+    return rates_of(form, turned, (1, 0), (power(vanishing, -1), other), TERMS)
 
 
 def rates_by(

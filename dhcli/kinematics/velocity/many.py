@@ -9,17 +9,17 @@ import numpy as np
 
 from dhcli.algebra.arrays import Array, library_of
 from dhcli.algebra.tape import Number, Tape
-from dhcli.errors import RobotError
+from dhcli.errors import DhcliError, RobotError
 from dhcli.kinematics.batch import joint_rows, room
 from dhcli.kinematics.fold import fold_rows
-from dhcli.kinematics.forward import Given
+from dhcli.kinematics.forward import Given, plain_floats
 from dhcli.kinematics.frames import between
 from dhcli.kinematics.merge import merge
 from dhcli.kinematics.playing import play
 from dhcli.kinematics.recorded import Recording, kept
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.traced import shaped, trace
-from dhcli.kinematics.values import JointInput, given_parameters, joint_values, numbers, parameter_values, plain_numbers
+from dhcli.kinematics.values import JointInput, given_parameters, joint_values, numbers, parameter_values
 from dhcli.kinematics.velocity.analytic import TINY
 from dhcli.kinematics.velocity.form import Form, Which
 from dhcli.kinematics.velocity.jacobian import (
@@ -36,6 +36,8 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 
@@ -77,18 +79,41 @@ def jacobian(  # noqa: PLR0913  each by its name
         UnknownNameError: The robot has no such frame, joint or length.
     """
     check_robot(robot)
+    library = library_of(q)
+    if not library and (floats := plain_floats(cast("JointInput", q), parameters)) is not None:
+        played = _played(robot, floats, (part, angular_first, analytic), viewing)
+        if played is not None:
+            return played
     view = MotionView.of(robot, **viewing)
     form = Form(checked_part(part), angular_first, analytic)
-    if library := library_of(q):
+    if library:
         only = {"dtype": dtype, "threads": None if threads == 1 else threads}
         return cast("NDArray[Any]", traced_jacobian(robot, q, view, form, parameters or {}, (library, only)))
     if _is_many(q):
         return jacobians(robot, cast("ArrayLike", q), view, form, parameters or {}, dtype=dtype, threads=threads)
-    plain = None if parameters or analytic else plain_numbers(cast("JointInput", q))
-    if plain is not None and (found := recorded_jacobian(robot, view, form, {}).again(plain)) is not None:
-        return np.array(found).reshape(len(form.labels), -1)
     values = {**parameter_values(robot, parameters or {}), **joint_values(robot, cast("JointInput", q))}
     return numeric_jacobian(robot, values, view, form).matrix
+
+
+def _played(
+    robot: Robot, q: Sequence[float], rows: tuple[Which, bool, str], viewing: Viewing
+) -> NDArray[np.float64] | None:
+    """One Jacobian by its recording, the same as by the fold; None where only that can tell what is wrong."""
+
+    def record() -> tuple[Recording, tuple[int, int]]:
+        part, angular_first, analytic = rows
+        view, form = MotionView.of(robot, **viewing), Form(checked_part(part), angular_first, analytic)
+        shape = len(form.labels), len(moving_joints(robot, view))
+        return recorded_jacobian(robot, view, form, {}), shape
+
+    try:
+        recording, shape = kept(robot, (rows, *viewing.items()), record)
+        found = recording.again(q)
+    except (TypeError, DhcliError):  # a point in a list is no key
+        return None
+    if found is None or (rows[2] and found[-1] < TINY**2):
+        return None
+    return np.array(found[:-1] if rows[2] else found).reshape(shape)
 
 
 def symbolic_jacobian(

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, TypeAlias, Unpack
 
 import numpy as np
 
-from dhcli.errors import RobotError
+from dhcli.errors import RobotError, plural
 from dhcli.geometry.rank import decided, rank_of
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.robot import Robot, check_robot
@@ -72,7 +72,7 @@ class Rates:
             here = f"the arm is singular here (rank {self.rank} of {self.full})"
             return (f"{here}: near this pose the velocity takes rates without bound, at it none give it",)
         joints = len(self.joints)
-        return (f"{joints} joint{'s' * (joints != 1)} cannot make every velocity; these rates come nearest",)
+        return (f"{plural(joints, 'joint')} cannot make every velocity; these rates come nearest",)
 
 
 def joint_rates(

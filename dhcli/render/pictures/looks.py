@@ -98,6 +98,7 @@ LOOKS = {
     "theirs-head": Look("theirs"),
     "theirs-mark": Look("", "theirs", 1.8),
     "rule": Look("", "line", 1.0),
+    "moment": Look(),
 }
 
 TEXTS = {

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +14,7 @@ from dhcli.kinematics.values import JointInput, given_parameters
 from dhcli.mobility.linkage import Linkage
 from dhcli.scene.camera import read_view
 from dhcli.scene.drawing import Drawing
+from dhcli.scene.motion import Path as Rows
 
 if TYPE_CHECKING:
     from dhcli.render.paper import Paper as Letters
@@ -32,6 +34,17 @@ class Picture(Drawing):
         from dhcli.render.pictures.svg import svg
 
         return svg(self.figure(), dark=self.dark, size=self.shown_at)
+
+    def animated(self) -> str:
+        """The text of an SVG file that moves by itself.
+
+        Raises:
+            DhcliError: It shows no motion, or something else too.
+        """
+        from dhcli.render.pictures.animated import animated
+        from dhcli.scene.motion import moments
+
+        return animated(moments(self.motion()), dark=self.dark, size=self.size)
 
     def tikz(self) -> str:
         """The text of a TikZ figure."""
@@ -69,10 +82,13 @@ class Picture(Drawing):
         from dhcli.render.pictures.terminal import LEAST as FEWEST
         from dhcli.render.pictures.terminal import sheet_of, terminal
 
-        if self.to is not None:
+        if self.moves:
             raise DhcliError(
                 "a film strip is no picture in letters", "write .svg, .pdf, .png, .tex, or .html to play it"
             )
+        if self.more:
+            each = (replace(self, more=()), *(replace(self, **vars(one)) for one in self.more))
+            return "\n".join(one.terminal(paper, columns, rows) for one in each)
         paper = paper or Letters()
         columns = columns or min(paper.width, 120)
         rows = rows or max(FEWEST[1], min(44, round(columns * 0.4)))
@@ -92,7 +108,7 @@ class Picture(Drawing):
             UnknownNameError: The suffix stands for no format.
             FileError: The file cannot be written.
         """
-        from dhcli.files.atomic import write_whole
+        from dhcli.storage.atomic import write_whole
 
         write_whole(path, self.rendered(format_of(path)), overwrite=overwrite)
 
@@ -124,6 +140,7 @@ def draw(  # noqa: PLR0913  a figure has as many sides
     table: bool = False,
     parameters: Mapping[str, Any] | None = None,
     to: JointInput = None,
+    path: Rows = (),
     beside: Robot | None = None,
 ) -> Picture:
     """A picture of a robot at joint values, or of a linkage in its assembled position.
@@ -139,6 +156,7 @@ def draw(  # noqa: PLR0913  a figure has as many sides
         table: Whether the DH table stands beside.
         parameters: Lengths and angles to use instead of the robot's own.
         to: Joint values or the name of a pose to which it moves: a film strip, and a page that plays it.
+        path: Joint values of each moment of a motion instead, radians and metres, shape (N, n).
         beside: Another table of the same arm, drawn over it; the first frame that differs is marked.
 
     Returns:
@@ -155,7 +173,23 @@ def draw(  # noqa: PLR0913  a figure has as many sides
         check_size(size)
     given = given_parameters(what, parameters) if parameters and isinstance(what, Robot) else None
     seen = read_view(view) if isinstance(view, str) else view
-    return Picture(what, q, pose, seen, size, dark, worksheet, table, given, to=to, beside=beside)
+    return Picture(
+        what, q, pose, seen, size, dark, worksheet, table, given, to=to, path=_rows(what, path), beside=beside
+    )
+
+
+def _rows(what: Robot | Linkage, path: Rows) -> Rows:
+    """The rows of a path in plain numbers, one for each joint.
+
+    Raises:
+        RobotError: A row has more or fewer, or what moves is no robot.
+    """
+    rows = tuple(tuple(map(float, row)) for row in path)
+    count = len(what.variables) if isinstance(what, Robot) else 0
+    for number, row in enumerate(rows):
+        if len(row) != count or not all(map(isfinite, row)):
+            raise RobotError(f"row {number} of the path has {len(row)} numbers; {count} finite ones are wanted")
+    return rows
 
 
 def check_size(size: tuple[int, int]) -> None:

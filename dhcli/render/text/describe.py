@@ -16,7 +16,7 @@ from dhcli.kinematics.describe.process import axis_word
 from dhcli.kinematics.describe.products import end_of
 from dhcli.kinematics.describe.words import Step
 from dhcli.kinematics.fold import fold
-from dhcli.kinematics.forward import spelled
+from dhcli.kinematics.moves import spelled
 from dhcli.notation.tree import Expr
 from dhcli.notation.writer import write
 from dhcli.render.look import Look
@@ -98,19 +98,14 @@ def _step_content(step: Step) -> dict[str, Any]:
 
 
 def _steps(result: Described, look: Look) -> Iterator[str]:
-    """The steps, each under its number."""
+    """The steps, each number once."""
     paper = look.paper
     width = min(paper.width, _PROSE)
+    number = 0
     for step in result.steps:
-        parts = [f"{step.subject}: {step.said}"]
-        if step.cells:
-            parts.append(", ".join(step.cells))
-        if step.rule:
-            parts.append(step.rule)
-        if step.free:
-            parts.append(f"free: {step.free}")
-        for i, part in enumerate(parts):
-            mark = f"{step.number}  " if i == 0 else "     "
+        for i, part in enumerate(step.lines()):
+            mark = f"{step.number}  " if step.number != number else " " * (5 if i else 3)
+            number = step.number
             text = _POINT.sub(lambda point: point[0].replace(" ", _JOINED), paper.spell(part))
             lines = textwrap.wrap(
                 text,

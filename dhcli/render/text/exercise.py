@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import shlex
 from dataclasses import asdict
 from typing import Any
 
 from dhcli.checking.earning import worth_of
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.figures import shown
+from dhcli.checking.figures import subject
 from dhcli.files.yaml.robot_line import robot_line
 from dhcli.render.look import Look
 from dhcli.render.text.marks import question_text
@@ -40,10 +39,9 @@ def exercise_table(exercise: Exercise, look: Look) -> str:
             lines += ["", *prose_lines(f"{part.id} was withdrawn: {part.withdrawn}", paper)]
     if worth := worth_of(exercise):
         lines += ["", *prose_lines(f"worth: {worth}", paper)]
-    option = f" --variant {shlex.quote(exercise.variant)}" if exercise.variant else ""
-    lines += ["", paper.ink(paper.spell(f"dhcli start {exercise.id}{option} writes a sheet to fill in"), "dim")]
-    if shown(exercise):
-        lines.append(paper.ink(paper.spell(f"dhcli draw {exercise.id}{option} draws the arm"), "dim"))
+    lines += ["", paper.ink(paper.spell(f"dhcli start {exercise.typed} writes a sheet to fill in"), "dim")]
+    if drawn := subject(exercise):
+        lines.append(paper.ink(paper.spell(f"dhcli draw {exercise.typed} draws {drawn}"), "dim"))
     return "\n".join(lines) + "\n"
 
 
@@ -57,6 +55,7 @@ def exercise_content(exercise: Exercise, _look: Look) -> dict[str, Any]:
         "task": exercise.task,
         "variant": exercise.variant or None,
         "given": {name: in_units(value) for name, value in exercise.given.items()},
+        "picture": subject(exercise) or None,
         "parts": [
             {
                 "part": part.id,

@@ -29,6 +29,8 @@ def pose_table(result: ForwardKinematics, look: Look) -> str:
     lines += matrix_lines(result.pose.rows, result.robot.writing, look)
     if result.words:
         lines.append(look.paper.ink(", ".join(result.words), "dim"))
+    if not result.question.symbolic:
+        lines += look.paper.aside(f"from a pose back to the joints: dhcli ik {result.robot.name}")
     return _text(lines)
 
 

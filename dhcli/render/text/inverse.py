@@ -10,7 +10,9 @@ from typing import Any
 from dhcli.errors import plural
 from dhcli.geometry.euler import RollPitchYaw
 from dhcli.kinematics.conventions import NAMES
+from dhcli.kinematics.farlimits import far_limits
 from dhcli.kinematics.inverse.answer import InverseKinematics
+from dhcli.kinematics.inverse.explained import Explanation
 from dhcli.kinematics.inverse.solutions import shown_beyond
 from dhcli.render.code.matrices import csv_line, exact
 from dhcli.render.look import Look
@@ -53,7 +55,8 @@ def inverse_table(result: InverseKinematics, look: Look) -> str:
         "",
     ]
     body = _solutions(result, look) if len(result.solutions) else _nothing(result, look)
-    return "\n".join([*lines, *body]) + "\n"
+    text = "\n".join([*lines, *body]) + "\n"
+    return text if result.how is None else text.rstrip("\n") + "\n" + "\n".join(_how(result.how, look)) + "\n"
 
 
 def _target(result: InverseKinematics, look: Look) -> Iterator[str]:
@@ -76,7 +79,8 @@ def _asked(result: InverseKinematics) -> dict[str, Any]:
 
 def _solutions(result: InverseKinematics, look: Look) -> Iterator[str]:
     found, paper = result.solutions, look.paper
-    yield paper.spell(plural(len(found), "solution"))
+    product = " × ".join(f"{count} ({name})" for name, count in found.factors) if len(found.factors) > 1 else ""
+    yield paper.spell(" = ".join(filter(None, (plural(len(found), "solution"), product))))
     yield ""
     numbers: dict[str, list[str]] = {"#": [str(k + 1) for k in range(len(found))]}
     for j, name in enumerate(result.robot.variables):
@@ -86,7 +90,7 @@ def _solutions(result: InverseKinematics, look: Look) -> Iterator[str]:
     words: dict[str, list[str]] = {}
     if any(found.branches):
         words["branch"] = list(found.branches)
-    if result.robot.limits:
+    if result.robot.limits or far_limits(result.robot) is not None:
         words["limits"] = [
             ", ".join(shown_beyond(result.robot, outside) for outside in beyond) or "ok" for beyond in found.beyond
         ]
@@ -127,6 +131,18 @@ def _rows(numbers: dict[str, list[str]], words: dict[str, list[str]], paper: Pap
 
 def _width(table: str) -> int:
     return max(map(columns_of, table.splitlines()))
+
+
+def _how(how: Explanation, look: Look) -> Iterator[str]:
+    """How the answer came about."""
+    paper = look.paper
+    headed = ((f"How, by rule {' and '.join(how.rules)}", how.steps), ("Outside the limits", how.limits))
+    for head, lines in headed:
+        if lines:
+            yield ""
+            yield paper.ink(head, "bold")
+            for line in lines:
+                yield from prose_lines(line, paper, "  ", "    ")
 
 
 def _families(result: InverseKinematics) -> dict[str, list[int]]:
@@ -183,6 +199,7 @@ def _latex(value: str) -> str:
 def inverse_content(result: InverseKinematics, _look: Look) -> dict[str, Any]:
     """The answer as JSON holds it."""
     found = result.solutions
+    how = result.how
     residual = [0.0] * len(found) if found.residual is None else found.residual.tolist()
     return {
         "robot": result.robot.name,
@@ -196,6 +213,8 @@ def inverse_content(result: InverseKinematics, _look: Look) -> dict[str, Any]:
         "reachable": found.reachable,
         "why": found.why,
         "held": dict(found.held),
+        "factors": dict(found.factors),
+        "how": None if how is None else {"rules": how.rules, "steps": how.steps, "limits": how.limits},
         "closest": None if found.closest is None else [exact(x) for x in found.closest.tolist()],
         "solutions": [
             {

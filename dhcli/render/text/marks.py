@@ -94,10 +94,11 @@ def marks_content(marked: SheetMark, _look: Look) -> dict[str, Any]:
 
 def question_text(exercise: Exercise, part: Part, paper: Paper, *, whole: bool = False) -> str:
     """What a part asks, for a person who is about to answer; the whole of it for one who sees the solution."""
-    heading = part.question.describe(exercise) if whole else part.heading(exercise)
-    asked = prose_lines(" · ".join(filter(None, (f"{part.id}: {heading}", worth(exercise, part)))), paper)
-    lines = [paper.ink(line, "bold") for line in asked]
-    lines += prose_lines(part.prompt.strip(), paper)
+    whole = whole or not part.prompt.strip()
+    asked = part.question.describe(exercise) if whole else part.prompt.strip()
+    text = " · ".join(filter(None, (f"{part.id}: {asked}", worth(exercise, part))))
+    lines = [paper.ink(line, "bold") for line in prose_lines(text, paper)]
+    lines += prose_lines(part.prompt.strip() if whole else part.form(exercise), paper)
     lines += [line for note in part.question.notes(exercise) for line in prose_lines(note, paper)]
     for n, option in enumerate(part.question.statements, 1):
         lines += prose_lines(option, paper, f"  {n}: ", "     ")
@@ -144,7 +145,7 @@ def _part_lines(marked: SheetMark, one: PartMark, look: Look) -> Iterator[str]:
     verdict = mark.verdict
     word = paper.ink(f"{paper.spell(verdict.sign)} {verdict.word:<10}", "bold", *_INKS[verdict])
     credit = _partial_credit(one) if len(marked.parts) > 1 else ""
-    asked = f"{one.part.id}: {one.part.heading(exercise)}{credit}"
+    asked = one.part.id if marked.walked else f"{one.part.id}: {one.part.heading(exercise)}{credit}"
     first, *rest = prose_lines(paper.spell(asked), paper, _UNDER_ASKED, _UNDER_ASKED)
     yield f"{word}  {first.removeprefix(_UNDER_ASKED)}"
     yield from rest
@@ -160,7 +161,7 @@ def _part_lines(marked: SheetMark, one: PartMark, look: Look) -> Iterator[str]:
     for line in _why(one, named=marked.why, asked="why" if marked.walked else "--why"):
         yield from _lines_below(line, paper)
     if verdict in (Verdict.WRONG, Verdict.CLOSE) and one.part.hints and "/" in exercise.id and not marked.walked:
-        yield paper.ink(f"    a hint: dhcli hint {exercise.id} --part {one.part.id}", "dim")
+        yield paper.ink(f"    a hint: dhcli hint {exercise.typed} --part {one.part.id}", "dim")
 
 
 def _partial_credit(one: PartMark) -> str:

@@ -48,6 +48,7 @@ def sweep_table(result: Sweep, look: Look) -> str:
         "",
         *_extremes(result, look),
         paper.ink(BETWEEN, "dim"),
+        *paper.aside(f"whether one pose is reached: dhcli ik {target.robot.name}"),
     ]
     return "\n".join(lines) + "\n"
 

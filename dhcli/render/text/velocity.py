@@ -35,8 +35,12 @@ def jacobian_table(result: JacobianAnswer, look: Look) -> str:
     lines += _matrix(result, look)
     if found.form.analytic and found.is_symbolic:
         triple = Triple.called(found.form.analytic)
-        note = f"{' and '.join(triple.angles[:2])} are those of the pose; no rates where {triple.singular}"
-        lines.append(paper.ink(paper.spell(note), "dim"))
+        rates = ", ".join(f"{triple.angles[k]}'" for k in triple.order)
+        note = f"{' and '.join(triple.angles[:2])} are those of the pose; ω = B ({rates}), det B = {triple.vanishing}"
+        lines += [
+            paper.ink(line, "dim")
+            for line in packed(map(paper.spell, (note, f"no rates where {triple.singular}")), paper)
+        ]
     if result.hint:
         lines.append(paper.ink(paper.spell(result.hint), "dim"))
     return "\n".join(lines) + "\n"

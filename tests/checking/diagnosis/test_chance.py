@@ -49,7 +49,10 @@ def test_a_slip_in_metres_on_a_sheet_in_millimetres_is_named() -> None:
 def test_too_few_digits_have_no_name() -> None:
     """What is right as far as it was typed holds no slip."""
     judged = check(SHEET, "approach", "-0.3, 0.3, -0.9")
-    assert "right as far as it was typed" in judged.remarks[0]
+    assert (
+        "too few digits to judge: write three decimals; to the digits typed it agrees with what is right"
+        in judged.remarks[0]
+    )
     assert judged.diagnosis is None
 
 

@@ -113,6 +113,23 @@ def test_joint_rates_give_the_velocity_back(q: tuple[float, float, float]) -> No
         ("articulated", "singular when linear of 0..3", "a3*s3*(a2*c2 + a3*c23) = 0"),
         ("ur5e", "singular when 0..6", "s5, s3, a2 c2 + a3 c23 + d5 s234"),
         ("cylindrical", "singular when linear of 0..3", "d3 = 0"),
+        ("planar-2r", "singular when linear of 0..2", "theta2 = k*180°"),
+        ("spherical-wrist", "singular when angular of 3..6", "theta5 = n pi"),
+        ("spherical-wrist", "singular when 3..6", "sin(theta5) = 0"),
+        ("articulated", "singular when jacobian of 0..3", "s3 = 0, a2 c2 + a3 c23 = 0"),
+        ("zhou-6r", "singular when 0..6", "theta3 = ±90°, s5 = 0, l2 c2 + l3 s23 = 0"),
+        ("puma560", "singular when linear of 0..6", "a3 s3 + d4 c3 = 0 and a2 c2 + a3 c23 - d4 s23 = 0"),
+        ("scara-yim", "singular when linear of 0..4", "s2 = 0"),
+        ("scara-yim", "singular when angular of 0..4", "never"),
+        ("ur5e", "singular when angular of 0..6", "s5 = 0 and s234 = 0"),
+        ("ur5e", "singular when angular of 0..6", "s5 = s234 = 0"),
+        ("ur5e", "singular when angular of 0..6", "theta5 = 0 or 180° and theta2+theta3+theta4 = 0 or 180°"),
+        (
+            "cylindrical-wrist",
+            "singular when linear of 0..6",
+            "d3 = 0 and s4 = 0 and c5 = 0; c4 = 0 and s5 = 0 and d3 + d6*c5 = 0",
+        ),
+        ("panda", "singular when angular of 0..7", "s2 = 0 ∧ s3 = 0 & s4 = 0 and s5 = 0 and s6 = 0"),
         ("planar-2r", "angular velocity of 0..2", "0, 0, dtheta1 + dtheta2"),
         ("planar-2r", "joint rates for (v, 0, 0) of 0..2 in frame 2", "v/(a1*s2), -v*(a1*c2 + a2)/(a1*a2*s2)"),
         ("planar-2r", "rank of jacobian linear of 0..2", "2"),
@@ -159,6 +176,9 @@ SLIPS = [
     ("planar-2r", "manipulability of jacobian linear of 0..2", "root-forgotten"),
     ("articulated", "singular when linear of 0..3", "half s3"),
     ("articulated", "singular when linear of 0..3", "factor-forgotten s3"),
+    ("ur5e", "singular when angular of 0..6", "apart s234 and s5"),
+    ("ur5e", "singular when angular of 0..6", "half s5"),
+    ("ur5e", "singular when angular of 0..6", "sin-cos s234"),
     ("puma560", "rank of jacobian of 0..6", "full-rank"),
 ]
 
@@ -184,6 +204,7 @@ def test_a_slip_is_named_by_the_answer_it_leads_to(robot: str, ask: str, slip: s
         ("column 4 of jacobian of 0..3", "6 rows and 3 columns"),
         ("determinant of jacobian of 0..2", "columns has no determinant"),
         ("determinant of jacobian angular of 0..3", "singular everywhere"),
+        ("singular when angular of 0..3", "singular everywhere"),
         ("torques for (1, 2) of 0..3", "2 numbers, not three"),
         ("torques for (1, 2, 30°) of 0..3", ""),
         ("velocity of 0..3 with rates (1, 2)", "2 rates for 3 joints"),
@@ -270,9 +291,44 @@ def test_a_half_right_list_earns_a_part() -> None:
     assert told("articulated", ask, "s3 = 0, c2 = 0").earned == 0
 
 
+@pytest.mark.parametrize(
+    ("answer", "remark"),
+    [
+        ("s5 = 0", "the rank need not fall where s5 = 0"),
+        ("s5 = 0, s234 = 0", "the rank need not fall where s5 = 0; s234 = 0"),
+        ("s5 = 0 and s234 = 0 and s2 = 0", "asks for more than is needed"),
+        ("s5 = 0 and theta2+theta3+theta4 = 0", "half a turn on"),
+        ("never", "0 of 1 are right"),
+    ],
+)
+def test_what_must_be_zero_at_once_is_not_enough_alone(answer: str, remark: str) -> None:
+    """All axes of the UR5e lie along one plane only where two sines are zero together."""
+    mark = told("ur5e", "singular when angular of 0..6", answer)
+    assert (mark.verdict, mark.earned) == (Verdict.WRONG, 0)
+    assert remark in " ".join(mark.remarks)
+
+
+def test_a_list_of_singular_poses_that_nobody_would_read_is_not_asked_for() -> None:
+    """A Panda has none; its rank may be asked for."""
+    with pytest.raises(DhcliError, match="more than anybody would read"):
+        asked("panda", "singular when 0..7")
+
+
 def test_kinds_that_are_imported_when_asked_are_known_by_all_their_words() -> None:
     """A word of a kind that is missing in the table would never be asked."""
     for kind in registry.every_kind():
         known = registry.LATER if kind not in registry.KINDS else dict.fromkeys(kind.words)
         assert set(kind.words) <= known.keys()
         assert all(set(kind.words) & {example.split()[0], " ".join(example.split()[:2])} for example in kind.examples)
+
+
+def test_a_slip_in_an_answer_in_another_unit_is_named_all_the_same() -> None:
+    """The first column is right in mm; the second belongs to another row."""
+    q = Q["planar-2r"]
+    mark = told("planar-2r", "jacobian linear of 0..2", "-444.9 -289.1; 448.7 80.25; 0 0", q)
+    assert mark.verdict is Verdict.CANNOT_READ
+    mark = told("planar-2r", "jacobian of 0..2", "-444.9 -289.1; 448.7 80.25; 0 0; 0 0; 0 0; 0 0", q)
+    assert mark.verdict is Verdict.WRONG
+    assert mark.diagnosis is not None
+    assert mark.diagnosis.ids == ("angular-dropped",)
+    assert "the lengths are in mm; this sheet is in m" in mark.remarks[0]

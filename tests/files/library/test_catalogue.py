@@ -11,6 +11,7 @@ import pytest
 from dhcli.files.library import catalogue as room
 from dhcli.files.library.catalogue import catalogue
 from dhcli.files.library.lookup import Kind
+from dhcli.storage.cache import place
 
 ARM = """format: 1
 title: {}
@@ -91,7 +92,7 @@ def test_another_folder_of_the_same_names_is_another_library(home: Path, monkeyp
 def test_a_broken_index_is_made_again(content: str) -> None:
     """Nothing is said of it: it is nobody's work."""
     first = catalogue()
-    path = room._path_of_index()
+    path = place(room.INDEX)
     path.write_text(content, "utf-8")
     assert catalogue() == first
     assert json.loads(path.read_text("utf-8"))["rows"]
@@ -101,7 +102,7 @@ def test_a_library_with_a_broken_file_is_read_each_time(home: Path) -> None:
     """So that what is wrong with it is told as long as it is."""
     (home / "robots" / "mine.yaml").write_text("format: 1\n", "utf-8")
     assert any(one.problems for one in catalogue([Kind.ROBOTS]))
-    assert not room._path_of_index().exists()
+    assert not place(room.INDEX).exists()
     assert any(one.problems for one in catalogue([Kind.ROBOTS]))
 
 

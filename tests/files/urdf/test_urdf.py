@@ -226,7 +226,8 @@ def with_change(old: str, new: str) -> str:
         (with_change('<axis xyz="0 0 1"/>', '<axis xyz="0 0 1"/><mimic joint="elbow"/>'), "shoulder follows elbow"),
         (with_change('<axis xyz="0 0 1"/>', '<axis xyz="0 0 1"/><mimic joint="x"/>'), "not on this chain"),
         (with_change('<?xml version="1.0"?>', '<!DOCTYPE r [<!ENTITY a "b">]>'), "a DOCTYPE is not read"),
-        ("<sdf/>", "<sdf> is no URDF"),
+        ("<svg/>", "<svg> is no URDF"),
+        ("<sdf/>", "this is an SDF"),
         ("<robot name='x'>", "is no XML"),
         ("<robot name='x'/>", "has no link"),
         ("<robot name='x'>" + "<a>" * 200 + "</a>" * 200 + "</robot>", "deeper than"),
@@ -242,13 +243,45 @@ def test_what_is_wrong_with_a_urdf_is_said(text: str, said: str) -> None:
 
 @pytest.mark.parametrize(
     ("words", "said"),
-    [({"tip": "tool"}, "did you mean tool0"), ({"base": "hand", "tip": "upper"}, "upper is not below hand")],
+    [
+        ({"tip": "tool"}, "did you mean tool0"),
+        ({"base": "hand", "tip": "upper"}, "upper is not below hand"),
+        ({"base": "bse_link"}, "did you mean base_link"),
+        ({"tip": "base_link"}, "base_link is the base itself (--tip tool0, camera)"),
+    ],
 )
 def test_links_that_are_not_there_are_told_with_the_nearest(words: dict[str, str], said: str) -> None:
     """By name."""
     with pytest.raises(DhcliError) as caught:
         load_robot(DATA / "three-joints.urdf", **words)
     assert said in str(caught.value)
+
+
+def test_a_chain_of_fixed_joints_has_its_place_too() -> None:
+    """Nothing moves, and the tip is not at the base."""
+    robot = load_robot(DATA / "three-joints.urdf", base="hand", tip="tool0", as_typed=True)
+    above = walked(THREE, "hand", [0.0, 0.0, 0.0])
+    expected = np.linalg.inv(above) @ walked(THREE, "tool0", [0.0, 0.0, 0.0])
+    assert robot.variables == ()
+    assert np.abs(forward(robot, []).matrix - expected).max() < 1e-12
+
+
+@pytest.mark.parametrize("encoding", ["ISO-8859-1", "UTF-16", "utf-8"])
+def test_names_are_read_as_they_stand_whatever_encoding_the_first_line_names(encoding: str) -> None:
+    """The text was decoded before."""
+    head = f'<?xml version="1.0" encoding="{encoding}"?>'
+    text = THREE.replace('<?xml version="1.0"?>', head).replace('"tool0"', '"töol"')
+    assert read_urdf(text, "arm.urdf", "arm", tip="töol").pattern == "RRP"
+
+
+def test_a_file_of_100_mb_is_refused_unread(tmp_path: Path) -> None:
+    """By its size."""
+    path = tmp_path / "big.urdf"
+    with path.open("wb") as stream:
+        stream.seek(100_000_000)
+        stream.write(b">")
+    with pytest.raises(FileError, match=r"is 100 MB, more than the 20 MB"):
+        load_robot(path)
 
 
 def test_a_robot_file_has_no_links_to_choose_from() -> None:

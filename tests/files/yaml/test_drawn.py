@@ -66,6 +66,13 @@ def test_axes_drawn_elsewhere_than_at_zero_give_offsets() -> None:
     assert robot.poses["drawn"][0].degrees == 90  # type: ignore[union-attr]
 
 
+def test_an_axis_may_be_given_by_two_points() -> None:
+    """From the first to the second, whatever is between them."""
+    text = with_line("{theta2: +z, through: (a, 0, 0)}", "{theta2: (a, 0, 1) to (a, 0, 3)}")
+    one, other = read_robot(text, "file", "zhou"), read_robot(ZHOU, "file", "zhou")
+    assert proved(one.chain, other.chain, {}).kind == "exact"
+
+
 def test_screws_of_a_book_are_read() -> None:
     """A planar arm after Lynch and Park: space screws and the home pose."""
     text = f"""{HEAD}convention: screws
@@ -86,6 +93,9 @@ home: Trans(a1 + a2, 0, 0)
         ("through: (a, 0, 0)", "through: (a, 0)", "3 values are wanted, not 2"),
         ("theta2: +z", "theta2: (0, 0, 0)", "a direction is not zero"),
         ("theta2: +z", "theta2: (a, b, 0)", "a direction cannot depend on a, b"),
+        ("{theta2: +z, through: (a, 0, 0)}", "{theta2: (a, 0, 0) to (a, 0, 0)}", "the two points of the axis are one"),
+        ("{theta2: +z, through: (a, 0, 0)}", "{theta2: (a, 0, 0) to (0, 0, 1)}", "depends on a"),
+        ("{theta2: +z, through: (a, 0, 0)}", "{theta2: (a, 0, 0) to (a, 0)}", "3 values are wanted, not 2"),
         ("theta2: +z", "theta4: +z", "theta4 is not a joint variable"),
         (", through: (a, 0, 0)", "", "a point of it is missing"),
         ("drawn: {theta1: 90°}", "drawn: {theta1: 90}", "the angle 90 has no unit"),

@@ -37,7 +37,7 @@ def test_an_exercise_holds_what_its_file_says() -> None:
     """Names, values, parts, hints, what is printed, and its own tests."""
     exercise = read(
         HEAD
-        + "given: {theta1: 30°, e: 5 mm}\nnames: [w]\nunit: mm\nfeedback: expected\n"
+        + "given: {theta1: 30°, e: 5 mm}\nnames: [w]\nunit: mm\nfeedback: expected\npicture: axes\n"
         + "tolerance: {rotation: 0.01, position: 2 mm, angle: 1°, decimals: 3}\n"
         + "parts:\n  - {id: first, ask: link 1, prompt: P, credit: 2.5, hints: [h], exact: true}\n"
         + "  - {id: second, ask: position of pose 0..2, depends: [first]}\n"
@@ -46,6 +46,7 @@ def test_an_exercise_holds_what_its_file_says() -> None:
     )
     first, second = exercise.parts
     assert (exercise.id, exercise.title, exercise.unit, exercise.shows_expected) == ("my/own", "T", "mm", True)
+    assert exercise.picture == "axes"
     assert exercise.given["theta1"] == Angle.in_degrees(30)
     assert exercise.tolerance.position == pytest.approx(0.002)
     assert (exercise.tolerance.rotation, exercise.tolerance.angle, exercise.tolerance.decimals) == (0.01, 1, 3)
@@ -86,7 +87,7 @@ def test_all_mistakes_are_told_at_once_in_their_order() -> None:
         "format: 1\ntitle: Broken\nsource: {document: X}\nrobot: planar-2\ntsk: nothing\ngiven: {theta1: 30}\n"
         "numeric: maybe\nunit: furlong\nfeedback: always\ntolerance: {rotation: x, size: 1}\nparts:\n"
         "  - {id: pick, ask: choice, options: [a, b], right: 3}\n  - {ask: link 1}\n  - {id: x, ask: link y}\n"
-        "tests:\n  - {part: pik, verdict: RIGT}\n"
+        "tests:\n  - {part: pik, verdict: RIGT}\npicture: all\n"
     )
     starts = [
         "my.yaml:1:1: task: is missing",
@@ -104,6 +105,7 @@ def test_all_mistakes_are_told_at_once_in_their_order() -> None:
         "my.yaml:14:18: 'link y' asks nothing that is known (did you mean link 1",
         "my.yaml:16:6: part: there is no part pik (did you mean pick?)",
         "my.yaml:16:17: verdict: 'RIGT' is not known (one of RIGHT, EQUIVALENT, ROUNDED, CLOSE, WRONG,",
+        "my.yaml:17:1: picture: 'all' is not known (write none, axes, frames)",
     ]
     assert len(found) == len(starts), found
     for problem, start in zip(found, starts, strict=True):

@@ -120,7 +120,8 @@ def test_a_file_that_is_no_mapping_says_so() -> None:
     """A robot is not a list of rows alone."""
     problems, fields = document("- {alpha: 0}\n", "title")
     assert fields.entries == {}
-    assert said(problems) == ["robot.yaml:1:1: the file: should be a mapping, is a list (write 'key: value' lines)"]
+    hint = "write format: 1 and other 'key: value' lines; dhcli new writes a file to start from"
+    assert said(problems) == [f"robot.yaml:1:1: the file: should be a mapping, is a list ({hint})"]
 
 
 def test_a_file_without_a_format_is_told_so() -> None:

@@ -350,6 +350,6 @@ def test_any_text_gives_a_tree_or_a_file_error(text: str) -> None:
 
 def test_importing_the_room_does_not_import_yaml() -> None:
     """Commands that read no file do not pay for PyYAML."""
-    modules = "dhcli.files.yaml.fields, dhcli.files.reading, dhcli.files.library.lookup, dhcli.files.atomic"
+    modules = "dhcli.files.yaml.fields, dhcli.files.reading, dhcli.files.library.lookup, dhcli.storage.atomic"
     code = f"import sys, {modules}; sys.exit(bool({{'yaml', 'importlib.resources', 'tempfile'}} & set(sys.modules)))"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
@@ -20,7 +21,7 @@ from dhcli.kinematics.singular.finding import MOST_JOINTS
 from dhcli.kinematics.singular.modular import determinant
 from dhcli.kinematics.singular.result import Singularities
 from dhcli.kinematics.values import numbers, parameter_values
-from dhcli.kinematics.velocity.form import GEOMETRIC
+from dhcli.kinematics.velocity.form import GEOMETRIC, Which
 from dhcli.kinematics.velocity.jacobian import six_rows
 from dhcli.kinematics.velocity.view import MotionView, parts
 from dhcli.notation.angle import Angle
@@ -28,6 +29,9 @@ from dhcli.notation.tree import ZERO, Expr, Product, Symbol, number, power
 from dhcli.notation.walk import operations
 from dhcli.notation.writer import write
 from tests.kinematics.arms import FIVE, IIWA, PAN_TILT, PLANAR_4R, hinges, joint_point, moving_robots, with_values
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 DETERMINANTS = {
     "planar-2r": "a1*a2*s2",
@@ -101,6 +105,52 @@ def test_the_rank_falls_where_a_factor_is_zero_and_not_elsewhere(name: str) -> N
         q = root_of(robot, factor.zeros[0], factor.joints, joint_point(robot, 1), parameters)
         assert q is not None, factor
         assert rank_at(robot, found, q, parameters) < found.rank
+
+
+CONDITIONS = [
+    ("puma560", "linear"),
+    ("zhou-6r", "linear"),
+    ("scara-yim", "linear"),
+    ("cylindrical-wrist", "linear"),
+    ("ur5e", "angular"),
+    ("stanford", "angular"),
+    ("panda", "angular"),
+    ("spherical-wrist", "all"),
+]
+
+
+@pytest.mark.parametrize(("name", "part"), CONDITIONS)
+def test_every_singular_pose_meets_a_condition(name: str, part: Which) -> None:
+    """Poses with a wrench on which no joint works, by Newton's steps from anywhere: all of them are on the list."""
+    robot, parameters = load_robot(name), with_values(load_robot(name))
+    found = singularities(robot, part=part)
+    assert found.finding == "conditions"
+    lengths = numbers(parameter_values(robot, parameters))
+    kept = [GEOMETRIC.labels.index(label) for label in found.rows]
+    count = len(robot.variables)
+
+    def columns(many: NDArray[np.float64]) -> NDArray[np.float64]:
+        rows = jacobian(robot, many, parameters=parameters)[:, kept]
+        return rows if rows.shape[1] <= count else rows.transpose(0, 2, 1)
+
+    draw, met = np.random.default_rng(4), 0
+    for _ in range(10):
+        q = draw.uniform(-1.5, 1.5, count)
+        assert np.linalg.matrix_rank(columns(q[None])[0], 1e-6) == found.rank
+        u = np.linalg.svd(columns(q[None])[0])[0][:, -1]
+        for _ in range(30):
+            around = np.vstack([q, q + 1e-6 * np.eye(count), q - 1e-6 * np.eye(count)])
+            here, *others = columns(around)
+            slopes = [(up - down).T @ u / 2e-6 for up, down in zip(others[:count], others[count:], strict=True)]
+            wanted = np.array([*(here.T @ u), u @ u - 1])
+            matrix = np.block([[np.array(slopes).T, here.T], [np.zeros((1, count)), 2 * u[None]]])
+            step = np.linalg.lstsq(matrix, -wanted)[0]
+            q, u = q + step[:count], u + step[count:]
+        if np.linalg.svd(columns(q[None])[0], compute_uv=False)[-1] < 1e-9:
+            over = Floats({**lengths, **dict(zip(robot.variables, q.tolist(), strict=True))})
+            assert any(all(abs(over.value(zero)) < 1e-3 for zero in factor.zeros) for factor in found.factors)
+            met += 1
+    assert met > 2
 
 
 def rank_at(robot: Robot, found: Singularities, q: list[float], parameters: dict[str, str | float]) -> int:

@@ -17,9 +17,11 @@ from dhcli.kinematics.moves import Rot
 from dhcli.kinematics.playing import BLOCK
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import numbers, parameter_values
-from dhcli.kinematics.velocity.analytic import TRIPLES
+from dhcli.kinematics.velocity.analytic import TRIPLES, Triple
 from dhcli.kinematics.velocity.jacobian import six_rows
 from dhcli.kinematics.velocity.view import MotionView, Viewing, joints_between, parts
+from dhcli.notation.parser import parse
+from dhcli.notation.scope import Scope
 from tests.kinematics.arms import PAN_TILT, hinges, joint_point, moving_robots, with_values
 from tests.nightly import examples
 
@@ -78,6 +80,39 @@ def test_symbols_with_numbers_put_in_are_floats_and_columns(name: str) -> None:
         assert np.allclose(terms, one, atol=1e-13)
 
 
+@pytest.mark.parametrize("name", ROBOTS)
+def test_what_is_asked_again_is_the_same(name: str) -> None:
+    """By the fold at first, then by its recording: in lists and arrays, in every view and form."""
+    robot = load_robot(name)
+    if any(value is None for value in robot.parameters.values()):
+        return
+    q = joint_point(robot, 3)
+    for viewing in VIEWS:
+        for more in ({}, {"part": "angular"}, {"part": "linear", "angular_first": True}):
+            first = jacobian(robot, q, **more, **viewing)
+            for asked in (q, tuple(q), np.array(q)):
+                assert np.allclose(jacobian(robot, asked, **more, **viewing), first, atol=1e-13)
+    rates = [jacobian(robot, q, analytic="zyz") for _ in range(3)] if len(q) > 5 else []
+    assert all(np.allclose(one, rates[0], atol=1e-12) for one in rates)
+
+
+def test_what_cannot_be_is_said_again() -> None:
+    """As often as it is asked."""
+    robot = load_robot("articulated")
+    for _ in range(3):
+        with pytest.raises(RobotError, match="3 joints"):
+            jacobian(robot, [0.1, 0.2])
+        with pytest.raises(RobotError, match="there are no rates of rpy"):
+            jacobian(robot, [0, np.pi / 2, 0], analytic="rpy")
+        with pytest.raises(UnknownNameError, match="no frame 9"):
+            jacobian(robot, [0.1, 0.2, 0.3], axes=9)
+        with pytest.raises(RobotError, match="no part"):
+            jacobian(robot, [0.1, 0.2, 0.3], part="top")  # type: ignore[arg-type]
+        with pytest.raises(RobotError):
+            jacobian(robot, [0.1, np.nan, 0.3])
+        assert np.allclose(jacobian(robot, [0.1, 0.2, 0.3], point=[0, 0, 0.1]).shape, (6, 3))
+
+
 @pytest.mark.parametrize("name", ["stanford", "puma560", "scara", "ur5e"])
 @pytest.mark.parametrize("viewing", VIEWS[:5])
 def test_values_put_in_exactly_are_those_values(name: str, viewing: Viewing) -> None:
@@ -92,7 +127,7 @@ def test_values_put_in_exactly_are_those_values(name: str, viewing: Viewing) -> 
     assert np.allclose([[at.value(entry) for entry in row] for row in put.rows], expected, atol=1e-12)
 
 
-@pytest.mark.parametrize("name", ["planar-2r", "stanford", "puma560", "ur5e", "scara"])
+@pytest.mark.parametrize("name", ROBOTS)
 @pytest.mark.parametrize("viewing", VIEWS[:5])
 def test_symbols_are_residues(name: str, viewing: Viewing) -> None:
     """At a random point of the field, exactly, from the plain chain."""
@@ -149,6 +184,12 @@ def test_rates_of_angles_give_the_angular_velocity(angles: str) -> None:
     b = np.array(columns).T
     assert np.allclose(_rotation(found, axes), forward(robot, q).matrix[:3, :3], atol=1e-9)
     assert np.allclose(b @ rates[list(order)], omega, atol=1e-8)
+    triple = Triple.called(angles)
+    over = Floats(dict(zip(triple.angles, found, strict=True)) | dict(zip(robot.variables, q, strict=True)))
+    letters = symbolic_jacobian(robot, part="angular", analytic=angles)
+    assert np.allclose([[over.value(entry) for entry in row] for row in letters.rows], rates, atol=1e-9)
+    whole = over.value(parse(triple.vanishing, Scope(is_open=True, angles=triple.angles)))
+    assert np.linalg.det(b[:, list(order)]) == pytest.approx(whole, abs=1e-8)
 
 
 def _rotation(angles: list[float], axes: tuple[int, ...]) -> NDArray[np.float64]:

@@ -69,6 +69,34 @@ def test_another_process_with_another_seed_writes_the_same_svg() -> None:
     assert found[0]
 
 
+def test_an_animation_shows_one_moment_at_a_time_and_the_last_where_nothing_may_move() -> None:
+    """Each in a group of its own, in turn; all but the last are hidden but for the animation."""
+    text = _picture("scara", pose="zero", to="pick").animated()
+    root = ET.fromstring(text)  # noqa: S314  our own text
+    groups = [each for each in root if each.tag.endswith("}g")]
+    assert len(groups) == 25
+    assert [group.get("visibility") for group in groups] == ["hidden"] * 24 + [None]
+    delays = [float(re.findall(r"-?[\d.]+", group.get("style") or "")[0]) for group in groups]
+    assert delays == sorted(delays)
+    assert delays[0] == -3
+    assert delays[-1] < 0
+    assert "prefers-reduced-motion:no-preference" in text
+    assert text == _picture("scara", pose="zero", to="pick").animated()
+    fills = set(re.findall(r"url\(#(f\w+g\d+)\)", text))
+    assert fills == set(re.findall(r'<linearGradient id="(\w+)"', text))
+
+
+def test_only_a_motion_can_be_animated_and_rows_have_a_number_for_each_joint() -> None:
+    """The row is named."""
+    with pytest.raises(DhcliError, match="nothing moves"):
+        _picture("scara").animated()
+    for rows in ([[0.1, 0.2]], [[0, 0, 0], [0, 0, float("nan")]]):
+        with pytest.raises(RobotError, match=f"row {len(rows) - 1} of the path"):
+            draw(load_robot("scara"), path=rows)
+    with pytest.raises(DhcliError, match="the rows say where all joints are"):
+        draw(load_robot("scara"), [0, 0, 0], path=[[0, 0, 0]]).svg()
+
+
 def test_two_figures_on_one_page_do_not_meddle_with_each_other() -> None:
     """Rules and gradients carry a key of the figure."""
     one, other = _picture("puma560").svg(), _picture("puma560", dark=True).svg()

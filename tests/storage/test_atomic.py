@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from dhcli.errors import FileError
-from dhcli.files.atomic import whole_file, write_whole
+from dhcli.storage.atomic import whole_file, write_whole
 
 
 def problem_of(path: Path | str, content: str = "new", *, overwrite: bool = False) -> str:

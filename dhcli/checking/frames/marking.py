@@ -1,0 +1,111 @@
+"""Judging frames: every assignment that keeps the rules is right, and what is drawn otherwise than ours is named."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from dhcli.checking.exercise import Exercise
+from dhcli.checking.frames.reading import TypedFrame
+from dhcli.checking.frames.rows import table_of
+from dhcli.checking.frames.rules import ORIGIN_CELL, X_CELL, Z_CELL, Broken, Rules
+from dhcli.checking.frames.sketch import Sketch
+from dhcli.checking.tables.cells import table_text
+from dhcli.checking.units import on_sheet
+from dhcli.checking.verdicts import CellMark, Mark, Verdict
+from dhcli.geometry.vectors import dot
+from dhcli.kinematics.describe.drawn import Frame
+from dhcli.kinematics.describe.exact import exact_factor
+from dhcli.kinematics.describe.linear import coordinates_of, moved
+from dhcli.kinematics.describe.process import axis_word
+from dhcli.notation.writer import write
+
+MOST_SAID = 4
+"""Broken rules that are told; of more, how many there are."""
+
+_NAMES = ("o", "x", "z")
+
+
+def mark_frames(exercise: Exercise, rules: Rules, typed: Sequence[TypedFrame]) -> Mark:
+    """Judge frames by the rules.
+
+    Args:
+        exercise: The exercise, for its unit.
+        rules: The rules.
+        typed: The frames as read.
+    """
+    sketch = rules.sketch
+    broken = rules.broken(typed)
+    reading = "; ".join(frame_text(one.frame, exercise) for one in typed)
+    expected = frames_text(sketch.frames, exercise)
+    if not broken:
+        remarks = tuple(_freedoms(rules, typed))
+        rows = table_text(table_of(sketch, [one.frame for one in typed]), sketch.robot.columns, exercise.writing)
+        told = (*remarks, f"your frames give the table {rows}") if remarks else ()
+        return Mark(Verdict.RIGHT, reading, remarks=told, earned=1.0, expected=expected)
+    cells = tuple(_cells(exercise, sketch, typed, broken))
+    counted = [cell for cell in cells if cell.counted or cell.verdict is Verdict.WRONG]
+    earned = sum(cell.verdict is Verdict.RIGHT for cell in counted) / len(counted)
+    said = tuple(_said(one) for one in broken[:MOST_SAID])
+    more = (f"and {len(broken) - MOST_SAID} more",) if len(broken) > MOST_SAID else ()
+    return Mark(Verdict.WRONG, reading, cells, (*said, *more), earned, expected)
+
+
+def frames_text(frames: Sequence[Frame], exercise: Exercise) -> str:
+    """Frames as a person would type them in one line."""
+    return "; ".join(frame_text(frame, exercise) for frame in frames)
+
+
+def frame_text(frame: Frame, exercise: Exercise, *, left: bool = False) -> str:
+    """A frame as a person would type it: `(a1, 0, 0) +x +z`; a left-handed one with its y axis."""
+    coordinates = (on_sheet(expr, exercise.metres, exercise.scope) for expr in coordinates_of(frame.origin))
+    origin = f"({', '.join(write(expr, 'short', exercise.writing) for expr in coordinates)})"
+    x, z = (_direction(vector) for vector in (frame.x, frame.z))
+    if left:
+        return f"o = {origin}, x = {x}, y = {_direction((-frame.y[0], -frame.y[1], -frame.y[2]))}, z = {z}"
+    return f"{origin} {x} {z}"
+
+
+def _direction(vector: tuple[float, float, float]) -> str:
+    word = axis_word(vector)
+    return word if not word.startswith("(") else f"({', '.join(write(exact_factor(part)) for part in vector)})"
+
+
+def _said(one: Broken) -> str:
+    return f"{one.rule}: {one.said}" if one.rule.startswith("DH") else one.said
+
+
+def _cells(
+    exercise: Exercise, sketch: Sketch, typed: Sequence[TypedFrame], broken: Sequence[Broken]
+) -> Iterator[CellMark]:
+    """The origin, x and z of each frame; what is free earns nothing, and costs something where it breaks a rule."""
+    wrong = {(one.frame, one.cell) for one in broken}
+    for k, one in enumerate(typed):
+        has_axis, has_normal = sketch.axis_of(k) is not None, sketch.other_of(k) is not None
+        counted = {ORIGIN_CELL: has_axis or has_normal, X_CELL: has_normal, Z_CELL: has_axis}
+        right = frame_text(sketch.frames[k], exercise)
+        for cell, name in enumerate(_NAMES):
+            verdict = Verdict.WRONG if (k, cell) in wrong else Verdict.RIGHT
+            text = " ".join(one.texts.get(name, "").split())
+            yield CellMark(k, cell, verdict, text, right, counted=counted[cell])
+
+
+def _freedoms(rules: Rules, typed: Sequence[TypedFrame]) -> Iterator[str]:
+    """What is drawn otherwise than in the solution, and may be."""
+    sketch = rules.sketch
+    for k, (one, right) in enumerate(zip(typed, sketch.frames, strict=True)):
+        frame, line = one.frame, sketch.axis_of(k)
+        z, x, o = (rules.name(letter, k) for letter in "zxo")
+        if line is not None and dot(frame.z, right.z) < 0:
+            yield f"your {z} points the other way, and {line.name} counts against it"
+        elif dot(frame.z, right.z) < 1 - _NEAR:
+            yield f"{z} is {axis_word(frame.z)}, and may be"
+        if dot(frame.x, right.x) < -1 + _NEAR:
+            yield f"your {x} points the other way"
+        elif dot(frame.x, right.x) < 1 - _NEAR:
+            yield f"your {x} is {axis_word(frame.x)}, and may be"
+        if rules.amount(moved(frame.origin, right.origin, -1)):
+            yield f"your {o} stands elsewhere on {z}" if line is not None else f"your {o} stands elsewhere"
+
+
+_NEAR = 1e-4
+"""What two directions may differ by in their cosine and are not told apart."""

@@ -1,0 +1,179 @@
+"""`frames`: a frame for each link, put on the joint axes by the rules of one of the conventions; or their table."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from typing import ClassVar, Self, TypeAlias
+
+from dhcli.checking.diagnosis.result import Slip
+from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
+from dhcli.checking.frames.marking import frame_text, frames_text, mark_frames
+from dhcli.checking.frames.reading import TypedFrame, read_frames
+from dhcli.checking.frames.rows import table_of
+from dhcli.checking.frames.rules import Rules
+from dhcli.checking.frames.sketch import axes_text, drawn_at, pose_of, sketch_of
+from dhcli.checking.frames.slips import as_typed, causes_of, every_slip
+from dhcli.checking.frames.spelling import has_frames, rows_of
+from dhcli.checking.kinds.linked import needed
+from dhcli.checking.kinds.table import TableQuestion
+from dhcli.checking.tables.comparing import END
+from dhcli.checking.tables.typed_rows import TypedRow
+from dhcli.checking.verdicts import UNSOLVED, Mark
+from dhcli.errors import NotationError, Place, Problem
+from dhcli.kinematics.conventions import Convention, Row
+from dhcli.kinematics.describe.words import Speaker, written
+from dhcli.kinematics.robot import Robot
+from dhcli.notation.scope import Scope
+
+Answer: TypeAlias = tuple[TypedFrame, ...] | tuple[TypedRow, ...]
+"""Frames, or the rows of a table."""
+
+COLUMNS = 5
+"""The three coordinates of an origin, the x axis and the z axis."""
+
+
+@dataclass(frozen=True, slots=True)
+class FramesQuestion(Question[Answer]):
+    """A frame for each link: its origin, its x axis and its z axis, in the pose drawn.
+
+    Attributes:
+        convention: The convention whose rules are to be kept.
+        pose: The named pose in which the robot is drawn; empty for its pose `drawn`, else zero.
+        note: What is told beside every verdict, of an answer from a file.
+    """
+
+    convention: Convention
+    pose: str = ""
+    note: str = ""
+
+    words: ClassVar = ("frames",)
+    examples: ClassVar = ("frames standard", "frames modified at zero")
+    is_in_table: ClassVar = True
+    earns_by_row: ClassVar = True
+
+    @classmethod
+    def asked(cls, text: str, _scope: Scope, place: Place | None) -> Self:
+        """`frames standard`, `frames modified at drawn`."""
+        convention, _, pose = text.removeprefix("frames").strip().partition(" at ")
+        if convention.strip() not in (Convention.STANDARD, Convention.MODIFIED):
+            hint = "write frames standard or frames modified, and at POSE behind it"
+            raise NotationError(Problem(f"there are no frames '{convention.strip():.60}'", place, hint))
+        return cls(Convention(convention.strip()), pose.strip())
+
+    def check(self, robot: Robot | None) -> None:
+        pose_of(needed(robot), self.pose)
+
+    def describe(self, exercise: Exercise) -> str:
+        first, last = self._ends(exercise)
+        return f"frames {first} to {last} by the rules of {self.convention.value} DH"
+
+    def blank(self, exercise: Exercise) -> tuple[int, int]:
+        first, last = self._ends(exercise)
+        return last - first + 1, COLUMNS
+
+    def notes(self, exercise: Exercise) -> Iterable[str]:
+        sketch = sketch_of(exercise, self.convention, self.pose)
+        yield "a row for each frame: the coordinates of its origin, then x and z, such as a, 0, 0, +x, +z; or the table"
+        yield f"seen from the base, drawn with {drawn_at(sketch.pose)}: {'; '.join(axes_text(sketch))}"
+
+    @property
+    def in_rows(self) -> bool:
+        return True
+
+    def is_whole(self, text: str) -> bool:
+        *_, last = text.strip().splitlines() or [""]
+        return Question.is_whole(self, text) and (text.strip().startswith("[") or len(rows_of(last)) > 1)
+
+    def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
+        return tuple(name for name in needed(exercise.robot).parameters if name not in exercise.values)
+
+    def expected(self, case: Case, _style: str = "short") -> str:
+        return frames_text(self._rules(case).sketch.frames, case.exercise)
+
+    def steps(self, case: Case) -> Iterable[Shown]:
+        sketch = self._rules(case).sketch
+        speaker = Speaker(sketch.walked, self.convention, sketch.robot.first, sketch.robot.writing)
+        yield from map(Shown, written(speaker.drawn()))
+        yield Shown("A row for each frame: its origin, x and z")
+
+    def read(self, case: Case, text: str, place: Place | None = None) -> Answer:
+        if not has_frames(text):
+            return self._table.read(case, text, place)
+        first, last = self._ends(case.exercise)
+        return read_frames(text, case.exercise, range(first, last + 1), self._rules(case).sketch.pose)
+
+    def mark(self, case: Case, reading: Reading[Answer]) -> Mark:
+        if frames := _frames(reading.value):
+            mark = mark_frames(case.exercise, self._rules(case), frames)
+        else:
+            mark = self._marked_table(case, _rows(reading.value))
+        return replace(mark, remarks=(*mark.remarks, self.note)) if self.note else mark
+
+    def slips(self, case: Case) -> Iterable[Slip]:
+        return (slip for slip, _ in self._mistaken(case))
+
+    def answer_with(self, case: Case, name: str) -> str | None:
+        for slip, frames in self._mistaken(case):
+            if slip.name == name:
+                return "; ".join(frame_text(one.frame, case.exercise, left=one.y is not None) for one in frames)
+        return self._table.answer_with(case, name)
+
+    def causes(self, case: Case, reading: Reading[Answer]) -> Causes:
+        if frames := _frames(reading.value):
+            rules = self._rules(case)
+            return causes_of(rules, frames, rules.broken(frames))
+        return self._table.causes(case, Reading(reading.text, _rows(reading.value)))
+
+    def differs(self, mark: Mark) -> bool:
+        return mark.verdict.passed is True and bool(mark.remarks)
+
+    def rows(self, case: Case, reading: Reading[Answer]) -> tuple[Row, ...]:
+        if not (frames := _frames(reading.value)):
+            return self._table.rows(case, Reading(reading.text, _rows(reading.value)))
+        rules = self._rules(case)
+        return () if rules.broken(frames) else table_of(rules.sketch, [one.frame for one in frames])
+
+    def _marked_table(self, case: Case, rows: tuple[TypedRow, ...]) -> Mark:
+        """A table is right when frames of it can lie on the axes, the last one anywhere if the task leaves it open."""
+        from dhcli.checking.tables.comparing import compare_of
+        from dhcli.checking.tables.marking import mark_table
+
+        compare = compare_of(case)
+        is_open = END not in self._rules(case).sketch.stated
+        mark = mark_table(case.exercise, self.convention, rows, compare, case.tolerance, end_free=is_open or None)
+        said = f"no frames on these axes have this table in {self.convention.value} DH"
+        return replace(mark, remarks=(said, *mark.remarks)) if mark.verdict in UNSOLVED else mark
+
+    def _mistaken(self, case: Case) -> tuple[tuple[Slip, tuple[TypedFrame, ...]], ...]:
+        """Every single mistake, with the frames of a student who makes it."""
+        rules = self._rules(case)
+        right = tuple(map(as_typed, rules.sketch.frames))
+        return case.memo.of(("mistaken", self, case.tolerance), lambda: tuple(every_slip(rules, right)))
+
+    @property
+    def _table(self) -> TableQuestion:
+        """The question for the table of these frames."""
+        return TableQuestion(self.convention)
+
+    def _rules(self, case: Case) -> Rules:
+        sketch = case.memo.of(
+            ("sketch", self.convention, self.pose), lambda: sketch_of(case.exercise, self.convention, self.pose)
+        )
+        return Rules(sketch, case.tolerance)
+
+    @staticmethod
+    def _ends(exercise: Exercise) -> tuple[int, int]:
+        """The numbers of the first frame and of the last."""
+        robot = needed(exercise.robot)
+        return robot.first - 1, robot.first - 1 + len(robot.variables)
+
+
+def _frames(answer: Answer) -> tuple[TypedFrame, ...]:
+    """The frames of an answer; none where it is a table."""
+    return tuple(one for one in answer if isinstance(one, TypedFrame))
+
+
+def _rows(answer: Answer) -> tuple[TypedRow, ...]:
+    """The rows of an answer; none where it is frames."""
+    return tuple(one for one in answer if isinstance(one, TypedRow))

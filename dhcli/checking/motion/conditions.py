@@ -1,0 +1,208 @@
+"""Conditions under which a Jacobian loses rank, as typed: `s3 = 0`, `theta3 = 0 or 180°`, `s2 = 0 and s6 = 0`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import combinations
+from itertools import product as every
+from typing import TypeAlias
+
+from dhcli.algebra.equality import equal
+from dhcli.checking.exercise import Exercise
+from dhcli.checking.pasted import UnreadableError
+from dhcli.errors import NotationError, Place
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.singular.conditions import Put, zeroing
+from dhcli.notation.angle import Angle
+from dhcli.notation.parser import parse
+from dhcli.notation.quantity import DimensionError, to_angle, to_length
+from dhcli.notation.scope import Scope
+from dhcli.notation.tree import ZERO, Expr, Number, Power, Product, Symbol, Trig, add, multiply, negate
+from dhcli.notation.trig import cosine, sine
+from dhcli.notation.walk import substitute, symbols, walk
+from dhcli.notation.writer import write, write_angle
+
+_BETWEEN = re.compile(r"(,|;|\n|\bor\b|\u2228|\band\b|&+|∧)")
+_AND = re.compile(r"and|&+|∧")
+_TURNS = re.compile(r"(?P<first>.*?)[+±]?\s*\b[knm]\s*[*·]?\s*(?:180(?:\s*°|\s*deg)?|pi|π)")
+"""`k*180°`, `90° + n*pi`: half turns as often as one likes."""
+
+HALF_TURN, TURN = 180, 360
+LONGEST = 2000
+MOST = 64
+"""Conditions that are read."""
+
+
+@dataclass(frozen=True, slots=True)
+class Zero:
+    """Something that is zero.
+
+    Attributes:
+        expr: What is zero.
+        at: The angle [degrees] of the one of its two zeros in a turn that was meant; None for both.
+    """
+
+    expr: Expr
+    at: Fraction | None = None
+
+
+Condition: TypeAlias = frozenset[Zero]
+"""What is zero at once."""
+
+
+def read_conditions(text: str, exercise: Exercise, place: Place | None, *, joined: bool) -> tuple[Condition, ...]:
+    """Read conditions, each of which is enough by itself.
+
+    Args:
+        text: What was typed.
+        exercise: The exercise, for its names and its joints.
+        place: Where it stands, for errors.
+        joined: Whether `and` stands between what is zero at once; else it is another word for a comma.
+
+    Raises:
+        UnreadableError: They cannot be judged, or are too many.
+        NotationError: One cannot be read.
+    """
+    if len(text) > LONGEST:
+        raise UnreadableError(f"an answer of more than {LONGEST} characters is not read")
+    if text.strip().lower() in ("never", "nowhere"):
+        return ()
+    found: list[Condition] = []
+    for group in _groups(text.strip().strip("{}[]"), joined=joined):
+        atoms = [tuple(_zeros(left, rights, exercise, place or Place("answer"))) for left, rights in group]
+        found += (frozenset(zeros) for zeros in every(*atoms))
+        if len(found) > MOST:
+            raise UnreadableError(f"more than {MOST} conditions are not read")
+    return _merged(found)
+
+
+def _groups(text: str, *, joined: bool) -> list[list[tuple[str, list[str]]]]:
+    """Equations that hold at once, each as its left side and its right sides of which one is meant."""
+    groups: list[list[tuple[str, list[str]]]] = []
+    pieces = ["", *_BETWEEN.split(text)]
+    for between, piece in zip(pieces[::2], pieces[1::2], strict=True):
+        *lefts, right = (side.strip() for side in piece.split("="))
+        if not piece.strip():
+            continue
+        if not lefts:
+            if groups and _is_constant(right):  # theta3 = 0 or 180°
+                groups[-1][-1][1].extend(_each(right))
+                continue
+            lefts, right = [right], "0"
+        if len(lefts) > 1 and not joined:
+            raise UnreadableError("write each condition by itself, with a comma between")
+        equations = [(left, list(_each(right))) for left in lefts]  # s2 = s6 = 0: both
+        if joined and groups and _AND.fullmatch(between):
+            groups[-1] += equations
+        else:
+            groups.append(equations)
+    return groups
+
+
+def _each(right: str) -> Iterator[str]:
+    """The values that a right side stands for: two for ±90° and for k*180°."""
+    turns = _TURNS.fullmatch(right)
+    if turns:
+        first = turns["first"].strip() or "0°"
+        yield from (first, f"{first} + 180°")
+    elif right.startswith("±"):
+        yield from (right[1:], f"-({right[1:]})")
+    else:
+        yield right
+
+
+def _is_constant(text: str) -> bool:
+    try:
+        return not any(symbols(parse(one, Scope(is_open=True))) for one in _each(text))
+    except NotationError:  # what cannot be read is told where it is read
+        return False
+
+
+def _zeros(left: str, rights: Sequence[str], exercise: Exercise, place: Place) -> Iterator[Zero]:
+    """What an equation makes zero, each enough for it."""
+    for right in rights:
+        one, other = (parse(side, exercise.scope, place) for side in (left, right))
+        named, robot = symbols(one), exercise.robot
+        joints = frozenset(robot.angles) & frozenset(robot.variables) if robot else frozenset[str]()
+        try:
+            if named and named <= joints and not any(isinstance(node, Trig) for node in walk(one)):
+                yield _at_angle(to_angle(one) - to_angle(other, bare="deg"))
+            else:
+                yield from map(Zero, apart(add(to_length(one), negate(to_length(other))), exercise))
+        except DimensionError as error:
+            raise UnreadableError(error.message) from None
+
+
+def _at_angle(angle: Angle) -> Zero:
+    """The cosine or sine that is zero where an angle is."""
+    if angle.radians:
+        raise UnreadableError("write angles in degrees, or as multiples of pi")
+    bare = Angle(angle.terms)
+    quarter = angle.degrees % HALF_TURN
+    if quarter not in (0, HALF_TURN // 2):
+        raise UnreadableError(f"{write_angle(bare)} = {float(-angle.degrees):g}° cannot be judged; write what is zero")
+    return Zero(sine(bare) if quarter == 0 else cosine(bare), -angle.degrees % TURN)
+
+
+def apart(expr: Expr, exercise: Exercise) -> list[Expr]:
+    """The factors of a product that hold a joint, each once.
+
+    Raises:
+        UnreadableError: None does.
+    """
+    variables = frozenset(exercise.robot.variables) if exercise.robot else frozenset[str]()
+    factors = expr.factors if isinstance(expr, Product) else (expr,)
+    bases = [factor.base if isinstance(factor, Power) and factor.exponent > 0 else factor for factor in factors]
+    found = [base for base in bases if symbols(base) & variables]
+    if not found:
+        shown = write(expr, "short", exercise.writing)
+        what = "a number" if isinstance(expr, Number) else "a length that does not change"
+        raise UnreadableError(f"{shown} is {what}: write what the joints make zero")
+    return found
+
+
+def _merged(conditions: Iterable[Condition]) -> tuple[Condition, ...]:
+    """Two conditions that differ in which zero of a sine is meant are one."""
+    found = list(dict.fromkeys(conditions))
+    for one, other in combinations(found, 2):
+        if len(here := one - other) == len(there := other - one) == 1:
+            (a,), (b,) = here, there
+            if a.expr == b.expr:
+                rest = [condition for condition in found if condition not in (one, other)]
+                return _merged([*rest, (one & other) | {Zero(a.expr)}])
+    return tuple(found)
+
+
+def covers(wanted: Condition, typed: Condition, robot: Robot) -> bool:
+    """Whether all that one condition makes zero is zero under another as well."""
+    return all(any(_implied(zero, other, typed, robot) for other in typed) for zero in wanted)
+
+
+def _implied(zero: Zero, typed: Zero, at_once: Condition, robot: Robot) -> bool:
+    """Whether something is zero where something else is, of all that is zero at once."""
+    if typed.at is not None and zero.at != typed.at:
+        return False
+    if alike(zero.expr, typed.expr, robot):
+        return True
+    others = [one.expr for one in at_once if one != typed and one.at is None]
+    return any(
+        ways and all(_left(zero.expr, typed.expr, values, robot) for values in ways)
+        for ways in (zeroing(other, robot.variables) for other in others)
+    )
+
+
+def _left(zero: Expr, typed: Expr, values: Put, robot: Robot) -> bool:
+    """The same where a joint has a value."""
+    one, other = (substitute(expr, *values) for expr in (zero, typed))
+    return equal(one, ZERO) or (not equal(other, ZERO) and alike(one, other, robot))
+
+
+def alike(first: Expr, second: Expr, robot: Robot) -> bool:
+    """Whether two factors are the same up to a constant: f(q) g(q') = g(q) f(q') for all q and q'."""
+    slides = {name: Symbol(f"{name}_b") for name in robot.variables if name not in robot.angles}
+    turns = {name: Angle.of(f"{name}_b") for name in robot.variables if name in robot.angles}
+    one, other = (substitute(expr, slides, turns) for expr in (first, second))
+    return equal(multiply(first, other), multiply(second, one))

@@ -1,0 +1,224 @@
+"""Questions whose answer follows from the columns of a Jacobian: wrong columns, two slips, columns of one's own."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from itertools import combinations
+from typing import Any, TypeAlias, cast
+
+from dhcli.algebra.floats import Floats
+from dhcli.checking.diagnosis.chance import Evidence, is_chance
+from dhcli.checking.diagnosis.plausible import HALF, at_a_point, has_name, is_trivial
+from dhcli.checking.diagnosis.result import Slip
+from dhcli.checking.entries import Entries
+from dhcli.checking.exercise import Case, Causes, Judged, Reading, Shown
+from dhcli.checking.motion.columns import Columns
+from dhcli.checking.motion.grid import Grid, Numbers, alike, scale_of, within
+from dhcli.checking.motion.marking import values_of
+from dhcli.checking.motion.mistakes import made, then
+from dhcli.checking.motion.question import MotionQuestion
+from dhcli.checking.pasted import UnreadableError
+from dhcli.errors import DhcliError
+from dhcli.kinematics.pose import rounded
+from dhcli.kinematics.values import numbers
+from dhcli.kinematics.velocity.view import MotionView
+from dhcli.notation.tree import Expr
+from dhcli.notation.walk import symbols
+from dhcli.notation.writer import write
+
+Typed: TypeAlias = Mapping[tuple[int, int], Expr]
+"""Entries that somebody has typed: by the row of the six, v above ω, and the column."""
+
+Twice: TypeAlias = tuple[Slip, Columns, tuple[tuple[Slip, Columns], ...]]
+"""A slip, the columns with it, and each second slip with the columns that have both."""
+
+MOST_WORK = 40_000
+"""Pairs of slips, times the entries of an answer, that are worked out: about those of six joints."""
+
+MOST_EARLIER = 6
+"""Earlier parts of which every choice is tried."""
+
+MOST_CAUSES = 6
+
+
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """Two slips, and the answer of whoever has made both.
+
+    Attributes:
+        slips: The slips, in the order in which they are made.
+        grid: The answer.
+        seen: Its entries at the values given, or in symbols at one point that has nothing special about it.
+    """
+
+    slips: tuple[Slip, Slip]
+    grid: Grid
+    seen: Numbers
+
+
+class ColumnsQuestion(MotionQuestion):
+    """A question whose answer follows from the columns of a Jacobian, as does that of somebody with wrong columns."""
+
+    __slots__ = ()
+
+    @abstractmethod
+    def columns(self, case: Case) -> Columns:
+        """The right columns."""
+
+    @abstractmethod
+    def of_columns(self, case: Case, columns: Columns) -> Grid:
+        """The answer that follows from columns.
+
+        Raises:
+            DhcliError: None does.
+        """
+
+    def besides(self, _case: Case, _columns: Columns) -> Iterable[tuple[Slip, Grid]]:
+        """Slips on the way from the columns to the answer."""
+        return ()
+
+    def typed_entries(self, _case: Case, _reading: Reading[Entries]) -> tuple[MotionView, Typed] | None:
+        """The entries of a Jacobian in an answer, and which Jacobian that is; None where it is no piece of one."""
+        return None
+
+    def computed(self, case: Case) -> Grid:
+        """What follows from the right columns."""
+        return self.of_columns(case, self.columns(case))
+
+    def wrong(self, case: Case) -> Iterator[tuple[Slip, Grid]]:
+        """What follows from wrong columns, and what follows wrongly from right ones."""
+        columns = self.columns(case)
+        yield from self.besides(case, columns)
+        for slip, changed in _slipped(case, columns):
+            with suppress(DhcliError, ZeroDivisionError):  # nothing follows from them
+                yield slip, self.of_columns(case, changed)
+
+    # --- Two slips ----------------------------------------------------------------------------------------------
+
+    def pairs(self, case: Case) -> tuple[Pair, ...]:
+        """Two slips at once, worked out once; none where they are too many."""
+        return case.memo.of(("motion pairs", self), lambda: tuple(self._paired(case)))
+
+    def _paired(self, case: Case) -> Iterator[Pair]:
+        rows, width = self.right(case).shape
+        columns = self.columns(case)
+        if len(_slipped(case, columns)) ** 2 / 2 * rows * width > MOST_WORK:
+            return
+        for one, changed, twice in _slipped_twice(case, columns):
+            for two, grid in self._after(case, changed, twice):
+                with suppress(DhcliError, KeyError, ZeroDivisionError, OverflowError):
+                    yield Pair((one, two), grid, self._seen(case, grid))
+
+    def _after(
+        self, case: Case, changed: Columns, twice: Iterable[tuple[Slip, Columns]]
+    ) -> Iterator[tuple[Slip, Grid]]:
+        """What follows when a second slip is made behind a first, in the columns or after them."""
+        for slip, columns in twice:
+            with suppress(DhcliError, ZeroDivisionError):
+                yield slip, self.of_columns(case, columns)
+        with suppress(DhcliError, ZeroDivisionError):
+            yield from self.besides(case, changed)
+
+    def _seen(self, case: Case, grid: Grid) -> Numbers:
+        return grid.numbers(case.exercise) if case.exercise.numeric else self.at_points(case.exercise, grid)[0]
+
+    def paired_causes(self, case: Case, entries: Entries) -> Causes:
+        """Pairs of slips that give just this answer, where it says enough for that not to be chance."""
+        every = self.pairs(case)
+        given = self.given(self.right(case), entries)
+        try:
+            if not case.exercise.numeric:
+                seen = self._seen(case, given)
+                likely = [one for one in every if alike((one.seen,), (seen,))]
+                return _plainest([one for one in likely if self.gives(case, one.grid, entries)])
+            typed, (right, limits) = values_of(entries, case.exercise), self.right_numbers(case)
+        except (KeyError, UnreadableError):
+            return ()
+        found = [one for one in every if within(typed, one.seen, limits)]
+        flat, slack, truth = ([value for row in table for value in row] for table in (typed, limits, right))
+        lengths = [bool(power) or not given.cosines for row in given.powers for power in row]
+        others = [[value for row in one.seen for value in row] for one in every]
+        is_known = bool(found) and not is_chance("pairs", others, Evidence(flat, slack, truth, lengths))
+        return _plainest(found) if is_known else ()
+
+    # --- Follow-through -----------------------------------------------------------------------------------------
+
+    def follows(self, case: Case, reading: Reading[Entries], earlier: Mapping[str, Reading[Any]]) -> tuple[str, ...]:
+        """The earlier pieces of the Jacobian from which an answer follows rightly."""
+        columns, own = self.columns(case), []
+        for other in case.exercise.before(case.part):
+            if other.id in earlier and isinstance(other.question, ColumnsQuestion):
+                found = other.question.typed_entries(Case(other, case.memo), earlier[other.id])
+                if found is not None and found[0] == columns.view:
+                    own.append((other.id, found[1]))
+        own = own[-MOST_EARLIER:]
+        for count in range(1, len(own) + 1):
+            for some in combinations(own, count):
+                changed = columns
+                for _, typed in some:
+                    changed = _overlaid(changed, typed)
+                try:
+                    if self.gives(case, self.of_columns(case, changed), reading.value):
+                        return tuple(name for name, _ in some)
+                except (DhcliError, UnreadableError, KeyError, ZeroDivisionError, OverflowError):
+                    continue
+        return ()
+
+    def is_plausible(self, case: Case, judged: Judged[Entries]) -> bool:
+        """No zeros, and in numbers half right or wrong by a known slip."""
+        if judged.reading is None or is_trivial(at_a_point(judged.reading.value, case.exercise.values)):
+            return False
+        return not case.exercise.numeric or judged.mark.earned >= HALF or has_name(judged.mark)
+
+
+def _slipped(case: Case, columns: Columns) -> Sequence[tuple[Slip, Columns]]:
+    """Columns with one slip, made once for an exercise, whatever its numbers."""
+    kept, key = case.memo.lasting, ("slips in columns", columns.robot.name, columns.view)
+    if key not in kept:
+        kept[key] = tuple(made(columns))
+    return cast("Sequence[tuple[Slip, Columns]]", kept[key])
+
+
+def _slipped_twice(case: Case, columns: Columns) -> Sequence[Twice]:
+    """The same with what a second slip makes of them."""
+    kept, key = case.memo.lasting, ("two slips in columns", columns.robot.name, columns.view)
+    if key not in kept:
+        kept[key] = tuple((one, changed, tuple(then(changed, one))) for one, changed in _slipped(case, columns))
+    return cast("Sequence[Twice]", kept[key])
+
+
+def _plainest(found: Sequence[Pair]) -> Causes:
+    """Those of the plainest kind."""
+    least = min((sum(slip.rank for slip in one.slips) for one in found), default=0)
+    return tuple(one.slips for one in found if sum(slip.rank for slip in one.slips) == least)[:MOST_CAUSES]
+
+
+def _overlaid(columns: Columns, typed: Typed) -> Columns:
+    """Columns with the entries that somebody has typed."""
+    each = []
+    for k, one in enumerate(columns.each):
+        a, b, c, d, e, f = (typed.get((row, k), entry) for row, entry in enumerate((*one.linear, *one.angular)))
+        each.append(replace(one, linear=(a, b, c), angular=(d, e, f)))
+    return replace(columns, each=tuple(each))
+
+
+def axes_step(case: Case, columns: Columns) -> Shown:
+    """Axis and origin of each joint, and the point, in words."""
+    exercise = case.exercise
+
+    def vector(entries: Iterable[Expr], power: int) -> str:
+        entries = tuple(entries)
+        if exercise.numeric and not frozenset().union(*map(symbols, entries)) - exercise.values.keys():
+            arithmetic = Floats(numbers(exercise.values))
+            return ", ".join(rounded(arithmetic.value(one) / scale_of(exercise, power)) for one in entries)
+        return ", ".join(write(one, "short", exercise.writing) for one in entries)
+
+    lines = [f"Vectors along the axes of frame {columns.view.axes}; p = ({vector(columns.point, 1)})"]
+    for one in columns.each:
+        what = f"{one.joint} {'turns about' if one.turns else 'slides along'} ({vector(one.axis, 0)})"
+        lines.append(what + (f" through ({vector(one.origin, 1)})" if one.turns else ""))
+    lines.append("A joint that turns moves the point by axis x (p - o), one that slides along its axis")
+    return Shown("\n".join(lines))

@@ -1,0 +1,125 @@
+"""The heads of a DH table in a file: which column is which, in which unit, and what they say about the convention."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from dhcli.kinematics.conventions import COLUMNS, Convention, column_of
+from dhcli.notation.quantity import ANGLE_UNITS, LENGTH_UNITS
+
+LONGEST = 4000
+"""Letters of a line that may be a row of heads."""
+
+_SIGNS = ("|", "\t", ";", ",")
+_UNIT = re.compile(r"(?P<name>[^\[(]*)[\[(]\s*(?P<unit>[^\])]*?)\s*[\])]?\s*")
+_WORDS = {
+    "link length": "a",
+    "length": "a",
+    "link twist": "alpha",
+    "twist": "alpha",
+    "link offset": "d",
+    "joint angle": "theta",
+    "angle": "theta",
+    "offset": "offset",
+    "joint offset": "offset",
+    "type": "kind",
+    "joint type": "kind",
+    "kind": "kind",
+    "sigma": "kind",
+}
+_NUMBERING = re.compile(r"(?:link|joint|axis|frame|row)?s?[ _]?(?:i|j|n|no\.?|nr\.?|number|#|name)?")
+_KNOWN = frozenset((*COLUMNS, *_WORDS.values(), ""))
+
+
+@dataclass(frozen=True, slots=True)
+class Heads:
+    """The heads of a table.
+
+    Attributes:
+        line: Number of their line, from 1.
+        sign: What stands between cells.
+        columns: What each column holds: a, alpha, d, theta, offset, kind, or nothing of interest.
+        units: The unit of each column; empty where none is said.
+        convention: What the indices say: modified where a and alpha have i-1.
+    """
+
+    line: int
+    sign: str
+    columns: tuple[str, ...]
+    units: tuple[str, ...]
+    convention: Convention | None
+
+
+def heads_of(text: str) -> Heads | None:
+    """The heads in a text: its first line that names all four columns; in a page, of the first table that has them."""
+    for number, line in enumerate(text.split("\n"), 1):
+        stripped = line.strip()
+        if not stripped or len(stripped) > LONGEST:
+            continue
+        found = _heads(stripped, number)
+        if found is not None:
+            return found
+    return None
+
+
+def cells_of(line: str, sign: str) -> list[str]:
+    """The cells of a line, without quotes and the bars at its ends."""
+    line = line.strip()
+    if sign == "|":
+        line = line.removeprefix("|").removesuffix("|")
+        return [cell.strip().strip("`$").strip() for cell in line.split("|")]
+    if sign == " ":
+        return line.split()
+    import csv  # most files are none
+
+    return [cell.strip().strip("`$").strip() for cell in next(csv.reader([line], delimiter=sign), [])]
+
+
+def _heads(line: str, number: int) -> Heads | None:
+    for sign in (*(sign for sign in _SIGNS if sign in line), " "):
+        cells = cells_of(line.lstrip("#%") if sign != "|" else line, sign)
+        if len(cells) < len(COLUMNS):
+            continue
+        named = [_named(cell) for cell in cells]
+        columns = tuple(one.column for one in named)
+        if all(columns.count(column) == 1 for column in COLUMNS) and (sign != " " or set(columns) <= _KNOWN):
+            return Heads(number, sign, columns, tuple(one.unit for one in named), _convention(named))
+    return None
+
+
+@dataclass(frozen=True, slots=True)
+class _Named:
+    """What one head says: its column, or its own text where it is none that is known."""
+
+    column: str
+    unit: str = ""
+    has_index: bool = False
+    before: bool = False
+
+
+def _named(head: str) -> _Named:
+    """The column, the unit and the index of a head such as `α_{i-1} [deg]`."""
+    match = _UNIT.fullmatch(head)
+    unit = match["unit"] if match else ""
+    if match is None or unit not in ANGLE_UNITS | LENGTH_UNITS.keys():
+        name, unit = head, ""
+    else:
+        name = match["name"]
+    name = name.strip().strip("*").replace("−", "-")  # noqa: RUF001  a minus sign
+    if name.lower() in _WORDS:
+        return _Named(_WORDS[name.lower()], unit)
+    if _NUMBERING.fullmatch(name.lower()):
+        return _Named("")
+    column, before = column_of(name)
+    return _Named(column or name, unit, len(name) > len(column), before)
+
+
+def _convention(named: Sequence[_Named]) -> Convention | None:
+    """What the indices of a and alpha say."""
+    links = [one for one in named if one.column in ("a", "alpha")]
+    if all(one.before for one in links):
+        return Convention.MODIFIED
+    said = all(one.has_index for one in named if one.column in COLUMNS) and not any(one.before for one in links)
+    return Convention.STANDARD if said else None

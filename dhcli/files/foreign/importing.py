@@ -1,0 +1,111 @@
+"""A file of any form that is read, as a robot."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from dhcli.errors import FileError, Place, Problem, UnknownNameError, did_you_mean
+from dhcli.files.foreign.forms import Form, form_of, told
+from dhcli.files.foreign.kinematics import read_kinematics
+from dhcli.files.foreign.listing import read_listing
+from dhcli.files.foreign.rows import Reader, Whole, robot_of_rows, scope_of
+from dhcli.files.foreign.tables import read_table
+from dhcli.files.urdf.robots import read_urdf
+from dhcli.kinematics.conventions import Convention
+from dhcli.kinematics.describe.description import Asked, describe
+from dhcli.kinematics.robot import Robot
+from dhcli.notation.quantity import LENGTH_UNITS
+
+
+@dataclass(frozen=True, slots=True)
+class Wish:
+    """What a person says about a file.
+
+    Attributes:
+        name: What the robot is called.
+        convention: Of a table, the one it is in; of everything else the one it is to be written in.
+        joints: A letter for each row: R, P or F.
+        units: Unit of bare lengths.
+        base: The link of a URDF that is frame 0.
+        tip: The link of a URDF that is the last frame.
+        as_typed: Whether 1.5708 stays what it is.
+    """
+
+    name: str
+    convention: str | None = None
+    joints: str = ""
+    units: str = ""
+    base: str | None = None
+    tip: str | None = None
+    as_typed: bool = False
+
+
+def import_robot(text: str, source: str, wish: Wish) -> Robot:
+    """A robot from a file of others.
+
+    Args:
+        text: The file.
+        source: What it is called.
+        wish: What is said about it.
+
+    Raises:
+        FileError: It is of no form that is read, or something is wrong in it.
+        UnknownNameError: There is no such convention, unit or link.
+    """
+    convention = _convention(wish.convention)
+    if wish.units and wish.units not in LENGTH_UNITS:
+        hint = did_you_mean(wish.units, LENGTH_UNITS) or f"known: {', '.join(LENGTH_UNITS)}"
+        raise UnknownNameError(f"{wish.units} is no unit of length", hint)
+    form = form_of(text)
+    if form not in (Form.URDF, Form.XACRO) and (wish.base or wish.tip):
+        raise FileError(Problem("only a URDF has links to choose from", Place(source)))
+    joints = wish.joints.strip().upper()
+    match form:
+        case Form.TABLE:
+            return _from_table(text, source, wish, convention)
+        case Form.LISTING:
+            found = read_listing(text, source, wish.name, wish.units)
+        case Form.KINEMATICS:
+            found = read_kinematics(text, source, wish.name, joints, as_typed=wish.as_typed)
+        case Form.URDF | Form.XACRO:
+            found = read_urdf(text, source, wish.name, base=wish.base, tip=wish.tip, as_typed=wish.as_typed)
+        case Form():
+            raise FileError(told(form, source))
+        case None:
+            hint = "dhcli reads DH tables as CSV or Markdown, SerialLink listings, kinematics YAML of ROS, and URDF"
+            raise FileError(Problem("is none of the forms that are read", Place(source), hint))
+    return found if convention in (None, found.convention) else _described(found, convention)
+
+
+def _from_table(text: str, source: str, wish: Wish, convention: Convention | None) -> Robot:
+    heads, rows = read_table(text, source, wish.units)
+    said = heads.convention or convention
+    if said is None or (convention is not None and said is not convention):
+        place = Place(source, heads.line, 1, text.split("\n")[heads.line - 1])
+        if convention is Convention.PRODUCT or said is None:
+            message = "a table does not say which convention it is in"
+            raise FileError(Problem(message, place, "add --convention standard or --convention modified"))
+        raise FileError(Problem(f"these heads are those of the {said} convention", place, f"--convention {said}"))
+    whole = Whole(wish.name, wish.name, f"the table {source}", said)
+    reader = Reader(scope_of(cell.text for row in rows for cell in row.cells.values()))
+    return robot_of_rows(reader, rows, whole, wish.joints.strip().upper())
+
+
+def _described(robot: Robot, convention: Convention) -> Robot:
+    """The same robot in another form, with what should be known of it."""
+    found = describe(robot, Asked(convention.value))
+    return replace(
+        found.robot,
+        title=robot.title,
+        notes=robot.notes,
+        remarks=(*robot.remarks, *found.notes, *found.warnings),
+    )
+
+
+def _convention(word: str | None) -> Convention | None:
+    if word is None:
+        return None
+    known = [convention.value for convention in Convention]
+    if word not in known:
+        raise UnknownNameError(f"there is no convention {word}", did_you_mean(word, known) or ", ".join(known))
+    return Convention(word)

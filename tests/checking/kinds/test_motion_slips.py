@@ -1,0 +1,150 @@
+"""Slips about motion: two at once are named together, and what follows from an earlier slip keeps its credit."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import pytest
+
+from dhcli.checking.exercise import Case
+from dhcli.checking.judge import Judge, SheetMark
+from dhcli.checking.kinds.made import question_about
+from dhcli.checking.motion.from_columns import ColumnsQuestion
+from dhcli.checking.verdicts import Verdict
+from dhcli.files.yaml.exercises import load_exercise, read_exercise
+from dhcli.files.yaml.robots import load_robot
+from dhcli.kinematics.values import joint_values
+
+MOTION = Path(__file__).parents[3] / "exercises" / "motion"
+
+
+def asked(robot: str, ask: str, q: tuple[float, ...] | None) -> Judge:
+    """The judge of one question, in numbers where joint values are given."""
+    arm = load_robot(robot)
+    given = joint_values(arm, list(q)) if q is not None else {}
+    return Judge(question_about(arm, ask, numeric=q is not None, given=given))
+
+
+Q = (0.4, 0.7, -1.1)
+
+
+@pytest.mark.parametrize("q", [None, Q])
+@pytest.mark.parametrize(
+    ("ask", "pair"),
+    [
+        ("jacobian of 0..3", ("in-frame 3", "reference 2")),
+        ("jacobian of 0..3", ("in-frame 3", "angular-dropped")),
+        ("jacobian of 0..3", ("cross-reversed", "rows-swapped")),
+        ("jacobian linear of 0..3", ("origin-not-subtracted", "columns-reversed")),
+        ("jacobian linear of 0..3", ("joint-left-out theta1", "joint-left-out theta3")),
+        ("torques for (3, -2, 5) of 0..3", ("reference 2", "sign")),
+        ("joint rates for (0.1, 0.2, 0.3) of 0..3", ("in-frame 3", "transpose-for-inverse")),
+    ],
+)
+def test_two_slips_are_named_together(ask: str, pair: tuple[str, str], q: tuple[float, ...] | None) -> None:
+    """Where neither alone gives the answer; in numbers and in symbols."""
+    judge = asked("articulated", ask, q)
+    part = judge.exercise.parts[0]
+    case, question = Case(part, judge.memo), part.question
+    assert isinstance(question, ColumnsQuestion)
+    made = next(one for one in question.pairs(case) if tuple(slip.name for slip in one.slips) == pair)
+    mark = judge.check(part, question.text(case, made.grid))
+    assert mark.verdict is Verdict.WRONG
+    assert mark.diagnosis is not None
+    assert " + ".join(pair) in mark.diagnosis.ids
+
+
+@pytest.mark.parametrize(
+    ("answer", "words"),
+    [
+        ("-a1*s1 - a2*s12, a1*c1 + a2*c2, 0", "entry (2,1) has c2 for c12"),
+        ("-a1*s1 + a2*s12, a1*c1 + a2*c12, 0", "the sign of a2*s12 in entry (1,1) is turned round"),
+        ("-a1*s1 - a2*s12, a1*c1, 0", "entry (2,1) lacks a2*c12"),
+        ("-a1*s1 - a2*s12, -a1*c1 - a2*c12, 0", "the sign of entry (2,1) is turned round"),
+        ("-a1*s1 - a1*s12, a1*c1 + a1*c12, 0", "entries (1,1) and (2,1) have a1 for a2"),
+        ("-a1*s1 - a2*s1*s2, a1*c1 + a2*c1*c2, 0", "entries (1,1) and (2,1) have s1*s2 for s12 and c1*c2 for c12"),
+    ],
+)
+def test_slips_in_the_terms_of_an_entry_are_named(answer: str, words: str) -> None:
+    """As in a pose; the entry is told by its place in the whole Jacobian."""
+    judge = asked("planar-2r", "column 1 of jacobian linear of 0..2", None)
+    found = judge.check(judge.exercise.parts[0], answer).diagnosis
+    assert found is not None
+    assert found.names == (words,)
+
+
+def test_the_sign_of_one_number_of_several_is_seen() -> None:
+    """In numbers too."""
+    judge = asked("articulated", "torques for (3, -2, 5) of 0..3", Q)
+    part = judge.exercise.parts[0]
+    x, y, z = (float(text) for text in judge.expected(part).strip("[]").split(","))
+    found = judge.check(part, f"{x}, {-y}, {z}").diagnosis
+    assert found is not None
+    assert found.ids == ("entry-sign 2,1",)
+
+
+@pytest.mark.parametrize("ask", ["manipulability of jacobian linear of 0..3", "determinant of jacobian linear of 0..3"])
+def test_one_number_is_too_little_for_two_slips(ask: str) -> None:
+    """Some pair of hundreds gives nearly every number."""
+    judge = asked("articulated", ask, Q)
+    part = judge.exercise.parts[0]
+    right = float(judge.expected(part))
+    for share in (0.31, 0.57, 0.73, 0.91, 1.21, 1.9):
+        found = judge.check(part, f"{right * share:.5f}").diagnosis
+        assert found is None or all(len(cause) == 1 for cause in found.causes)
+
+
+def sheet(name: str, answers: Mapping[str, str]) -> SheetMark:
+    """A sheet of an exercise of the course with right answers but for some."""
+    judge = Judge(load_exercise(MOTION / f"{name}.yaml"))
+    right = {part.id: judge.expected(part) for part in judge.exercise.parts}
+    return judge.sheet(right | answers)
+
+
+FORGOTTEN = "-a1*s1, a1*c1, 0"
+"""The first column of a planar arm, of somebody who has left the second link out."""
+
+FOLLOWING = [
+    ("planar-jacobian", {"column1": FORGOTTEN}, "whole", "[-a1*s1 -a2*s12; a1*c1 a2*c12; 0 0; 0 0; 0 0; 1 1]"),
+    ("planar-jacobian", {"column2": "a2*s12, a2*c12, 0"}, "determinant",
+     "-a2*c12*(a1*s1+a2*s12) - a2*s12*(a1*c1+a2*c12)"),
+    ("planar-jacobian", {"determinant": "a1*a2*c2"}, "singular", "theta2 = ±90°"),
+    ("scara-jacobian", {"v": "[-l2*c1 -l3*c12 0; -l2*s1 -l3*s12 0; 0 0 1]"}, "determinant", "l2*l3*s2"),
+    ("planar-two-frames", {"base": "[a1*s1+a2*s12 a2*s12; a1*c1+a2*c12 a2*c12; 0 0]"}, "torques",
+     "f_x*(a1*s1+a2*s12) + f_y*(a1*c1+a2*c12), f_x*a2*s12 + f_y*a2*c12"),
+    ("five-bar-loop", {"crank": "a1*c2"}, "rates", "v_x/(a1*c2), (v_y - v_x*(a1*c2+a2)/(a1*c2))/a2"),
+    ("wrist-angular", {"roll": "-c4*s5, -s4*s5, c5"}, "turning", "[0 -s4 -c4*s5; 0 c4 -s4*s5; 1 0 c5]"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "slip", "part", "answer"), FOLLOWING)
+def test_what_follows_rightly_from_a_slip_keeps_its_credit(
+    name: str, slip: Mapping[str, str], part: str, answer: str
+) -> None:
+    """And says where the slip is; without it the same answer is wrong."""
+    marks = {one.part.id: one.mark for one in sheet(name, {**slip, part: answer}).parts}
+    (cause,) = slip
+    assert marks[cause].verdict is Verdict.WRONG
+    assert marks[part].diagnosis is not None
+    assert marks[part].diagnosis.follows == (cause,)
+    assert marks[part].earned == 1
+    alone = {one.part.id: one.mark for one in sheet(name, {part: answer}).parts}[part]
+    assert alone.earned < 1
+
+
+def test_numbers_that_follow_from_wrong_numbers_keep_their_credit() -> None:
+    """Velocities from a Jacobian with one wrong sign; from one of zeros nothing follows."""
+    asked_ = read_exercise(
+        "format: 1\ntitle: t\nsource: s\ntask: t\nrobot: planar-2r\nnumeric: true\n"
+        "given: {theta1: 30°, theta2: 45°}\nparts:\n  - {id: j, ask: jacobian linear of 0..2}\n"
+        "  - {id: v, ask: 'velocity of 0..2 with rates (1, 2)', depends: [j]}\n",
+        "e",
+        "e",
+    )
+    judge = Judge(asked_)
+    marks = judge.sheet({"j": "-0.4898 -0.2898; 0.4241 -0.0776; 0 0", "v": "-1.0693, 0.2688, 0"}).parts
+    assert marks[1].mark.diagnosis is not None
+    assert (marks[1].mark.diagnosis.follows, marks[1].mark.earned) == (("j",), 1)
+    marks = judge.sheet({"j": "0 0; 0 0; 0 0", "v": "0, 0, 0"}).parts
+    assert (marks[1].mark.verdict, marks[1].mark.earned) == (Verdict.WRONG, 0)
