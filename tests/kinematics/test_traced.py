@@ -136,6 +136,7 @@ def test_jax_traces_compiles_maps_and_differentiates(name: str) -> None:
     assert np.isfinite(jax.vmap(jax.jacfwd(position))(jax.numpy.full_like(given, np.pi))).all()
 
 
+@pytest.mark.filterwarnings("ignore::FutureWarning")  # of torch about itself
 @pytest.mark.parametrize("name", ROBOTS)
 def test_torch_differentiates_and_maps(name: str) -> None:
     """Autograd, and torch.func: the derivatives of the position are the Jacobian."""
