@@ -55,7 +55,7 @@ def play(recording: Recording, q: NDArray[np.float64], found: NDArray[Any], thre
     """
     if type(threads) is not int or threads < 1:
         raise RobotError(f"threads is a number from 1, not {threads!r:.60}")
-    chunks = [slice(first, first + CHUNK) for first in range(0, len(q), CHUNK)]
+    chunks = shares(len(q), threads)
     with np.errstate(all="ignore"):
         if is_ready(len(q)):
             one = partial(_by_loop, recording, q, found)
@@ -72,6 +72,16 @@ def play(recording: Recording, q: NDArray[np.float64], found: NDArray[Any], thre
 
         with ThreadPoolExecutor(min(threads, len(chunks))) as pool:
             list(pool.map(one, chunks))
+
+
+def shares(count: int, threads: int) -> list[slice]:
+    """Rows in parts of at most `CHUNK`; for several threads as many and as large for each, but none below a block."""
+    size = CHUNK
+    if threads > 1:
+        parts = -(-count // CHUNK)
+        parts = min(-(-parts // threads) * threads, count // BLOCK)
+        size = -(-count // max(1, parts))
+    return [slice(first, first + size) for first in range(0, count, max(1, size))]
 
 
 def _one_by_one(recording: Recording, q: NDArray[np.float64], found: NDArray[Any]) -> bool:
