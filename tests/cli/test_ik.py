@@ -159,7 +159,7 @@ def test_csv_has_a_line_for_each_solution(dhcli: Run) -> None:
         (("puma560", "--quaternion", "1,0,0"), "4 numbers are wanted, not 3"),
         (("puma560", "--position", "1,2"), "a point has three coordinates"),
         (("puma560", "--position", "x,0,0"), "x has no value"),
-        (("puma560", "--target", "Trans(a,0,0)"), "is in symbols: a"),
+        (("puma560", "--target", "Trans(a,0,0)"), "a has no value"),
         (("puma560", "--target", "[1 0 0 0; 0 2 0 0; 0 0 1 0; 0 0 0 1]"), "column 2 is not a unit vector"),
         (("puma560", "--pose", "ready", "--task", "positon"), "did you mean position"),
         (("puma560", "--pose", "ready", "--hold", "theta9=1"), "no joint theta9"),
@@ -374,3 +374,22 @@ def test_out_of_reach_is_told_by_the_joint_that_has_no_real_value(dhcli: Run) ->
     assert "theta2 has no real value: a cosine in its equation would be 1.031" in done.out
     cosine = (0.05**2 - 0.4**2 - 0.3**2) / (2 * 0.4 * 0.3)
     assert cosine == pytest.approx(-1.031, abs=5e-4)
+
+
+def test_a_matrix_that_is_no_rotation_is_told_with_the_nearest_one(dhcli: Run) -> None:
+    """And how far away it is; none for a reflection."""
+    done = dhcli("ik", "puma560", "--target", "[1 0 0 0.4; 0 1 0 0.2; 0 0.1 1.2 0.1; 0 0 0 1]")
+    left, _, right = np.linalg.svd([[1, 0, 0], [0, 1, 0], [0, 0.1, 1.2]])
+    nearest = left @ right
+    shown = "; ".join(" ".join(f"{round(x, 6) + 0.0:g}" for x in row) for row in nearest)
+    assert f"the nearest rotation is {shown}, an entry of it 0.2 away" in done.err
+    mirrored = dhcli("ik", "puma560", "--target", "[1 0 0 0.4; 0 1 0 0.2; 0 0 -1 0.1; 0 0 0 1]")
+    assert "nearest" not in mirrored.err
+
+
+@pytest.mark.parametrize("pose", [("--target", "Trans(x,0,0)"), ("--position", "x,0,0")])
+def test_letters_in_a_pose_lead_to_the_derivation(dhcli: Run, pose: tuple[str, str]) -> None:
+    """Numbers are solved, letters are derived."""
+    done = dhcli("ik", "puma560", *pose)
+    hint = "a pose to reach is in numbers; --derive gives the formulas in letters"
+    assert (done.code, done.err) == (2, f"dhcli: {pose[0]}: x has no value\n  hint: {hint}\n")
