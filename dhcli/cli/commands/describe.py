@@ -89,7 +89,7 @@ def describe(
 
     format_ = format_ or ("urdf" if as_ == "urdf" else _by_suffix(output))
     delivery = Delivery("describe", format_, output=output, force=force)
-    form = check_form("product" if format_ == "urdf" else as_ or "standard")
+    form = check_form("product" if format_ == "urdf" else as_ or "standard", ("urdf",))
     delivery.chosen("description")
     arm = robot_of(chosen)
     arm = replace(arm, parameters={**arm.parameters, **lengths_of(arm, chosen, symbolic=True)})
