@@ -83,6 +83,7 @@ def describe(
 
     from dhcli.cli.shell.delivery import Delivery
     from dhcli.cli.shell.given import lengths_of, named_pose, robot_of
+    from dhcli.errors import DhcliError
     from dhcli.kinematics.describe.choices import read_choices
     from dhcli.kinematics.describe.description import Asked, check_form
     from dhcli.kinematics.describe.description import describe as described
@@ -91,6 +92,8 @@ def describe(
     delivery = Delivery("describe", format_, output=output, force=force)
     form = check_form("product" if format_ == "urdf" else as_ or "standard", ("urdf",))
     delivery.chosen("description")
+    if choose and form not in ("standard", "modified"):
+        raise DhcliError("--choose is about tables", "--as standard or --as modified")
     arm = robot_of(chosen)
     arm = replace(arm, parameters={**arm.parameters, **lengths_of(arm, chosen, symbolic=True)})
     drawn = None if chosen.pose is None else named_pose(arm, chosen.pose)

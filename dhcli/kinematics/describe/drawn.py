@@ -103,10 +103,10 @@ def drawing_of(
         RobotError: A variable stands in two moves, or a move has two.
     """
     drawn = pose or {}
-    lengths: dict[str, Expr] = dict.fromkeys(variables, ZERO)
-    lengths |= {name: value for name, value in drawn.items() if isinstance(value, Expr)}
-    angles = {name: Angle() for name in variables}
-    angles |= {name: value for name, value in drawn.items() if isinstance(value, Angle)}
+    angles = {name: value for name, value in drawn.items() if isinstance(value, Angle)}
+    lengths = {name: value for name, value in drawn.items() if isinstance(value, Expr)}
+    angles |= {name: Angle() for name in variables if name not in drawn}  # which of the two a variable is, moves say
+    lengths |= dict.fromkeys((name for name in variables if name not in drawn), ZERO)
     lines: list[Line] = []
     here: Placed = (UNITS, {})
     for move in chain:
