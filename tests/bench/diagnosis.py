@@ -183,7 +183,7 @@ def in_terms(judge: Judge, part: Part, tally: Tally, draw: random.Random) -> Non
 
 
 def term_answers(judge: Judge, part: Part) -> dict[str, list[Callable[[], str]]]:
-    """For each mistake in the terms of one entry the answers that it leads to: of a term that stands there twice two."""
+    """For each mistake in the terms of one entry the answers that it leads to; two for a term that stands twice."""
     case, question = Case(part, judge.memo), part.question
     if judge.exercise.numeric:
         return {}
