@@ -27,7 +27,7 @@ from dhcli.notation.quantity import DimensionError, to_length
 from dhcli.notation.tree import ONE, ZERO, Expr
 from dhcli.notation.walk import symbols
 
-_OTHER = tuple(key for key in KEYS if key not in ("links", "base", "tool", "tools", "first"))
+_OTHER = tuple(key for key in KEYS if key not in ("links", "base", "tool", "tools", "first", "units"))
 _KNOWN = {
     "axes": (*_OTHER, "drawn", "axes", "end"),
     "screws": (*_OTHER, "frame", "screws", "home"),
