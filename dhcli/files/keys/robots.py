@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dhcli.files.keys.shapes import (
+    ANGLE,
     FLAG,
     HEAD,
     NOTES,
@@ -21,6 +22,12 @@ from dhcli.files.keys.shapes import (
 from dhcli.kinematics.conventions import Convention
 
 CONVENTIONS = (*(convention.value for convention in Convention), "axes", "screws")
+
+UNITS_OF_LENGTH = ("m", "cm", "mm", "in")
+"""What `units` takes for bare lengths."""
+
+CALIBRATED = (*ROW, Key("beta", "of a calibrated table: the turn about y besides, with its unit", ANGLE))
+"""The columns of a table in a file."""
 
 _OF_EVERY_ROBOT = (
     *HEAD,
@@ -44,6 +51,7 @@ _OF_EVERY_ROBOT = (
     ),
 )
 _BESIDE_LINKS = (
+    Key("units", "the unit of bare lengths, m by default", Scalar(UNITS_OF_LENGTH), example="units: mm"),
     Key("first", "number of the first link, 1 by default", WHOLE, example="first: 4"),
     Key("base", "moves in front of the first link", TEXT, example="base: Trans(0, 0, 0.5)"),
     Key("tool", "moves behind the last link", TEXT, example="tool: Trans(0, 0, 0.1) Rot(z, 45°)"),
@@ -54,7 +62,7 @@ TABLE = (
     Key(
         "links",
         "a row of the table for each link",
-        Many(Keyed(ROW), 1),
+        Many(Keyed(CALIBRATED), 1),
         is_required=True,
         example="links: [{a: a1, alpha: 0, d: 0, theta: theta1}]",
     ),
