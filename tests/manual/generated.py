@@ -7,7 +7,7 @@ import inspect
 import io
 import os
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -79,6 +79,8 @@ def mistakes_page() -> str:
         "|---|---|",
     ]
     lines += [f"| `{one.id}` | {_words(one.words)} |" for one in IN_COLUMNS]
+    lines += ["", "And on the way from the columns to each answer:", "", "| name | what has happened |", "|---|---|"]
+    lines += [f"| `{name}` | {words} |" for name, words in _behind_columns({one.id for one in IN_COLUMNS}).items()]
     lines += [
         "",
         "In frames; the number behind the name is the frame. `convention` is one of them as well.",
@@ -88,6 +90,42 @@ def mistakes_page() -> str:
     ]
     lines += [f"| `{one.id}` | {_words(one.words)} |" for one in MISTAKES]
     return "\n".join([*lines, ""])
+
+
+_ASKED = (
+    ("articulated", "jacobian of 0..3"),
+    ("articulated", "column 2 of jacobian analytic rpy of 0..3"),
+    ("articulated", "determinant of jacobian linear of 0..3"),
+    ("articulated", "singular when linear of 0..3"),
+    ("ur5e", "singular when angular of 0..6"),
+    ("articulated", "rank of jacobian linear of 0..3"),
+    ("articulated", "manipulability of jacobian linear of 0..3"),
+    ("articulated", "torques for (3, -2, 5) of 0..3"),
+    ("articulated", "joint rates for (0.1, 0.2, 0.3) of 0..3"),
+    ("articulated", "velocity of 0..3 with rates (1, 2, -1)"),
+    ("articulated", "differential motion (0.1, 0.2, 0.3) turn (0.1, 0, 0.2) of 0..3"),
+)
+"""A question of each kind about motion."""
+
+
+def _behind_columns(known: Collection[str]) -> dict[str, str]:
+    """What else can go wrong in a question about motion, by name."""
+    from dhcli import load_robot
+    from dhcli.checking.judge import Judge
+    from dhcli.checking.kinds.made import question_about
+    from dhcli.kinematics.values import joint_values
+
+    found: dict[str, str] = {}
+    for name, ask in _ASKED:
+        robot = load_robot(name)
+        elbow = 0.0 if ask.startswith("rank") else 1.1  # a rank that is full has few slips
+        given = joint_values(robot, [0.4, 0.7, elbow, -0.8, 1.3, 0.5][: len(robot.variables)])
+        judge = Judge(question_about(robot, ask, numeric=True, given=given))
+        for slip in judge.slips(judge.exercise.parts[0]):
+            kind, _, where = slip.name.partition(" ")
+            if kind not in known:
+                found.setdefault(kind, slip.words.replace(where, "i") if where else slip.words)
+    return found
 
 
 _FRAMES = (("{before}", "i-1"), ("{other}", "i-1 or i+1"))

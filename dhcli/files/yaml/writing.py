@@ -158,8 +158,10 @@ def _motors(robot: Robot) -> Iterator[str]:
     limits = {name: f"[{', '.join(quantity(value, 'm') for value in pair)}]" for name, pair in driven.limits.items()}
     yield ""
     yield "actuators:"
-    listed = ", ".join(f"{cell(motor)}: {limits.get(motor, '')}".strip() for motor in own)
-    yield f"  motors: {{{listed}}}"
+    if limits:
+        yield from ("  motors:", *(f"    {cell(motor)}: {limits.get(motor, '')}".rstrip() for motor in own))
+    else:
+        yield f"  motors: [{', '.join(map(cell, own))}]"
     yield from (f"  {sentence.replace(' = ', ': ', 1)}" for sentence in driven.sentences())
 
 

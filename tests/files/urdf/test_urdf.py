@@ -18,11 +18,12 @@ from dhcli.files.yaml.robots import load_robot, read_robot
 from dhcli.kinematics.describe.description import Asked, describe
 from dhcli.kinematics.forward import forward
 from dhcli.kinematics.robot import Robot
+from tests.coupled import COUPLED
 
 DATA = Path(__file__).parents[2] / "data" / "urdf"
 THREE = (DATA / "three-joints.urdf").read_text("utf-8")
 ROBOTS = sorted(path.stem for path in (Path(__file__).parents[3] / "robots").glob("*.yaml"))
-EXPORTED = [name for name in ROBOTS if not name.startswith("dh-link") and name != "assembly-blocks"]
+EXPORTED = [name for name in ROBOTS if not name.startswith("dh-link") and name not in ("assembly-blocks", *COUPLED)]
 
 
 def turned(axis: np.ndarray, angle: float) -> np.ndarray:

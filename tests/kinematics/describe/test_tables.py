@@ -29,12 +29,13 @@ from dhcli.kinematics.describe.retold import retold
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import Chain
 from dhcli.notation.tree import ONE
+from tests.coupled import COUPLED
 from tests.nightly import cases_for_nights
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-ROBOTS = sorted(path.stem for path in (Path(__file__).parents[3] / "robots").glob("*.yaml"))
+ROBOTS = sorted({path.stem for path in (Path(__file__).parents[3] / "robots").glob("*.yaml")} - {*COUPLED})
 OPEN = ("dh-link", "dh-link-modified")
 """Robots whose twist is a letter, so that no direction is known."""
 JOINTED = [name for name in ROBOTS if name not in (*OPEN, "assembly-blocks")]
