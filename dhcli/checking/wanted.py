@@ -11,14 +11,14 @@ import re
 from dataclasses import dataclass, replace
 from typing import Literal, TypeAlias
 
+from dhcli.checking.units import has_length_unit
 from dhcli.errors import NotationError, Place, Problem
 from dhcli.kinematics.frames import View
 from dhcli.kinematics.moves import Chain, Trans, read_chain
 from dhcli.notation.matrix import parse_matrix
-from dhcli.notation.quantity import LENGTH_UNITS, DimensionError, to_length
+from dhcli.notation.quantity import DimensionError, to_length
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import Expr, Unit
-from dhcli.notation.walk import walk
+from dhcli.notation.tree import Expr
 
 
 class NotAskedError(Exception):
@@ -117,7 +117,7 @@ def _wanted(text: str, scope: Scope, place: Place | None) -> Wanted:
         if len(cells) != 3:  # noqa: PLR2004
             raise NotationError(Problem(f"a {match['kind']} has three coordinates, not {len(cells)}", place))
         kind: Piece = "point" if match["kind"] == "point" else "vector"
-        measured = tuple(_has_length_unit(cell) for cell in cells)
+        measured = tuple(has_length_unit(cell) for cell in cells)
         return Wanted(source, inverse, kind, point=tuple(_length(cell, place) for cell in cells), measured=measured)
     return Wanted(source, inverse, "rotation" if match["piece"] == "rotation" else "position")
 
@@ -128,10 +128,6 @@ def _rotation_from(text: str, scope: Scope, place: Place | None) -> Wanted:
     if any(isinstance(move, Trans) for move in chain):
         raise NotationError(Problem("a rotation is made of turns, and Trans is none", place, "rotation from rpy(...)"))
     return Wanted(Composed(chain, text), piece="rotation")
-
-
-def _has_length_unit(expr: Expr) -> bool:
-    return any(isinstance(node, Unit) and node.name in LENGTH_UNITS for node in walk(expr))
 
 
 def _length(expr: Expr, place: Place | None) -> Expr:

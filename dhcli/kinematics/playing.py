@@ -24,6 +24,12 @@ BLOCK = 4040
 power of two would lie on the same few lines of a cache: to turn them into rows takes up to three times as long then.
 """
 
+CACHE = 1_250_000
+"""Bytes of all columns that are worked on at a time; the Jacobian of a Panda has 79 of them."""
+
+FEWEST = 1000
+"""Rows at a time however many columns there are."""
+
 CHUNK = 16 * BLOCK
 """Rows that one thread takes at a time; as one block, for at each call of numpy one thread waits for the other."""
 
@@ -95,7 +101,7 @@ def _one_by_one(recording: Recording, q: NDArray[np.float64], found: NDArray[Any
 
 
 def _by_loop(
-    recording: Recording, q: NDArray[np.float64], found: NDArray[Any], chunk: slice, block: int = BLOCK
+    recording: Recording, q: NDArray[np.float64], found: NDArray[Any], chunk: slice, block: int | None = None
 ) -> None:
     """A chunk by the compiled loop; by numpy where that does not know a step, or an angle is too large for it."""
     rows, target = np.ascontiguousarray(q[chunk]), found[chunk]
@@ -110,18 +116,25 @@ def _by_loop(
 
 
 def _by_columns(
-    recording: Recording, q: NDArray[np.float64], found: NDArray[Any], chunk: slice, block: int = BLOCK
+    recording: Recording, q: NDArray[np.float64], found: NDArray[Any], chunk: slice, block: int | None = None
 ) -> None:
-    """A chunk by numpy, so many rows at a time."""
+    """A chunk by numpy, so many rows at a time, by default as a cache holds well."""
     rows, target = q[chunk], found[chunk]
     with np.errstate(all="ignore"):  # a thread has its own
-        for first in range(0, len(rows), block):
-            part = rows[first : first + block]
+        length = block or _length(recording.program(merged=True, tangents=True))
+        for first in range(0, len(rows), length):
+            part = rows[first : first + length]
             merged = bool(np.abs(part).max(initial=0.0) <= MODEST)
             columns = _columns(recording.program(merged=merged, tangents=True), len(part))
             results = columns.play(part.T).reshape(*target.shape[1:], -1)
-            target[first : first + block] = np.moveaxis(results, -1, 0)
+            target[first : first + length] = np.moveaxis(results, -1, 0)
             _IDLE.append(columns)
+
+
+def _length(program: Program) -> int:
+    """Rows at a time of a program: fewer where it has so many columns that they would not fit the cache."""
+    rows = min(BLOCK, max(FEWEST, CACHE // (8 * program.registers)))
+    return rows - rows % 16 + 8  # an odd number of the lines of a cache
 
 
 def _columns(program: Program, length: int) -> Columns:

@@ -148,10 +148,12 @@ def _axes(robot: Robot, given: Given) -> list[Axis]:
     found: list[Axis] = []
     for state, move in enumerate(robot.chain):
         if isinstance(move, Rot):
-            for name, factor in move.angle.terms:
-                if name in robot.variables:
-                    sign = 1.0 if factor > 0 else -1.0
-                    found.append(Axis(name, "revolute", state, scaled(AXES[move.axis], sign)))
+            terms = [(name, factor) for name, factor in move.angle.terms if name in robot.variables]
+            if terms:  # one axis, whatever turns it: named after the variable that has none yet
+                seen = {axis.name for axis in found}
+                name, factor = next((term for term in terms if term[0] not in seen), terms[0])
+                sign = 1.0 if factor > 0 else -1.0
+                found.append(Axis(name, "revolute", state, scaled(AXES[move.axis], sign)))
         elif isinstance(move, Trans):
             sliding = variables_of(move, robot)
             found += (Axis(name, "prismatic", state, unit(slope(move, name, given))) for name in sliding)

@@ -6,6 +6,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from dhcli.errors import FileError, NotationError, Place, Problem, did_you_mean
+from dhcli.files.keys.robots import CONVENTIONS, TABLE
+from dhcli.files.keys.shapes import Key, required
+from dhcli.files.keys.shapes import names as names_of
 from dhcli.files.yaml.drives import read_drives
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.parameters import Parameters
@@ -23,25 +26,6 @@ from dhcli.notation.tokens import is_name
 from dhcli.notation.tree import ZERO, Expr, Trig
 from dhcli.notation.walk import walk
 
-KEYS = (
-    "title",
-    "source",
-    "notes",
-    "convention",
-    "exact",
-    "variables",
-    "parameters",
-    "links",
-    "first",
-    "base",
-    "tool",
-    "tools",
-    "limits",
-    "poses",
-    "actuators",
-)
-REQUIRED = ("title", "source", "convention", "variables", "links")
-
 
 class Loader:
     """One pass over a file; what is wrong is collected, and something harmless taken in its place."""
@@ -51,13 +35,12 @@ class Loader:
         root: PlacedNode,
         name: str,
         refused: list[Problem],
-        known: Iterable[str] = KEYS,
-        required: Iterable[str] = REQUIRED,
+        keys: Sequence[Key] = TABLE,
     ) -> None:
         """Read what every robot has; the keys differ with what stands in the place of links."""
         self.problems = Problems(refused)
         self.name = name
-        self.fields = self.problems.document(root, known=known, required=required)
+        self.fields = self.problems.document(root, known=names_of(keys), required=required(keys))
         self.places: dict[tuple[str | int, ...], Place] = {}
         self.variables = tuple(self.names("variables", self.fields.sequence("variables")))
         self.parameters = self.fields.mapping("parameters")
@@ -156,7 +139,7 @@ class Loader:
         try:
             return Convention(scalar.text)
         except ValueError:
-            hint = did_you_mean(scalar.text, [*(convention.value for convention in Convention), "axes", "screws"])
+            hint = did_you_mean(scalar.text, CONVENTIONS)
             self.problems.add(scalar.place, f"convention: '{scalar.text}' is not known", hint)
             return Convention.STANDARD
 
