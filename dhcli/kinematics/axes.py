@@ -21,6 +21,12 @@ Point: TypeAlias = Mapping[str, Angle | float]
 """A value for each name that is not a joint variable."""
 
 
+def no_axis(name: str) -> tuple[str, str]:
+    """What to say of a variable that shares a move with others, or makes several, and what to do about it."""
+    hint = "here each row takes a variable of its own; how motors move them together stands under actuators:"
+    return f"{name} does not move one joint about or along one axis", hint
+
+
 @dataclass(frozen=True, slots=True)
 class Screw:
     """A joint axis in the zero pose.
@@ -69,7 +75,7 @@ class Arm:
         for index, move in enumerate(chain):
             inside = names((move,)).intersection(variables)
             if len(inside) > 1 or not inside.isdisjoint(name for _, name in movers):
-                raise RobotError(f"{min(inside)} does not move one joint about or along one axis")
+                raise RobotError(*no_axis(min(inside)))
             movers += [(index, name) for name in inside]
         return cls(chain, tuple(movers))
 

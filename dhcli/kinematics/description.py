@@ -10,15 +10,16 @@ from types import MappingProxyType
 from typing import Literal
 
 from dhcli.errors import RobotError, did_you_mean
+from dhcli.kinematics.actuators import Actuators
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row
 from dhcli.kinematics.derived import Formula, Value
 from dhcli.kinematics.given import chain_of, mapping_of, tuple_of, value_of
-from dhcli.kinematics.moves import Chain, angle_names, expressions, product_text
+from dhcli.kinematics.moves import Chain, angle_names, expressions, names, product_text
 from dhcli.notation.angle import Angle
 from dhcli.notation.scope import Scope
 from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Trig
-from dhcli.notation.walk import symbols, walk
+from dhcli.notation.walk import walk
 
 Kind = Literal["revolute", "prismatic"]
 
@@ -29,8 +30,8 @@ class Joint:
 
     Attributes:
         name: The variable, such as theta1 or d3.
-        kind: Revolute or prismatic, by where the variable stands.
-        link: Number of the link it moves.
+        kind: Revolute or prismatic, by where the variable stands; one that does both, as a screw does, is revolute.
+        link: Number of the link it moves, of several the first.
     """
 
     name: str
@@ -81,6 +82,8 @@ class Description:
     derived: Mapping[str, Formula] = field(default_factory=dict)
     remarks: tuple[str, ...] = ()
     tools: Mapping[str, Chain] = field(default_factory=dict)
+    actuators: Actuators | None = None
+    drives: Description | None = None
     path: Path | None = field(default=None, compare=False)
 
     def __post_init__(self) -> None:
@@ -96,7 +99,7 @@ class Description:
         object.__setattr__(self, "links", tuple_of(self.links, "links", "each is a Link"))
         _all_are(self.links, Link, "links", "each is a Link with its number and its moves")
         _all_are(self.variables, str, "variables", 'write ["theta1", "d2"]')
-        turning = angle_names(self.chain)
+        turning = self.turning
         mappings: dict[str, dict[str, object]] = {
             "parameters": {
                 name: None if given is None else value_of(given, name, is_angle=name in turning)
@@ -125,13 +128,25 @@ class Description:
     @cached_property
     def joints(self) -> tuple[Joint, ...]:
         """The joints in the order of the variables."""
+        turning = self.turning
         found = {}
-        for link in self.links:
-            turning = angle_names(link.moves)
-            for name in (*turning, *(name for expr in expressions(link.moves) for name in symbols(expr))):
-                if name in self.variables:
-                    found[name] = Joint(name, "revolute" if name in turning else "prismatic", link.number)
-        return tuple(found[name] for name in self.variables if name in found)
+        for name in self.variables:
+            kind: Kind = "revolute" if name in turning else "prismatic"
+            if number := next((link.number for link in self.links if name in self.movers[link.number]), None):
+                found[name] = Joint(name, kind, number)
+        return tuple(found.values())
+
+    @cached_property
+    def turning(self) -> frozenset[str]:
+        """Names that stand inside rotations, and motors that turn behind a ball screw."""
+        driven = self.drives.actuators if self.drives is not None else None
+        motors = driven.turning.intersection(driven.motors) if driven is not None else frozenset[str]()
+        return angle_names(self.chain) | motors
+
+    @cached_property
+    def movers(self) -> Mapping[int, frozenset[str]]:
+        """The variables that move each link, by its number."""
+        return {link.number: names(link.moves).intersection(self.variables) for link in self.links}
 
     @cached_property
     def angles(self) -> frozenset[str]:
@@ -145,7 +160,7 @@ class Description:
             for name in node.angle.names
         }
         given = {name for name, value in self.parameters.items() if isinstance(value, Angle)}
-        return angle_names(chain) | inside | given
+        return self.turning | angle_names(chain) | inside | given
 
     @cached_property
     def chain(self) -> Chain:

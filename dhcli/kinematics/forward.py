@@ -10,11 +10,11 @@ from dhcli.algebra.floats import Floats
 from dhcli.algebra.sizes import SIZES
 from dhcli.algebra.terms import TERMS
 from dhcli.errors import RobotError
-from dhcli.kinematics.conventions import Convention
+from dhcli.kinematics.conventions import Convention, Row, moves_of
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.frames import between, ends
 from dhcli.kinematics.merge import merge
-from dhcli.kinematics.moves import Chain, spelled, substituted
+from dhcli.kinematics.moves import Chain, Trans, spelled, substituted
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.robot import Link, Robot, Value, check_robot
 from dhcli.kinematics.values import (
@@ -27,7 +27,7 @@ from dhcli.kinematics.values import (
     require,
 )
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import Expr
+from dhcli.notation.tree import ZERO, Expr
 
 LONGEST = 20_000
 """Symbols of the longest result that is written; Panda has about 2000."""
@@ -63,7 +63,7 @@ def forward(
         UnknownNameError: The robot has no such frame, joint or length.
     """
     check_robot(robot)
-    if not parameters and (floats := _floats(q)) is not None:
+    if (floats := plain_floats(q, parameters)) is not None:
         frames = ends(robot, start, end)
         rows = _played(robot, floats, *frames)
         if rows is not None:
@@ -107,8 +107,14 @@ def numeric_pose(robot: Robot, values: Values, start: str, end: str) -> Pose[flo
     return Pose(in_numbers(chain, values), start, end, joints=robot.writing)
 
 
-def _floats(q: JointInput) -> Sequence[float] | None:
-    """Joint values that are plain numbers in joint order, as most programs give them; None for anything else."""
+def plain_floats(q: JointInput, parameters: Given | None) -> Sequence[float] | None:
+    """Joint values that are plain numbers in joint order, as most programs give them.
+
+    None for anything else, and where lengths are given besides.
+    """
+    has_lengths = parameters is not None and (not isinstance(parameters, Mapping) or len(parameters) > 0)  # type: ignore[redundant-expr]  # of a caller without types
+    if has_lengths:
+        return None
     if type(q) is not list and type(q) is not tuple:
         if getattr(q, "ndim", 0) != 1:
             return None
@@ -181,6 +187,18 @@ def put_in(chain: Chain, values: Values) -> Chain:
         return substituted(chain, lengths, angles)
     except (OverflowError, ZeroDivisionError):
         raise RobotError("with these values a length is divided by zero or becomes too large") from None
+
+
+def link_with(link: Link, values: Values, convention: Convention) -> Link:
+    """A link with exact values in the place of names."""
+    moves = put_in(link.moves, values)
+    if link.row is None:
+        return Link(link.number, moves)
+    angles = {name: value for name, value in values.items() if isinstance(value, Angle)}
+    lengths = put_in((Trans(link.row.a, link.row.d, ZERO),), values)[0]
+    assert isinstance(lengths, Trans)  # noqa: S101  it keeps its kind
+    row = Row(lengths.x, link.row.alpha.substitute(angles), lengths.y, link.row.theta.substitute(angles))
+    return Link(link.number, moves_of(row, convention), row)
 
 
 def factors(robot: Robot, link: Link, values: Values) -> tuple[Pose[Expr], ...]:

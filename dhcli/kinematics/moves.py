@@ -12,7 +12,7 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.factors import AXES, Axis, Factor, in_order_of_motion, parse_factors
 from dhcli.notation.scope import OPEN, Scope
 from dhcli.notation.styles import THETAS, Joints
-from dhcli.notation.tree import ZERO, Expr, Number, negate
+from dhcli.notation.tree import PI, ZERO, Expr, Number, Symbol, add, multiply, negate, number
 from dhcli.notation.walk import substitute, symbols
 from dhcli.notation.writer import write, write_angle
 
@@ -104,7 +104,9 @@ def inverse(chain: Chain) -> Chain:
 
 
 def substituted(chain: Chain, lengths: Mapping[str, Expr], angles: Mapping[str, Angle]) -> Chain:
-    """The same chain with exact values in the place of names."""
+    """The same chain with exact values in the place of names; an angle in a length, as a screw has it, in radians."""
+    inside = frozenset().union(*(symbols(expr) for expr in expressions(chain) if type(expr) is not Number))
+    lengths = {**lengths, **{name: in_radians(angles[name]) for name in inside & angles.keys()}}
 
     def put(expr: Expr) -> Expr:
         return substitute(expr, lengths, angles)
@@ -119,6 +121,12 @@ def substituted(chain: Chain, lengths: Mapping[str, Expr], angles: Mapping[str, 
                 return Fixed(tuple((put(r[0]), put(r[1]), put(r[2]), put(r[3])) for r in rows))
 
     return tuple(changed(move) for move in chain)
+
+
+def in_radians(angle: Angle) -> Expr:
+    """An angle as a number of radians, names and π in it."""
+    constant = add(multiply(number(angle.degrees / 180), PI), number(angle.radians))
+    return add(*(multiply(number(factor), Symbol(name)) for name, factor in angle.terms), constant)
 
 
 def expressions(chain: Iterable[Move]) -> Iterable[Expr]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections import deque
-from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -65,6 +64,8 @@ def play(recording: Recording, q: NDArray[np.float64], found: NDArray[Any], thre
             for chunk in chunks:
                 one(chunk)
             return
+        from concurrent.futures import ThreadPoolExecutor  # a command that needs none starts sooner
+
         with ThreadPoolExecutor(min(threads, len(chunks))) as pool:
             list(pool.map(one, chunks))
 

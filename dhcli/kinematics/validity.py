@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import Problem, RobotError, did_you_mean
@@ -11,6 +12,7 @@ from dhcli.kinematics.derived import Value
 from dhcli.kinematics.description import Description, Link
 from dhcli.kinematics.moves import Chain, Fixed, Trans, angle_names, expressions, names
 from dhcli.notation.angle import Angle
+from dhcli.notation.derivative import derivative
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import RESERVED
 from dhcli.notation.quantity import UNITS, is_affine
@@ -88,44 +90,50 @@ def _shorthand(robot: Description) -> Iterator[Finding]:
 
 
 def _links(robot: Description) -> Iterator[Finding]:
-    users: dict[str, int] = {}
+    used: dict[str, int] = {}
+    idle = _idle(robot)
     declared = {*robot.variables, *robot.parameters}
     for index, link in enumerate(robot.links):
         inside = names(link.moves)
         for name in sorted(inside - declared):
             yield Finding(("links", index), f"{name} is not declared", did_you_mean(name, declared))
         moving = sorted(inside & set(robot.variables), key=robot.variables.index)
-        if len(moving) > 1:
+        movers = {names((move,)).intersection(moving) for move in link.moves} - {frozenset()}
+        if len(moving) > 1 and len(movers) > 1:
             yield Finding(
                 ("links", index),
                 f"one link has two variables, {' and '.join(moving)}",
                 "give each joint a link of its own",
             )
         for name in moving:
-            if name in users:
-                hint = f"it moves link {robot.links[users[name]].number} already"
+            if name in used and idle:  # all of them move something: the two rows are meant
+                hint = f"it moves link {robot.links[used[name]].number} already"
                 yield Finding(("links", index), f"{name} is used twice", hint)
-            users.setdefault(name, index)
-        yield from _affine(link, index, moving)
+            used.setdefault(name, index)
+        yield from _affine(link, index, moving, angle_names(link.moves if idle else robot.chain))
         yield from _matrices(link.moves, ("links", index))
     for index, name in enumerate(robot.variables):
-        if name not in users:
+        if name in idle:
             yield Finding(("variables", index), f"{name} moves no link", "use it in a row, or make it a parameter")
 
 
-def _affine(link: Link, index: int, moving: list[str]) -> Iterator[Finding]:
+def _affine(link: Link, index: int, moving: list[str], turning: frozenset[str]) -> Iterator[Finding]:
     lengths: list[tuple[tuple[str | int, ...], Expr]] = [(("links", index), e) for e in expressions(link.moves)]
     if link.row is not None:
         lengths = [(("links", index, "a"), link.row.a), (("links", index, "d"), link.row.d)]
     for name in moving:
-        turning = name in angle_names(link.moves)
         for where, expr in lengths:
             if name not in symbols(expr):
                 continue
-            if turning:
-                yield Finding(where, f"{name} stands for an angle and for a length", "a joint turns or slides")
-            elif not is_affine(expr, name) or _inside_angle(expr, name):
+            if not is_affine(expr, name) or _inside_angle(expr, name):
                 yield Finding(where, f"{expr} is not affine in {name}", f"write a multiple of {name} plus a constant")
+                continue
+            slope = derivative(expr, name)
+            if symbols(slope).intersection(moving):
+                yield Finding(where, f"{expr} is not linear in the joints", "write a sum of multiples of them")
+            elif name in turning and slope in (Number(Fraction(1)), Number(Fraction(-1))):
+                hint = f"a joint turns or slides; a screw has a lead: p*{name}"
+                yield Finding(where, f"{name} stands for an angle and for a length", hint)
 
 
 def _inside_angle(expr: Expr, name: str) -> bool:
@@ -160,10 +168,16 @@ def _matrices(chain: Chain, where: tuple[str | int, ...]) -> Iterator[Finding]:
                         yield Finding(where, f"{expr} is not a real number")
 
 
+def _idle(robot: Description) -> set[str]:
+    """Variables that move nothing; where there are any, one that moves two rows was meant for one of them."""
+    return {*robot.variables}.difference(*(names(link.moves) for link in robot.links))
+
+
 def _kinds(robot: Description) -> dict[str, str]:
-    """What each joint does; not of one that moves two links, which is told and may be neither."""
-    movers = [name for link in robot.links for name in names(link.moves) & set(robot.variables)]
-    return {joint.name: joint.kind for joint in robot.joints if movers.count(joint.name) == 1}
+    """What each joint does; not of one that moves two rows by mistake, which is told and may be neither."""
+    idle = _idle(robot)
+    rows = [name for link in robot.links for name in names(link.moves) & set(robot.variables)]
+    return {joint.name: joint.kind for joint in robot.joints if not idle or rows.count(joint.name) == 1}
 
 
 def _limits(robot: Description) -> Iterator[Finding]:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean, plural
 from dhcli.kinematics.derived import Value, replaced
 from dhcli.kinematics.description import Description
+from dhcli.kinematics.farlimits import far_limits
 from dhcli.kinematics.given import mapping_of
 from dhcli.kinematics.moves import Chain, names
 from dhcli.kinematics.validity import in_floats
@@ -135,6 +136,21 @@ def warnings(robot: Description, values: Values) -> Iterator[str]:
             if not is_within_limits(robot, joint.name, number):
                 shown, bounds = _shown(number, joint.kind), f"{_shown(low, joint.kind)} to {_shown(high, joint.kind)}"
                 yield f"{joint.name} = {shown} is outside its limits, {bounds}"
+    yield from _far(robot, values)
+
+
+def _far(robot: Description, values: Values) -> Iterator[str]:
+    """What is outside its limits on the other side of the drives: motors at joint values, joints at motor values."""
+    far = far_limits(robot)
+    given = [values.get(name) for name in robot.variables]
+    q = [in_floats(value) for value in given if value is not None and not symbols_of(value)]
+    if far is None or len(q) < len(given):
+        return
+    bounds = dict(zip(far.names, far.bounds, strict=True))
+    for name, at, _ in far.beyond(q, SLACK):
+        kind = "revolute" if name in far.turning else "prismatic"
+        low, high = (_shown(bound, kind) for bound in bounds[name])
+        yield f"{name} is then {_shown(at, kind)}, outside its limits, {low} to {high}"
 
 
 def is_within_limits(robot: Description, name: str, number: float) -> bool:

@@ -46,6 +46,9 @@ from dhcli.kinematics.values import joint_values
 
 UNSOLVED = (Verdict.WRONG, Verdict.CLOSE)
 
+NOT_MADE = ("misprint", "convention")
+"""What is seen without making it: what the document prints, and a table of the other convention."""
+
 NEAR = 2e-3
 """Answers in numbers that differ by no more than this share of the largest entry are one, twice the tolerance."""
 
@@ -146,7 +149,7 @@ def singles(judge: Judge, part: Part, tally: Tally) -> None:
         )
         tally.few += hit and len(found.ids) <= 3
         for name in found.ids:
-            if name != "misprint" and " + " not in name and name not in makers:
+            if name not in NOT_MADE and " + " not in name and name not in makers:
                 other = judge.answer_with(part, name)
                 is_right = judge.mark(part, other).verdict.passed is True
                 tally.wrong += is_right or not agree(judge, part, answer, other)

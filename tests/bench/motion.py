@@ -20,7 +20,7 @@ from dhcli.kinematics.velocity.jacobian import Jacobian
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import operations
 
-ROBOTS = ("planar-2r", "scara-standard", "articulated", "cylindrical", "spherical-wrist", "stanford", "puma560")
+ROBOTS = ("planar-2r", "articulated", "cylindrical", "spherical-wrist", "stanford", "puma560")
 ROBOTS = (*ROBOTS, "puma200", "zhou-6r", "ur5e", "panda")
 MANY = 50_000
 CLOSE = 1e-9

@@ -102,7 +102,7 @@ def test_a_right_robot_exists() -> None:
             "links.0: one link has two variables, theta1 and d2 (give each joint a link of its own)",
         ),
         (
-            {"links": (link(1, "a1", "0", "d2", "0"), link(2, "0", "0", "d2", "0"), link(3, "0", "0", "0", "theta1"))},
+            {"links": (link(1, "a1", "0", "d2", "0"), link(2, "0", "0", "d2", "0"))},
             "links.1: d2 is used twice (it moves link 1 already)",
         ),
         (
@@ -115,7 +115,10 @@ def test_a_right_robot_exists() -> None:
         ),
         (
             {"links": (link(1, "theta1", "0", "0", "theta1"), link(2, "a1", "0", "d2", "0"))},
-            "links.0.a: theta1 stands for an angle and for a length (a joint turns or slides)",
+            (
+                "links.0.a: theta1 stands for an angle and for a length"
+                " (a joint turns or slides; a screw has a lead: p*theta1)"
+            ),
         ),
         (
             {"links": (link(1, "a1", "0", "sqrt(-1)", "theta1"), link(2, "0", "0", "d2", "0"))},

@@ -5,14 +5,16 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import islice
 
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.points import general
-from dhcli.checking.diagnosis.result import Slip
+from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.entries import Entries, entries_text
 from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
 from dhcli.checking.motion.grid import Grid, Numbers, alike, over, scale_of, within
+from dhcli.checking.motion.in_entries import signs, term_causes
 from dhcli.checking.motion.marking import in_other_unit, mark_grid, mark_numbers, values_of
 from dhcli.checking.motion.reading import read_cells
 from dhcli.checking.pasted import UnreadableError
@@ -134,7 +136,7 @@ class MotionQuestion(Question[Entries]):
     def answer_with(self, case: Case, name: str) -> str | None:
         """The answer of a mistake, of those too that another one names."""
         right = self.at_points(case.exercise, self._valued(case))
-        for slip, grid in self.wrong(case):
+        for slip, grid in self._every(case, self.right(case)):
             if slip.name == name and not alike(self.at_points(case.exercise, grid), right):
                 return self.text(case, grid)
         return None
@@ -149,8 +151,17 @@ class MotionQuestion(Question[Entries]):
             return ()
         entries = self._in_unit(case, reading.value)
         found = [one for one in self._wrong(case) if self._made_by(case, one, entries)]
-        singles = tuple((one.slip,) for one in sorted(found, key=lambda one: one.slip.rank))
-        return singles or self.paired_causes(case, entries)
+        plain = [one for one in found if one.slip.rank < Rank.SYMPTOM] or found
+        if plain:
+            return tuple((one.slip,) for one in sorted(plain, key=lambda one: one.slip.rank))
+        right, exercise = self.right(case), case.exercise
+        at = partial(self.at_points, exercise)
+        in_terms = term_causes(exercise, right, self.given(right, entries), at, self.place)
+        return in_terms.one or self.paired_causes(case, entries) or in_terms.more
+
+    def place(self, row: int, column: int) -> str:
+        """Row and column of an entry as they are told."""
+        return f"{row + 1},{column + 1}"
 
     def paired_causes(self, _case: Case, _entries: Entries) -> Causes:
         """Two mistakes that give just this answer together."""
@@ -171,7 +182,7 @@ class MotionQuestion(Question[Entries]):
     def _made(self, case: Case) -> Iterator[Wrong]:
         exercise, right = case.exercise, self._valued(case)
         known = [self.at_points(exercise, right)]
-        for slip, grid in self.wrong(case):
+        for slip, grid in self._every(case, right):
             try:
                 seen = grid.numbers(exercise) if exercise.numeric else ()
                 limits = self._limits(case, grid) if exercise.numeric else ()
@@ -181,6 +192,11 @@ class MotionQuestion(Question[Entries]):
             if not any(alike(points, other) for other in known):
                 known.append(points)
                 yield Wrong(slip, grid, seen, limits, points)
+
+    def _every(self, case: Case, right: Grid) -> Iterator[tuple[Slip, Grid]]:
+        """Mistakes in the work, then those in one entry."""
+        yield from self.wrong(case)
+        yield from signs(right, self.place)
 
     def at_points(self, exercise: Exercise, grid: Grid) -> tuple[Numbers, ...]:
         """Entries at general points; at the values given, in symbols."""

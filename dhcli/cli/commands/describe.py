@@ -49,7 +49,7 @@ def complete_choice(incomplete: str) -> list[str]:
 
 
 def describe(
-    chosen: Annotated[Chosen, But(without=("q", "deg", "from_", "to"))],
+    chosen: Annotated[Chosen, But(without=("q", "deg", "motors", "from_", "to"))],
     as_: Annotated[
         str | None,
         typer.Option(

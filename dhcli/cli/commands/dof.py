@@ -59,7 +59,7 @@ def dof(
     ] = None,
     *,
     chosen: Annotated[
-        Chosen, But(without=("robot", "set_", "from_", "to", "tool", "base", "tip", "as_typed"), panel=_ROBOT)
+        Chosen, But(without=("robot", "set_", "motors", "from_", "to", "tool", "base", "tip", "as_typed"), panel=_ROBOT)
     ],
     tol: Annotated[
         float | None,

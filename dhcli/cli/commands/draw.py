@@ -51,7 +51,7 @@ Name: TypeAlias = Annotated[
 
 
 def draw(
-    chosen: Annotated[Chosen, But(without=("from_", "to"), instead={"robot": Name})],
+    chosen: Annotated[Chosen, But(without=("motors", "from_", "to"), instead={"robot": Name})],
     to: Annotated[
         str | None,
         typer.Option(

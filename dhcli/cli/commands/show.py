@@ -27,7 +27,7 @@ dhcli show planar-in-numbers --variant alice
 
 
 def show(
-    chosen: Annotated[Chosen, But(without=("q", "deg", "pose", "set_", "from_", "to", "tool"))],
+    chosen: Annotated[Chosen, But(without=("q", "deg", "pose", "set_", "motors", "from_", "to", "tool"))],
     variant: Variant = None,
     format_: Annotated[str | None, format_option("table", "json", "latex", "csv")] = None,
     output: Annotated[str | None, output_option(".json", ".tex", ".csv", ".txt")] = None,

@@ -23,6 +23,7 @@ class Chosen:
         deg: Whether bare angles are degrees.
         pose: A named pose.
         set_: Values of lengths, `NAME=VALUE`.
+        motors: Whether all that holds for joints is meant for the motors that drive them.
         from_: The frame it is seen from.
         to: The frame meant.
         tool: The tool that it has, by name or in moves.
@@ -49,6 +50,9 @@ class Chosen:
         ),
     ] = None
     set_: Settings = None
+    motors: Annotated[
+        bool, typer.Option("--motors", help="Values, rates and torques of the motors, not of the joints.")
+    ] = False
     from_: Annotated[
         str | None,
         typer.Option(

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean, plural
 from dhcli.kinematics.frames import Point
+from dhcli.kinematics.motors import in_motors
 from dhcli.kinematics.moves import read_chain
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import given_parameters, joint_values, parameter_values
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
 
 
 def robot_of(chosen: Chosen) -> Robot:
-    """The robot that was typed, with the tool that was.
+    """The robot that was typed, with the tool that was, and by its motors if they are meant.
 
     Raises:
         DhcliError: There is none, it has no such tool, or the frames named do not reach as far as the tool.
@@ -31,11 +32,15 @@ def robot_of(chosen: Chosen) -> Robot:
     from dhcli.files.yaml.robots import load_robot
 
     arm = load_robot(chosen.robot, base=chosen.base, tip=chosen.tip, as_typed=chosen.as_typed)
-    if chosen.tool is None:
-        return arm
+    if chosen.tool is not None:
+        arm = _with_tool(arm, chosen, chosen.tool)
+    return in_motors(arm) if chosen.motors else arm
+
+
+def _with_tool(arm: Robot, chosen: Chosen, tool: str) -> Robot:
     if chosen.to is not None and "tool" not in (chosen.from_, chosen.to):
         raise DhcliError(f"--tool is behind the last frame, and --to {chosen.to} does not reach it", "use --to tool")
-    return replace(arm, tool=_tool(arm, chosen.tool.strip()))
+    return replace(arm, tool=_tool(arm, tool.strip()))
 
 
 def _tool(robot: Robot, typed: str) -> Chain:

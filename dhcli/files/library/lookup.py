@@ -150,7 +150,21 @@ def _hint(kind: Kind, name: str, known: tuple[Entry, ...]) -> str:
     for path in (name, *(name + suffix for suffix in _SUFFIXES)):
         if os.path.isfile(path):
             hints = [f"for the file in this folder type ./{path}"]
+    if found := above(kind, name):
+        hints = [found]
     return "; ".join(hint for hint in (*hints, f"dhcli list {kind.value} shows what there is") if hint)
+
+
+def above(kind: Kind, name: str) -> str:
+    """A hint at something of this name in the library of a folder above the current one; empty if there is none."""
+    up = ""
+    for folder in Path.cwd().parents:
+        up += "../"
+        for path in _files(folder / kind.folder, nested=kind is Kind.EXERCISES):
+            if name in (path.stem, f"{path.parent.name}/{path.stem}"):
+                typed = up + path.relative_to(folder).as_posix()
+                return f"in a folder above there is one: type {typed}, or go to the folder that has {kind.folder}/"
+    return ""
 
 
 def similar(name: str, kinds: Iterable[Kind]) -> str:

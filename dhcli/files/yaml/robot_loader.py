@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 
 from dhcli.errors import FileError, NotationError, Place, Problem, did_you_mean
+from dhcli.files.yaml.drives import read_drives
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.parameters import Parameters
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar
@@ -36,6 +38,7 @@ KEYS = (
     "tools",
     "limits",
     "poses",
+    "actuators",
 )
 REQUIRED = ("title", "source", "convention", "variables", "links")
 
@@ -73,7 +76,10 @@ class Loader:
         links = self.read_links(first)
         self.is_broken = len(self.problems.found) > before or not self.variables or "convention" not in self.fields
         movers = [name for link in links for name in names(link.moves)]
-        self.unclear = frozenset(name for name in self.variables if self.is_broken or movers.count(name) != 1)
+        idle = any(name not in movers for name in self.variables)
+        self.unclear = frozenset(
+            name for name in self.variables if self.is_broken or (idle and movers.count(name) != 1)
+        )
         base, tool = self.chain("base"), self.chain("tool")
         tools = self.read_tools()
         chain = (*base, *(move for link in links for move in link.moves), *tool)
@@ -112,8 +118,9 @@ class Loader:
                 self.problems.add(self.place_of(finding), self.key_of(finding) + finding.message, finding.hint)
             self.problems.raise_if_any(FileError)
             raise
+        driven = read_drives(self.fields, found) if "actuators" in self.fields else None
         self.problems.raise_if_any(FileError)
-        return found
+        return found if driven is None else replace(found, actuators=driven)
 
     def read_links(self, first: int) -> tuple[Link, ...]:
         """The rows, or the products."""
@@ -265,7 +272,7 @@ class Loader:
         return self.joint_list(fields, key, self.variables, angles)
 
     def joint_list(self, fields: Fields, key: str, joints: Sequence[str], angles: frozenset[str]) -> tuple[Value, ...]:
-        """Values of joints; what a joint is cannot be known if no row moves by it, or two do, or one cannot be read."""
+        """Values of joints; what a joint is cannot be known if no row moves by it, or one cannot be read."""
         nodes = fields.sequence(key)
         values: list[Value] = []
         for i, node in enumerate(nodes):

@@ -35,7 +35,10 @@ def robot_text(robot: Robot) -> str:
         else:
             cells = ", ".join(f"{column}: {cell(quantity(getattr(link.row, column)))}" for column in robot.columns)
             lines.append(f"  - {{{cells}}}")
-    return "\n".join([*lines, *_end("tool", robot.tool), *_tools(robot), *_limits(robot), *_poses(robot)]) + "\n"
+    return (
+        "\n".join([*lines, *_end("tool", robot.tool), *_tools(robot), *_limits(robot), *_motors(robot), *_poses(robot)])
+        + "\n"
+    )
 
 
 def save_robot(robot: Robot, path: str | Path, *, overwrite: bool = False) -> None:
@@ -94,7 +97,7 @@ def product(moves: Chain) -> str:
 
 def _drawn_text(robot: Robot, convention: str, body: list[str]) -> str:
     poses = {name: values for name, values in robot.poses.items() if name != "drawn" or convention != "axes"}
-    lines = [*_head(robot, convention), *_parameters(robot), "", *body, *_limits(robot)]
+    lines = [*_head(robot, convention), *_parameters(robot), "", *body, *_limits(robot), *_motors(robot)]
     return "\n".join([*lines, *_poses(robot, poses)]) + "\n"
 
 
@@ -144,6 +147,20 @@ def _limits(robot: Robot) -> Iterator[str]:
         yield "limits:"
         for name, (low, high) in robot.limits.items():
             yield f"  {name}: [{quantity(low, 'm')}, {quantity(high, 'm')}]"
+
+
+def _motors(robot: Robot) -> Iterator[str]:
+    """The coupled drives."""
+    driven = robot.actuators
+    if driven is None:
+        return
+    own = [motor for motor in driven.motors if motor not in driven.joints]
+    limits = {name: f"[{', '.join(quantity(value, 'm') for value in pair)}]" for name, pair in driven.limits.items()}
+    yield ""
+    yield "actuators:"
+    listed = ", ".join(f"{cell(motor)}: {limits.get(motor, '')}".strip() for motor in own)
+    yield f"  motors: {{{listed}}}"
+    yield from (f"  {sentence.replace(' = ', ': ', 1)}" for sentence in driven.sentences())
 
 
 def _poses(robot: Robot, poses: Mapping[str, tuple[Value, ...]] | None = None) -> Iterator[str]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Literal, get_args
 
 from dhcli.errors import RobotError, UnknownNameError, did_you_mean
-from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
+from dhcli.kinematics.conventions import COLUMNS, Convention, Row
 from dhcli.kinematics.describe.choices import USUAL, Choices
 from dhcli.kinematics.describe.drawn import Drawing, drawing_of
 from dhcli.kinematics.describe.linear import LettersError
@@ -17,12 +17,11 @@ from dhcli.kinematics.describe.proof import CLOSE, Proof, proved
 from dhcli.kinematics.describe.repairing import repaired, with_table
 from dhcli.kinematics.describe.screws import ScrewAxis, Side, lines_of, screws_of
 from dhcli.kinematics.describe.words import Speaker, Step
-from dhcli.kinematics.forward import put_in
-from dhcli.kinematics.moves import Chain, Trans, spelled
+from dhcli.kinematics.forward import link_with, put_in
+from dhcli.kinematics.moves import Chain, spelled
 from dhcli.kinematics.robot import Link, Robot, Value
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import ZERO
 
 Form = Literal["standard", "modified", "axes", "screws", "body-screws", "product"]
 FORMS: tuple[Form, ...] = get_args(Form)
@@ -160,20 +159,9 @@ def in_numbers(robot: Robot) -> Robot:
     if lacking := [name for name, value in robot.parameters.items() if value is None]:
         raise RobotError(f"{', '.join(lacking)} has no value", "numbers need one: --set NAME=VALUE")
     base, tool = put_in(robot.base, values), put_in(robot.tool, values)
-    links = tuple(_valued(link, values, robot.convention) for link in robot.links)
+    links = tuple(link_with(link, values, robot.convention) for link in robot.links)
     tools = {name: put_in(chain, values) for name, chain in robot.tools.items()}
     return replace(robot, links=links, base=base, tool=tool, tools=tools, parameters={}, derived={})
-
-
-def _valued(link: Link, values: Mapping[str, Value], convention: Convention) -> Link:
-    moves = put_in(link.moves, values)
-    if link.row is None:
-        return Link(link.number, moves)
-    angles = {name: value for name, value in values.items() if isinstance(value, Angle)}
-    lengths = put_in((Trans(link.row.a, link.row.d, ZERO),), values)[0]
-    assert isinstance(lengths, Trans)  # noqa: S101  it keeps its kind
-    row = Row(lengths.x, link.row.alpha.substitute(angles), lengths.y, link.row.theta.substitute(angles))
-    return Link(link.number, moves_of(row, convention), row)
 
 
 def _regrouped(robot: Robot, form: Form) -> Described:

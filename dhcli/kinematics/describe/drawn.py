@@ -11,6 +11,7 @@ from typing import TypeAlias
 from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
 from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, cross, dot, length, plus, scaled
+from dhcli.kinematics.axes import no_axis
 from dhcli.kinematics.describe.linear import LettersError, Point, Ruler, form_of, shifted
 from dhcli.kinematics.moves import PLANES, Chain, Fixed, Move, Rot, Trans, angle_names, names, substituted
 from dhcli.notation.angle import Angle
@@ -111,7 +112,7 @@ def drawing_of(
     for move in chain:
         moving = [name for name in variables if name in names((move,))]
         if len(moving) > 1 or any(line.name in moving for line in lines):
-            raise RobotError(f"{moving[0]} does not move one joint about or along one axis")
+            raise RobotError(*no_axis(moving[-1]))
         if moving:
             lines.append(replace(_line(moving[0], move, here), drawn=drawn.get(moving[0], ZERO)))
         (still,) = substituted((move,), lengths, angles)

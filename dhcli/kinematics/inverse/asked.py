@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhcli.errors import RobotError, plural
+from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.frames import between, ends
 from dhcli.kinematics.inverse.branches import branch_names, factors
@@ -154,6 +155,19 @@ def inverse(  # noqa: PLR0913  what may be asked of a pose
         RobotError: T is no pose, a length has no value, or a joint held is none.
         UnknownNameError: The robot has no such frame, joint or length.
     """
+    check_robot(robot)
+    if is_coupled(robot):
+        from dhcli.kinematics.inverse.coupled import through  # few robots are
+
+        asked: dict[str, object] = {
+            "near": near,
+            "hold": hold,
+            "within_limits": within_limits,
+            "all_turns": all_turns,
+            "start": start,
+        }
+        asked |= {"task": task, "family": family, "end": end, "parameters": parameters, "tolerance": tolerance}
+        return through(inverse, robot, T, **asked)
     question, held = ask(robot, task, near=near, hold=hold, start=start, end=end, parameters=parameters)
     ready = question.ready
     poses, changed = read_targets(T, ready.task)

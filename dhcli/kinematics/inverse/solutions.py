@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dhcli.errors import RobotError
+from dhcli.kinematics.farlimits import far_limits
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import JointInput, joint_values
 
@@ -173,9 +174,10 @@ class Solutions:
 
 def shown_beyond(robot: Robot, outside: Beyond) -> str:
     """A joint outside its limits in words, such as `theta2 12° above`."""
-    kinds = {joint.name: joint.kind for joint in robot.joints}
+    far = far_limits(robot)
+    turning = {joint.name for joint in robot.joints if joint.kind == "revolute"} | (far.turning if far else set())
     size = abs(outside.by)
-    shown = f"{np.degrees(size):.4g}°" if kinds[outside.joint] == "revolute" else f"{size:.4g} m"
+    shown = f"{np.degrees(size):.4g}°" if outside.joint in turning else f"{size:.4g} m"
     return f"{outside.joint} {shown} {'above' if outside.by > 0 else 'below'}"
 
 

@@ -9,12 +9,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhcli.errors import plural
+from dhcli.kinematics.farlimits import far_limits
 from dhcli.kinematics.inverse.solutions import Beyond, Solutions, shown_beyond, turning_joints
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import SLACK
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from dhcli.kinematics.inverse.arm import Array
 
 MOST_TURNS = 4096
@@ -30,7 +33,14 @@ def limits_of(robot: Robot) -> Array:
     return result
 
 
-def placed(answer: Solutions, near: Array | None, *, within_limits: bool, all_turns: bool) -> Solutions:
+def placed(
+    answer: Solutions,
+    near: Array | None,
+    *,
+    within_limits: bool,
+    all_turns: bool,
+    periodic: NDArray[np.bool_] | None = None,
+) -> Solutions:
     """Solutions with each angle in the turn that its limits allow, nearest first.
 
     Args:
@@ -38,10 +48,11 @@ def placed(answer: Solutions, near: Array | None, *, within_limits: bool, all_tu
         near: Joint values that they should be near to; without them the order stays.
         within_limits: Whether those outside are left out.
         all_turns: Whether each is given in every turn that the limits allow.
+        periodic: Which values may change by a turn; by default those of all joints that turn.
     """
     robot = answer.robot
     limits = limits_of(robot)
-    turning = turning_joints(robot)
+    turning = turning_joints(robot) if periodic is None else periodic
     rows, origin = list["Array"](), list[int]()
     for k, q in enumerate(answer.q):
         choices = [
@@ -100,6 +111,9 @@ def _beyond(robot: Robot, q: Array, limits: Array) -> tuple[Beyond, ...]:
             found.append(Beyond(name, x - high))
         elif x < low - SLACK:
             found.append(Beyond(name, x - low))
+    far = far_limits(robot)
+    if far is not None:
+        found += [Beyond(name, by) for name, _, by in far.beyond(q.tolist(), SLACK)]
     return tuple(found)
 
 

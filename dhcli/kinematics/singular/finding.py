@@ -153,7 +153,8 @@ def _described(
     geometry = Geometry(here, point, place, numbers)
     part, dependent = geometry.moving_alike(kept)
     names = tuple(arm.joints[j] for j in dependent)
-    words = next(geometry.sentences(dependent), f"the columns of {listed(names)} become dependent")
+    together = f"the columns of {listed(names)} become dependent" if names else ""
+    words = next(geometry.sentences(dependent), together)
     if len(zeros) > 1:
         words = _one_by_one(arm, point, place, simple) or words
     return Factor(zeros, exponent, plain.joints, angles, words, names, geometry.lost(kept, part))

@@ -98,7 +98,8 @@ def joints_between(robot: Robot, start: str, end: str) -> tuple[str, ...]:
     """The joints that move one frame against another, in joint order."""
     first, last = sorted((robot.frames.index(start), robot.frames.index(end)))
     inside = frozenset(robot.frames[first + 1 : last + 1])
-    return tuple(joint.name for joint in robot.joints if str(joint.link) in inside)
+    moving = frozenset[str]().union(*(found for link, found in robot.movers.items() if str(link) in inside))
+    return tuple(name for name in robot.variables if name in moving)
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,6 +10,7 @@ from typing import Any
 from dhcli.errors import plural
 from dhcli.geometry.euler import RollPitchYaw
 from dhcli.kinematics.conventions import NAMES
+from dhcli.kinematics.farlimits import far_limits
 from dhcli.kinematics.inverse.answer import InverseKinematics
 from dhcli.kinematics.inverse.explained import Explanation
 from dhcli.kinematics.inverse.solutions import shown_beyond
@@ -89,7 +90,7 @@ def _solutions(result: InverseKinematics, look: Look) -> Iterator[str]:
     words: dict[str, list[str]] = {}
     if any(found.branches):
         words["branch"] = list(found.branches)
-    if result.robot.limits:
+    if result.robot.limits or far_limits(result.robot) is not None:
         words["limits"] = [
             ", ".join(shown_beyond(result.robot, outside) for outside in beyond) or "ok" for beyond in found.beyond
         ]

@@ -9,10 +9,11 @@ from typing import Any
 
 from dhcli.errors import plural
 from dhcli.kinematics.conventions import NAMES, ORDER, Convention
-from dhcli.kinematics.moves import Chain, spelled
+from dhcli.kinematics.moves import Chain, angle_names, expressions, spelled
 from dhcli.kinematics.robot import Joint, Link, Robot
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import value_text
+from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write, write_angle
 from dhcli.render.code.matrices import csv_line
 from dhcli.render.look import Look
@@ -132,16 +133,22 @@ def _row(robot: Robot, link: Link, style: str) -> list[str]:
 def links_table(robot: Robot, look: Look) -> str:
     """The DH table with the order of its operations, or the products."""
     paper = look.paper
-    kinds = {joint.link: joint for joint in robot.joints}
     rows: list[list[str]] = []
     for link in robot.links:
         cells = [link.product] if link.row is None else _row(robot, link, "short")
-        kind = f"{kinds[link.number].kind}" if link.number in kinds else "fixed"
-        rows.append([str(link.number), *(_underlined(cell, robot, paper) for cell in cells), kind])
+        rows.append([str(link.number), *(_underlined(cell, robot, paper) for cell in cells), _kind(robot, link)])
     product = robot.convention is Convention.PRODUCT
     table = table_text(["i", *(("A_i",) if product else heads(robot)), "joint"], rows, paper)
     order = ORDER[robot.convention].replace("alpha_", "α_").replace("theta_", "θ_")
     return table + paper.ink(paper.spell(order), "dim") + "\n"
+
+
+def _kind(robot: Robot, link: Link) -> str:
+    """What moves a link: a joint that turns, one that slides, a screw that does both, or nothing."""
+    moving = robot.movers[link.number]
+    turns = not moving.isdisjoint(angle_names(link.moves))
+    slides = any(not moving.isdisjoint(symbols(expr)) for expr in expressions(link.moves))
+    return ("helical" if slides else "revolute") if turns else "prismatic" if slides else "fixed"
 
 
 def _underlined(cell: str, robot: Robot, paper: Paper) -> Inked:

@@ -55,6 +55,35 @@ def test_two_slips_are_named_together(ask: str, pair: tuple[str, str], q: tuple[
     assert " + ".join(pair) in mark.diagnosis.ids
 
 
+@pytest.mark.parametrize(
+    ("answer", "words"),
+    [
+        ("-a1*s1 - a2*s12, a1*c1 + a2*c2, 0", "entry (2,1) has c2 for c12"),
+        ("-a1*s1 + a2*s12, a1*c1 + a2*c12, 0", "the sign of a2*s12 in entry (1,1) is turned round"),
+        ("-a1*s1 - a2*s12, a1*c1, 0", "entry (2,1) lacks a2*c12"),
+        ("-a1*s1 - a2*s12, -a1*c1 - a2*c12, 0", "the sign of entry (2,1) is turned round"),
+        ("-a1*s1 - a1*s12, a1*c1 + a1*c12, 0", "entries (1,1) and (2,1) have a1 for a2"),
+        ("-a1*s1 - a2*s1*s2, a1*c1 + a2*c1*c2, 0", "entries (1,1) and (2,1) have s1*s2 for s12 and c1*c2 for c12"),
+    ],
+)
+def test_slips_in_the_terms_of_an_entry_are_named(answer: str, words: str) -> None:
+    """As in a pose; the entry is told by its place in the whole Jacobian."""
+    judge = asked("planar-2r", "column 1 of jacobian linear of 0..2", None)
+    found = judge.check(judge.exercise.parts[0], answer).diagnosis
+    assert found is not None
+    assert found.names == (words,)
+
+
+def test_the_sign_of_one_number_of_several_is_seen() -> None:
+    """In numbers too."""
+    judge = asked("articulated", "torques for (3, -2, 5) of 0..3", Q)
+    part = judge.exercise.parts[0]
+    x, y, z = (float(text) for text in judge.expected(part).strip("[]").split(","))
+    found = judge.check(part, f"{x}, {-y}, {z}").diagnosis
+    assert found is not None
+    assert found.ids == ("entry-sign 2,1",)
+
+
 @pytest.mark.parametrize("ask", ["manipulability of jacobian linear of 0..3", "determinant of jacobian linear of 0..3"])
 def test_one_number_is_too_little_for_two_slips(ask: str) -> None:
     """Some pair of hundreds gives nearly every number."""

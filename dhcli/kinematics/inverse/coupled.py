@@ -1,0 +1,174 @@
+"""Inverse kinematics of arms whose variables share moves: solved with a variable for each move, and carried back."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from itertools import product
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from dhcli.errors import RobotError, plural
+from dhcli.kinematics.coupling import Uncoupled, uncoupled
+from dhcli.kinematics.forward import Given
+from dhcli.kinematics.inverse.solutions import Solutions, in_numbers, turning_joints
+from dhcli.kinematics.inverse.turns import placed
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.values import JointInput, numbers, parameter_values
+from dhcli.notation.angle import Angle
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from dhcli.kinematics.inverse.arm import Array
+
+SAME = 1e-6
+"""Moves that differ by less than this from what the variables give are those that they give [rad, m]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Carried:
+    """A robot whose variables share moves, and the arm with one for each.
+
+    Attributes:
+        robot: The robot.
+        arm: The arm.
+        slopes: How fast the arm's variables go with the robot's, shape (m, n).
+    """
+
+    robot: Robot
+    arm: Uncoupled
+    slopes: Array
+
+    @classmethod
+    def of(cls, robot: Robot, parameters: Given | None) -> Carried:
+        """The arm for the values of lengths."""
+        arm = uncoupled(robot, numbers(parameter_values(robot, parameters or {})))
+        slopes = np.array(arm.slopes).reshape(len(arm.slopes), len(robot.variables))
+        return cls(robot, arm, slopes)
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether the arm reaches no pose that the robot does not."""
+        return len(self.slopes) == len(self.robot.variables)
+
+    @property
+    def periodic(self) -> NDArray[np.bool_]:
+        """Which variables of the robot come to the same pose after a turn, shape (n,)."""
+        turning = turning_joints(self.arm.robot)
+        whole = np.abs(self.slopes - np.round(self.slopes)) < SAME
+        same = (np.where(turning[:, None], whole, self.slopes == 0)).all(axis=0)
+        return np.asarray(turning_joints(self.robot) & same)
+
+    def there(self, q: JointInput) -> list[float] | None:
+        """Values of the arm's variables for those of the robot's."""
+        if q is None:
+            return None
+        return list((self.slopes @ in_numbers(self.robot, q) + self.arm.offsets).tolist())
+
+    def held(self, hold: Mapping[str, float | str | Angle] | None) -> dict[str, float | str | Angle]:
+        """Variables that are held, where they make one move alone.
+
+        Raises:
+            RobotError: One does not.
+        """
+        for name in hold or {}:
+            if name in self.robot.variables and name not in self.arm.robot.variables:
+                free = [own for own in self.robot.variables if own in self.arm.robot.variables]
+                hint = f"it can be held: {', '.join(free)}" if free else "leave it out"
+                raise RobotError(f"{name} moves joints together with others, and is not held alone", hint)
+        return dict(hold or {})
+
+    def back(self, values: Array) -> Array | None:
+        """Values of the robot's variables for those of the arm's, None where the coupling does not let them be."""
+        goal = values - np.array(self.arm.offsets)
+        turning = turning_joints(self.arm.robot)
+        rows = _independent(self.slopes)
+        part = self.slopes[rows]
+        for turns in _turns(turning[rows], whole=bool(self.periodic.all())):
+            q = np.linalg.solve(part, goal[rows] + turns)
+            gap = self.slopes @ q - goal
+            gap = np.where(turning, gap - 2 * np.pi * np.round(gap / (2 * np.pi)), gap)
+            if np.abs(gap).max(initial=0.0) < SAME:
+                return np.asarray(q)
+        return None
+
+
+def through(solve: Callable[..., Solutions], robot: Robot, T: object, **asked: Any) -> Solutions:  # noqa: ANN401, N803
+    """Solve for the arm with a variable for each move, and carry the solutions back.
+
+    Args:
+        solve: What solves for an arm whose variables each make one move; see `inverse`.
+        robot: The robot.
+        T: The pose.
+        **asked: What else `inverse` takes.
+
+    Raises:
+        RobotError: As `inverse`; or a joint is held that moves with others, or the arm has more moves than the task
+            determines, of which the coupling leaves some.
+    """
+    carried = Carried.of(robot, asked["parameters"])
+    near = asked["near"]
+    ways = {"near": carried.there(near), "hold": carried.held(asked["hold"])}
+    found = solve(carried.arm.robot, T, **{**asked, **ways, "within_limits": False, "all_turns": False})
+    if found.held and not carried.is_whole and not asked["hold"]:
+        message = f"{plural(len(carried.slopes), 'move')} by {plural(len(robot.variables), 'variable')}"
+        hint = "ask for more of the pose: --task pose, or all of T"
+        raise RobotError(f"{message}: {robot.name} could reach this with its coupling broken in endless ways", hint)
+    answer = _carried(carried, found)
+    if not len(answer):
+        return answer
+    wish = None if near is None else in_numbers(robot, near)
+    limits = {key: asked[key] for key in ("within_limits", "all_turns")}
+    return placed(answer, wish, periodic=carried.periodic, **limits)
+
+
+def _carried(carried: Carried, found: Solutions) -> Solutions:
+    """The solutions in the robot's variables, less those that its coupling does not allow."""
+    rows = [carried.back(values) for values in found.q]
+    kept = [k for k, row in enumerate(rows) if row is not None]
+    q = np.array([rows[k] for k in kept]).reshape(-1, len(carried.robot.variables))
+    nothing = len(found) > 0 and not kept
+    why = (
+        f"the arm would reach it if each of its {len(carried.slopes)} moves had a drive of its own"
+        if nothing
+        else found.why
+    )
+    closest = carried.back(found.closest) if found.closest is not None and carried.is_whole else None
+    residual = None if found.residual is None else found.residual[kept]
+    own = frozenset(carried.robot.variables)
+    free = [found.free[k] if found.free else () for k in kept]
+    if not carried.is_whole:
+        free = [tuple(way for way in ways if own.issuperset(way.joints)) for ways in free]
+    return replace(
+        found,
+        robot=carried.robot,
+        q=q,
+        branches=tuple(found.branches[k] for k in kept),
+        residual=residual,
+        beyond=((),) * len(kept),
+        free=tuple(free),
+        reachable=found.reachable and not nothing,
+        why=why,
+        closest=closest,
+    )
+
+
+def _independent(slopes: Array) -> list[int]:
+    """Rows by which all variables are determined, the first that do."""
+    rows = list[int]()
+    for k in range(len(slopes)):
+        if np.linalg.matrix_rank(slopes[[*rows, k]]) > len(rows):
+            rows.append(k)
+    if len(rows) < slopes.shape[1]:
+        raise RobotError("some variables move nothing by themselves", "leave out those that others make up for")
+    return rows
+
+
+def _turns(turning: NDArray[np.bool_], *, whole: bool) -> Iterator[Array]:
+    """Turns to add to moves; where ratios are whole numbers, one is as good as another."""
+    yield np.zeros(len(turning))
+    if not whole:
+        for turns in product(*((0, 1, -1) if turns else (0,) for turns in turning)):
+            yield 2 * np.pi * np.array(turns, dtype=float)
