@@ -96,7 +96,9 @@ class FramesQuestion(Question[Answer]):
         sketch = self._rules(case).sketch
         speaker = Speaker(sketch.walked, self.convention, sketch.robot.first, sketch.robot.writing)
         yield from map(Shown, written(speaker.drawn()))
-        yield Shown("A row for each frame: its origin, x and z")
+        rows = (frame_text(frame, case.exercise) for frame in sketch.frames)
+        lines = (f"frame {number}: {row}" for number, row in enumerate(rows, sketch.first))
+        yield Shown("Frame by frame, the origin, x and z:\n" + "\n".join(lines))
 
     def read(self, case: Case, text: str, place: Place | None = None) -> Answer:
         if not has_frames(text):

@@ -98,6 +98,8 @@ def test_our_own_frames_are_right_and_give_the_robots_own_table(name: str, conve
     shown = solution(exercise, part)
     assert shown[-1].text == f"So the answer is {text}"
     assert shown[0].text.startswith("1  z axes: DH1: ")
+    *_, rows = shown[-2].text.partition("\n")
+    assert mark(exercise, part, rows).verdict is Verdict.RIGHT
 
 
 @pytest.mark.parametrize("name", ["zhou-3r", "stanford", "puma560", "scara-yim", "ur5e", "cylindrical", "scara"])
