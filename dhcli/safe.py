@@ -21,6 +21,7 @@ _LATEX = {
     "~": r"\textasciitilde{}",
     **{sign: f"\\{sign}" for sign in "$&#%_"},
 }
+_MARKDOWN_SIGN = re.compile(r"[!-/:-@\[-`{-~]")
 _LATEX_SIGN = re.compile(r"[\\{}^~$&#%_]")
 
 
@@ -67,6 +68,25 @@ def yaml_scalar(text: str) -> str:
 def latex(text: str) -> str:
     """Plain text in LaTeX, outside formulas."""
     return _LATEX_SIGN.sub(lambda sign: _LATEX[sign[0]], one_line(text))
+
+
+def markdown(text: str) -> str:
+    """Plain text in Markdown, on one line: no emphasis, link, tag or formula begins in it.
+
+    Source: CommonMark 0.31, 2.4: any ASCII punctuation may be escaped.
+    """
+    return _MARKDOWN_SIGN.sub(r"\\\g<0>", one_line(text))
+
+
+def markdown_heading(level: int, text: str) -> str:
+    """A heading in Markdown, on one line."""
+    return f"{'#' * level} {markdown(text)}"
+
+
+def markdown_code(text: str) -> str:
+    """A piece of code in Markdown, on one line: nothing in it ends it."""
+    said = one_line(text).replace("`", "'")
+    return f"`{said}`"
 
 
 def html(text: str) -> str:

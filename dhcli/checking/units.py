@@ -43,6 +43,11 @@ def is_measure(expr: Expr, scope: Scope) -> bool:
     return degree(expr, scope) == 1
 
 
+def has_length_unit(expr: Expr) -> bool:
+    """Whether a unit of length stands somewhere in an expression."""
+    return any(isinstance(node, Unit) and node.name in LENGTH_UNITS for node in walk(expr))
+
+
 def in_metres(expr: Expr, unit: Fraction, scope: Scope) -> Expr:
     """A length of a sheet with its bare numbers in metres; letters, and what has its own unit, stay.
 

@@ -1,7 +1,8 @@
 """Which matrix is asked for, and what of it: frames of a robot or a product of moves, and a piece of what comes out.
 
 `link 1` · `pose 0..3` · `product "Rot(z, 90°) Trans(1, 2, 3)"` · `inverse of link i` are matrices; `rotation of`,
-`position of`, `entry 1 4 of`, `axis x of`, `point (1, 2, 3) of` and `vector (1, 0, 0) of` choose what is asked of one.
+`position of`, `entry 1 4 of`, `axis x of`, `point (1, 2, 3) of` and `vector (1, 0, 0) of` choose what is asked of one;
+`rotation from rpy(10°, 20°, 30°)` is that of turns in any form.
 """
 
 from __future__ import annotations
@@ -10,14 +11,14 @@ import re
 from dataclasses import dataclass, replace
 from typing import Literal, TypeAlias
 
+from dhcli.checking.units import has_length_unit
 from dhcli.errors import NotationError, Place, Problem
 from dhcli.kinematics.frames import View
-from dhcli.kinematics.moves import Chain, read_chain
+from dhcli.kinematics.moves import Chain, Trans, read_chain
 from dhcli.notation.matrix import parse_matrix
-from dhcli.notation.quantity import LENGTH_UNITS, DimensionError, to_length
+from dhcli.notation.quantity import DimensionError, to_length
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import Expr, Unit
-from dhcli.notation.walk import walk
+from dhcli.notation.tree import Expr
 
 
 class NotAskedError(Exception):
@@ -83,6 +84,7 @@ _PIECE = re.compile(
 _POSE = re.compile(r"(?:pose\s+)?(?P<start>base|\d{1,4})\s*\.\.\s*(?P<end>tool|base|\d{1,4})")
 _OF_LINK = re.compile(r"\blink\s+\d+\s*$")
 _LINK = re.compile(r"link\s+(?P<link>\d{1,4})")
+_FROM = re.compile(r"rotation\s+from\s+(?P<text>.+)", re.DOTALL)
 _PRODUCT = re.compile(r"product\s+[\"“'](?P<text>.+)[\"”']", re.DOTALL)
 _INVERSE = re.compile(r"inverse\s+of\s+(?P<rest>.+)", re.DOTALL)
 
@@ -99,6 +101,8 @@ def read_wanted(text: str, scope: Scope, place: Place | None) -> Wanted:
 
 
 def _wanted(text: str, scope: Scope, place: Place | None) -> Wanted:
+    if turns := _FROM.fullmatch(text):
+        return _rotation_from(turns["text"], scope, place)
     match = _PIECE.fullmatch(text)
     if match is None:
         source, inverse = _source(text, scope, place)
@@ -113,13 +117,17 @@ def _wanted(text: str, scope: Scope, place: Place | None) -> Wanted:
         if len(cells) != 3:  # noqa: PLR2004
             raise NotationError(Problem(f"a {match['kind']} has three coordinates, not {len(cells)}", place))
         kind: Piece = "point" if match["kind"] == "point" else "vector"
-        measured = tuple(_has_length_unit(cell) for cell in cells)
+        measured = tuple(has_length_unit(cell) for cell in cells)
         return Wanted(source, inverse, kind, point=tuple(_length(cell, place) for cell in cells), measured=measured)
     return Wanted(source, inverse, "rotation" if match["piece"] == "rotation" else "position")
 
 
-def _has_length_unit(expr: Expr) -> bool:
-    return any(isinstance(node, Unit) and node.name in LENGTH_UNITS for node in walk(expr))
+def _rotation_from(text: str, scope: Scope, place: Place | None) -> Wanted:
+    """The matrix of `rpy(10°, 20°, 30°)`, `Rot([1, 2, 2], 40°)` or any turns one after the other."""
+    chain = read_chain(text, scope, place)
+    if any(isinstance(move, Trans) for move in chain):
+        raise NotationError(Problem("a rotation is made of turns, and Trans is none", place, "rotation from rpy(...)"))
+    return Wanted(Composed(chain, text), piece="rotation")
 
 
 def _length(expr: Expr, place: Place | None) -> Expr:

@@ -63,7 +63,7 @@ def forward(
         UnknownNameError: The robot has no such frame, joint or length.
     """
     check_robot(robot)
-    if not parameters and (floats := _floats(q)) is not None:
+    if (floats := plain_floats(q, parameters)) is not None:
         frames = ends(robot, start, end)
         rows = _played(robot, floats, *frames)
         if rows is not None:
@@ -107,8 +107,14 @@ def numeric_pose(robot: Robot, values: Values, start: str, end: str) -> Pose[flo
     return Pose(in_numbers(chain, values), start, end, joints=robot.writing)
 
 
-def _floats(q: JointInput) -> Sequence[float] | None:
-    """Joint values that are plain numbers in joint order, as most programs give them; None for anything else."""
+def plain_floats(q: JointInput, parameters: Given | None) -> Sequence[float] | None:
+    """Joint values that are plain numbers in joint order, as most programs give them.
+
+    None for anything else, and where lengths are given besides.
+    """
+    has_lengths = parameters is not None and (not isinstance(parameters, Mapping) or len(parameters) > 0)  # type: ignore[redundant-expr]  # of a caller without types
+    if has_lengths:
+        return None
     if type(q) is not list and type(q) is not tuple:
         if getattr(q, "ndim", 0) != 1:
             return None
@@ -120,20 +126,14 @@ def _floats(q: JointInput) -> Sequence[float] | None:
 
 
 def _played(robot: Robot, q: Sequence[float], start: str, end: str) -> tuple[tuple[float, ...], ...] | None:
-    """The pose by its recording, shape (4, 4), the same as by the fold; None where only that can tell what is wrong."""
+    """The pose by its recording, shape (4, 4); see `Recording.again`."""
     from dhcli.kinematics.recorded import recorded_pose  # a command has a robot once, and records nothing
 
     try:
-        recording = recorded_pose(robot, start, end)
-        if not recording.is_asked_again:
-            return None
-        found = recording.one(q)
-        # what is infinite or no number makes a sum one; a sum of numbers too large goes the long way for nothing
-        if not math.isfinite(sum(q) + sum(found)):
-            return None
-    except (ArithmeticError, ValueError, RobotError):
+        found = recorded_pose(robot, start, end).again(q)
+    except RobotError:
         return None
-    return found[:4], found[4:8], found[8:12], found[12:]
+    return None if found is None else (found[:4], found[4:8], found[8:12], found[12:])
 
 
 def symbolic_pose(robot: Robot, values: Values, start: str, end: str) -> Pose[Expr]:

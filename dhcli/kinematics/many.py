@@ -72,15 +72,15 @@ class PoseRows:
         pieces = [_said(poses[:, k], form) for k in range(len(self.views)) for form in self.forms]
         return pieces[0] if len(pieces) == 1 else np.concatenate(pieces, axis=1)
 
-    def locked(self, poses: NDArray[np.float64]) -> int:
-        """In how many rows of angles that are asked for only two of the three can be told."""
-        named = [ORIENTATIONS.get("fixed-xyz" if form == "rpy" else form) for form in self.forms]
-        asked = [form for form in named if isinstance(form, Order)]
+    def locked(self, poses: NDArray[np.float64]) -> dict[str, int]:
+        """For each form of three angles that is asked for, in how many rows only two of them can be told."""
+        named = {form: ORIENTATIONS.get("fixed-xyz" if form == "rpy" else form) for form in self.forms}
+        asked = {form: order for form, order in named.items() if isinstance(order, Order)}
         if not asked:
-            return 0
+            return {}
         flat = rotations(poses.reshape(-1, 4, 4))
-        found = np.logical_or.reduce([np.asarray(order.of(flat).locked) for order in asked])
-        return int(found.reshape(len(poses), -1).any(axis=1).sum())
+        found = {form: np.asarray(order.of(flat).locked) for form, order in asked.items()}
+        return {form: int(rows.reshape(len(poses), -1).any(axis=1).sum()) for form, rows in found.items()}
 
 
 def _said(poses: NDArray[np.float64], form: str) -> NDArray[np.float64]:

@@ -110,17 +110,25 @@ def _placement(pose: Pose[float] | Pose[Expr], form: str) -> Placement:
 
 def locked_warnings(said: Mapping[str, Placement]) -> tuple[str, ...]:
     """What a person should know of three angles of which only two can be told."""
-    found = []
-    for form, placement in said.items():
-        if isinstance(placement, RollPitchYaw) and placement.locked:
-            found.append(
-                "pitch is ±90°, where roll and yaw turn about one axis: only their sum or difference counts, roll is 0"
-            )
-        elif isinstance(placement, EulerAngles) and placement.locked:
-            middle = "0° or 180°" if placement.order.is_proper else "±90°"
-            which = "first" if placement.order.fixed else "last"
-            found.append(
-                f"{form}: the middle angle is {middle}, where the other two turn about one axis: only their sum or "
-                f"difference counts, the {which} was chosen as 0"
-            )
-    return tuple(found)
+    return tuple(
+        locked_words(form)
+        for form, placement in said.items()
+        if isinstance(placement, RollPitchYaw | EulerAngles) and placement.locked
+    )
+
+
+def locked_words(form: str, where: str = "") -> str:
+    """That of three angles only two can be told, and which was chosen.
+
+    Args:
+        form: The form of the orientation.
+        where: In which rows, empty for the only one.
+    """
+    order = ORIENTATIONS[form]
+    if not isinstance(order, Order):
+        told = f"pitch is ±90°{where}, where roll and yaw turn about one axis"
+        return f"{told}: only their sum or difference counts, roll is 0"
+    middle = "0° or 180°" if order.is_proper else "±90°"
+    which = "first" if order.fixed else "last"
+    told = f"{form}: the middle angle is {middle}{where}, where the other two turn about one axis"
+    return f"{told}: only their sum or difference counts, the {which} was chosen as 0"

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from dhcli.errors import plural
+from dhcli.kinematics.placement import locked_words
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import SLACK
@@ -33,18 +34,20 @@ class Tally:
         self._outside: Counter[str] = Counter()
         self._turning: Counter[str] = Counter()
         self._any_outside = 0
-        self._locked = 0
+        self._locked: Counter[str] = Counter()
 
-    def take(self, q: NDArray[np.float64], in_radians: tuple[bool, ...], *, locked: int = 0) -> None:
+    def take(
+        self, q: NDArray[np.float64], in_radians: tuple[bool, ...], *, locked: Mapping[str, int] | None = None
+    ) -> None:
         """Look at rows.
 
         Args:
             q: Joint values, shape (N, n); radians and metres.
             in_radians: Whether each joint's values were taken for radians.
-            locked: In how many of them roll and yaw cannot be told apart.
+            locked: Of each form of three angles, in how many of them only two can be told.
         """
         self.rows += len(q)
-        self._locked += locked
+        self._locked.update(locked or {})
         outside = np.zeros(len(q), dtype=np.bool_)
         for k, joint in enumerate(self._robot.joints):
             if joint.name in self._limits:
@@ -62,9 +65,9 @@ class Tally:
             yield f"more than a turn: {turning} of {plural(self.rows, 'row')}; did you mean degrees, --deg?"
         if outside := _listed(self._outside):
             yield f"{self._any_outside} of {plural(self.rows, 'row')} outside the limits of a joint: {outside}"
-        if self._locked:
-            many = f"{self._locked} of {plural(self.rows, 'row')}"
-            yield f"pitch is ±90° in {many}, where roll and yaw turn about one axis: roll is 0 there"
+        for form, count in self._locked.items():
+            if count:
+                yield locked_words(form, f" in {count} of {plural(self.rows, 'row')}")
 
 
 def _listed(counts: Counter[str]) -> str:

@@ -7,8 +7,9 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Literal, TypeAlias, cast
 
+from dhcli.algebra.floats import Floats
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean
-from dhcli.geometry.orthonormal import not_a_rotation
+from dhcli.geometry.orthonormal import nearest_rotation, not_a_rotation
 from dhcli.geometry.words import in_words
 from dhcli.kinematics.forward import put_in
 from dhcli.kinematics.frames import Point
@@ -24,8 +25,8 @@ from dhcli.notation.parser import parse
 from dhcli.notation.pasted import pose_matrix
 from dhcli.notation.quantity import DimensionError, to_angle, to_plain_length
 from dhcli.notation.scope import Scope, usual
-from dhcli.notation.tree import ZERO, Trig
-from dhcli.notation.walk import walk
+from dhcli.notation.tree import ZERO, Expr, Trig
+from dhcli.notation.walk import symbols, walk
 
 MOST_IN_LETTERS = 80
 """Moves whose frames are all computed in letters; the formula of each may be as long as there are moves before it."""
@@ -155,9 +156,22 @@ def read_product(text: str, place: Place, symbols: Sequence[str] = ()) -> Produc
 def _checked(factor: Factor, text: str, place: Place) -> Move:
     move = from_factor(factor)
     if isinstance(move, Fixed) and (fault := not_a_rotation(move.rows)):
-        hint = "its first three columns must be perpendicular unit vectors, right-handed"
+        hint = f"its first three columns must be perpendicular unit vectors, right-handed{_nearest(move.rows)}"
         raise NotationError(Problem(f"this matrix is no pose: {fault}", _place_in(text, factor.start, place), hint))
     return move
+
+
+def _nearest(rows: Sequence[Sequence[Expr]]) -> str:
+    """The rotation nearest to a matrix of numbers, and how far away it is; empty where there is none."""
+    if any(symbols(entry) for row in rows for entry in row[:3]):
+        return ""
+    numbers = [[Floats().value(entry) for entry in row[:3]] for row in rows[:3]]
+    nearest = nearest_rotation(numbers)
+    if nearest is None:
+        return ""
+    apart = max(abs(x - y) for row, near in zip(numbers, nearest, strict=True) for x, y in zip(row, near, strict=True))
+    shown = "; ".join(" ".join(f"{round(x, 6) + 0.0:g}" for x in row) for row in nearest)
+    return f"; the nearest rotation is {shown}, an entry of it {apart:.2g} away"
 
 
 def _factors(text: str, place: Place, scope: Scope, remarks: list[str]) -> tuple[Factor, ...]:

@@ -101,6 +101,8 @@ _RENDERERS = {
     ("derivation", "latex"): "dhcli.render.code.derivation:derivation_latex",
     ("derivation", "matlab"): "dhcli.render.code.derivation:derivation_code",
     ("derivation", "c"): "dhcli.render.code.derivation_c:derivation_c",
+    ("derivation", "md"): "dhcli.render.code.derivation:derivation_markdown",
+    ("derivation", "python"): "dhcli.render.code.derivation:derivation_code",
     ("derivation", "numpy"): "dhcli.render.code.derivation:derivation_code",
     ("jacobian", "table"): "dhcli.render.text.velocity:jacobian_table",
     ("jacobian", "latex"): "dhcli.render.code.velocity:jacobian_code",

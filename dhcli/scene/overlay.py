@@ -24,6 +24,9 @@ OFFSETS = (24.0, 31.0, 38.0, 46.0, 58.0)
 SHORT, NOTHING = 22.0, 4.0
 """Dimensions shorter than this have their arrows outside; shorter than that only a label [px]."""
 
+BY_THE_HAND = 0.5
+"""The number of an axis goes to its other end where the hand is so much nearer to the first one."""
+
 HEAD = 10.0
 
 
@@ -85,6 +88,7 @@ def joint_axes(scene: Scene, camera: Camera, first: int | None) -> tuple[list[Sh
     shapes: list[Shape] = []
     wishes: list[Wish] = []
     bodies = [solid for solid in scene.solids if isinstance(solid, Drum | Box)]
+    hand = camera.flat(scene.point(scene.hand.wrist)) if scene.hand else None
     for number, solid in enumerate(bodies, first or 1):
         centre = scene.point(solid.centre)
         axis = scene.direction(solid.centre.state, solid.axis)
@@ -97,6 +101,8 @@ def joint_axes(scene: Scene, camera: Camera, first: int | None) -> tuple[list[Sh
             wishes.append(Wish((middle,), words, "number", (1.0, -1.0)))
             continue
         shapes.append(Shape(tuple(ends), "axis"))
+        if hand and math.dist(ends[0], hand) < BY_THE_HAND * math.dist(ends[1], hand):
+            ends.reverse()
         wishes.append(Wish(tuple(ends), words, "number", (ends[0][0] - ends[1][0], ends[0][1] - ends[1][1])))
     return shapes, wishes if first is not None else []
 

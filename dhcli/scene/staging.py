@@ -221,14 +221,27 @@ def _shown(value: Value) -> str:
     return f"{in_floats(value):.4g} m"
 
 
+MOST_LINES = 2
+"""Lines of a caption; what is longer ends in three dots."""
+
+
 def foot(title: str, caption: str, paper: Paper) -> list[Text]:
-    """The line under a figure."""
+    """The line under a figure; two of them where one is too short."""
     if not paper.foot:
         return []
     text = " · ".join(filter(None, (title, caption)))
     text = "".join(letter if letter.isprintable() else " " for letter in text)
     size = 12.5
     most = int((paper.width - 32) / (0.53 * size))
-    if len(text) > most:
-        text = text[: most - 1] + "…"
-    return [Text((16.0, paper.height - 14.0), (Run(text),), "caption", size)]
+    lines = [""]
+    for piece in text.split(" · "):
+        longer = f"{lines[-1]} · {piece}" if lines[-1] else piece
+        if len(longer) > most and lines[-1] and len(lines) < MOST_LINES:
+            lines.append(piece)
+        else:
+            lines[-1] = longer
+    lines = [line if len(line) <= most else f"{line[: most - 1]}…" for line in lines]
+    low = paper.height - 14.0
+    return [
+        Text((16.0, low - 1.25 * size * up), (Run(line),), "caption", size) for up, line in enumerate(reversed(lines))
+    ][::-1]

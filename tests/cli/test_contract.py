@@ -235,7 +235,8 @@ def test_the_examples_of_the_help_pages_work(dhcli: Run) -> None:
     for folder in (Path("homework-3"), Path("submission")):
         folder.mkdir()
         (folder / "student.yaml").write_bytes(Path("planar-two-links.sheet.yaml").read_bytes())
-    Path("my-table.yaml").write_text((ROOT / "robots" / "puma560.yaml").read_text(encoding="utf-8"), encoding="utf-8")
+    for name in ("my-table.yaml", "my-frames.yaml"):
+        Path(name).write_text((ROOT / "robots" / "puma560.yaml").read_text(encoding="utf-8"), encoding="utf-8")
     Path("robots").mkdir()
     arm = (ROOT / "robots" / "scara.yaml").read_text(encoding="utf-8")
     Path("robots/my-arm.yaml").write_text(arm, encoding="utf-8")

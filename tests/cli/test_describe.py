@@ -66,7 +66,8 @@ def test_json_has_the_table_the_steps_and_the_proof() -> None:
     [
         (("scara", "--as", "modifed"), "did you mean modified"),
         (("dh-link", "--as", "axes"), "directions depend on alpha_i"),
-        (("scara", "--as", "axes", "--choose", "next_d"), "did you mean next-d"),
+        (("scara", "--as", "standard", "--choose", "next_d"), "did you mean next-d"),
+        (("scara", "--as", "axes", "--choose", "next-d"), "--choose is about tables"),
         (("assembly-blocks", "--as", "standard"), "no joints"),
         (("scara", "--as", "axes", "--pose", "elbo"), "elbow"),
         (("dh-link", "--as", "modified", "--numbers"), "has no value"),

@@ -160,7 +160,7 @@ def test_a_disk_that_fills_up_leaves_no_file(dhcli: Run, monkeypatch: pytest.Mon
 @pytest.mark.parametrize("format_", ["csv", "jsonl", "npy"])
 def test_memory_does_not_grow_with_the_rows(tmp_path: Path, format_: str) -> None:
     """The most that was in use, for five times the rows, is the same but for a fraction of what came out."""
-    counts = (20_000, 100_000)
+    counts = (60_000, 300_000)
     for count in counts:
         if format_ == "npy":
             np.save(tmp_path / f"{count}.npy", np.full((count, 3), 0.123456789))

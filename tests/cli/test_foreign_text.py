@@ -18,7 +18,19 @@ import pytest
 
 import dhcli
 from dhcli.render import look
-from dhcli.safe import comment, csv_cell, docstring, html, latex, one_line, xml_attribute, xml_comment
+from dhcli.safe import (
+    comment,
+    csv_cell,
+    docstring,
+    html,
+    latex,
+    markdown,
+    markdown_code,
+    markdown_heading,
+    one_line,
+    xml_attribute,
+    xml_comment,
+)
 from tests.cli.running import Run
 
 EVIL = "e\x1b[31m\x9b2J\u202e\u200b\u2028\x85\r\nimport os"
@@ -337,3 +349,11 @@ def test_comments_of_code_are_made_in_one_place() -> None:
         and str(first.value).lstrip().startswith(("# ", "% ", "// ", "/*", "<!--", '"""'))
     ]
     assert found == []
+
+
+def test_markdown_gets_no_markup() -> None:
+    """Every sign that means something there has a backslash before it."""
+    said = markdown("# a_b *c* [d](e) <script> $x$ `f` | \n1. g")
+    assert said == r"\# a\_b \*c\* \[d\]\(e\) \<script\> \$x\$ \`f\` \|  1\. g"
+    assert markdown_code("a`b\n") == "`a'b `"
+    assert markdown_heading(2, "a\n# b") == r"## a \# b"

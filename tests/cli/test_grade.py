@@ -107,7 +107,7 @@ def test_the_envelope_has_exactly_these_keys(dhcli: Run) -> None:
 def test_a_spreadsheet_has_a_row_for_each_sheet(dhcli: Run, tmp_path: Path) -> None:
     """The suffix says the format."""
     done = dhcli("grade", CLASS, "-o", "grades.csv")
-    assert (done.code, done.out, done.err) == (1, "", "wrote grades.csv\n")
+    assert (done.code, done.out, done.err.splitlines()[0]) == (1, "", "wrote grades.csv")
     with (tmp_path / "grades.csv").open(newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     assert [row["student"] for row in rows] == [f"student-{n}" for n in range(1, 6)]
@@ -241,3 +241,11 @@ def test_a_signal_leaves_no_file_and_no_process(tmp_path: Path, name: str, code:
         out, err = running.communicate(timeout=30)
     assert (running.returncode, out, err.strip()) == (code, "", "")
     assert [path.name for path in tmp_path.iterdir() if path.is_file()] == []
+
+
+def test_a_report_in_a_file_is_summed_up_on_the_screen(dhcli: Run) -> None:
+    """How many sheets were graded is seen without opening it; standard output stays for results."""
+    done = dhcli("grade", str(ROOT / "tests/data/class/student-1"), "-o", "grades.csv")
+    assert done.out == ""
+    assert done.err.splitlines()[-2] == "wrote grades.csv"
+    assert done.err.splitlines()[-1].endswith("student-1: 1 sheet, 1 graded")

@@ -159,7 +159,7 @@ def test_csv_has_a_line_for_each_solution(dhcli: Run) -> None:
         (("puma560", "--quaternion", "1,0,0"), "4 numbers are wanted, not 3"),
         (("puma560", "--position", "1,2"), "a point has three coordinates"),
         (("puma560", "--position", "x,0,0"), "x has no value"),
-        (("puma560", "--target", "Trans(a,0,0)"), "is in symbols: a"),
+        (("puma560", "--target", "Trans(a,0,0)"), "a has no value"),
         (("puma560", "--target", "[1 0 0 0; 0 2 0 0; 0 0 1 0; 0 0 0 1]"), "column 2 is not a unit vector"),
         (("puma560", "--pose", "ready", "--task", "positon"), "did you mean position"),
         (("puma560", "--pose", "ready", "--hold", "theta9=1"), "no joint theta9"),
@@ -191,7 +191,7 @@ def test_formulas_are_derived_step_by_step(dhcli: Run) -> None:
 def test_a_derivation_has_these_keys_in_json(dhcli: Run) -> None:
     """A new key is a decision, and stands here."""
     data = dhcli("ik", "puma560", "--derive", "--format", "json").data
-    assert set(data) == {"robot", "convention", "reference", "frame", "task", "branches", "steps"}
+    assert set(data) == {"robot", "convention", "reference", "frame", "task", "branches", "proved", "steps"}
     keys = {"rule", "unknown", "equations", "value", "plus_minus", "or_half_a_turn_more", "condition"}
     assert all(set(step) == keys for step in data["steps"])
     assert [step["unknown"] for step in data["steps"]][:4] == ["theta1", "theta3", "theta2 + theta3", "theta2"]
@@ -280,6 +280,15 @@ def test_of_all_ways_to_stand_nearest_the_plainest_is_offered() -> None:
     assert np.allclose(forward(robot, list(plain)).matrix, forward(robot, list(other)).matrix, atol=1e-6)
 
 
+@pytest.mark.parametrize("typed", ["0.5,0.3,0", "[0.5, 0.3, 0]"])
+def test_a_position_for_a_pose_is_recognised(dhcli: Run, typed: str) -> None:
+    """It has an option of its own."""
+    done = dhcli("ik", "planar-2r", typed)
+    assert done.code == 2
+    assert f"'{typed}' is a position, and a whole pose is wanted" in done.err
+    assert f"write --position {typed.strip('[]')}, where the turn is free" in done.err
+
+
 def test_formulas_asked_for_as_symbols_are_found(dhcli: Run) -> None:
     """Other commands take `--symbolic`."""
     assert "did you mean --derive?" in dhcli("ik", "planar-2r", "--symbolic").err
@@ -291,6 +300,7 @@ def test_rows_from_the_keyboard_are_waited_for_aloud(tmp_path: Path) -> None:
         screen.until("reading from the keyboard; Ctrl-D on an empty line ends it")
         screen.type("p_x,p_y,p_z\n0.5,0.3,0\n\x04")
         assert screen.end() == 0
+    assert "0 rows" not in screen.seen, "a bar would stand between what is typed"
     assert "theta1" in screen.seen
 
 
@@ -364,3 +374,22 @@ def test_out_of_reach_is_told_by_the_joint_that_has_no_real_value(dhcli: Run) ->
     assert "theta2 has no real value: a cosine in its equation would be 1.031" in done.out
     cosine = (0.05**2 - 0.4**2 - 0.3**2) / (2 * 0.4 * 0.3)
     assert cosine == pytest.approx(-1.031, abs=5e-4)
+
+
+def test_a_matrix_that_is_no_rotation_is_told_with_the_nearest_one(dhcli: Run) -> None:
+    """And how far away it is; none for a reflection."""
+    done = dhcli("ik", "puma560", "--target", "[1 0 0 0.4; 0 1 0 0.2; 0 0.1 1.2 0.1; 0 0 0 1]")
+    left, _, right = np.linalg.svd([[1, 0, 0], [0, 1, 0], [0, 0.1, 1.2]])
+    nearest = left @ right
+    shown = "; ".join(" ".join(f"{round(x, 6) + 0.0:g}" for x in row) for row in nearest)
+    assert f"the nearest rotation is {shown}, an entry of it 0.2 away" in done.err
+    mirrored = dhcli("ik", "puma560", "--target", "[1 0 0 0.4; 0 1 0 0.2; 0 0 -1 0.1; 0 0 0 1]")
+    assert "nearest" not in mirrored.err
+
+
+@pytest.mark.parametrize("pose", [("--target", "Trans(x,0,0)"), ("--position", "x,0,0")])
+def test_letters_in_a_pose_lead_to_the_derivation(dhcli: Run, pose: tuple[str, str]) -> None:
+    """Numbers are solved, letters are derived."""
+    done = dhcli("ik", "puma560", *pose)
+    hint = "a pose to reach is in numbers; --derive gives the formulas in letters"
+    assert (done.code, done.err) == (2, f"dhcli: {pose[0]}: x has no value\n  hint: {hint}\n")

@@ -6,6 +6,9 @@ import math
 
 import pytest
 
+from dhcli.checking.judge import check
+from dhcli.errors import DhcliError
+from dhcli.files.yaml.exercises import read_exercise
 from tests.cli.running import run
 
 
@@ -39,6 +42,49 @@ def test_rows_have_columns_for_three_angles() -> None:
     head, row = out.split("\n")[:2]
     assert head == "zyz_1,zyz_2,zyz_3,r_x,r_y,r_z"
     assert [float(cell) for cell in row.split(",")] == pytest.approx([0.3, 0, 0, 0, 0, 0.3])
+
+
+@pytest.mark.parametrize(
+    ("form", "said"),
+    [
+        ("zyz", "zyz: the middle angle is 0° or 180° in 1 of 2 rows"),
+        ("fixed-zyz", "the first was chosen as 0"),
+        ("zyx", None),
+        ("rotation-vector", None),
+    ],
+)
+def test_rows_at_a_singular_attitude_are_counted_by_form(form: str, said: str | None) -> None:
+    """In the words of that form."""
+    rows = "theta4,theta5,theta6\n0.1,0.2,0.3\n0.4,0,0\n"
+    done = run("fk", "spherical-wrist", "--in", "-", "--as", form, stdin=rows)
+    assert done.code == 0, done.err
+    assert said in done.err if said else not done.err
+
+
+@pytest.mark.parametrize(
+    "ask",
+    [
+        "rotation from rpy(10°, 20°, 30°)",
+        "rotation from euler(fixed xyz, 10°, 20°, 30°)",
+        "rotation from Rot(z, 30°) Rot(y, 20°) Rot(x, 10°)",
+    ],
+)
+def test_a_rotation_from_angles_is_a_question(ask: str) -> None:
+    """The same matrix in three words."""
+    head = "format: 1\ntitle: t\nsource: s\ntask: t\nnumeric: true\nparts:\n"
+    exercise = read_exercise(f"{head}  - {{id: a, ask: '{ask}'}}\n", "x", "x")
+    right = run("transform", "Rot(z, 30°) Rot(y, 20°) Rot(x, 10°)", "--format", "csv", "--digits", "6").out
+    rows = [row.split(",")[:3] for row in right.split()][:3]
+    answer = "; ".join(" ".join(row) for row in rows)
+    assert check(exercise, "a", f"[{answer}]").verdict.passed
+    assert not check(exercise, "a", "[1 0 0; 0 1 0; 0 0 1]").verdict.passed
+
+
+def test_a_rotation_from_what_shifts_is_refused() -> None:
+    """A shift is no turn."""
+    text = "format: 1\ntitle: t\nsource: s\ntask: t\nparts:\n  - {id: a, ask: 'rotation from Trans(1, 0, 0)'}\n"
+    with pytest.raises(DhcliError, match="Trans is none"):
+        read_exercise(text, "x", "x")
 
 
 def test_moves_about_fixed_axes_are_said_apart() -> None:

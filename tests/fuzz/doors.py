@@ -285,6 +285,8 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("new", "linkage", "press", "--form", "bars", "-o", "-"),
     ("new", "linkage", "press", "--form", "joints", "-o", "press.yaml", "--overwrite"),
     ("new", "robot", "arm", "-o", "arm.yaml", "--overwrite"),
+    ("schema", "linkage"),
+    ("schema", "robot", "-o", "robot.schema.json", "--overwrite"),
     ("new", "robot", "--from", "table.csv", "--convention", "standard", "--joints", "RR", "--units", "mm", "-o", "-"),
     ("new", "robot", "--from", "arm.urdf", "--base", "base_link", "--tip", "hand", "--as-typed", "-o", "-"),
     ("sweep", "planar-2r", "--over", "theta1 n 3", "--q", "theta2=0", "-o", "t.csv", "--overwrite"),

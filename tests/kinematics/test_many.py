@@ -52,14 +52,15 @@ def test_a_row_counts_as_locked_once() -> None:
     lengths = parameter_values(wrist, {"d6": 0.1})
     q = np.array([[0, 0, 0], [0, np.pi / 2, 0], [0.3, 0.4, 0.5]])
     alone = PoseRows(wrist, frames[-1:], lengths, ("rpy",))
-    assert alone.locked(alone.poses(q)) == 1
+    assert alone.locked(alone.poses(q)) == {"rpy": 1}
     every = PoseRows(wrist, frames, lengths, ("rpy", "position"))
     poses = [
         [forward(wrist, list(row), start=view.start, end=view.end, parameters={"d6": 0.1}) for view in frames]
         for row in q
     ]
-    assert every.locked(every.poses(q)) == sum(any(pose.rpy.locked for pose in row) for row in poses)
-    assert PoseRows(wrist, frames, lengths, ("position",)).locked(every.poses(q)) == 0
+    count = sum(any(pose.rpy.locked for pose in row) for row in poses)
+    assert every.locked(every.poses(q)) == {"rpy": count}
+    assert PoseRows(wrist, frames, lengths, ("position",)).locked(every.poses(q)) == {}
 
 
 def test_rows_that_are_no_numbers_are_told_apart() -> None:

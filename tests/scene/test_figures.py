@@ -15,8 +15,8 @@ from dhcli.scene.labels import PRINT, Rect
 from dhcli.scene.linkages import linkage_figure
 from dhcli.scene.primitives import Drum
 from dhcli.scene.shapes import Figure, Text
-from dhcli.scene.staging import figure_of, stage_arm
-from dhcli.scene.words import named
+from dhcli.scene.staging import Paper, figure_of, foot, stage_arm
+from dhcli.scene.words import Run, named
 from tests.scene.examples import LINKAGES, ROBOTS, long_robot, odd_robots
 
 
@@ -61,14 +61,12 @@ def test_every_frame_joint_and_length_has_its_label(name: str) -> None:
     """None is left out for want of room."""
     staged = stage_arm(load_robot(name))
     scene, figure = staged.scene, figure_of(staged)
-    written = [(text.look, text.words) for text in figure.texts]
+    written = [(text.look, text.words) for text in figure.texts if text.look != "caption"]
     for arrow in scene.arrows:
         assert (arrow.letter, arrow.words) in written
     for solid in scene.solids:
         assert not isinstance(solid, Drum) or ("turn", named(solid.name)) in written
-    assert len(written) == 1 + len(scene.arrows) + len(scene.dimensions) + sum(
-        isinstance(s, Drum) for s in scene.solids
-    )
+    assert len(written) == len(scene.arrows) + len(scene.dimensions) + sum(isinstance(s, Drum) for s in scene.solids)
 
 
 @pytest.mark.parametrize("name", list(odd_robots()))
@@ -171,3 +169,31 @@ def test_every_pose_from_three_sides(name: str) -> None:
     for pose in load_robot(name).poses:
         for view in (None, "front", "128,20"):
             _check(_figure(name, pose, view))
+
+
+def test_a_long_caption_stands_on_two_lines_and_loses_nothing() -> None:
+    """It is broken between its parts; only what two lines cannot hold is cut."""
+    parts = [
+        "one part of it, which says more than most",
+        "over it another arm: frame 6 is the first that differs",
+        "and what is left",
+    ]
+    texts = foot("A title of some length", " · ".join(parts), Paper())
+    lines = ["".join(run.text for run in text.words) for text in texts]
+    assert len(lines) == 2
+    assert " · ".join(lines) == " · ".join(("A title of some length", *parts))
+    assert texts[0].at[1] < texts[1].at[1] < Paper().height
+    (short,) = foot("A title", "", Paper())
+    assert short.at == texts[1].at
+    assert "".join(run.text for run in foot("word " * 200, "", Paper())[-1].words).endswith("…")
+
+
+def test_the_number_of_an_axis_is_not_in_the_hand() -> None:
+    """Of the two ends of an axis it stands at the one without fingers."""
+    staged = stage_arm(load_robot("scara"))
+    assert staged.scene.hand
+    figure = figure_of(staged, worksheet=True)
+    (three,) = [text for text in figure.texts if text.look == "number" and text.words == (Run("3"),)]
+    fingers = [shape for shape in figure.shapes if shape.look.startswith("hand")]
+    assert fingers
+    assert three.at[1] < min(y for shape in fingers for _, y in shape.points) - 100

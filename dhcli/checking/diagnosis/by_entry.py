@@ -6,8 +6,9 @@ in a single entry.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from operator import itemgetter
 
 from dhcli.checking.diagnosis.mistakes import BY_ID
@@ -43,23 +44,43 @@ class EntryCauses:
     more: Causes = ()
 
 
-def entry_causes(typed: TypedMatrix) -> EntryCauses:
-    """The slips in the terms of the entries that are wrong, if each of these has one; numbers have no terms."""
+@dataclass(frozen=True, slots=True)
+class WrongEntry:
+    """An entry that is wrong.
+
+    Attributes:
+        place: Row and column as they are told, `2,4`.
+        right: The right entry.
+        is_given_by: Whether an expression gives what was typed.
+    """
+
+    place: str
+    right: Expr
+    is_given_by: Callable[[Expr], bool]
+
+
+def matrix_entry_causes(typed: TypedMatrix) -> EntryCauses:
+    """The slips in the terms of the wrong entries of a matrix; numbers have no terms."""
     search = typed.search
     if search.setting.numeric:
         return EntryCauses()
-    rows = terms(search.right, {})
-    among = among_of(rows, search.setting)
-    wrong = sorted(_wrong(typed), key=lambda place: operations(rows[place[0]][place[1]]))  # what is short fails soon
+    rows, question = terms(search.right, {}), search.right.question
+    wrong = [WrongEntry(place_in(question, r, c), rows[r][c], partial(_gives, typed, r, c)) for r, c in _wrong(typed)]
+    return entry_causes(wrong, among_of(rows, search.setting))
+
+
+def entry_causes(entries: Iterable[WrongEntry], among: Among) -> EntryCauses:
+    """The slips in the terms of the entries that are wrong, if each of these has one."""
+    wrong = sorted(entries, key=lambda one: operations(one.right))  # what is short fails soon
     found: list[tuple[str, Found]] = []
     kinds = frozenset(TERM_MAKERS)
-    for r, c in wrong:
-        here = dict.fromkeys(_slips_in(rows[r][c], among, _Entry(typed, r, c), kinds))
+    for one in wrong:
+        here = dict.fromkeys(_slips_in(one, among, kinds))
         if not here:
             return EntryCauses()
         if len(wrong) > PAIR:  # only one slip in all of them is looked for
             kinds &= {name for name, _ in here}
-        found.append((place_in(search.right.question, r, c), here))
+        found.append((one.place, here))
     if len(found) == 1:
         place, here = found[0]
         return EntryCauses(((_slip(next(iter(here)), place),),))
@@ -67,21 +88,13 @@ def entry_causes(typed: TypedMatrix) -> EntryCauses:
     return EntryCauses(_in_all(found), _of_a_kind(found) or _one_each(found)) if found else EntryCauses()
 
 
-@dataclass(frozen=True, slots=True)
-class _Entry:
-    """One entry of an answer, at each point."""
-
-    typed: TypedMatrix
-    row: int
-    column: int
-
-    def is_given_by(self, expr: Expr) -> bool:
-        """Whether an expression gives what was typed."""
-        limit = self.typed.slacks[0][self.row][self.column]
-        return all(
-            abs(over.value(expr) - values[self.row][self.column]) <= limit
-            for over, values in zip(self.typed.search.points, self.typed.values, strict=True)
-        )
+def _gives(typed: TypedMatrix, row: int, column: int, expr: Expr) -> bool:
+    """Whether an expression gives what was typed, at each point."""
+    limit = typed.slacks[0][row][column]
+    return all(
+        abs(over.value(expr) - values[row][column]) <= limit
+        for over, values in zip(typed.search.points, typed.values, strict=True)
+    )
 
 
 def _wrong(typed: TypedMatrix) -> Iterator[tuple[int, int]]:
@@ -93,9 +106,9 @@ def _wrong(typed: TypedMatrix) -> Iterator[tuple[int, int]]:
                 yield r, c
 
 
-def _slips_in(right: Expr, among: Among, entry: _Entry, kinds: frozenset[str]) -> Iterator[tuple[str, str]]:
+def _slips_in(entry: WrongEntry, among: Among, kinds: frozenset[str]) -> Iterator[tuple[str, str]]:
     for name, made in TERM_MAKERS.items():
-        for text, changed in made(right, among) if name in kinds else ():
+        for text, changed in made(entry.right, among) if name in kinds else ():
             if entry.is_given_by(changed):
                 yield name, text
 

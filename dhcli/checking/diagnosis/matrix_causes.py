@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dhcli.checking.diagnosis.by_entry import entry_causes
+from dhcli.checking.diagnosis.by_entry import matrix_entry_causes
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.diagnosis.search import search_of
 from dhcli.checking.diagnosis.slips import candidates, setting_of
@@ -52,7 +52,7 @@ def _in_symbols(typed: TypedMatrix) -> Causes:
     singles = in_work("singles")
     if singles:
         return singles
-    in_terms = entry_causes(typed)
+    in_terms = matrix_entry_causes(typed)
     return in_terms.one or in_work("pairs") or in_terms.more
 
 

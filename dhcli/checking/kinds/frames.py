@@ -12,14 +12,14 @@ from dhcli.checking.frames.marking import frame_text, frames_text, mark_frames
 from dhcli.checking.frames.reading import TypedFrame, read_frames
 from dhcli.checking.frames.rows import table_of
 from dhcli.checking.frames.rules import Rules
-from dhcli.checking.frames.sketch import axes_text, drawn_at, pose_of, sketch_of
+from dhcli.checking.frames.sketch import axes_text, drawn_at, pose_of, seen_from, sketch_of
 from dhcli.checking.frames.slips import as_typed, causes_of, every_slip
 from dhcli.checking.frames.spelling import has_frames, rows_of
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.kinds.table import TableQuestion
 from dhcli.checking.tables.comparing import END
 from dhcli.checking.tables.typed_rows import TypedRow
-from dhcli.checking.verdicts import UNSOLVED, Mark
+from dhcli.checking.verdicts import UNSOLVED, Mark, Verdict
 from dhcli.errors import NotationError, Place, Problem
 from dhcli.kinematics.conventions import Convention, Row
 from dhcli.kinematics.describe.words import Speaker, written
@@ -75,7 +75,8 @@ class FramesQuestion(Question[Answer]):
     def notes(self, exercise: Exercise) -> Iterable[str]:
         sketch = sketch_of(exercise, self.convention, self.pose)
         yield "a row for each frame: the coordinates of its origin, then x and z, such as a, 0, 0, +x, +z; or the table"
-        yield f"seen from the base, drawn with {drawn_at(sketch.pose)}: {'; '.join(axes_text(sketch))}"
+        seen = seen_from(exercise, self.convention)
+        yield f"seen from {seen}, drawn with {drawn_at(sketch.pose)}: {'; '.join(axes_text(sketch))}"
 
     @property
     def in_rows(self) -> bool:
@@ -105,7 +106,7 @@ class FramesQuestion(Question[Answer]):
 
     def mark(self, case: Case, reading: Reading[Answer]) -> Mark:
         if frames := _frames(reading.value):
-            mark = mark_frames(case.exercise, self._rules(case), frames)
+            mark = self._second_truth(case, frames) or mark_frames(case.exercise, self._rules(case), frames)
         else:
             mark = self._marked_table(case, _rows(reading.value))
         return replace(mark, remarks=(*mark.remarks, self.note)) if self.note else mark
@@ -133,6 +134,17 @@ class FramesQuestion(Question[Answer]):
             return self._table.rows(case, Reading(reading.text, _rows(reading.value)))
         rules = self._rules(case)
         return () if rules.broken(frames) else table_of(rules.sketch, [one.frame for one in frames])
+
+    def _second_truth(self, case: Case, frames: tuple[TypedFrame, ...]) -> Mark | None:
+        """EQUIVALENT if frames lie on the axes of the exercise's other robot."""
+        exercise = case.exercise
+        if exercise.also is None or not self._rules(case).broken(frames):
+            return None
+        robot, note = exercise.also
+        other = replace(exercise, robot=robot, also=None)
+        rules = Rules(sketch_of(other, self.convention, self.pose), case.tolerance)
+        mark = mark_frames(other, rules, frames)
+        return replace(mark, verdict=Verdict.EQUIVALENT, remarks=(note, *mark.remarks)) if mark.earned == 1 else None
 
     def _marked_table(self, case: Case, rows: tuple[TypedRow, ...]) -> Mark:
         """A table is right when frames of it can lie on the axes, the last one anywhere if the task leaves it open."""

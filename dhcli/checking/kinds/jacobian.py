@@ -134,6 +134,9 @@ class JacobianQuestion(ColumnsQuestion):
         if self.column:
             yield from self._neighbours(self._grid(case, columns))
 
+    def place(self, row: int, column: int) -> str:
+        return f"{self.row or row + 1},{self.column or column + 1}"
+
     def _neighbours(self, grid: Grid) -> Iterator[tuple[Slip, Grid]]:
         """Another column than that asked for."""
         for k in range(1, grid.shape[1] + 1):

@@ -25,7 +25,7 @@ from dhcli.checking.solving.goal import Target, of_robot
 from dhcli.checking.solving.typed import exprs_of, formula_of, typed_text, values_of
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import NotationError, Place, Problem, RobotError, UnknownNameError
-from dhcli.kinematics.inverse.derive import Derivation
+from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive_levels import POSITION, ROTATION
 from dhcli.kinematics.inverse.derive_terms import name_of
 from dhcli.kinematics.robot import Robot

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import TYPE_CHECKING, ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
@@ -65,6 +66,9 @@ class JointsQuestion(Question[Vectors]):
         words = tuple(word.strip() for word in (match["branch"] or "").split(",") if word.strip())
         which = "all" if match["all"] else "branch" if words else "any"
         return cls(target, which, words, bool(match["limits"]))
+
+    def in_unit(self, unit: Fraction, scope: Scope) -> Self:
+        return replace(self, target=self.target.in_unit(unit, scope))
 
     def check(self, robot: Robot | None) -> None:
         self.target.ends(robot)

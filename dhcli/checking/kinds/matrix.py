@@ -40,6 +40,7 @@ class MatrixQuestion(Wanted, Question[Entries]):
         'product "Rot(z, 90°)"',
         "inverse of link 1",
         "rotation of pose 0..3",
+        "rotation from rpy(10°, 20°, 30°)",
         "position of pose 0..3",
         "entry 1 4 of pose 0..3",
         "axis x of pose 0..3",

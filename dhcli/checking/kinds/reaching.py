@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
@@ -50,6 +51,9 @@ class SolutionsQuestion(Question[int]):
     def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
         """`count solutions of position (0.5, 0.3, 0) within limits`."""
         return cls(*_asked(re.sub(r"^count\s+solutions", "", text), scope, place))
+
+    def in_unit(self, unit: Fraction, scope: Scope) -> Self:
+        return replace(self, target=self.target.in_unit(unit, scope))
 
     def check(self, robot: Robot | None) -> None:
         self.target.ends(robot)
@@ -152,6 +156,9 @@ class ReachQuestion(Question[bool]):
     def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
         """`reach of position (0.5, 0.3, 0) within limits`."""
         return cls(*_asked(text.removeprefix("reach"), scope, place))
+
+    def in_unit(self, unit: Fraction, scope: Scope) -> Self:
+        return replace(self, target=self.target.in_unit(unit, scope))
 
     def check(self, robot: Robot | None) -> None:
         self.target.ends(robot)

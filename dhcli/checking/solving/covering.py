@@ -15,7 +15,7 @@ from dhcli.checking.solving.derived import values_at
 from dhcli.checking.solving.formulas import Formula
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.frames import between
-from dhcli.kinematics.inverse.derive import Derivation
+from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive_points import pose_values
 from dhcli.kinematics.moves import names
 from dhcli.kinematics.robot import Robot, Value

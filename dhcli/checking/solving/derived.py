@@ -14,7 +14,8 @@ from dhcli.checking.solving.goal import Target, of_robot
 from dhcli.errors import RobotError
 from dhcli.kinematics.conventions import NAMES
 from dhcli.kinematics.frames import between
-from dhcli.kinematics.inverse.derive import Derivation, NoFormError, derive
+from dhcli.kinematics.inverse.derivation import Derivation
+from dhcli.kinematics.inverse.derive import NoFormError, derive
 from dhcli.kinematics.inverse.derive_rules import Step
 from dhcli.kinematics.inverse.derive_values import joint_values
 from dhcli.kinematics.inverse.derive_words import atom_text, condition_text, level_text, value_text

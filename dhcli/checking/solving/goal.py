@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, TypeAlias, cast
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.kinds.linked import needed
+from dhcli.checking.units import chain_in_metres, has_length_unit, in_metres
 from dhcli.errors import NotationError, Place, Problem, RobotError
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.frames import ends
@@ -89,6 +90,18 @@ class Target:
         turn = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
         return (*((*row, x) for row, x in zip(turn, place, strict=True)), (0.0, 0.0, 0.0, 1.0))
 
+    def in_unit(self, unit: Fraction, scope: Scope) -> Target:
+        """The pose with its bare lengths in metres, where a sheet is in another unit.
+
+        Args:
+            unit: Metres in a bare length of the sheet.
+            scope: The names that it may use.
+        """
+        if self.chain:
+            return replace(self, chain=chain_in_metres(self.text, unit, scope))
+        cells = _cells(self.text, scope, None)
+        return replace(self, point=_lengths(_scaled(cell, unit, scope) for cell in cells))
+
     def words(self, exercise: Exercise) -> str:
         """What is given, as a sheet says it: its numbers."""
         start, end = self.ends(exercise.robot)
@@ -156,9 +169,22 @@ def given_target(task: str, rows: Sequence[Sequence[float]], frames: tuple[str, 
 
 
 def _point(text: str, scope: Scope, place: Place | None) -> tuple[Expr, ...]:
-    cells = [cell.expr for row in parse_matrix(f"[{text.strip('()[]')}]", scope, place) for cell in row]
+    cells = _cells(text, scope, place)
     if len(cells) != 3:  # noqa: PLR2004
         raise NotationError(Problem(f"a position has three coordinates, not {len(cells)}", place))
+    return _lengths(cells, place)
+
+
+def _cells(text: str, scope: Scope, place: Place | None) -> list[Expr]:
+    return [cell.expr for row in parse_matrix(f"[{text.strip('()[]')}]", scope, place) for cell in row]
+
+
+def _scaled(cell: Expr, unit: Fraction, scope: Scope) -> Expr:
+    """A coordinate in metres; one that is written with a unit stays."""
+    return cell if has_length_unit(cell) else in_metres(cell, unit, scope)
+
+
+def _lengths(cells: Iterable[Expr], place: Place | None = None) -> tuple[Expr, ...]:
     try:
         return tuple(to_length(cell) for cell in cells)
     except DimensionError as error:

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from dhcli.checking.solving.derived import put_for, with_roots
 from dhcli.errors import RobotError
-from dhcli.kinematics.inverse.derive import Derivation
+from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive_rules import Step
 from dhcli.kinematics.inverse.derive_terms import name_of
 from dhcli.notation.tree import PI, ZERO, Call, Expr, Symbol, add, negate

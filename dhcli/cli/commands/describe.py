@@ -101,6 +101,8 @@ def describe(
         return
     form = check_form("product" if format_ == "urdf" else as_ or "standard")
     delivery.chosen("description")
+    if choose and form not in ("standard", "modified"):
+        raise DhcliError("--choose is about tables", "--as standard or --as modified")
     arm = robot_of(chosen)
     arm = replace(arm, parameters={**arm.parameters, **lengths_of(arm, chosen, symbolic=True)})
     drawn = None if chosen.pose is None else named_pose(arm, chosen.pose)

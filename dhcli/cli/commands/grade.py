@@ -53,7 +53,9 @@ def grade(
     from dhcli.classroom.folder import find_sheets
     from dhcli.classroom.grading import grade_all
     from dhcli.classroom.report import report_on
+    from dhcli.cli.shell.console import tell
     from dhcli.cli.shell.delivery import Delivery
+    from dhcli.render.text.grades import summary
     from dhcli.render.text.progress import progress
 
     delivery = Delivery("grade", format_, output=output, force=force)
@@ -67,10 +69,12 @@ def grade(
         report = report_on(found, [_no_single(found)])
         delivery.hand_over("class", report)
         return ExitStatus.NOT_RIGHT
-    with progress("grading", len(found.submissions), sys.stderr) as tell:
-        rows = grade_all(found.submissions, exercise, jobs=jobs or _processors(), timeout=seconds, tell=tell)
+    with progress("grading", len(found.submissions), sys.stderr) as count:
+        rows = grade_all(found.submissions, exercise, jobs=jobs or _processors(), timeout=seconds, tell=count)
     report = report_on(found, rows)
     delivery.hand_over("class", report)
+    if output:
+        tell(summary(report))
     return ExitStatus.NOT_RIGHT if report.failed else ExitStatus.DONE
 
 

@@ -43,7 +43,8 @@ def help_(
     if paper.terminal and text.count("\n") >= os.get_terminal_size(sys.stdout.fileno()).lines:
         import pydoc
 
-        os.environ.setdefault("LESS", "-RFX")  # colours pass, and the page stays on the screen afterwards
+        # colours pass, the page stays on the screen afterwards, and long lines of an example go on to the right
+        os.environ.setdefault("LESS", "-RFXS")
         pydoc.pager(text)
     else:
         write_out(text)

@@ -173,9 +173,11 @@ def ik(
     derive: Annotated[
         bool, typer.Option("--derive", help="The formulas, step by step as a book derives them; no pose is needed.")
     ] = False,
-    format_: Annotated[str | None, format_option("table", "json", "csv", "latex", "numpy", "matlab", "c")] = None,
+    format_: Annotated[
+        str | None, format_option("table", "json", "csv", "latex", "md", "python", "numpy", "matlab", "c")
+    ] = None,
     digits: Digits = None,
-    output: Annotated[str | None, output_option(".json", ".csv", ".tex", ".py", ".m", ".c", ".txt")] = None,
+    output: Annotated[str | None, output_option(".json", ".csv", ".tex", ".md", ".py", ".m", ".c", ".txt")] = None,
     force: Force = False,
 ) -> int:
     """Inverse kinematics: every way to hold the joints so that the end frame stands in a pose."""

@@ -12,7 +12,16 @@ from dhcli.errors import DhcliError, FileError, Place, Problem, UnknownNameError
 from dhcli.render.look import Look, check_format, content, render
 from dhcli.render.paper import Paper
 
-SUFFIXES = {".json": "json", ".tex": "latex", ".m": "matlab", ".c": "c", ".py": "numpy", ".csv": "csv", ".txt": "table"}
+SUFFIXES = {
+    ".json": "json",
+    ".tex": "latex",
+    ".md": "md",
+    ".m": "matlab",
+    ".c": "c",
+    ".py": "numpy",
+    ".csv": "csv",
+    ".txt": "table",
+}
 STYLES = ("short", "full")
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, cast
@@ -29,7 +30,12 @@ if TYPE_CHECKING:
     from dhcli.kinematics.inverse.solutions import Solutions
     from dhcli.kinematics.inverse.tasks import TaskName
 
+_POINT = re.compile(r"\s*[\[(]?[^][(),;]+(?:,[^][(),;]+){2}[\])]?\s*")
+"""Three values with commas: no move and no matrix."""
+
 Rows = tuple[tuple[float, ...], ...]
+
+_IN_NUMBERS = "a pose to reach is in numbers; --derive gives the formulas in letters"
 
 
 @dataclass(frozen=True, slots=True)
@@ -147,8 +153,13 @@ def _target(text: str, typed: str) -> Rows:
         if path == typed == "-":
             raise DhcliError("the robot and the pose cannot both come from standard input", "save one in a file")
         text, place = read_text(path), Place(source_of(path))
+    if _POINT.fullmatch(text):
+        message = f"'{text.strip()}' is a position, and a whole pose is wanted"
+        hint = f"write --position {text.strip('[]() ')}, where the turn is free"
+        raise DhcliError(Problem(message, place, hint))
     pose = compose(read_product(text, place), {}, Wanted()).pose
     if pose.is_symbolic:
+        _known([cast("Expr", entry) for row in pose.rows for entry in row], place)
         pose = pose.in_numbers()
     return cast("Pose[float]", pose).rows
 
@@ -174,15 +185,15 @@ def _from_parts(goal: Goal, bare: Bare) -> Rows:
 
 
 def _vector(text: str, option: str) -> tuple[float, float, float]:
-    x, y, z = (in_floats(part) for part in _known(point_of(text, option), option))
+    x, y, z = (in_floats(part) for part in _known(point_of(text, option), Place(option)))
     return x, y, z
 
 
-def _known(parts: Sequence[Expr], option: str) -> Sequence[Expr]:
+def _known(parts: Sequence[Expr], place: Place) -> Sequence[Expr]:
     from dhcli.notation.walk import symbols
 
     if free := sorted(frozenset().union(*map(symbols, parts))):
-        raise DhcliError(Problem(f"{', '.join(free)} has no value", Place(option), "a pose to reach is in numbers"))
+        raise DhcliError(Problem(f"{', '.join(free)} has no value", place, _IN_NUMBERS))
     return parts
 
 
@@ -208,7 +219,9 @@ def _numbers(text: str, option: str, count: int) -> tuple[float, ...]:
     if len(pieces) != count:
         message = f"{plural(count, 'number')} are wanted, not {len(pieces)}"
         raise DhcliError(Problem(message, Place(option)))
-    values = tuple(in_floats(part) for part in _known([parse(p, Scope(), Place(option)) for p in pieces], option))
+    values = tuple(
+        in_floats(part) for part in _known([parse(p, Scope(), Place(option)) for p in pieces], Place(option))
+    )
     if not any(values):
         raise DhcliError(Problem("it has no length", Place(option), "one of its numbers must not be 0"))
     return values

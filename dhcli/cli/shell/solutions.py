@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import astuple, replace
 from typing import TYPE_CHECKING
 
 from dhcli.cli.shell.chosen import Chosen
@@ -14,7 +14,7 @@ from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import joint_values
 
 if TYPE_CHECKING:
-    from dhcli.kinematics.inverse.derive import Derivation
+    from dhcli.kinematics.inverse.derivation import Derivation
     from dhcli.kinematics.inverse.solutions import Solutions
     from dhcli.notation.quantity import Bare
 
@@ -67,7 +67,7 @@ def derived(robot: Robot, goal: Goal, chosen: Chosen) -> Derivation:
     """
     from dhcli.kinematics.inverse.derive import derive
 
-    if any((chosen.q, chosen.pose, goal.target, goal.position, goal.rpy, goal.quaternion, goal.pointing)):
+    if any((chosen.q, chosen.pose, *astuple(replace(goal, task=None)))):
         raise DhcliError("--derive is in letters and takes no pose", "leave it out, or leave --derive out")
     if goal.task not in {None, "pose", "position"}:
         raise DhcliError(Problem(f"--derive knows no task {goal.task}", Place("--task"), "pose or position"))

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from os.path import isfile
+from os.path import isdir, isfile
 
 from dhcli.errors import FileError, UnknownNameError
-from dhcli.files.library.lookup import Kind, entries, similar
+from dhcli.files.library.lookup import Kind, above, entries, similar
 from dhcli.files.reading import read_text
 from dhcli.files.yaml.exercises import full_id
 
@@ -28,8 +28,9 @@ def kind_of(name: str) -> Kind:
     for kind, wanted in ((Kind.EXERCISES, full_id(name)), (Kind.LINKAGES, name)):
         if any(entry.name == wanted for entry in entries(kind)):
             return kind
-    course, slash, _ = name.partition("/")
-    if slash and not isfile(name) and any(entry.name.startswith(f"{course}/") for entry in entries(Kind.EXERCISES)):
+    course, slash, rest = name.partition("/")
+    is_id = slash and "/" not in rest and course.strip("~.") and not isfile(name)
+    if is_id and (not isdir(course) or any(entry.name.startswith(f"{course}/") for entry in entries(Kind.EXERCISES))):
         return Kind.EXERCISES  # misspelled, and whoever loads it says so
     return Kind.ROBOTS
 
@@ -44,6 +45,7 @@ def unknown(name: str, kinds: Sequence[Kind], error: UnknownNameError) -> Unknow
     """
     nouns = [f"no {kind.noun}" for kind in kinds]
     said = error.problems[0].hint.partition("; dhcli list")[0]
+    said = next(filter(None, (above(kind, name) for kind in kinds)), said)
     near = said if said and not said.startswith(("did you mean", "dhcli list")) else similar(name, kinds)
     hint = "; ".join(filter(None, (near, "dhcli list shows what there is")))
     return UnknownNameError(f"there is {', '.join(nouns[:-1])} and {nouns[-1]} '{name}'", hint)

@@ -143,14 +143,28 @@ def is_path(kind: Kind, name: str) -> bool:
 def _hint(kind: Kind, name: str, known: tuple[Entry, ...]) -> str:
     """What to type instead of an unknown name."""
     begun = _begun(name, known)
-    hints = [begun or did_you_mean(name, [entry.name for entry in known])]
+    hints = [begun or similar(name, (kind,)) or did_you_mean(name, [entry.name for entry in known])]
     for other in Kind:
         if other is not kind and any(entry.name == name for entry in entries(other)):
             hints = [f"'{name}' is the name of a{'n' if other is Kind.EXERCISES else ''} {other.noun}", begun]
     for path in (name, *(name + suffix for suffix in _SUFFIXES)):
         if os.path.isfile(path):
             hints = [f"for the file in this folder type ./{path}"]
+    if found := above(kind, name):
+        hints = [found]
     return "; ".join(hint for hint in (*hints, f"dhcli list {kind.value} shows what there is") if hint)
+
+
+def above(kind: Kind, name: str) -> str:
+    """A hint at something of this name in the library of a folder above the current one; empty if there is none."""
+    up = ""
+    for folder in Path.cwd().parents:
+        up += "../"
+        for path in _files(folder / kind.folder, nested=kind is Kind.EXERCISES):
+            if name in (path.stem, f"{path.parent.name}/{path.stem}"):
+                typed = up + path.relative_to(folder).as_posix()
+                return f"in a folder above there is one: type {typed}, or go to the folder that has {kind.folder}/"
+    return ""
 
 
 def similar(name: str, kinds: Iterable[Kind]) -> str:

@@ -14,6 +14,7 @@ from dhcli.files.rows.blocks import MOST, Block, cell_problem
 from dhcli.files.rows.cells import CellError
 from dhcli.files.rows.columns import JointTable
 from dhcli.files.rows.source import PIECE, Source
+from dhcli.kinematics.playing import BLOCK
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -47,6 +48,8 @@ class NpyRows:
         count, kind = self._header()
         width = self._columns.width
         at_once = max(1, PIECE // (width * kind.itemsize))
+        if at_once > BLOCK:
+            at_once -= at_once % BLOCK  # so that none is played but whole blocks, and the last one
         for first in range(0, count, at_once):
             wanted = min(at_once, count - first)
             content = self._bytes(wanted * width * kind.itemsize)

@@ -6,6 +6,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from dhcli.errors import FileError, NotationError, Place, Problem, did_you_mean
+from dhcli.files.keys.robots import CONVENTIONS, TABLE, UNITS
+from dhcli.files.keys.shapes import Key, required
+from dhcli.files.keys.shapes import names as names_of
 from dhcli.files.yaml.drives import read_drives
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.parameters import Parameters
@@ -24,30 +27,9 @@ from dhcli.notation.tokens import is_name
 from dhcli.notation.tree import ZERO, Expr, Trig
 from dhcli.notation.walk import walk
 
-KEYS = (
-    "title",
-    "source",
-    "notes",
-    "convention",
-    "exact",
-    "units",
-    "variables",
-    "parameters",
-    "links",
-    "first",
-    "base",
-    "tool",
-    "tools",
-    "limits",
-    "poses",
-    "actuators",
-)
 STILL = (*(Rot(axis, Angle()) for axis in AXES), Trans(ZERO, ZERO, ZERO))
 """Moves that do nothing."""
 ANGLES = ("alpha", "theta", "beta")
-UNITS_OF_LENGTH = ("m", "cm", "mm", "in")
-"""What `units:` takes for bare lengths."""
-REQUIRED = ("title", "source", "convention", "variables", "links")
 
 
 class Loader:
@@ -58,13 +40,12 @@ class Loader:
         root: PlacedNode,
         name: str,
         refused: list[Problem],
-        known: Iterable[str] = KEYS,
-        required: Iterable[str] = REQUIRED,
+        keys: Sequence[Key] = TABLE,
     ) -> None:
         """Read what every robot has; the keys differ with what stands in the place of links."""
         self.problems = Problems(refused)
         self.name = name
-        self.fields = self.problems.document(root, known=known, required=required)
+        self.fields = self.problems.document(root, known=names_of(keys), required=required(keys))
         self.places: dict[tuple[str | int, ...], Place] = {}
         self.variables = tuple(self.names("variables", self.fields.sequence("variables")))
         self.parameters = self.fields.mapping("parameters")
@@ -167,16 +148,16 @@ class Loader:
         try:
             return Convention(scalar.text)
         except ValueError:
-            hint = did_you_mean(scalar.text, [*(convention.value for convention in Convention), "axes", "screws"])
+            hint = did_you_mean(scalar.text, CONVENTIONS)
             self.problems.add(scalar.place, f"convention: '{scalar.text}' is not known", hint)
             return Convention.STANDARD
 
     def read_unit(self) -> str:
         """The unit of bare lengths, empty for metres."""
         scalar = self.fields.scalar("units")
-        if scalar is None or scalar.text in UNITS_OF_LENGTH:
+        if scalar is None or scalar.text in UNITS:
             return "" if scalar is None else scalar.text
-        hint = did_you_mean(scalar.text, UNITS_OF_LENGTH) or ", ".join(UNITS_OF_LENGTH)
+        hint = did_you_mean(scalar.text, UNITS) or ", ".join(UNITS)
         self.problems.add(scalar.place, f"units: {scalar.text!r:.60} is no unit of length", hint)
         return ""
 

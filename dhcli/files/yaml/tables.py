@@ -12,6 +12,7 @@ from dhcli.checking.tables.samples import Values
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import FileError, Place, Problem
+from dhcli.files.foreign.forms import Form, form_of
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
 from dhcli.files.yaml.robots import read_robot
@@ -57,7 +58,7 @@ def read_table(path: Path | str, reference: Robot, text: str | None = None) -> T
         FileError: It is no robot file, or has products instead of a table.
     """
     text, source = read_text(path) if text is None else text, source_of(path)
-    root = read_yaml(text, source)
+    root = read_yaml(text, source, is_foreign=form_of(text) is Form.TABLE)
     if not isinstance(root, PlacedMapping):
         return _plain(root, text, reference)
     robot = read_robot(text, source, "stdin" if str(path) == "-" else Path(path).stem)

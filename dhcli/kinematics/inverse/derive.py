@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations, permutations
 
 from dhcli.errors import RobotError
 from dhcli.kinematics.frames import ends
+from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive_levels import Equation, entries, squares
 from dhcli.kinematics.inverse.derive_points import VANISHES, Points, symbols_of_chain
 from dhcli.kinematics.inverse.derive_rules import (
@@ -24,6 +24,7 @@ from dhcli.kinematics.inverse.derive_rules import (
     squared,
 )
 from dhcli.kinematics.inverse.derive_terms import Atom, Coefficients, Knowledge, length, name_of
+from dhcli.kinematics.inverse.derive_values import poses_proved
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.notation.tree import Expr, Number, Symbol, add, multiply, negate, number
 
@@ -33,30 +34,6 @@ _MOST = 16
 
 class NoFormError(RobotError):
     """There is no textbook form by these rules."""
-
-
-@dataclass(frozen=True, slots=True)
-class Derivation:
-    """The steps from a pose to the joint values.
-
-    Attributes:
-        robot: The robot.
-        start: The frame the pose is seen from.
-        end: The frame it describes.
-        place_only: Whether the position alone is given.
-        steps: The steps in order.
-    """
-
-    robot: Robot
-    start: str
-    end: str
-    place_only: bool
-    steps: tuple[Step, ...]
-
-    @property
-    def branches(self) -> int:
-        """How many combinations of signs there are."""
-        return math.prod(2 if step.two else 1 for step in self.steps)
 
 
 def derive(robot: Robot, *, start: str | int | None = None, end: str | int | None = None, task: str = "") -> Derivation:
@@ -69,7 +46,7 @@ def derive(robot: Robot, *, start: str | int | None = None, end: str | int | Non
         task: `pose` or `position`; by default the position for robots with fewer than four joints that move it.
 
     Raises:
-        NoFormError: The rules do not find every joint.
+        NoFormError: The rules do not find every joint, or what they find does not lead back to every pose tried.
         UnknownNameError: The robot has no such frame.
     """
     check_robot(robot)
@@ -77,7 +54,9 @@ def derive(robot: Robot, *, start: str | int | None = None, end: str | int | Non
     for place_only in _tasks(robot, task):
         steps = _steps(robot, low, high, place_only=place_only)
         if steps is not None:
-            return Derivation(robot, low, high, place_only, steps)
+            found = Derivation(robot, low, high, place_only, steps)
+            if proved := poses_proved(found):
+                return replace(found, proved=proved)
     raise NoFormError(f"{robot.name} has no textbook form by these rules", "ik without --derive gives numbers")
 
 

@@ -6,10 +6,19 @@ import math
 from collections.abc import Iterator, Mapping
 
 from dhcli.algebra.floats import Floats
-from dhcli.kinematics.inverse.derive import Derivation
+from dhcli.kinematics.frames import between
+from dhcli.kinematics.inverse.derivation import Derivation
+from dhcli.kinematics.inverse.derive_levels import POSITION
+from dhcli.kinematics.inverse.derive_points import Points, pose_values
 from dhcli.kinematics.inverse.derive_rules import Step
 from dhcli.kinematics.inverse.derive_terms import Atom, name_of
 from dhcli.notation.angle import Angle
+
+TRIED = 12
+"""Random poses at which a derivation is proved."""
+
+_NEAR = 1e-6
+"""Rounding of a long formula, in lengths of about 1 and in cosines."""
 
 
 def joint_values(derivation: Derivation, known: Mapping[str, Angle | float]) -> Iterator[dict[str, float]]:
@@ -22,6 +31,31 @@ def joint_values(derivation: Derivation, known: Mapping[str, Angle | float]) -> 
     """
     for values in _branches(derivation, 0, dict(known), {}):
         yield {name: values[name] for step in derivation.steps for name in _joints(step)}
+
+
+def poses_proved(derivation: Derivation) -> int:
+    """At how many random poses the formulas are right; 0 where they are wrong at one."""
+    robot = derivation.robot
+    chain = between(robot, derivation.start, derivation.end)
+    points = Points(robot, derivation.start, derivation.end)
+    for values in points.values_of[:TRIED]:
+        joints = {name for step in derivation.steps for name in _joints(step)}
+        known = {name: value for name, value in values.items() if name not in joints}
+        back = False
+        for found in joint_values(derivation, known):
+            there = pose_values(chain, {**values, **found})
+            wanted = POSITION if derivation.place_only else tuple(there)
+            if any(_apart(there[name], values[name], turns=False) > _NEAR for name in wanted):
+                return 0
+            back = back or all(_apart(found[name], values[name], turns=name in robot.angles) < _NEAR for name in joints)
+        if not back:
+            return 0
+    return TRIED
+
+
+def _apart(one: float, other: Angle | float, *, turns: bool) -> float:
+    gap = one - (other.constant() if isinstance(other, Angle) else other)
+    return abs(math.remainder(gap, 2 * math.pi) if turns else gap)
 
 
 def _joints(step: Step) -> tuple[str, ...]:

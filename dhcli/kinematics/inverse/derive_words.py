@@ -2,12 +2,31 @@
 
 from __future__ import annotations
 
-from dhcli.kinematics.inverse.derive import Derivation
+from dhcli.errors import plural
+from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive_levels import Equation
 from dhcli.kinematics.inverse.derive_rules import Step
 from dhcli.kinematics.inverse.derive_terms import Atom
 from dhcli.notation.tree import ZERO, Call
 from dhcli.notation.writer import write
+
+SAID = {
+    "SUM": "from the sum",
+    "SLIDE": "linear in it",
+    "BOTH": "two equations linear in its cosine and sine",
+    "RATIO": "cosine and sine times the same unknown",
+    "ZERO": "a cosine and a sine that cancel",
+    "ONE": "one equation in cosine and sine",
+    "SQUARES": "squared and added, which no turn of the joint before changes",
+}
+"""What each rule uses."""
+
+
+def proof_text(result: Derivation) -> str:
+    """How many combinations of signs there are, and that each leads back to the pose."""
+    signs = plural(result.branches, "combination")
+    tried = f"tried at {result.proved} random poses and lengths"
+    return f"{signs} of signs, each a solution where all are real: {tried}"
 
 
 def atom_text(atom: Atom) -> str:
@@ -33,6 +52,7 @@ def condition_text(step: Step, style: str, result: Derivation) -> str:
     if step.condition is None:
         return ""
     text = write(step.condition, style, result.robot.writing)
+    text = f"${text}$" if style == "latex" else text
     if isinstance(step.spread, Call):
         return f"no solution where {text} is beyond -1 or 1"
     if step.spread is not None:

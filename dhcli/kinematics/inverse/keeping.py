@@ -9,18 +9,19 @@ from __future__ import annotations
 import json
 import zlib
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from dhcli.kinematics.inverse.arm import Arm
+from dhcli.kinematics.inverse.idealised import idealised
 from dhcli.kinematics.inverse.matrices import Actions
 from dhcli.kinematics.inverse.pairings import Cut
 from dhcli.kinematics.inverse.steps import All, Equation, One, Plan, Step, Two
 from dhcli.kinematics.inverse.tasks import Task
 from dhcli.storage.cache import cache, cached
 
-FORMAT = 1
+FORMAT = 2
 """Goes up with every change of what a plan is made of, or of how it is found."""
 
 SHIPPED = Path(__file__).with_name("plans.jsonl")
@@ -86,8 +87,7 @@ def _shipped(name: str) -> str | None:
 
 def written(kept: Kept, content: str) -> str:
     """A plan as a line of text."""
-    plan = kept.plan
-    body = [kept.spare, plan.held, plan.slack, [_step(step) for step in plan.steps]]
+    body = [kept.spare, _plan(kept.plan)]
     text = json.dumps(body, separators=(",", ":"))
     return json.dumps([zlib.crc32((content + text).encode()), body], separators=(",", ":"))
 
@@ -99,10 +99,26 @@ def read(line: str, content: str, arm: Arm) -> Kept | None:
         text = json.dumps(body, separators=(",", ":"))
         if check != zlib.crc32((content + text).encode()):
             return None
-        spare, held, slack, steps = body
-        return Kept(Plan(Actions(arm), tuple(held), tuple(map(_as_step, steps)), slack), spare)
+        spare, plan = body
+        return Kept(_as_plan(plan, arm), spare)
     except (ValueError, TypeError, KeyError, IndexError, RecursionError):
         return None
+
+
+def _plan(plan: Plan) -> list[Any]:
+    meant = None if plan.meant is None else _plan(plan.meant)
+    return [plan.held, plan.slack, [_step(step) for step in plan.steps], meant]
+
+
+def _as_plan(data: list[Any], arm: Arm) -> Plan:
+    held, slack, steps, meant = data
+    plan = Plan(Actions(arm), tuple(held), tuple(map(_as_step, steps)), slack)
+    if meant is None:
+        return plan
+    ideal = idealised(arm)
+    if ideal is None:
+        raise ValueError(meant)
+    return replace(plan, meant=_as_plan(meant, ideal))
 
 
 def _step(step: Step) -> list[Any]:

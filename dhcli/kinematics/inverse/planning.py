@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from dhcli.kinematics.inverse.arm import Arm
+from dhcli.kinematics.inverse.idealised import idealised
 from dhcli.kinematics.inverse.matrices import PARALLEL, Actions
 from dhcli.kinematics.inverse.motions import CIRCLE, POINT
 from dhcli.kinematics.inverse.pairings import Cut, Loop, cuts
 from dhcli.kinematics.inverse.planning_all import find_all
 from dhcli.kinematics.inverse.planning_two import find_two
 from dhcli.kinematics.inverse.samples import SAMPLES, Samples
-from dhcli.kinematics.inverse.steps import Equation, Kind, One, Plan, Step
+from dhcli.kinematics.inverse.steps import All, Equation, Kind, One, Plan, Step
 
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.arm import Array
@@ -43,6 +45,27 @@ def find_plan(arm: Arm, held: Sequence[int] = ()) -> Plan:
     Raises:
         NoPlanError: No rule finds some joints, because they are more than the task determines.
     """
+    plan = _found(arm, held)
+    return replace(plan, meant=_meant(plan)) if _has_all(plan) else plan
+
+
+def _has_all(plan: Plan) -> bool:
+    return any(isinstance(step, All) for step in plan.steps)
+
+
+def _meant(plan: Plan) -> Plan | None:
+    """The plan of the arm that this one was meant to be, where its joints are not taken three at once."""
+    ideal = idealised(plan.actions.arm)
+    if ideal is None:
+        return None
+    try:
+        meant = _found(ideal, plan.held)
+    except NoPlanError:
+        return None
+    return None if _has_all(meant) else meant
+
+
+def _found(arm: Arm, held: Sequence[int]) -> Plan:
     actions = Actions(arm)
     samples = Samples(actions)
     known, steps = list(held), list[Step]()

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhcli.kinematics.inverse.idealised import NEARLY
 from dhcli.kinematics.inverse.matrices import value_of
 from dhcli.kinematics.inverse.motions import DIRECTION, POINT
-from dhcli.kinematics.inverse.polishing import polished, product, residuals
-from dhcli.kinematics.inverse.rows import Rows
+from dhcli.kinematics.inverse.polishing import polished, product, residuals, spread
+from dhcli.kinematics.inverse.rows import ROUNDED, Rows
 from dhcli.kinematics.inverse.rule_one import read_off
 from dhcli.kinematics.inverse.steps import All, Plan, Step, Two
 from dhcli.kinematics.inverse.tasks import Task
@@ -21,6 +22,12 @@ if TYPE_CHECKING:
 
 CONFIRMED = 1e-12
 """A residual below this is a solution [reaches, and of direction cosines]."""
+
+SHAKES = 8
+"""Places around a candidate."""
+
+SHAKEN = 0.05
+"""How far they are from it in each joint [rad, reaches]."""
 
 _POLISH = 2e-14
 """Candidates above this are led nearer by Newton's steps."""
@@ -96,26 +103,61 @@ def run(
         tolerance: Residual up to which a candidate is a solution.
     """
     found = _tried(plan, task, goal, draws, held or {}, tolerance)
-    if not any(isinstance(step, All) for step in plan.steps) or len(plan.actions.arm.axes) != FULL:
+    if plan.meant is not None:
+        found = _once(plan, task, goal, found.joined(_beside(plan, task, goal, draws, held or {}, tolerance)))
+    has_all = any(isinstance(step, All) for step in plan.steps)
+    is_measured = plan.meant is not None or plan.slack > ROUNDED
+    if len(plan.actions.arm.axes) != FULL or not (has_all or is_measured):
         return found
-    # roots of six joints come in pairs: where one is alone, or there is none, angles are counted from another zero
+    # roots of six joints come in pairs: where one is alone, or there is none, others are looked for
     count = np.bincount(found.index, minlength=len(goal))
     doubtful = np.flatnonzero((count % 2 == 1) | (count == 0))
     if not len(doubtful):
         return found
-    other = replace(plan, steps=tuple(_turned(step) for step in plan.steps))
     values = {j: value[doubtful] for j, value in (held or {}).items()}
-    more = _tried(other, task, goal[doubtful], draws, values, tolerance)
-    more = replace(more, index=doubtful[more.index])
-    return _once(plan, task, goal, found.joined(more))
+    ways = list["Found"]()
+    if has_all:  # with angles counted from another zero
+        other = replace(plan, steps=tuple(_turned(step) for step in plan.steps))
+        ways.append(_tried(other, task, goal[doubtful], draws, values, tolerance))
+    if is_measured:  # from all around the solutions of the arm that it was meant to be
+        ways.append(_beside(plan, task, goal[doubtful], draws, values, tolerance, SHAKES))
+    for more in ways:
+        found = _once(plan, task, goal, found.joined(replace(more, index=doubtful[more.index])))
+    return found
 
 
 def _turned(step: Step) -> Step:
     return replace(step, turn=OTHER_TURN) if isinstance(step, All) else step
 
 
+def _beside(  # noqa: PLR0913, PLR0917  what a plan is run with
+    plan: Plan, task: Task, goal: Array, draws: Array, held: Mapping[int, Array], tolerance: float, shakes: int = 1
+) -> Found:
+    """The solutions that Newton's steps lead to from those of the arm that this one was meant to be.
+
+    Args:
+        plan: The plan of the arm.
+        task: What is wanted.
+        goal: What the product of the joint motions has to be, shape (P, 4, 4).
+        draws: Motions to try for a joint that is free.
+        held: Motions of the joints that are held, each (P,).
+        tolerance: Residual up to which a candidate is a solution.
+        shakes: From how many places around each of them Newton's steps begin.
+    """
+    meant = plan.meant or plan
+    rows = _candidates(replace(meant, slack=max(meant.slack, NEARLY)), goal, draws, held)
+    rows.actions = plan.actions
+    anew = rows.take(np.repeat(np.arange(len(rows)), shakes))  # with nothing of the other arm in it
+    return _once(plan, task, goal, _confirmed(plan, task, anew, tolerance, shaken=shakes > 1))
+
+
 def _tried(plan: Plan, task: Task, goal: Array, draws: Array, held: Mapping[int, Array], tolerance: float) -> Found:
     """The solutions that a plan finds, each once."""
+    return _once(plan, task, goal, _confirmed(plan, task, _candidates(plan, goal, draws, held), tolerance))
+
+
+def _candidates(plan: Plan, goal: Array, draws: Array, held: Mapping[int, Array]) -> Rows:
+    """What the steps of a plan make of poses."""
     arm = plan.actions.arm
     known = {j: value_of(value, turns=arm.axes[j].turns) for j, value in held.items()}
     rows = Rows.start(plan.actions, goal, known, plan.slack)
@@ -130,14 +172,18 @@ def _tried(plan: Plan, task: Task, goal: Array, draws: Array, held: Mapping[int,
             rows = all_at_once(rows, step)
         else:
             rows = read_off(rows, step, draws[step.joint])
-    return _once(plan, task, goal, _confirmed(plan, task, rows, tolerance))
+    return rows
 
 
-def _confirmed(plan: Plan, task: Task, rows: Rows, tolerance: float) -> Found:
-    """The candidates that reach their pose, if need be after some of Newton's steps."""
+def _confirmed(plan: Plan, task: Task, rows: Rows, tolerance: float, *, shaken: bool = False) -> Found:
+    """The candidates that reach their pose, if need be after some of Newton's steps; shaken, from around them."""
     arm = plan.actions.arm
     motions = rows.motions(arm.joints)
     residual = _at_once(rows, task)
+    if shaken:
+        own = [j for j in range(arm.joints) if j not in plan.held]
+        motions[:, own] += SHAKEN * (2 * spread(len(rows), len(own)) - 1)
+        residual[:] = np.inf
     rough = np.flatnonzero(~(residual <= _POLISH))
     if len(rough):
         goal = rows.take(rough).poses()

@@ -66,8 +66,13 @@ def solve(
     rows: list[tuple[int, Array, tuple[Freedom, ...]]] = []
     for index, motions, ways in zip(found.index.tolist(), found.motions, families, strict=True):
         placed = _at_best(ready, motions, goal, best, ways) if ways else motions
-        if not any(index == other and _gap(arm.turning, placed, row) < _SAME for other, row, _ in rows):
+        same = [
+            k for k, (other, row, _) in enumerate(rows) if index == other and _gap(arm.turning, placed, row) < _SAME
+        ]
+        if not same:
             rows.append((index, placed, ways))
+        elif ways and not rows[same[0]][2]:  # beside a family by rounding alone
+            rows[same[0]] = index, placed, ways
     order = sorted(range(len(rows)), key=lambda k: (rows[k][0], *np.round(rows[k][1], 7).tolist()))
     wrapped = np.array([_wrapped(rows[k][1], arm.turning) for k in order])
     left = residuals(task, arm.home, product(arm, wrapped), np.repeat(goal[None], len(wrapped), axis=0))
@@ -124,19 +129,21 @@ def representatives(ready: Prepared, found: Found, least: Array) -> tuple[Ints, 
     Returns:
         Which are kept, in their order, and the ways in which the arm can move at each.
     """
-    ways: dict[int, tuple[Freedom, ...]] = {}
-    seen = set[tuple[int, int]]()
-    loose = set(np.flatnonzero(least < SINGULAR).tolist())
+    loose = np.flatnonzero(least < SINGULAR).tolist()
     if not loose:
         return np.arange(len(found.index)), [()] * len(found.index)
     from dhcli.kinematics.inverse.families import freedoms
 
-    for k in sorted(range(len(found.index)), key=lambda k: int(found.draw[k])):
-        key = int(found.index[k]), int(found.path[k])
-        if k in loose and found.free[k] and key in seen:
+    ways: dict[int, tuple[Freedom, ...]] = {}
+    first: dict[tuple[int, int], int] = {}
+    keys = list(zip(found.index.tolist(), found.path.tolist(), strict=True))
+    for k in sorted(loose, key=lambda k: int(found.draw[k])):
+        if found.free[k] and keys[k] in first:
             continue
-        ways[k] = freedoms(ready.arm, ready.task, found.motions[k], ready.plan.held) if k in loose else ()
-        if ways[k] and found.free[k]:
-            seen.add(key)
-    kept = sorted(ways)
-    return np.array(kept, dtype=int), [ways[k] for k in kept]
+        ways[k] = freedoms(ready.arm, ready.task, found.motions[k], ready.plan.held)
+        if found.free[k] and ways[k]:
+            first[keys[k]] = k
+    # of those that were tried, one that a family goes through stands for all: others may be beside it by rounding
+    spare = {k for k in loose if found.free[k] and first.get(keys[k], k) != k}
+    kept = [k for k in range(len(keys)) if k not in spare]
+    return np.array(kept, dtype=int), [ways.get(k, ()) for k in kept]

@@ -97,12 +97,15 @@ class Plan:
         held: Joints whose values are given.
         steps: The steps.
         slack: How far its equations are from holding, where axes that are nearly parallel were taken to be.
+        meant: The plan of the arm that a measured one was meant to be, where that is an easier one; its solutions are
+            beside those wanted.
     """
 
     actions: Actions
     held: tuple[int, ...]
     steps: tuple[Step, ...]
     slack: float = 0.0
+    meant: Plan | None = None
 
     @property
     def rules(self) -> tuple[str, ...]:

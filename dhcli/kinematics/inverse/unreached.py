@@ -60,18 +60,22 @@ def why_not(
     if not reasons:
         reasons = _too_far(ready, goal) or _not_real(ready, goal, held)
     parts = list(_parts(ready, goal, held)) if ready.task.name in {"pose", "axis"} else []
-    left = [f"{_shown(apart):.4g} m"] if ready.task.place else []
-    left += [f"{_shown(float(np.degrees(angle))):.4g}°"] if ready.task.directions else []
+    # where all of it is that small, it is what the typed digits leave, and is told
+    least = LEAST if max(apart, angle) > LEAST else 0.0
+    left = [f"{_shown(apart, least):.4g} m"] if ready.task.place else []
+    left += [f"{_shown(float(np.degrees(angle)), least):.4g}°"] if ready.task.directions else []
     nearest = f"the nearest pose reached is {' and '.join(left)} away"
+    if not least:
+        nearest += ", which more digits of the pose would mend"
     if FAR * arm.reach < apart < 100 * FAR * arm.reach:
         nearest += ": bare lengths are metres, did you mean mm?"
     why = "; ".join((*reasons, *parts, nearest))
     return replace(answer, reachable=False, why=why, closest=values(motions))
 
 
-def _shown(left: float) -> float:
+def _shown(left: float, least: float) -> float:
     """What is left of a distance or an angle, without what the search for the nearest pose leaves."""
-    return 0.0 if left < LEAST else left
+    return 0.0 if left < least else left
 
 
 def _too_far(ready: Prepared, goal: Array) -> list[str]:

@@ -2,23 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import itertools
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhcli.algebra.arithmetic import settled
+from dhcli.algebra.spread import Spread
+from dhcli.algebra.tape import Number, Tape
 from dhcli.errors import RobotError
-from dhcli.kinematics.batch import forward_batch
-from dhcli.kinematics.frames import ORIGIN
+from dhcli.kinematics.fold import fold_rows
+from dhcli.kinematics.merge import merge
+from dhcli.kinematics.playing import MODEST
+from dhcli.kinematics.recorded import Recording, kept
 from dhcli.kinematics.sweep.grid import Grid
 from dhcli.kinematics.sweep.plan import remarks
 from dhcli.kinematics.sweep.result import SIDES, Extreme, Sweep
 from dhcli.kinematics.sweep.target import Target
+from dhcli.kinematics.values import numbers
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-BLOCK = 65_536
+BLOCK = 32_768
 """Poses at a time."""
 
 SLACK = 1e-9
@@ -48,56 +57,109 @@ def sweep(target: Target, grid: Grid, each: Callable[[NDArray[np.float64]], None
         RobotError: A position is not a real number, or beyond what a float can hold.
     """
     found = {name: Highest() for name in ("farthest", "nearest", *SIDES)}
-    first = 0
-    for rows in positions(target, grid):
-        places = np.ascontiguousarray(rows[:, -3:].T)
+    tables = tables_of(grid) if each is not None else []
+    for slab, places in walked(target, grid):
         distances = np.sqrt(np.einsum("ij,ij->j", places, places))
-        if not np.isfinite(distances).all():
+        if not math.isfinite(distances.max()):
             raise RobotError("a position is not a real number, or too large to compute with")
-        found["farthest"].take(distances, first)
-        found["nearest"].take(-distances, first)
+        found["farthest"].take(distances, slab.first)
+        found["nearest"].take(distances, slab.first, sign=-1)
         for k, axis in enumerate("xyz"):
-            found[f"{axis}_min"].take(-places[k], first)
-            found[f"{axis}_max"].take(places[k], first)
-        first += len(rows)
+            found[f"{axis}_min"].take(places[k], slab.first, sign=-1)
+            found[f"{axis}_max"].take(places[k], slab.first)
         if each is not None:
-            each(rows)
+            each(np.concatenate((slab.rows(tables), places.T), axis=1))
     extremes = {name: _extreme(target, grid, highest.index) for name, highest in found.items()}
     farthest, nearest = extremes.pop("farthest"), extremes.pop("nearest")
     return Sweep(target, grid, farthest, nearest, extremes, tuple(remarks(target, grid)))
 
 
-def positions(target: Target, grid: Grid) -> Iterator[NDArray[np.float64]]:
-    """Joint values and positions of a grid in its order, block by block.
+@dataclass(frozen=True, slots=True)
+class Slab:
+    """A part of a grid that is a grid itself, and whose poses have one number after another.
 
-    Yields:
-        Rows, shape (N, n + 3): radians and metres.
+    Attributes:
+        first: The number of its first pose.
+        parts: Which values of each axis are in it.
     """
-    poses = np.empty((min(BLOCK, grid.count), 4, 4))
-    view = target.view
-    point = None if view.coordinates == ORIGIN else np.array(target.coordinates)
-    for q in joint_rows(grid):
-        seen = forward_batch(
-            target.robot, q, start=view.reference, end=view.frame, parameters=target.lengths, out=poses[: len(q)]
-        )
-        places = seen[:, :3, 3]
-        if point is not None:
-            places = places + seen[:, :3, :3] @ point
-        yield np.concatenate((q, places), axis=1)
+
+    first: int
+    parts: tuple[slice, ...]
+
+    def rows(self, tables: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
+        """Its joint values, shape (N, n), from those of each axis; radians and metres."""
+        values = [table[part] for table, part in zip(tables, self.parts, strict=True)]
+        return np.stack([axis.ravel() for axis in np.meshgrid(*values, indexing="ij")], axis=1)
 
 
-def joint_rows(grid: Grid) -> Iterator[NDArray[np.float64]]:
-    """Joint values of a grid in its order, block by block, each made when it is asked for.
+def tables_of(grid: Grid) -> list[NDArray[np.float64]]:
+    """The values of each axis; radians and metres."""
+    return [np.array(axis.floats()) for axis in grid.axes]
 
-    Yields:
-        Rows, shape (N, n): radians and metres.
-    """
-    tables = [np.array(axis.floats()) for axis in grid.axes]
+
+def slabs(grid: Grid) -> Iterator[Slab]:
+    """A grid in its order, in parts of at most `BLOCK` poses: the last axes whole, one in pieces, the others fixed."""
     counts = [axis.count for axis in grid.axes]
-    for first in range(0, grid.count, BLOCK):
-        numbers = np.arange(first, min(first + BLOCK, grid.count))
-        digits = np.unravel_index(numbers, counts)
-        yield np.stack([table[digit] for table, digit in zip(tables, digits, strict=True)], axis=1)
+    whole = len(counts)
+    while whole and math.prod(counts[whole - 1 :]) <= BLOCK:
+        whole -= 1
+    cut = max(0, whole - 1)
+    size = math.prod(counts[cut + 1 :])
+    pieces = math.ceil(counts[cut] / max(1, BLOCK // size))
+    borders = [counts[cut] * k // pieces for k in range(pieces + 1)]
+    first = 0
+    for fixed in itertools.product(*map(range, counts[:cut])):
+        for begin, end in itertools.pairwise(borders):
+            outer = (slice(k, k + 1) for k in fixed)
+            yield Slab(first, (*outer, slice(begin, end), *(slice(0, count) for count in counts[cut + 1 :])))
+            first += (end - begin) * size
+
+
+def walked(target: Target, grid: Grid) -> Iterator[tuple[Slab, NDArray[np.float64]]]:
+    """Positions of a grid in its order, part by part.
+
+    Each step of the formula is played over the axes that it depends on, and what only the last axes move, once.
+
+    Yields:
+        A part, and its positions, shape (3, N) [m]; they stay until the next one.
+    """
+    tables = tables_of(grid)
+    merged = all(np.abs(table).max() <= MODEST for table in tables)
+    program = _recorded(target).program(merged=merged, tangents=True)
+    swept = [k for k, axis in enumerate(grid.axes) if axis.count > 1]
+
+    def spread(k: int, part: slice) -> NDArray[np.float64]:
+        """Values of a joint along its own axis; those that stand still have none, for numpy has 32 at most."""
+        return tables[k][part].reshape([-1 if other == k else 1 for other in swept])
+
+    played: Spread | None = None
+    places = np.empty(0)
+    for slab in slabs(grid):
+        moving = [k for k, part in enumerate(slab.parts) if part.stop - part.start < grid.axes[k].count]
+        if played is None:
+            staying = {k: spread(k, part) for k, part in enumerate(slab.parts) if k not in moving}
+            played = Spread(program, staying)
+        shape = [slab.parts[k].stop - slab.parts[k].start for k in swept]
+        found = played.play({k: spread(k, slab.parts[k]) for k in moving})
+        if places.shape[1:] != tuple(shape):
+            places = np.empty((3, *shape))
+        for k, coordinate in enumerate(found):
+            places[k, ...] = coordinate
+        yield slab, places.reshape(3, -1)
+
+
+def _recorded(target: Target) -> Recording:
+    """The steps to the three coordinates of what is followed, kept with its robot."""
+    values = numbers(target.lengths)
+
+    def record() -> Recording:
+        def entries(tape: Tape, merged: bool) -> list[Number]:  # noqa: FBT001  called by `Recording` alone
+            rows = fold_rows(merge(target.chain) if merged else target.chain, tape)
+            return [settled(row[3], tape) for row in rows]
+
+        return Recording(target.robot.variables, values, entries)
+
+    return kept(target.robot, ("place", target.view, tuple(values.items())), record)
 
 
 def _extreme(target: Target, grid: Grid, index: int) -> Extreme:
@@ -125,20 +187,21 @@ class Highest:
         """
         return self._records[0][1]
 
-    def take(self, values: NDArray[np.float64], first: int) -> None:
+    def take(self, values: NDArray[np.float64], first: int, *, sign: int = 1) -> None:
         """See more numbers.
 
         Args:
-            values: The numbers, shape (N,), all finite.
+            values: The numbers, shape (N,), at least one, all finite.
             first: Where the first of them stands.
+            sign: -1 for those of the other sign.
         """
         best = self._records[-1][0] if self._records else -np.inf
-        top = float(values.max(initial=-np.inf))
+        top = float(values.max()) if sign > 0 else -float(values.min())
         if top <= best:
             return
         level = top - SLACK * max(1.0, abs(top))
-        near = np.flatnonzero(values >= level)
-        heights = values[near]
+        near = np.flatnonzero(values >= level if sign > 0 else values <= -level)
+        heights = values[near] * sign
         before = np.maximum.accumulate(np.concatenate(([best], heights[:-1])))
         is_record = heights > before
         self._records = [record for record in self._records if record[0] >= level]

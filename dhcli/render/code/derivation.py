@@ -1,13 +1,15 @@
-"""A derivation as a formula sheet in LaTeX, and as a function that returns every solution."""
+"""A derivation as a formula sheet in LaTeX or Markdown, and as a function that returns every solution."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
-from dhcli.kinematics.inverse.derive import Derivation
+from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive_levels import POSITION, ROTATION
 from dhcli.kinematics.inverse.derive_rules import Step
 from dhcli.kinematics.inverse.derive_terms import Atom, name_of
+from dhcli.kinematics.inverse.derive_words import SAID, condition_text, level_text, proof_text
 from dhcli.kinematics.validity import in_floats
 from dhcli.notation.angle import Angle
 from dhcli.notation.styles import identifier, latex_name
@@ -15,21 +17,37 @@ from dhcli.notation.tree import ZERO, Call, Expr, Trig
 from dhcli.notation.walk import rebuild, symbols, walk
 from dhcli.notation.writer import write
 from dhcli.render.look import Look
-from dhcli.safe import comment, docstring
+from dhcli.safe import comment, docstring, markdown, markdown_code, markdown_heading
 
 
 def derivation_latex(result: Derivation, _look: Look) -> str:
     """The formulas, one a line, aligned at their equals signs."""
-    lines = []
-    for step in result.steps:
-        value = write(step.value, "latex", result.robot.writing)
-        if step.spread is not None:
-            spread = write(step.spread, "latex", result.robot.writing)
-            value = rf"\pm {spread}" if step.value == ZERO else rf"{value} \pm {spread}"
-        if step.two == "opposite":
-            value += r" \; (+\, 180^\circ)"
-        lines.append(f"{_latex_atom(step.atom)} &= {value}")
+    lines = [f"{_latex_atom(step.atom)} &= {_latex_value(result, step)}" for step in result.steps]
     return "\\begin{aligned}\n" + " \\\\\n".join(lines) + "\n\\end{aligned}\n"
+
+
+def _latex_value(result: Derivation, step: Step) -> str:
+    value = write(step.value, "latex", result.robot.writing)
+    if step.spread is not None:
+        spread = write(step.spread, "latex", result.robot.writing)
+        value = rf"\pm {spread}" if step.value == ZERO else rf"{value} \pm {spread}"
+    return value + (r" \; (+\, 180^\circ)" if step.two == "opposite" else "")
+
+
+def derivation_markdown(result: Derivation, _look: Look) -> str:
+    """The steps as a page: for each its equations, its formula, and where it says nothing."""
+    joints = result.robot.writing
+    lines = [markdown_heading(1, f"Joint values of {result.robot.name}")]
+    lines += ["", f"Of frame {markdown(result.end)}, seen from frame {markdown(result.start)}."]
+    for number, step in enumerate(result.steps, 1):
+        lines += ["", f"## {number}. ${_latex_atom(step.atom)}$: {step.rule}, {SAID[step.rule]}"]
+        for one in step.equations:
+            sides = f"{write(one.left, 'latex', joints)} = {write(one.right, 'latex', joints)}"
+            lines += ["", f"$${sides}$$", "", f"{markdown_code(level_text(result, one))}, so"]
+        lines += ["", f"$${_latex_atom(step.atom)} = {_latex_value(result, step)}$$"]
+        if condition := condition_text(step, "latex", result):
+            lines += ["", f"Here: {condition}."]
+    return "\n".join(lines) + f"\n\n{proof_text(result)}\n"
 
 
 def _latex_atom(atom: Atom) -> str:
@@ -41,7 +59,8 @@ def _latex_atom(atom: Atom) -> str:
 
 def derivation_code(result: Derivation, look: Look) -> str:
     """A function of the pose and the lengths that returns a list of all solutions, joint values in joint order."""
-    return "\n".join(_python(result) if look.format == "numpy" else _matlab(result)) + "\n"
+    lines = _matlab(result) if look.format == "matlab" else _python(result, look.format)
+    return "\n".join(lines) + "\n"
 
 
 def lengths_used(result: Derivation) -> list[str]:
@@ -79,51 +98,81 @@ def _whole_sums(expr: Expr, sums: dict[tuple[tuple[str, object], ...], str]) -> 
     return rebuild(expr, leaf) if any(leaf(node) != node for node in walk(expr)) else expr
 
 
-def spelled_steps(result: Derivation, style: str) -> Iterator[tuple[Step, str, str, str]]:
-    """Each step with its name, its value, and what stands behind its sign."""
+@dataclass(frozen=True, slots=True)
+class Spelled:
+    """A step in the spelling of a language.
+
+    Attributes:
+        step: The step.
+        name: What its unknown is called.
+        value: Its value, or what stands before the sign.
+        spread: What stands behind the sign.
+        square: What there is no root of where it is negative; empty where nothing can be.
+    """
+
+    step: Step
+    name: str
+    value: str
+    spread: str
+    square: str
+
+
+def spelled_steps(result: Derivation, style: str) -> Iterator[Spelled]:
+    """Each step in the spelling of a language."""
     sums: dict[tuple[tuple[str, object], ...], str] = {}
     for step in result.steps:
-        value, spread = (
+        rooted = step.two == "plus-minus" and not isinstance(step.spread, Call)
+        value, spread, square = (
             "" if expr is None else write(_whole_sums(expr, sums), style, result.robot.writing)
-            for expr in (step.value, step.spread)
+            for expr in (step.value, step.spread, step.condition if rooted else None)
         )
-        if style == "numpy":  # the names that every numpy has
-            value, spread = (
-                t.replace("np.atan2", "np.arctan2").replace("np.acos", "np.arccos") for t in (value, spread)
-            )
         name = identifier(name_of(step.atom))
         if not isinstance(step.atom, str) and len(step.atom) > 1:
             sums[step.atom] = name
-        yield step, name, value, spread
+        yield Spelled(step, name, value, spread, square)
 
 
-def _python(result: Derivation) -> list[str]:
+PYTHON = {
+    "numpy": ("import numpy as np", "np.", "np.arctan2", "np.arccos"),
+    "python": ("import math", "math.", "math.atan2", "math.acos"),
+}
+"""For each of the two what is imported, what stands before its names, and its own names of two of them."""
+
+
+def _python(result: Derivation, language: str) -> list[str]:
+    imported, module, atan2, acos = PYTHON[language]
+
+    def own(text: str) -> str:
+        return text.replace("np.atan2", atan2).replace("np.acos", acos).replace("np.", module)
+
     values = {name: result.robot.parameters[name] for name in lengths_used(result)}
     names = [f"{identifier(n)}={in_floats(v)!r}" for n, v in values.items() if v is not None]
     names = [*(identifier(n) for n, v in values.items() if v is None), *names]
-    lines = ["import numpy as np", "", ""]
+    lines = [imported, "", ""]
     lines += [f"def inverse({', '.join(['T', *names])}):"]
     said = f"Every solution of {result.robot.name}: joint values in radians and metres, in joint order."
     lines += [f"    {docstring(said)}"]
     lines += [f"    {name} = T[{row - 1}][{column - 1}]" for name, row, column in entries_used(result)]
     lines += ["    solutions = []"]
     margin = "    "
-    for step, name, value, spread in spelled_steps(result, "numpy"):
-        if step.two == "plus-minus":
+    for one in spelled_steps(result, "numpy"):
+        name, value, spread = one.name, own(one.value), own(one.spread)
+        if one.step.two == "plus-minus":
             lines += [f"{margin}for sign_{name} in (1, -1):"]
             margin += "    "
-            if isinstance(step.spread, Call):
+            if isinstance(one.step.spread, Call):
                 lines += [
-                    f"{margin}cosine = {spread.removeprefix('np.arccos')}",
+                    f"{margin}cosine = {spread.removeprefix(acos)}",
                     f"{margin}if abs(cosine) > 1:",
                     f"{margin}    continue",
                 ]
-                term = f"sign_{name}*np.arccos(cosine)"
-            else:
-                term = f"sign_{name}*{spread}"
+                spread = f"{acos}(cosine)"
+            elif one.square:
+                lines += [f"{margin}if {own(one.square)} < 0:", f"{margin}    continue"]
+            term = f"sign_{name}*{spread}"
             lines += [f"{margin}{name} = {term if value == '0' else f'{value} + {term}'}"]
-        elif step.two == "opposite":
-            lines += [f"{margin}for turn_{name} in (0, np.pi):"]
+        elif one.step.two == "opposite":
+            lines += [f"{margin}for turn_{name} in (0, {module}pi):"]
             margin += "    "
             lines += [f"{margin}{name} = {value} + turn_{name}"]
         else:
@@ -140,7 +189,8 @@ def _matlab(result: Derivation) -> list[str]:
     lines += [f"{name} = T({row}, {column});" for name, row, column in entries_used(result)]
     lines += ["solutions = [];"]
     margin, ends = "", list[str]()
-    for step, name, value, spread in spelled_steps(result, "matlab"):
+    for one in spelled_steps(result, "matlab"):
+        step, name, spread = one.step, one.name, one.spread
         if step.two:
             choices = "[1, -1]" if step.two == "plus-minus" else "[0, pi]"
             lines += [f"{margin}for choice_{name} = {choices}"]
@@ -149,9 +199,11 @@ def _matlab(result: Derivation) -> list[str]:
         if step.two == "plus-minus" and isinstance(step.spread, Call):
             lines += [f"{margin}cosine = {spread.removeprefix('acos')};"]
             lines += [f"{margin}if abs(cosine) > 1, continue, end"]
-            spread = "acos(cosine)"  # noqa: PLW2901  what was just given a name
+            spread = "acos(cosine)"
+        elif one.square:
+            lines += [f"{margin}if {one.square} < 0, continue, end"]
         term = f"choice_{name}*{spread}" if step.two == "plus-minus" else f"choice_{name}" if step.two else ""
-        whole = " + ".join(part for part in (value if value != "0" or not term else "", term) if part)
+        whole = " + ".join(part for part in (one.value if one.value != "0" or not term else "", term) if part)
         lines += [f"{margin}{name} = {whole};"]
     row = ", ".join(identifier(name) for name in joints_found(result))
     return [*lines, f"{margin}solutions(end + 1, :) = [{row}];", *reversed(ends), "end"]

@@ -6,12 +6,12 @@ import re
 from dataclasses import replace
 from fractions import Fraction
 
-from dhcli.kinematics.inverse.derive import Derivation
+from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive_rules import Step
 from dhcli.notation.styles import identifier
 from dhcli.notation.tree import ZERO, Call, Expr, Power, Product, Sum
 from dhcli.notation.walk import children
-from dhcli.render.code.derivation import entries_used, joints_found, lengths_used, spelled_steps
+from dhcli.render.code.derivation import Spelled, entries_used, joints_found, lengths_used, spelled_steps
 from dhcli.render.look import Look
 from dhcli.safe import comment
 
@@ -46,8 +46,8 @@ def derivation_c(result: Derivation, _look: Look) -> str:
     ]
     margin, ends = "    ", list[str]()
     exact = replace(result, steps=tuple(map(_in_products, result.steps)))
-    for step, name, value, spread in spelled_steps(exact, "matlab"):
-        body, opened = _assigned(step, _name(name), _words(value), _words(spread), margin)
+    for one in spelled_steps(exact, "matlab"):
+        body, opened = _assigned(one, _name(one.name), margin)
         lines += body
         if opened:
             ends.append(f"{margin}}}")
@@ -57,8 +57,9 @@ def derivation_c(result: Derivation, _look: Look) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _assigned(step: Step, name: str, value: str, spread: str, margin: str) -> tuple[list[str], bool]:
+def _assigned(one: Spelled, name: str, margin: str) -> tuple[list[str], bool]:
     """The lines that give an unknown its values, and whether they open a loop."""
+    step, value, spread = one.step, _words(one.value), _words(one.spread)
     if not step.two:
         return [f"{margin}const double {name} = {value};"], False
     inner = margin + "    "
@@ -69,6 +70,8 @@ def _assigned(step: Step, name: str, value: str, spread: str, margin: str) -> tu
         lines += [f"{inner}const double cosine = {spread.removeprefix('acos')};"]
         lines += [f"{inner}if (fabs(cosine) > 1)", f"{inner}    continue;"]
         spread = "acos(cosine)"
+    elif one.square:
+        lines += [f"{inner}if ({_words(one.square)} < 0)", f"{inner}    continue;"]
     before = "" if step.value == ZERO else f"{value} + "
     return [*lines, f"{inner}const double {name} = {before}(choice_{name} ? -1 : 1)*{spread};"], True
 
@@ -87,7 +90,10 @@ def _words(text: str) -> str:
 def _in_products(step: Step) -> Step:
     """A step with products for powers, for C has no sign for them."""
     return replace(
-        step, value=_multiplied(step.value), spread=None if step.spread is None else _multiplied(step.spread)
+        step,
+        value=_multiplied(step.value),
+        spread=None if step.spread is None else _multiplied(step.spread),
+        condition=None if step.condition is None else _multiplied(step.condition),
     )
 
 

@@ -1,6 +1,5 @@
-// The page of a robot, or of a linkage in space: orbit, joints, live matrices.
-const D = JSON.parse($("model").textContent), S = D.scene, svg = $("figure"), W = 820, H = 640, on = {};
-let q = D.joints.map((j) => j.q), view = D.view.slice(), zoom = 1, scale = null, pan = null;
+// The page of a robot: joints, frames and lengths over it, live matrices, and the way it plays.
+let q = D.joints.map((j) => j.q);
 
 function turned(f, axis, c, s) {
   const [x, y, z, o] = f, m = (a, b, k, l) => add(mul(a, k), mul(b, l));
@@ -32,10 +31,23 @@ const stateOf = (name) => D.frames.find((f) => f[0] === name)[1];
 window.dhcli = { fk: (values, i, j) => { const s = fold(values); return relative(s[stateOf(i)], s[stateOf(j)]); }, frames: D.frames.map((f) => f[0]), rpy };
 
 const PATH = D.path && D.path.length ? [q.slice(), ...D.path] : [], TRACE = PATH.flatMap((p, i) => { const n = PATH.length === 2 && i ? 24 : 1; return Array.from({ length: n }, (_, k) => { const s = fold(p.map((v, j) => (n > 1 ? PATH[0][j] + ((k + 1) / n) * (v - PATH[0][j]) : v))); return s[s.length - 1][3]; }); });
-function placedScene() {
-  const st = fold(q), P = { st, at: (s, p) => point(st[s], p), dir: (s, v) => dir(st[s], v) };
-  P.bodies = S.solids.map((b) => (b[0] === "face" ? sheet(b[1].map((c) => P.at(c[0], c[1])), b[2] ? "ground-sheet" : "sheet") : b[0] === "drum" ? drum(P.at(b[1], b[2]), unit(P.dir(b[1], b[3])), b[4], b[5]) : b[0] === "box" ? box(P.at(b[1], b[2]), unit(P.dir(b[1], b[3])), b[4]) : ball(P.at(b[1], b[2]), b[3])));
-  return P;
+const states = () => fold(q), under = (P, cam) => S.pinned.flatMap((p) => bearing(cam.flat(P.at(p[0], p[1])), Math.max(9, S.unit * cam.k)));
+const lines = (cam) => (TRACE.length ? [line(TRACE.map(cam.flat), "trace")] : []), more = (P) => D.frames.flatMap(([, s]) => [0, 2].map((i) => at(P.st[s][3], P.st[s][i], 3 * S.unit))).concat(TRACE);
+const grab = () => null, pull = () => false, letGo = () => 0;
+function arc(b, cam) {
+  const front = sub(cam.to, mul(b.axis, dot(cam.to, b.axis))), f = norm(front) > 0.05 ? unit(front) : unit(cross(cam.up, b.axis)), s = cross(b.axis, f), R = 1.42 * b.r;
+  return Array.from({ length: 23 }, (_, i) => { const t = ((-215 + (277 * i) / 22) * Math.PI) / 180; return at(at(b.centre, f, R * Math.cos(t)), s, R * Math.sin(t)); });
+}
+function plate(pl, P, cam) {
+  const [s, c0, n0, half, broken] = pl, c = P.at(s, c0), n = P.dir(s, n0), out = [];
+  if (broken) {
+    const [x, y] = cam.flat(c), [fx, fy] = cam.fd(n), L = Math.hypot(fx, fy) || 1, w = 0.75 * half * cam.k;
+    return [line(Array.from({ length: 17 }, (_, i) => { const t = (i - 8) / 8, b = Math.sin(t * Math.PI) * w * 0.35; return [x - (fy / L) * t * w + (fx / L) * b, y + (fx / L) * t * w + (fy / L) * b]; }), "break")];
+  }
+  const u = Math.abs(n[1]) < 0.9 ? unit(cross([0, 1, 0], n)) : [1, 0, 0], v = cross(n, u), f = (a, b) => cam.flat(at(at(c, u, a * half), v, b * half));
+  out.push(poly([f(-1, -1), f(1, -1), f(1, 1), f(-1, 1)], "plate"));
+  for (let i = 1; i < 26; i++) { const q = -2 + (2 * i) / 13, lo = Math.max(-1, q - 1), hi = Math.min(1, q + 1); out.push(line([f(lo, q - lo), f(hi, q - hi)], "hatch")); }
+  return out;
 }
 function arrows(P) {
   const found = [], same = (a, b, t) => norm(sub(a, b)) < t;
@@ -50,35 +62,12 @@ function arrows(P) {
   for (const a of found) if (a.letter === "x" && found.some((b) => b.letter !== "x" && same(a.d, b.d, 1e-7) && same(a.o, b.o, 1e-7 * S.unit))) a.len *= 0.62;
   return found;
 }
-function extent(P) {
-  const pts = S.rods.flatMap((r) => [P.at(r[0], r[1]), P.at(r[2], r[3])]), ax = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
-  for (const b of P.bodies) for (const a of ax) pts.push(at(b.centre, a, 2 * S.unit), at(b.centre, a, -2 * S.unit));
-  for (const [, s] of D.frames) for (const i of [0, 2]) pts.push(at(P.st[s][3], P.st[s][i], 3 * S.unit));
-  if (S.plate) { const c = P.at(S.plate[0], S.plate[1]); for (const a of [-1, 1]) for (const b of [-1, 1]) pts.push([c[0] + a * S.plate[3], c[1] + b * S.plate[3], c[2]]); }
-  pts.push(...TRACE);
-  if (S.hand) pts.push(at(P.at(S.hand[0], S.hand[1]), P.dir(S.hand[0], S.hand[2]), S.hand[4]));
-  return pts;
-}
-function aim(P, refit) {
-  const cam = camera(view[0], view[1]), pts = extent(P), room = [62, 50, W - 62, H - 60];
-  fit(cam, pts, room, 36 / S.unit);
-  if (!refit && scale && scale.k <= cam.k * 1.35) { // keep the scale while a joint moves, unless something leaves the paper
-    const k = cam.k, o = cam.o; cam.k = scale.k; cam.o = scale.o;
-    if (pts.some((p) => { const [x, y] = cam.flat(p); return x < 20 || y < 20 || x > W - 20 || y > H - 20; })) { cam.k = k; cam.o = o; }
-  }
-  scale = { k: cam.k, o: cam.o };
-  if (zoom !== 1) { cam.o = [W / 2 + (cam.o[0] - W / 2) * zoom, H / 2 + (cam.o[1] - H / 2) * zoom]; cam.k *= zoom; }
-  return cam;
-}
 function bearing([x, y], s) {
   const low = y + 1.7 * s, out = [poly([[x, y], [x + 0.95 * s, low], [x - 0.95 * s, low]], "pin-ground"), line([[x - 1.5 * s, low], [x + 1.5 * s, low]], "ground-line")];
   for (let i = 1; i < 6; i++) out.push(line([[x - 1.5 * s + i * 0.6 * s, low], [x - 2 * s + i * 0.6 * s, low + s / 2]], "hatch-line"));
   return out;
 }
-function draw(refit) {
-  const P = placedScene(), cam = aim(P, refit), wishes = [], over = [], shapes = (S.pinned || []).flatMap((p) => bearing(cam.flat(P.at(p[0], p[1])), Math.max(9, S.unit * cam.k))).concat(painted(S, P, cam, on));
-  if (TRACE.length) shapes.push(line(TRACE.map(cam.flat), "trace"));
-  const ink = Ink(W, H); ink.add(shapes);
+function above(P, cam, ink, over, wishes) {
   const axes = [];
   if (on.frames) for (const a of arrows(P).sort((a, b) => b.len - a.len || cam.depth(at(a.o, a.d, a.len)) - cam.depth(at(b.o, b.d, b.len)))) {
     const t = cam.flat(a.o), p = cam.flat(at(a.o, a.d, a.len));
@@ -94,11 +83,7 @@ function draw(refit) {
   ink.add(axes);
   if (on.dimensions) for (const d of S.dims) dimension(d, P, cam, ink, over, wishes);
   if (on.turns) P.bodies.forEach((b, i) => { if (b.drum) { const a = arc(b, cam).map(cam.flat), c = cam.flat(b.centre); wishes.push({ p: [a[22], a[19], a[16], a[13]], words: S.solids[i][6], look: "turn", away: [a[19][0] - c[0], a[19][1] - c[1]] }); } });
-  for (const m of S.marks) wishes.push({ p: [cam.flat(P.at(m[0], m[1]))], words: m[2], look: "mark", away: [0, 0] });
-  const [leaders, texts] = placed(wishes, ink, [3, 3, W - 3, H - 3]);
-  svg.innerHTML = svgOf(shapes.concat(leaders, over, axes), texts);
-  $("seen").textContent = `azimuth ${view[0].toFixed(0)}°, elevation ${view[1].toFixed(0)}°`;
-  if (D.joints.length || D.moves.length) numbers(P);
+  return axes;
 }
 function dimension([s1, p1, s2, p2, words, variable, direct], P, cam, ink, over, wishes) {
   const a = cam.flat(P.at(s1, p1)), b = cam.flat(P.at(s2, p2)), n = far(a, b), look = variable ? "slide" : "dim";
@@ -118,7 +103,8 @@ function rpy(R) {
 }
 const fix = (v) => { const t = v.toFixed(4); return (t === "-0.0000" ? "0.0000" : t).replace("-", "−"); };
 const deg = (v) => { const t = ((v * 180) / Math.PI).toFixed(2); return (t === "-0.00" ? "0.00" : t).replace("-", "−") + "°"; };
-function numbers(P) {
+function told(P) {
+  $("seen").textContent = `azimuth ${view[0].toFixed(0)}°, elevation ${view[1].toFixed(0)}°`;
   const i = $("from").value, j = $("to").value, T = relative(P.st[stateOf(i)], P.st[stateOf(j)]), n = D.frames.findIndex((f) => f[0] === i), [r, p, y, locked] = rpy(T);
   $("matrix").innerHTML = T.map((row, k) => "<tr>" + row.map((v) => `<td>${k < 3 ? fix(v) : v}</td>`).join("") + "</tr>").join("");
   $("isA").textContent = D.frames[n + 1] && D.frames[n + 1][0] === j && /^\d+$/.test(j) ? `= A${j}` : "";
@@ -137,33 +123,14 @@ function build() {
   $("joints").innerHTML = D.joints.map((j, n) => { const lo = shown(n, j.lo ?? j.from), hi = shown(n, j.hi ?? j.till), u = j.kind === "revolute" ? "°" : "mm"; return `<label for="s${n}">${htmlOf(j.words)}</label><input type="range" id="s${n}" min="${lo}" max="${hi}" step="any" aria-label="${esc(j.name)}"><span><input type="number" id="f${n}" step="1" aria-label="${esc(j.name)} in ${u}"> ${u}</span><small id="b${n}"></small>`; }).join("");
   D.joints.forEach((_, n) => { for (const id of ["s", "f"]) { const e = $(id + n); e.addEventListener("input", () => { const v = parseFloat(e.value); if (Number.isFinite(v)) { setJoint(n, typed(n, v), e); draw(false); } }); e.addEventListener("change", () => { setJoint(n, q[n]); draw(true); }); } setJoint(n, q[n]); });
   for (const [name, values] of D.poses) { const b = document.createElement("button"); b.textContent = name; b.onclick = () => { values.forEach((v, n) => setJoint(n, v)); draw(true); }; $("poses").append(b); }
-  for (const id of ["frames", "dimensions", "y", "body", "turns"]) { const e = $("on-" + id); if (e) { on[id] = e.checked; e.onchange = () => { on[id] = e.checked; draw(false); }; } else on[id] = id === "body"; }
-  for (const [name, v] of D.views) { const b = document.createElement("button"); b.textContent = name; b.onclick = () => { view = v.slice(); zoom = 1; draw(true); }; $("views").append(b); }
-  $("png").onclick = () => savePng(svg, D.name);
+  for (const id of ["frames", "dimensions", "y", "body", "turns"]) { const e = $("on-" + id); on[id] = e.checked; e.onchange = () => { on[id] = e.checked; draw(false); }; }
   if (PATH.length > 1) { // there and back again, evenly from row to row
     const b = document.createElement("button"), ticks = Math.max(120, 2 * PATH.length - 2); let k = 0, way = 0; b.id = "play"; b.textContent = "play"; $("poses").append(b);
     const tick = () => { if (!way) return; k += way; if (k === 0 || k === ticks) way = -way; const t = (k / ticks) * (PATH.length - 1), i = Math.min(Math.floor(t), PATH.length - 2), p = PATH[i]; PATH[i + 1].forEach((v, n) => setJoint(n, t - i === 1 ? v : p[n] + (t - i) * (v - p[n]))); draw(false); requestAnimationFrame(tick); };
     b.onclick = () => { way = way ? 0 : k === ticks ? -1 : 1; tick(); };
   }
-  if (!D.moves.length) return;
   for (const id of ["from", "to"]) { $(id).innerHTML = D.frames.map((f) => `<option>${esc(f[0])}</option>`).join(""); $(id).onchange = () => draw(false); }
   const plain = D.frames.filter((f) => /^\d+$/.test(f[0])); $("from").value = plain[0][0]; $("to").value = plain[plain.length - 1][0];
   $("table").innerHTML = "<thead><tr>" + D.table.heads.map((h) => `<th>${htmlOf(h)}</th>`).join("") + "</tr></thead><tbody>" + D.table.rows.map((r, k) => "<tr>" + r.map((c, m) => `<td>${htmlOf(c.words)}${"v" in c ? `<small id="c${k}-${m}"></small>` : ""}</td>`).join("") + "</tr>").join("") + "</tbody>";
 }
-let held = new Map(), pinch = 0;
-svg.addEventListener("pointerdown", (e) => { svg.setPointerCapture(e.pointerId); held.set(e.pointerId, [e.clientX, e.clientY]); });
-svg.addEventListener("pointermove", (e) => {
-  if (!held.has(e.pointerId)) return;
-  const [x, y] = held.get(e.pointerId); held.set(e.pointerId, [e.clientX, e.clientY]);
-  if (held.size === 2) { const [a, b] = [...held.values()], d = far(a, b); if (pinch) zoom = Math.min(8, Math.max(0.25, (zoom * d) / pinch)); pinch = d; draw(false); return; }
-  view = [((view[0] - (e.clientX - x) * 0.5 + 540) % 360) - 180, Math.min(90, Math.max(-90, view[1] + (e.clientY - y) * 0.4))]; draw(true);
-});
-for (const t of ["pointerup", "pointercancel"]) svg.addEventListener(t, (e) => { held.delete(e.pointerId); pinch = 0; });
-svg.addEventListener("wheel", (e) => { e.preventDefault(); zoom = Math.min(8, Math.max(0.25, zoom * Math.exp(-e.deltaY * 0.001))); draw(false); }, { passive: false });
-svg.addEventListener("keydown", (e) => {
-  const step = { ArrowLeft: [5, 0], ArrowRight: [-5, 0], ArrowUp: [0, 5], ArrowDown: [0, -5] }[e.key];
-  if (step) { view = [((view[0] + step[0] + 540) % 360) - 180, Math.min(90, Math.max(-90, view[1] + step[1]))]; draw(true); }
-  else if (e.key === "+" || e.key === "-") { zoom = Math.min(8, Math.max(0.25, zoom * (e.key === "+" ? 1.15 : 0.87))); draw(false); } else return;
-  e.preventDefault();
-});
 build(); draw(true);

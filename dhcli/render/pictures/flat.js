@@ -107,6 +107,7 @@ function svgOf(shapes, texts) {
   return `<defs>${defs}</defs>${body}`;
 }
 const $ = (id) => document.getElementById(id);
+const D = JSON.parse($("model").textContent), svg = $("figure"), W = 820, H = 640;
 function savePng(svg, name) {
   const css = getComputedStyle(document.documentElement), text = new XMLSerializer().serializeToString(svg), sheetText = $("looks").textContent.replace(/var\((--[\w-]+)\)/g, (_, v) => css.getPropertyValue(v).trim());
   const [, , w, h] = svg.getAttribute("viewBox").split(" ").map(Number), img = new Image();

@@ -23,7 +23,10 @@ if TYPE_CHECKING:
 _LITERAL = re.compile(r"""(`[^`]*`|"[^"\n]*"|(?<=\()/(?:[^/\n\\[]|\\.|\[[^\]]*\])+/\w*)""")
 """A text or a pattern inside a script; no script has `+ +` or `- -`, where a blank would mean something."""
 
+_MATHS = re.compile(r"\bMath\.(\w+)")
 _BLANKS = re.compile(r" *([-=+*/%<>,?:&|!{}();\[\]]+) *")
+_INDEX = re.compile(r"_(?:\{([^}]*)\}|(\w))")
+"""An index as a terminal writes it: `a_i`, `a_{i-1}`."""
 
 _ONLY_FLAT = frozenset({"bar", "wheel", "pin", "axis", "axis-dot"})
 _ONLY_IN_SPACE = frozenset(
@@ -31,6 +34,10 @@ _ONLY_IN_SPACE = frozenset(
     | {"plate", "hatch", "break", "hand", "halo", "dim", "dim-head", "slide", "slide-head", "turn", "turn-head"}
     | {f"{letter}{part}" for letter in "xyz" for part in ("", "-head", "-ring")}
 )
+_ONLY_OF_ARMS = frozenset({"dim-head", "slide-head", "turn-head", "halo", "plate", "hatch", "break", "hand"})
+_ONLY_OF_ARMS |= {name for name in LOOKS if name[0] in "xyz" or LOOKS[name].stroke in ("dim", "turn")}
+_ONLY_OF_ARMS |= {"pin-ground", "ground-line", "hatch-line", "extension"}
+_NEVER = frozenset({"rule", "moment", "theirs", "theirs-head", "theirs-mark"})
 
 _FIGURE = '<svg id="figure" viewBox="0 0 820 640" tabindex="0" role="img" aria-label="{label}"></svg>'
 
@@ -62,7 +69,7 @@ def page(picture: Drawing) -> str:
             NAMES[what.convention],
             _arm_controls(what),
             arm_model(picture),
-            ("flat", "space", "arm"),
+            ("flat", "space", "view", "arm"),
             picture,
         )
     subtitle = f"{len(what.links)} links, {what.pattern}"
@@ -70,21 +77,26 @@ def page(picture: Drawing) -> str:
         return _still(what, picture.figure(), picture)
     if what.space.is_planar:
         picture.figure()  # what cannot be drawn is refused before
-        return _page(what.title, subtitle, _LINKAGE, plane_model(what), ("flat", "linkage"), picture)
-    return _page(what.title, subtitle, _ORBIT, space_model(picture), ("flat", "space", "arm"), picture)
+        return _page(what.title, subtitle, _LINKAGE, plane_model(what), ("flat", "linkage", "newton", "drive"), picture)
+    model = space_model(picture)
+    if "ties" not in model:
+        return _page(what.title, subtitle, _VIEWS + _PNG, model, ("flat", "space", "view", "still"), picture)
+    scripts = ("flat", "space", "view", "spatial", "newton", "drive")
+    return _page(what.title, subtitle, _VIEWS + _LINKAGE, model, scripts, picture)
 
 
 def _page(
     title: str, subtitle: str, controls: str, model: dict[str, Any], scripts: tuple[str, ...], picture: Drawing
 ) -> str:
     data = json.dumps(model, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
-    code = "\n".join(_script(name) for name in scripts)
+    code = _short_names("\n".join(_script(name) for name in scripts))
     label = html(f"{title}, {subtitle}")
+    styles = _read("page.css") + _read("arm.css") * ("arm" in scripts)
     return (
         f'<!DOCTYPE html>\n<html lang="en">\n<head><meta charset="utf-8">\n'
         f'<meta name="viewport" content="width=device-width,initial-scale=1">\n<title>{html(title)}</title>\n'
-        f"<style>{_colours(dark=picture.dark)}{_read('page.css')}</style>\n"
-        f'<style id="looks">{_looks(flat="space" not in scripts)}</style></head>\n<body><main>\n'
+        f"<style>{_colours(scripts, dark=picture.dark)}{styles}</style>\n"
+        f'<style id="looks">{_looks(scripts)}</style></head>\n<body><main>\n'
         f'<div class="stage">{_FIGURE.format(label=label)}<p class="hint"><span id="seen"></span></p></div>\n'
         f"<aside><h1>{html(title)}</h1><p>{html(subtitle)}</p>\n{controls}</aside></main>\n"
         f'<script type="application/json" id="model">{data}</script>\n<script>"use strict";\n{code}\n</script>\n'
@@ -113,26 +125,36 @@ def _script(name: str) -> str:
     return "".join(pieces)
 
 
+def _short_names(code: str) -> str:
+    """The functions of Math by their own names; no script calls anything else so."""
+    names = sorted(set(_MATHS.findall(code)))
+    return f"const{{{','.join(names)}}}=Math;\n" + _MATHS.sub(r"\1", code)
+
+
 def _read(name: str) -> str:
     return (files("dhcli.render.pictures") / name).read_text(encoding="utf-8")
 
 
-def _colours(*, dark: bool) -> str:
+def _colours(scripts: tuple[str, ...], *, dark: bool) -> str:
     """The colours as variables, by day and by night."""
-    day, night = ("".join(f"--{name}:{ink[column]};" for name, ink in COLOURS.items()) for column in (0, 1))
+    left_out = {"theirs"} if "arm" in scripts else {"theirs", "hand", "y", "turn", "cloud"}
+    inks = {name: ink for name, ink in COLOURS.items() if name not in left_out}
+    day, night = ("".join(f"--{name}:{ink[column]};" for name, ink in inks.items()) for column in (0, 1))
     if dark:
         return f":root{{{night}color-scheme:dark}}"
     return f":root{{{day}}}@media(prefers-color-scheme:dark){{:root{{{night}}}}}@media print{{:root{{{day}}}}}"
 
 
-def _looks(*, flat: bool) -> str:
-    """The looks of what is drawn, in the plane or in space."""
+def _looks(scripts: tuple[str, ...]) -> str:
+    """The looks of what some scripts draw, in the plane or in space."""
     rules = [f"#figure text,text{{font-family:{FONTS};font-style:italic;text-anchor:middle}}"]
     rules.append(".halo-text{fill:none;stroke:var(--paper);stroke-width:3.6;stroke-linejoin:round}")
     rules += [f".s-{name}{{stop-color:var(--{name})}}" for name in ("shadow", "shine", "metal")]
-    left_out = _ONLY_IN_SPACE if flat else _ONLY_FLAT
+    left_out = _NEVER | (_ONLY_FLAT if "space" in scripts else _ONLY_IN_SPACE)
+    if "space" in scripts and "arm" not in scripts:
+        left_out |= _ONLY_OF_ARMS
     for name, look in LOOKS.items():
-        if name in left_out or name == "rule" or name.startswith("theirs"):
+        if name in left_out:
             continue
         parts = (
             [f"fill:var(--{look.fill})"] if look.fill and look.fill != "shade" else [] if look.fill else ["fill:none"]
@@ -144,7 +166,7 @@ def _looks(*, flat: bool) -> str:
         if look.round:
             parts.append("stroke-linejoin:round;stroke-linecap:round")
         rules.append(f".{name}{{{';'.join(parts)}}}")
-    for name, colour in TEXTS.items():
+    for name, colour in TEXTS.items() if "arm" in scripts else [("dim", "dim"), ("mark", "line")]:
         upright = ";font-style:normal" if name in UPRIGHT else ""
         rules.append(f".t-{name}{{fill:var(--{colour}){upright}}}")
     return "".join(rules)
@@ -152,6 +174,7 @@ def _looks(*, flat: bool) -> str:
 
 def _arm_controls(robot: Robot) -> str:
     order = html(ORDER[robot.convention].replace("alpha_", "α_").replace("theta_", "θ_"))
+    order = _INDEX.sub(lambda index: f"<sub>{index[1] or index[2]}</sub>", order)
     checks = "".join(
         f'<label><input type="checkbox" id="on-{name}"{" checked" * on}> {name}</label>'
         for name, on in (("frames", True), ("dimensions", True), ("y", False), ("body", True), ("turns", True))
@@ -167,10 +190,8 @@ def _arm_controls(robot: Robot) -> str:
     )
 
 
-_ORBIT = (
-    '<div class="controls"><span id="views"></span><button id="png">PNG</button></div>'
-    '<div id="joints"></div><div id="poses"></div>\n'
-)
+_VIEWS = '<div class="controls"><span id="views"></span></div><div id="joints"></div><div id="poses"></div>\n'
+_PNG = '<button id="png">PNG</button>'
 _LINKAGE = (
     '<h2>Move</h2><div class="controls"><select id="driver" aria-label="link to move"></select></div>\n'
     '<input type="range" id="drive" min="-360" max="360" step="any" value="0" aria-label="how far">\n'

@@ -10,7 +10,7 @@ from dhcli.kinematics.moves import Fixed, Move, Rot
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import JointInput, Values, numbers
-from dhcli.mobility.linkage import Linkage
+from dhcli.mobility.linkage import Joint, Linkage
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr
 from dhcli.scene.camera import VIEWS
@@ -20,8 +20,10 @@ from dhcli.scene.places import Places
 from dhcli.scene.plane import circles
 from dhcli.scene.primitives import Ball, Box, Drum, Face, Scene, Solid
 from dhcli.scene.skeleton import Given
+from dhcli.scene.space import holder
 from dhcli.scene.staging import posed, stage_arm, values_at
 from dhcli.scene.table import cells, heads
+from dhcli.scene.vectors import Vec
 from dhcli.scene.words import Words, named
 
 if TYPE_CHECKING:
@@ -72,14 +74,52 @@ def _path(robot: Robot, picture: Drawing, values: Values) -> list[list[float]]:
     return [_short(list(picture.path[round(k * last / count)])) for k in range(1, count + 1)]
 
 
+UNMOVED = frozenset({"gear", "rolling"})
+"""Joints in space whose motion a page does not know: it only turns a linkage that has one."""
+
+
 def space_model(picture: Drawing) -> dict[str, Any]:
-    """A linkage in space, which can be turned around."""
+    """A linkage in space: its scene, each part on the link that holds it, and what its joints demand."""
     linkage = picture.what
     assert isinstance(linkage, Linkage)  # noqa: S101  the caller has looked
     staged = stage_linkage(linkage, picture.view)
     views = [["best", list(staged.view)], *([name, list(view)] for name, view in VIEWS.items())]
-    empty: dict[str, Any] = {"joints": [], "moves": [], "frames": [], "poses": [], "table": None}
-    return {"name": linkage.name, **empty, "view": list(staged.view), "views": views, "scene": _scene(staged.scene)}
+    places = Places(linkage)
+    number = {link: i for i, link in enumerate(linkage.links)}
+    seen: dict[str, Any] = {
+        "name": linkage.name,
+        "view": list(staged.view),
+        "views": views,
+        "scene": _scene(staged.scene),
+        "links": list(linkage.links),
+        "points": [[_words(named(name)), list(at), number[holder(places, at)]] for name, at in places.named()],
+    }
+    if any(joint.pair.name in UNMOVED for joint in linkage.joints):
+        return seen
+    held = [list(at) for at in places.at]
+    spots = [point for _, point, _ in seen["points"]]
+    return {
+        **seen,
+        "size": places.size,
+        "centre": [sum(p[i] for p in held) / len(held) for i in range(3)],
+        "ground": number[linkage.ground],
+        "ties": [_spatial(joint, at, number, spots) for joint, at in zip(linkage.joints, places.at, strict=True)],
+        "output": number.get(linkage.output, -1),
+    }
+
+
+def _spatial(joint: Joint, at: Vec, number: dict[str, int], spots: list[list[float]]) -> dict[str, Any]:
+    """A joint in space: its kind, its links, and the geometry that it has; a point that has a name by its number."""
+    point = list(at if joint.point is None else joint.point)
+    geometry = {"u": joint.axis, "v": joint.axis2, "s": joint.slide, "o": joint.other, "h": joint.pitch}
+    return {
+        "t": joint.pair.name,
+        **({"name": joint.name} if joint.pair.name in ("revolute", "prismatic") else {}),
+        "a": number[joint.links[0]],
+        "b": number[joint.links[1]],
+        "p": spots.index(point) if point in spots else point,
+        **{key: value for key, value in geometry.items() if value is not None},
+    }
 
 
 def plane_model(linkage: Linkage) -> dict[str, Any]:
@@ -104,9 +144,7 @@ def plane_model(linkage: Linkage) -> dict[str, Any]:
         )
     points = []
     for name, at in places.named():
-        holders = [link for link, held in places.links.items() if any(places.same(at, p) for p in held)]
-        moving = [link for link in holders if link != linkage.ground] or holders
-        points.append([_words(named(name)), _flat(at), number[moving[0]]])
+        points.append([_words(named(name)), _flat(at), number[holder(places, at)]])
     return {
         "name": linkage.name,
         "size": places.size,
@@ -221,7 +259,7 @@ def _scene(scene: Scene) -> dict[str, Any]:
 
 def _short(value: Any) -> Any:  # noqa: ANN401  anything that JSON knows
     if isinstance(value, float):
-        return int(value) if value == int(value) and abs(value) < 1e6 else float(f"{value:.9g}")  # noqa: PLR2004
+        return int(value) if value == int(value) and abs(value) < 1e6 else float(f"{value:.6g}")  # noqa: PLR2004
     return [_short(each) for each in value] if isinstance(value, list | tuple) else value
 
 
@@ -230,7 +268,7 @@ def _whole_scene(scene: Scene) -> dict[str, Any]:
     return {
         "unit": scene.unit,
         "solids": [_solid(solid) for solid in scene.solids],
-        "rods": [[r.start.state, r.start.at, r.end.state, r.end.at, r.thickness, r.ground] for r in scene.rods],
+        "rods": [[r.start.state, r.start.at, r.end.state, r.end.at, r.thickness, int(r.ground)] for r in scene.rods],
         "dims": [
             [d.start.state, d.start.at, d.end.state, d.end.at, _words(d.words), d.variable, d.direct]
             for d in scene.dimensions
@@ -238,7 +276,6 @@ def _whole_scene(scene: Scene) -> dict[str, Any]:
         "plate": plate and [plate.centre.state, plate.centre.at, plate.normal, plate.size, plate.broken],
         "hand": hand and [hand.wrist.state, hand.wrist.at, hand.forward, hand.across, hand.size],
         "pinned": [[anchor.state, anchor.at] for anchor in scene.pinned],
-        "marks": [[mark.at.state, mark.at.at, _words(mark.words)] for mark in scene.marks],
     }
 
 

@@ -113,10 +113,6 @@ function ordered(bodies, cam) {
   }
   return out;
 }
-function arc(b, cam) {
-  const front = sub(cam.to, mul(b.axis, dot(cam.to, b.axis))), f = norm(front) > 0.05 ? unit(front) : unit(cross(cam.up, b.axis)), s = cross(b.axis, f), R = 1.42 * b.r;
-  return Array.from({ length: 23 }, (_, i) => { const t = ((-215 + (277 * i) / 22) * Math.PI) / 180; return at(at(b.centre, f, R * Math.cos(t)), s, R * Math.sin(t)); });
-}
 function painted(S, P, cam, on) {
   const bodies = on.body ? P.bodies : [], pieces = [];
   const inside = (p) => bodies.some((b) => { const k = b.span(p, cam.to); return k && k[0] < 0 && k[1] > 0; });
@@ -174,15 +170,4 @@ function drawPiece(p, run, out) {
   const ux = (b[0] - a[0]) / n, uy = (b[1] - a[1]) / n, w = p.w / 2, q = (c, g, e) => [c[0] - g * uy * w + e * 0.4 * ux, c[1] + g * ux * w + e * 0.4 * uy];
   const c = [q(a, 1, -1), q(b, 1, 1), q(b, -1, 1), q(a, -1, -1)];
   return out.push(poly(c, p.look), line([c[0], c[1]], "edge"), line([c[3], c[2]], "edge"));
-}
-function plate(pl, P, cam) {
-  const [s, c0, n0, half, broken] = pl, c = P.at(s, c0), n = P.dir(s, n0), out = [];
-  if (broken) {
-    const [x, y] = cam.flat(c), [fx, fy] = cam.fd(n), L = Math.hypot(fx, fy) || 1, w = 0.75 * half * cam.k;
-    return [line(Array.from({ length: 17 }, (_, i) => { const t = (i - 8) / 8, b = Math.sin(t * Math.PI) * w * 0.35; return [x - (fy / L) * t * w + (fx / L) * b, y + (fx / L) * t * w + (fy / L) * b]; }), "break")];
-  }
-  const u = Math.abs(n[1]) < 0.9 ? unit(cross([0, 1, 0], n)) : [1, 0, 0], v = cross(n, u), f = (a, b) => cam.flat(at(at(c, u, a * half), v, b * half));
-  out.push(poly([f(-1, -1), f(1, -1), f(1, 1), f(-1, 1)], "plate"));
-  for (let i = 1; i < 26; i++) { const q = -2 + (2 * i) / 13, lo = Math.max(-1, q - 1), hi = Math.min(1, q + 1); out.push(line([f(lo, q - lo), f(hi, q - hi)], "hatch")); }
-  return out;
 }

@@ -3,28 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from textwrap import wrap
 from typing import Any
 
-from dhcli.errors import plural
 from dhcli.kinematics.conventions import NAMES
-from dhcli.kinematics.inverse.derive import Derivation
+from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive_rules import Step
-from dhcli.kinematics.inverse.derive_words import atom_text, condition_text, level_text, value_text
+from dhcli.kinematics.inverse.derive_words import SAID, atom_text, condition_text, level_text, proof_text, value_text
 from dhcli.notation.tree import Expr
 from dhcli.notation.writer import write
 from dhcli.render.look import Look
 from dhcli.render.text.forward import frame_words
-
-SAID = {
-    "SUM": "from the sum",
-    "SLIDE": "linear in it",
-    "BOTH": "two equations linear in its cosine and sine",
-    "RATIO": "cosine and sine times the same unknown",
-    "ZERO": "a cosine and a sine that cancel",
-    "ONE": "one equation in cosine and sine",
-    "SQUARES": "squared and added, which no turn of the joint before changes",
-}
-"""What each rule uses."""
 
 
 def derivation_table(result: Derivation, look: Look) -> str:
@@ -44,7 +33,7 @@ def derivation_table(result: Derivation, look: Look) -> str:
             paper.ink(paper.spell(f"{number}. {atom_text(step.atom)}: {step.rule}, {SAID[step.rule]}"), "bold"),
         ]
         lines += [f"   {paper.spell(line)}" for line in _step_lines(result, step, look)]
-    lines += ["", paper.spell(f"{plural(result.branches, 'combination')} of signs, each a solution where all are real")]
+    lines += ["", *wrap(paper.spell(proof_text(result)), paper.width)]
     return "\n".join(lines) + "\n"
 
 
@@ -70,6 +59,7 @@ def derivation_content(result: Derivation, _look: Look) -> dict[str, Any]:
         "frame": result.end,
         "task": "position" if result.place_only else "pose",
         "branches": result.branches,
+        "proved": result.proved,
         "steps": [
             {
                 "rule": step.rule,

@@ -28,7 +28,7 @@ _LEAST = 20
 def class_table(report: ClassReport, look: Look) -> str:
     """A table for each exercise, the commonest slips, the distribution, and the sheets that were not graded."""
     paper = look.paper
-    sections = [_summary(report, paper)]
+    sections = [_head(paper.spell(summary(report)), paper)]
     for exercise, figures in groupby(report.parts, key=lambda one: one.exercise):
         parts = list(figures)
         sections.append(
@@ -58,11 +58,10 @@ def class_table(report: ClassReport, look: Look) -> str:
     return "\n".join(sections)
 
 
-def _summary(report: ClassReport, paper: Paper) -> str:
+def summary(report: ClassReport) -> str:
+    """How many sheets there are, and how many could not be graded."""
     text = f"{report.folder.path}: {plural(len(report.rows), 'sheet')}, {len(report.graded)} graded"
-    if report.failed:
-        text += f", {len(report.failed)} not"
-    return f"{paper.ink(paper.spell(text), 'bold')}\n"
+    return f"{text}, {len(report.failed)} not" if report.failed else text
 
 
 def _head(text: str, paper: Paper) -> str:

@@ -200,3 +200,32 @@ def test_a_slip_on_the_way_back_has_its_name(name: str) -> None:
 def test_there_are_exercises_for_every_arm_of_the_documents() -> None:
     """Sixteen at least."""
     assert len(NAMES) >= 16
+
+
+IN_MILLIMETRES = """\
+format: 1
+title: a place in millimetres
+source: made for a test
+robot: planar-2r
+numeric: true
+unit: mm
+task: Where do the joints stand?
+parts:
+  - {id: a, ask: "joints of position (500, 300, 0)"}
+  - {id: b, ask: "joints of position (0.5 m, 300, 0)"}
+  - {id: c, ask: "joints of pose 'Trans(400, 300, 0) Rot(z, 90°)'"}
+  - {id: d, ask: "reach of position (500, 300, 0)"}
+  - {id: e, ask: "count solutions of position (500, 300, 0)"}
+"""
+
+
+def test_bare_lengths_of_a_pose_are_in_the_unit_of_the_exercise(tmp_path: Path) -> None:
+    """As those of a point are; a length with its own unit is what it says."""
+    path = tmp_path / "place.yaml"
+    path.write_text(IN_MILLIMETRES, "utf-8")
+    exercise = load_exercise(path)
+    answers = {part.id: "2.4773°, 67.9757°" for part in exercise.parts} | {"c": "0°, 90°", "d": "yes", "e": "2"}
+    for part in exercise.parts:
+        mark = Judge(exercise).check(part, answers[part.id])
+        assert mark.verdict is Verdict.RIGHT, (part.id, mark)
+    assert "(500, 300, 0) mm" in exercise.parts[0].question.describe(exercise)

@@ -55,6 +55,65 @@ def test_two_slips_are_named_together(ask: str, pair: tuple[str, str], q: tuple[
     assert " + ".join(pair) in mark.diagnosis.ids
 
 
+@pytest.mark.parametrize(
+    ("answer", "words"),
+    [
+        ("-a1*s1 - a2*s12, a1*c1 + a2*c2, 0", "entry (2,1) has c2 for c12"),
+        ("-a1*s1 + a2*s12, a1*c1 + a2*c12, 0", "the sign of a2*s12 in entry (1,1) is turned round"),
+        ("-a1*s1 - a2*s12, a1*c1, 0", "entry (2,1) lacks a2*c12"),
+        ("-a1*s1 - a2*s12, -a1*c1 - a2*c12, 0", "the sign of entry (2,1) is turned round"),
+        ("-a1*s1 - a1*s12, a1*c1 + a1*c12, 0", "entries (1,1) and (2,1) have a1 for a2"),
+        ("-a1*s1 - a2*s1*s2, a1*c1 + a2*c1*c2, 0", "entries (1,1) and (2,1) have s1*s2 for s12 and c1*c2 for c12"),
+    ],
+)
+def test_slips_in_the_terms_of_an_entry_are_named(answer: str, words: str) -> None:
+    """As in a pose; the entry is told by its place in the whole Jacobian."""
+    judge = asked("planar-2r", "column 1 of jacobian linear of 0..2", None)
+    found = judge.check(judge.exercise.parts[0], answer).diagnosis
+    assert found is not None
+    assert found.names == (words,)
+
+
+@pytest.mark.parametrize(
+    ("answer", "words"),
+    [
+        ("[0 s1 s1; 0 c1 c1; 1 0 0]", "the signs of entries (2,2) and (2,3) are turned round"),
+        ("[0 s1 s1; 0 c1 c1; -1 0 0]", "the signs of entries (2,2), (2,3) and (3,1) are turned round"),
+        ("[0 s1 s1; 0 s1 c1; 1 0 0]", None),
+    ],
+)
+def test_signs_in_several_entries_are_named_together(answer: str, words: str | None) -> None:
+    """Where all else is right."""
+    judge = asked("articulated", "jacobian angular of 0..3", None)
+    found = judge.check(judge.exercise.parts[0], answer).diagnosis
+    if words is None:
+        assert found is None or "signs of" not in " ".join(found.names)
+    else:
+        assert found is not None
+        assert found.names == (words,)
+
+
+def test_a_slip_is_named_by_the_digits_typed() -> None:
+    """The root is forgotten: 0.0127 is 0.012716 to three digits; 0.01 is too little for a name."""
+    judge = asked("planar-2r", "manipulability of jacobian linear of 0..2", (0.4, 1.2217304763960306))
+    part = judge.exercise.parts[0]
+    assert judge.expected(part) == "0.11276"
+    found = judge.check(part, "0.0127").diagnosis
+    assert found is not None
+    assert found.ids == ("root-forgotten",)
+    assert judge.check(part, "0.01").diagnosis is None
+
+
+def test_the_sign_of_one_number_of_several_is_seen() -> None:
+    """In numbers too."""
+    judge = asked("articulated", "torques for (3, -2, 5) of 0..3", Q)
+    part = judge.exercise.parts[0]
+    x, y, z = (float(text) for text in judge.expected(part).strip("[]").split(","))
+    found = judge.check(part, f"{x}, {-y}, {z}").diagnosis
+    assert found is not None
+    assert found.ids == ("entry-sign 2,1",)
+
+
 @pytest.mark.parametrize("ask", ["manipulability of jacobian linear of 0..3", "determinant of jacobian linear of 0..3"])
 def test_one_number_is_too_little_for_two_slips(ask: str) -> None:
     """Some pair of hundreds gives nearly every number."""

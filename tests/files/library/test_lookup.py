@@ -227,3 +227,20 @@ def test_a_name_is_not_silently_a_file_in_this_folder(home: Path) -> None:
 def test_no_name_is_too_strange(name: str) -> None:
     """It is just not known."""
     assert "dhcli list robots" in hint_for(Kind.ROBOTS, name)
+
+
+def test_what_stands_in_a_folder_above_is_pointed_at(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whoever has gone into the folder of the sheets is told the path to the exercise."""
+    for name in ("robots/my-arm.yaml", "exercises/mine/first.yaml", "sheets/deep/one.yaml"):
+        path = tmp_path / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.touch()
+    monkeypatch.chdir(tmp_path / "sheets" / "deep")
+    for kind, name, path in (
+        (Kind.ROBOTS, "my-arm", "../../robots/my-arm.yaml"),
+        (Kind.EXERCISES, "mine/first", "../../exercises/mine/first.yaml"),
+        (Kind.EXERCISES, "first", "../../exercises/mine/first.yaml"),
+    ):
+        with pytest.raises(UnknownNameError) as caught:
+            find(kind, name)
+        assert f"in a folder above there is one: type {path}, or go" in caught.value.problems[0].hint

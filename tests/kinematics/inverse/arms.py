@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -86,6 +86,17 @@ def random_arm(kind: Class, rng: np.random.Generator) -> Arm:
     home[:3, :3] = turn * np.sign(np.linalg.det(turn))
     home[:3, 3] = rng.uniform(-0.7, 0.7, 3)
     return for_task(Arm(tuple(axes), count, np.eye(4), home, 1.0), TASKS[kind.task])
+
+
+def measured(arm: Arm, by: float, rng: np.random.Generator) -> Arm:
+    """An arm as it is when it has been built: each axis turned and moved a little."""
+    axes = []
+    for axis in arm.axes[: arm.joints]:
+        along = np.array(axis.direction) + by * rng.normal(size=3)
+        along /= np.linalg.norm(along)
+        point = np.array(axis.point) + by * rng.normal(size=3) * axis.turns
+        axes.append(replace(axis, direction=tuple(along.tolist()), point=tuple(point.tolist())))
+    return replace(arm, axes=(*axes, *arm.axes[arm.joints :]))
 
 
 def random_motions(arm: Arm, count: int, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:

@@ -16,7 +16,7 @@ from dhcli.kinematics.inverse.keeping import Kept, content_of, read, recalled, r
 from dhcli.kinematics.inverse.prepared import prepare
 from dhcli.kinematics.inverse.tasks import TASKS
 from dhcli.storage.cache import place
-from tests.kinematics.inverse.arms import CLASSES, random_arm
+from tests.kinematics.inverse.arms import CLASSES, measured, random_arm
 from tests.kinematics.inverse.plans import asked, line
 from tests.nightly import some
 
@@ -51,21 +51,26 @@ def test_a_robot_of_the_library_needs_no_plan(monkeypatch: pytest.MonkeyPatch) -
     assert len(list(asked())) == len(cases)
 
 
-@pytest.mark.parametrize("kind", ["three parallel", "two meet", "slide third", "general", "five joints, axis"])
+@pytest.mark.parametrize(
+    "kind", ["three parallel", "two meet", "slide third", "general", "five joints, axis", "measured"]
+)
 def test_what_is_written_is_read_back(kind: str) -> None:
     """Plans of every rule."""
-    arm = random_arm(CLASSES[kind], np.random.default_rng(3))
-    task = TASKS[CLASSES[kind].task]
+    rng = np.random.default_rng(3)
+    if kind == "measured":
+        arm, task = measured(random_arm(CLASSES["spherical wrist, two parallel"], rng), 1e-4, rng), POSE
+    else:
+        arm, task = random_arm(CLASSES[kind], rng), TASKS[CLASSES[kind].task]
     kept = choosing.chosen(arm, task, ())
     content = content_of(arm, task, ())
     again = read(written(kept, content), content, arm)
     assert again is not None
-    assert (again.plan.held, again.plan.steps, again.plan.slack, again.spare) == (
-        kept.plan.held,
-        kept.plan.steps,
-        kept.plan.slack,
-        kept.spare,
-    )
+    for one, other in ((again.plan, kept.plan), (again.plan.meant, kept.plan.meant)):
+        assert (one is None) == (other is None)
+        if one is not None and other is not None:
+            assert (one.held, one.steps, one.slack) == (other.held, other.steps, other.slack)
+            assert one.actions.arm.axes == other.actions.arm.axes
+    assert again.spare == kept.spare
 
 
 def kept_file() -> Path:

@@ -256,3 +256,13 @@ def test_an_empty_batch_is_an_empty_answer() -> None:
     found, index = inverse_batch(load_robot("puma560"), np.empty((0, 4, 4)))
     assert found.shape == (0, 6)
     assert index.shape == (0,)
+
+
+def test_a_family_is_told_though_rounding_has_left_one_of_its_members_beside_it() -> None:
+    """A wrist 1e-9 from straight: a straight one reaches the pose as well, as far as floats tell."""
+    robot = load_robot("zhou-6r")
+    q = np.array([-135.0, -90.0, -90.0, 180.0, 0.0, -135.0]) * np.pi / 180 + 1e-9 * np.array([1, -1, 1, -1, 1, -1])
+    found = inverse(robot, forward(robot, list(q)))
+    assert [way.joint for ways in found.free for way in ways] == ["theta4"]
+    held = inverse(robot, forward(robot, list(q)), hold={"theta4": float(q[3])})
+    assert held.distances(list(q)).min() < 1e-7

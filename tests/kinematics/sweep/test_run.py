@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from dhcli import forward, load_robot
+from dhcli import Robot, forward, load_robot
 from dhcli import sweep as ask
 from dhcli.errors import RobotError
 from dhcli.kinematics.frames import View
@@ -18,7 +18,7 @@ from dhcli.kinematics.sweep import run
 from dhcli.kinematics.sweep.grid import Axis, Grid
 from dhcli.kinematics.sweep.plan import plan
 from dhcli.kinematics.sweep.ranges import read_over
-from dhcli.kinematics.sweep.run import SLACK, Highest, positions, sweep
+from dhcli.kinematics.sweep.run import SLACK, Highest, sweep, tables_of, walked
 from dhcli.kinematics.sweep.target import Target, target_of
 from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import joint_values
@@ -38,6 +38,13 @@ def _asked(name: str, point: str = "", start: str | None = None, end: str | None
     coordinates = tuple(number(part) for part in map(int, point.split(","))) if point else None
     target = target_of(robot, View.of(robot, start, end, point=coordinates))  # type: ignore[arg-type]
     return target, plan(target, [read_over(robot, text) for text in CASES[name]], {})
+
+
+def all_rows(target: Target, grid: Grid) -> np.ndarray:
+    """Joint values and positions of every pose, in the order of the grid."""
+    return np.concatenate(
+        [np.concatenate((slab.rows(tables_of(grid)), p.T), axis=1) for slab, p in walked(target, grid)]
+    )
 
 
 def _seen(target: Target, q: tuple[float, ...]) -> tuple[float, ...]:
@@ -77,7 +84,7 @@ def test_the_extremes_are_those_of_all_poses_one_by_one(
 def test_the_rows_hold_joint_values_and_positions() -> None:
     """Of every pose, in the order of the grid."""
     target, grid = _asked("scara", "0,1,0")
-    rows = np.concatenate(list(positions(target, grid)))
+    rows = all_rows(target, grid)
     assert rows.shape == (grid.count, 6)
     for index in (0, 17, grid.count - 1):
         q = tuple(map(in_floats, grid.at(index).values()))
@@ -89,7 +96,7 @@ def test_every_block_is_handed_on() -> None:
     target, grid = _asked("planar-2r")
     taken: list[np.ndarray] = []
     sweep(target, grid, taken.append)
-    assert np.array_equal(np.concatenate(taken), np.concatenate(list(positions(target, grid))))
+    assert np.array_equal(np.concatenate(taken), all_rows(target, grid))
 
 
 def test_exact_angles_give_exact_positions() -> None:
@@ -163,3 +170,13 @@ def test_a_program_asks_as_the_command_does() -> None:
         ask(robot, "q1=0°..90")
     with pytest.raises(RobotError, match="a point has three coordinates, not 2"):
         ask(robot, "q1", point=(0, 0))
+
+
+def test_more_joints_than_an_array_has_axes_are_swept() -> None:
+    """Those that stand still have no axis of their own: forty joints, of which three move."""
+    rows = [{"alpha": 0, "a": 0.1, "d": 0, "theta": f"q{k}"} for k in range(40)]
+    robot = Robot.from_dh(rows, variables=[f"q{k}" for k in range(40)])
+    found = ask(robot, {"q0": "0..1 n 3", "q20": "0..1 n 3", "q39": "0..1 n 3"})
+    assert found.grid.count == 27
+    assert found.farthest.distance == pytest.approx(4.0)
+    assert found.nearest.distance < 4.0

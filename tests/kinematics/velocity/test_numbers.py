@@ -80,6 +80,39 @@ def test_symbols_with_numbers_put_in_are_floats_and_columns(name: str) -> None:
         assert np.allclose(terms, one, atol=1e-13)
 
 
+@pytest.mark.parametrize("name", ROBOTS)
+def test_what_is_asked_again_is_the_same(name: str) -> None:
+    """By the fold at first, then by its recording: in lists and arrays, in every view and form."""
+    robot = load_robot(name)
+    if any(value is None for value in robot.parameters.values()):
+        return
+    q = joint_point(robot, 3)
+    for viewing in VIEWS:
+        for more in ({}, {"part": "angular"}, {"part": "linear", "angular_first": True}):
+            first = jacobian(robot, q, **more, **viewing)
+            for asked in (q, tuple(q), np.array(q)):
+                assert np.allclose(jacobian(robot, asked, **more, **viewing), first, atol=1e-13)
+    rates = [jacobian(robot, q, analytic="zyz") for _ in range(3)] if len(q) > 5 else []
+    assert all(np.allclose(one, rates[0], atol=1e-12) for one in rates)
+
+
+def test_what_cannot_be_is_said_again() -> None:
+    """As often as it is asked."""
+    robot = load_robot("articulated")
+    for _ in range(3):
+        with pytest.raises(RobotError, match="3 joints"):
+            jacobian(robot, [0.1, 0.2])
+        with pytest.raises(RobotError, match="there are no rates of rpy"):
+            jacobian(robot, [0, np.pi / 2, 0], analytic="rpy")
+        with pytest.raises(UnknownNameError, match="no frame 9"):
+            jacobian(robot, [0.1, 0.2, 0.3], axes=9)
+        with pytest.raises(RobotError, match="no part"):
+            jacobian(robot, [0.1, 0.2, 0.3], part="top")  # type: ignore[arg-type]
+        with pytest.raises(RobotError):
+            jacobian(robot, [0.1, np.nan, 0.3])
+        assert np.allclose(jacobian(robot, [0.1, 0.2, 0.3], point=[0, 0, 0.1]).shape, (6, 3))
+
+
 @pytest.mark.parametrize("name", ["stanford", "puma560", "scara", "ur5e"])
 @pytest.mark.parametrize("viewing", VIEWS[:5])
 def test_values_put_in_exactly_are_those_values(name: str, viewing: Viewing) -> None:

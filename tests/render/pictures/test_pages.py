@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import math
 import random
@@ -13,9 +14,12 @@ from typing import TYPE_CHECKING
 import pytest
 
 from dhcli import draw, forward, load_robot
-from dhcli.files.yaml.linkages import load_linkage
+from dhcli.files.yaml.linkages import load_linkage, read_linkage
+from dhcli.mobility.finding import analyse
 from dhcli.mobility.linkage import Linkage
 from dhcli.render.pictures.picture import Picture
+from dhcli.scene.places import Places
+from dhcli.scene.words import named as words_of
 from tests.nightly import NIGHT
 from tests.scene.examples import LINKAGES, ROBOTS, odd_robots
 
@@ -24,6 +28,8 @@ if TYPE_CHECKING:
 
 REAL = tuple(name for name in ROBOTS if not name.startswith("dh-link"))
 MOVING = ("planar-four-bar", "peaucellier", "slider-crank", "watt", "planetary-gear", "cam-follower", "scissor")
+HELD = ("revolute", "spherical", "universal")
+IN_SPACE = ("bennett", "bricard", "goldberg", "sarrus", "hooke-coupling", "shaft-coupling", "delta", "stewart-gough")
 
 
 def _linkage(name: str) -> Linkage:
@@ -184,12 +190,12 @@ def test_no_label_overlaps_another_in_the_letters_of_a_browser(browser: WebDrive
         assert overlaps == 0, picture
 
 
-@pytest.mark.parametrize("name", MOVING)
+@pytest.mark.parametrize("name", [*MOVING, *IN_SPACE])
 def test_a_driven_linkage_keeps_together_and_comes_back(name: str, browser: WebDriver, tmp_path: Path) -> None:
     """Out to both sides and back: all joints within 1e-9, and the drawing as it was where it has one freedom."""
     _open(browser, draw(_linkage(name)), tmp_path)
-    free, driver = browser.execute_script("return [dhcli.freedom, driver.slide ? '' : D.links[driver.l][0]]")
-    assert free > 0
+    free, driver = browser.execute_script("return [dhcli.freedom, driver.name]")
+    assert free == analyse(_linkage(name)).instantaneous
     for angle in (0.3, -0.4, 0.2):
         reached = browser.execute_script("return dhcli.drive(arguments[0], arguments[1])", driver, angle)
         assert browser.execute_script("return dhcli.gap()") < 1e-9
@@ -199,6 +205,110 @@ def test_a_driven_linkage_keeps_together_and_comes_back(name: str, browser: WebD
     if free == 1:
         assert max(map(abs, browser.execute_script("return dhcli.state()"))) < 1e-9
     browser.execute_script("dhcli.home()")
+    assert not any(browser.execute_script("return dhcli.state()"))
+    _check_silent(browser)
+
+
+@pytest.mark.parametrize("name", [*MOVING, *IN_SPACE])
+def test_points_of_a_link_keep_their_distances_however_it_is_dragged(
+    name: str, browser: WebDriver, tmp_path: Path
+) -> None:
+    """To 1e-9, each point pulled somewhere in turn."""
+    linkage = _linkage(name)
+    places = Places(linkage)
+    _open(browser, draw(linkage), tmp_path)
+    named = dict(places.named())
+    held = {
+        link: [
+            joint.point for joint in linkage.joints if link in joint.links and joint.pair.name in HELD and joint.point
+        ]
+        for link in linkage.links
+    }
+    pairs = [
+        pair
+        for points in held.values()
+        for pair in itertools.combinations([n for n, at in named.items() if any(places.same(at, p) for p in points)], 2)
+    ]
+    assert pairs or name in ("cam-follower", "hooke-coupling", "shaft-coupling")
+    goals = [[x + 0.2 * places.size * ((-1) ** k) for k, x in enumerate(at)] for at in named.values()]
+    script = (
+        "for (const [name, goal] of arguments[0]) dhcli.drag(name, goal);"
+        "return [dhcli.gap(), Object.fromEntries(arguments[1].map(n => [n, dhcli.at(n)]))]"
+    )
+    flat = 2 if linkage.space.is_planar else 3
+    pulled = [[_plain(n), goal[:flat]] for n, goal in zip(named, goals, strict=True)][-6:]
+    gap, found = browser.execute_script(script, pulled, [_plain(n) for n in named])
+    assert gap < 1e-9
+    ways = [math.dist(found[_plain(n)], at[:flat]) for n, at in named.items()]
+    assert max(ways) > 1e-3 * places.size or len(named) == 1
+    for one, other in pairs:
+        now = math.dist(found[_plain(one)], found[_plain(other)])
+        assert now == pytest.approx(math.dist(named[one], named[other]), abs=1e-9 * places.size)
+    _check_silent(browser)
+
+
+def _plain(name: str) -> str:
+    """A name as a page calls it."""
+    return "".join(run.text for run in words_of(name))
+
+
+def test_a_cross_turns_its_shafts_as_the_equation_of_the_universal_joint_says(
+    browser: WebDriver, tmp_path: Path
+) -> None:
+    """The tangents of both angles, from where the forks stand across, are as the cosine of the bend."""
+    _open(browser, draw(_linkage("hooke-coupling")), tmp_path)
+    names = browser.execute_script("return dhcli.drivers")
+    for angle in (0.3, 0.9, 1.4, -0.7):
+        browser.execute_script("dhcli.drive(arguments[0], arguments[1])", names[0], angle)
+        driven = browser.execute_script("return drivers[1].value")
+        ratios = math.tan(driven) / math.tan(angle)
+        bend = math.cos(math.radians(25))
+        assert min(abs(abs(ratios) - bend), abs(abs(ratios) - 1 / bend)) < 1e-9
+
+
+def test_the_plate_of_a_sarrus_linkage_goes_straight(browser: WebDriver, tmp_path: Path) -> None:
+    """Without turning, while its legs fold."""
+    _open(browser, draw(_linkage("sarrus")), tmp_path)
+    out = browser.execute_script("return D.links.indexOf(arguments[0])", _linkage("sarrus").output)
+    frames = []
+    for angle in (0.0, 0.2, 0.4, -0.3):
+        browser.execute_script("dhcli.drive(dhcli.drivers[0], arguments[0])", angle)
+        frames.append(browser.execute_script("return X[arguments[0]]", out))
+    ways = [[a - b for a, b in zip(frame[3], frames[0][3], strict=True)] for frame in frames[1:]]
+    for frame, way in zip(frames[1:], ways, strict=True):
+        assert [x for axis in frame[:3] for x in axis] == pytest.approx([1, 0, 0, 0, 1, 0, 0, 0, 1], abs=1e-9)
+        across = [way[(i + 1) % 3] * ways[0][(i + 2) % 3] - way[(i + 2) % 3] * ways[0][(i + 1) % 3] for i in range(3)]
+        assert math.hypot(*across) < 1e-9
+        assert math.hypot(*way) > 1e-3
+
+
+def test_the_mouse_drags_a_linkage_in_space_by_a_point_and_turns_it_elsewhere(
+    browser: WebDriver, tmp_path: Path
+) -> None:
+    """By events as a hand makes them."""
+    from selenium.webdriver import ActionChains
+    from selenium.webdriver.common.by import By
+
+    _open(browser, draw(_linkage("bennett")), tmp_path)
+    figure = browser.find_element(By.ID, "figure")
+    script = """
+      const r = figure.getBoundingClientRect(), k = Math.min(r.width / W, r.height / H);
+      const p = eye.flat(spotOf(D.points[1]));
+      return [p[0] * k - W * k / 2, p[1] * k - H * k / 2, 30 * k];
+    """
+    x, y, _ = browser.execute_script(script)
+    view = browser.execute_script("return view")
+    ActionChains(browser).move_to_element_with_offset(figure, int(x), int(y)).click_and_hold().move_by_offset(
+        0, -40
+    ).release().perform()
+    assert browser.execute_script("return view") == view
+    assert max(map(abs, browser.execute_script("return dhcli.state()"))) > 0.01
+    state = browser.execute_script("return dhcli.state()")
+    ActionChains(browser).move_to_element_with_offset(figure, 0, 0).click_and_hold().move_by_offset(
+        60, 20
+    ).release().perform()
+    assert browser.execute_script("return view") != view
+    assert browser.execute_script("return dhcli.state()") == state
     _check_silent(browser)
 
 
@@ -334,3 +444,28 @@ def test_the_button_makes_a_png_of_what_is_seen(browser: WebDriver, tmp_path: Pa
         assert (name, wide, high) == (f"{picture.what.name}.png", 1640, 1280)
         assert size > 20_000
         _check_silent(browser)
+
+
+def test_a_linkage_in_space_whose_motion_a_page_does_not_know_can_be_turned(browser: WebDriver, tmp_path: Path) -> None:
+    """Two wheels that mesh: there is nothing to drive, and no word of it on the console."""
+    text = (
+        "format: 1\ntitle: Wheels\nsource: made for a test\nspace: spatial\npoints: {O: [0, 0, 0], P: [3, 0, 0]}\n"
+        "joints:\n  - {type: R, links: [ground, one], point: O, axis: z}\n"
+        "  - {type: R, links: [ground, two], point: P, axis: z}\n"
+        "  - {type: gear, links: [one, two], carrier: ground, radii: [1, 2]}\n"
+    )
+    found = read_linkage(text, "wheels.yaml", "wheels")
+    assert isinstance(found, Linkage)
+    _open(browser, draw(found), tmp_path)
+    seen = browser.execute_script("return seen.textContent")
+    browser.execute_script("document.querySelector('#views button:last-child').click()")
+    assert browser.execute_script("return seen.textContent") != seen
+    assert browser.execute_script("return [...figure.querySelectorAll('.t-mark')].length") == 2
+    _check_silent(browser)
+
+
+def test_the_order_of_moves_has_its_indices_below_the_line() -> None:
+    """A page writes them as indices, not as a terminal does."""
+    page = draw(load_robot("puma560")).page()
+    assert "Rot(x, α<sub>i-1</sub>) Trans(x, a<sub>i-1</sub>) Trans(z, d<sub>i</sub>) Rot(z, θ<sub>i</sub>)" in page
+    assert "θ_i" not in page
