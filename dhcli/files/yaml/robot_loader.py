@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from dhcli.errors import FileError, NotationError, Place, Problem, did_you_mean
-from dhcli.files.keys.robots import CALIBRATED, CONVENTIONS, TABLE, UNITS_OF_LENGTH
+from dhcli.files.keys.robots import CONVENTIONS, TABLE, UNITS
 from dhcli.files.keys.shapes import Key, required
 from dhcli.files.keys.shapes import names as names_of
 from dhcli.files.yaml.drives import read_drives
@@ -155,9 +155,9 @@ class Loader:
     def read_unit(self) -> str:
         """The unit of bare lengths, empty for metres."""
         scalar = self.fields.scalar("units")
-        if scalar is None or scalar.text in UNITS_OF_LENGTH:
+        if scalar is None or scalar.text in UNITS:
             return "" if scalar is None else scalar.text
-        hint = did_you_mean(scalar.text, UNITS_OF_LENGTH) or ", ".join(UNITS_OF_LENGTH)
+        hint = did_you_mean(scalar.text, UNITS) or ", ".join(UNITS)
         self.problems.add(scalar.place, f"units: {scalar.text!r:.60} is no unit of length", hint)
         return ""
 
@@ -196,7 +196,7 @@ class Loader:
                 "write {a: a1, alpha: 90°, d: 0, theta: theta1}, or convention: product for moves",
             )
             return Link(number, ())
-        fields = self.problems.mapping(node, "links", known=names_of(CALIBRATED), required=required(CALIBRATED))
+        fields = self.problems.mapping(node, "links", known=(*COLUMNS, "beta"), required=COLUMNS)
         if len(fields.entries) == len(COLUMNS) and index == 0:
             self.columns = tuple(fields.entries)
         cells = {column: self.cell(fields, column, index) for column in COLUMNS}
