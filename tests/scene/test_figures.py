@@ -202,32 +202,6 @@ def test_every_pose_from_three_sides(name: str) -> None:
             _check(_figure(name, pose, view))
 
 
-def test_an_open_chain_without_points_goes_there_and_back_along_straight_lines() -> None:
-    """No line crosses the sheet from the end of one row to the start of the next."""
-    figure = _figure("six-r-arm")
-    for shape in figure.shapes:
-        if shape.look == "edge":
-            (x1, y1), (x2, y2) = shape.points
-            assert abs(x1 - x2) < 1e-6 or abs(y1 - y2) < 1e-6
-
-
-def test_the_ground_that_is_a_plate_is_hatched_along_its_outer_side() -> None:
-    """In the Hoberman ring between B1 and C0, away from the middle."""
-    figure = _figure("hoberman")
-    middle = figure.width / 2, (figure.height - 34) / 2
-    strokes = [shape.points for shape in figure.shapes if shape.look == "hatch-line"]
-    assert strokes
-    assert all(math.dist(a, middle) < math.dist(b, middle) + 9 for a, b in strokes)
-    pins = [
-        (sum(x for x, _ in s.points) / len(s.points), sum(y for _, y in s.points) / len(s.points))
-        for s in figure.shapes
-        if s.look == "pin"
-    ]
-    assert (
-        min(math.dist(a, middle) for a, _ in strokes) > sorted(math.dist(pin, middle) for pin in pins)[len(pins) // 2]
-    )
-
-
 def test_a_long_caption_stands_on_two_lines_and_loses_nothing() -> None:
     """It is broken between its parts; only what two lines cannot hold is cut."""
     parts = [
@@ -254,3 +228,29 @@ def test_the_number_of_an_axis_is_not_in_the_hand() -> None:
     fingers = [shape for shape in figure.shapes if shape.look.startswith("hand")]
     assert fingers
     assert three.at[1] < min(y for shape in fingers for _, y in shape.points) - 100
+
+
+def test_an_open_chain_without_points_goes_there_and_back_along_straight_lines() -> None:
+    """No line crosses the sheet from the end of one row to the start of the next."""
+    figure = _figure("six-r-arm")
+    for shape in figure.shapes:
+        if shape.look == "edge":
+            (x1, y1), (x2, y2) = shape.points
+            assert abs(x1 - x2) < 1e-6 or abs(y1 - y2) < 1e-6
+
+
+def test_the_ground_that_is_a_plate_is_hatched_along_its_outer_side() -> None:
+    """In the Hoberman ring between B1 and C0, away from the middle."""
+    figure = _figure("hoberman")
+    middle = figure.width / 2, (figure.height - 34) / 2
+    strokes = [shape.points for shape in figure.shapes if shape.look == "hatch-line"]
+    assert strokes
+    assert all(math.dist(a, middle) < math.dist(b, middle) + 9 for a, b in strokes)
+    pins = [
+        (sum(x for x, _ in s.points) / len(s.points), sum(y for _, y in s.points) / len(s.points))
+        for s in figure.shapes
+        if s.look == "pin"
+    ]
+    assert (
+        min(math.dist(a, middle) for a, _ in strokes) > sorted(math.dist(pin, middle) for pin in pins)[len(pins) // 2]
+    )
