@@ -33,7 +33,6 @@ from dhcli.kinematics.describe.linear import shifted
 from dhcli.kinematics.describe.normals import Lie
 from dhcli.notation.tree import ONE
 from tests.coupled import COUPLED
-from tests.coupled import COUPLED
 from tests.judging import answer_with, checked, expected, mark, slips, solution, vary
 
 LIBRARY = Path(__file__).parents[3] / "robots"
