@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import ClassVar, Self
+from typing import TYPE_CHECKING, ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Causes, Exercise, Judged, Matrices, Points, Question, Reading, Shown
+from dhcli.checking.exercise import Case, Causes, Exercise, Judged, Matrices, Overlaid, Points, Question, Reading, Shown
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.tables.typed_rows import TypedRow, read_table
 from dhcli.checking.verdicts import Mark
@@ -18,6 +18,9 @@ from dhcli.kinematics.moves import names
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.validity import Finding
 from dhcli.notation.scope import Scope
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.values import Values
 
 FIRST = 1
 """Index of frame 0, behind the base."""
@@ -167,6 +170,25 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         A table is one drawing: its rows are never mixed with those of the right one.
         """
         return leads_of(self.rows(case, reading), self.convention, span, points)
+
+    def overlaid(self, case: Case, reading: Reading[tuple[TypedRow, ...]], values: Values) -> Overlaid:
+        from dhcli.checking.tables.marking import robot_of
+        from dhcli.kinematics.values import numbers
+        from dhcli.scene.traced import paired, traced
+
+        own, robot = robot_of(case.exercise), self.robot_drawn(case.exercise)
+        rows = [moves_of(row, self.convention) for row in _settled(case, reading)]
+        segments = [(str(own.first + k - 1), moves) for k, moves in enumerate((own.base, *rows))]
+        pairs = paired(robot.frames[1:-1], [name for name, _ in segments], alike=robot.convention is self.convention)
+        return Overlaid(robot, traced("your table", segments, numbers(values), pairs), values)
+
+    def robot_drawn(self, exercise: Exercise) -> Robot:
+        """The arm, with the table of this convention where the exercise has one."""
+        from dhcli.checking.tables.marking import robot_of
+
+        own = robot_of(exercise)
+        also = exercise.also[0] if exercise.also else own
+        return also if own.convention is not self.convention and also.convention is self.convention else own
 
 
 def leads_of(
