@@ -46,6 +46,8 @@ class Slipped:
 def derivation_of(case: Case, target: Target) -> Derivation | None:
     """The derivation for the robot and the frames asked about; None where no textbook form is found."""
     robot = needed(case.exercise.robot)
+    if target.along:  # the formulas are of the whole pose
+        return None
     return _derived(robot, *target.ends(robot), "position" if target.task == "position" else "pose")
 
 
