@@ -2,7 +2,8 @@
 
 For arms of each class, and for robots of the library, all of whose joints turn: which share of all solutions that
 anybody finds each finds, how many it gives that are none, and how long a pose takes, all in this one run on one core.
-Known are the solutions that forward kinematics confirms. A peer that is not installed is left out:
+Known are the solutions that forward kinematics confirms; ik-geo
+says of most of those that are none that they are only the nearest. A peer that is not installed is left out:
 `pip install EAIK==1.2.2 ssik==8.2.0 ik-geo==1.0.3 roboticstoolbox-python==1.5.0`.
 """
 
@@ -10,7 +11,6 @@ from __future__ import annotations
 
 import argparse
 import os
-import signal
 import sys
 import time
 from collections.abc import Callable, Iterator
@@ -55,14 +55,18 @@ IK_GEO = {
 }
 """Which of its classes an arm is; its user has to say so."""
 
-TRUE = 1e-6
-"""A solution reaches its pose to this; peers do not polish theirs [reaches, direction cosines]."""
+EXACT = 1e-6
+"""What reaches its pose to this is a solution that is known [reaches, direction cosines]."""
 
-SAME = 1e-4
-"""Joint values closer than this are one solution [rad]."""
+NEARLY = 1e-4
+"""What misses its pose by more is none; peers that search stop early."""
 
-PATIENCE = 15
-"""A peer that prepares for longer than this to solve one pose is left out of the line [s]."""
+SAME = 1e-2
+"""Joint values closer than this to a known solution are that one; known ones are closer to each other beside a singular
+pose only [rad]."""
+
+APART = 1e-3
+"""Known solutions closer than this are counted once [rad]."""
 
 TRIES = np.tile(np.pi * np.array([0.0, 0.5, -0.5, 1.0]), (6, 1))
 
@@ -98,10 +102,12 @@ def by_eaik(_name: str, arm: Arm) -> Solver | None:
     return lambda poses: [np.array(found.Q).reshape(-1, 6) for found in robot.IK_batched(poses, 1)]
 
 
-def by_ssik(_name: str, arm: Arm) -> Solver:
-    """Ssik, C++."""
+def by_ssik(name: str, arm: Arm) -> Solver | None:
+    """Ssik, C++; arms of other classes than these it prepares for minutes each, and they are left out."""
     import ssik
 
+    if name not in {*ROBOTS, *(kind for kind in KINDS if kind.startswith("spherical wrist"))}:
+        return None
     robot = ssik.Manipulator.from_axes(*axes_and_offsets(arm))
     return lambda poses: [np.array([one.q for one in robot.solve(pose)]).reshape(-1, 6) for pose in poses]
 
@@ -116,7 +122,7 @@ def by_ik_geo(name: str, arm: Arm) -> Solver | None:
 
     def solve(poses: Array) -> list[Array]:
         found = [robot.get_ik(pose[:3, :3].T.tolist(), pose[:3, 3].tolist()) for pose in poses]  # columns
-        return [np.array([q for q, least in each if not least]).reshape(-1, 6) for each in found]
+        return [np.array([q for q, _ in each]).reshape(-1, 6) for each in found]
 
     return solve
 
@@ -161,25 +167,6 @@ def arms(count: int) -> Iterator[tuple[str, list[Arm]]]:
         yield name, [random_arm(CLASSES[name], np.random.default_rng(seed)) for seed in range(count)]
 
 
-def prepared(peer: str, name: str, arm: Arm, pose: Array) -> Solver | None:
-    """A peer's solver that has solved one pose; None where it has no way, or takes too long to find it."""
-
-    def give_up(_number: int, _frame: object) -> None:
-        raise TimeoutError
-
-    signal.signal(signal.SIGALRM, give_up)
-    signal.alarm(PATIENCE)
-    try:
-        solver = PEERS[peer][1](name, arm)
-        if solver is not None:
-            solver(pose)
-    except TimeoutError:
-        return None
-    finally:
-        signal.alarm(0)
-    return solver
-
-
 def line(name: str, made: list[Arm], peers: list[str], poses: int) -> str:
     """What each peer found of all that are known, how many strangers it gave, and its microseconds a pose."""
     known = 0
@@ -192,10 +179,11 @@ def line(name: str, made: list[Arm], peers: list[str], poses: int) -> str:
         wanted[:, :3, :3] = wanted[:, :3, :3] @ arm.home[:3, :3].T
         answers = {}
         for peer in peers:
-            solver = None if peer in refused else prepared(peer, name, arm, wanted[:1])
+            solver = PEERS[peer][1](name, arm)
             if solver is None:
                 refused.add(peer)
                 continue
+            solver(wanted[:1])
             start = time.perf_counter()
             answers[peer] = solver(wanted)
             spent[peer] += time.perf_counter() - start
@@ -206,11 +194,11 @@ def line(name: str, made: list[Arm], peers: list[str], poses: int) -> str:
             for peer, answer in answers.items():
                 rows = answer[k]
                 there = np.repeat(goal[k : k + 1], len(rows), axis=0)
-                true = residuals(TASKS["pose"], arm.home, product(arm, rows), there) < TRUE if len(rows) else []
-                strangers[peer] += len(rows) - int(np.sum(true))
-                own[peer] = rows[np.asarray(true, dtype=bool)]
-                for row in own[peer]:
-                    if not (apart(union, row) < SAME).any():
+                left = residuals(TASKS["pose"], arm.home, product(arm, rows), there) if len(rows) else np.empty(0)
+                strangers[peer] += int((left > NEARLY).sum())
+                own[peer] = rows[left <= NEARLY]
+                for row in rows[left <= EXACT]:
+                    if not (apart(union, row) < APART).any():
                         union = np.vstack([union, row])
             known += len(union)
             for peer, rows in own.items():
