@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from dhcli.kinematics.inverse.batch import inverse_batch as inverse_batch
     from dhcli.kinematics.inverse.path import follow as follow
     from dhcli.kinematics.inverse.solutions import Solutions as Solutions
+    from dhcli.kinematics.motors import in_motors as in_motors
     from dhcli.kinematics.pose import Pose as Pose
     from dhcli.kinematics.robot import Robot as Robot
     from dhcli.kinematics.singular.finding import singularities as singularities
@@ -72,6 +73,7 @@ _HOMES = {
     "joint_rates": "dhcli.kinematics.velocity.rates",
     "list_robots": "dhcli.files.library.lookup",
     "load_exercise": "dhcli.files.yaml.exercises",
+    "in_motors": "dhcli.kinematics.motors",
     "load_robot": "dhcli.files.yaml.robots",
     "manipulability": "dhcli.kinematics.velocity.measures",
     "quaternions": "dhcli.geometry.many",
@@ -101,6 +103,7 @@ __all__ = [
     "follow",
     "forward",
     "forward_batch",
+    "in_motors",
     "inverse",
     "inverse_batch",
     "jacobian",

@@ -98,13 +98,27 @@ def test_a_peer_that_is_not_installed_is_listed_as_such(monkeypatch: pytest.Monk
     absent = replace(peers.PEERS[0], name="nobody's", package="dhcli-no-such-package")
     monkeypatch.setattr(poses, "PEERS", (absent,))
     rows = [*poses.one(1, robots=("puma560",)), *poses.batch(1, sizes=(5,)), *poses.growth(1, sizes=(), size=5)]
-    assert len(rows) == 8
+    assert len(rows) == 9
     assert not any(row.pairs for row in rows)
     assert measure.table(rows[:1]).splitlines() == [
         "| work                | dhcli             | peer     | peer takes    |",
         "|---------------------|-------------------|----------|---------------|",
         "| one pose of puma560 | forward(robot, q) | nobody's | not installed |",
     ]
+
+
+def test_the_other_ways_of_many_poses_have_their_rows(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Threads and sweeps beside what they replace; arrays and the compiled loop beside whoever is installed."""
+    import arrays
+    import poses
+
+    monkeypatch.setattr(poses, "find_spec", lambda name: None)
+    monkeypatch.setattr(poses, "PEERS", poses.PEERS[:1])
+    rows = [*poses.threads(1, sizes=(50,)), *poses.sweeps(1, counts=(4,))]
+    assert [row.work for row in rows] == ["5e1 poses of puma560", "a grid of 4x4x4"]
+    assert all(row.pairs for row in rows)
+    assert [row.peer for row in poses.fast(1, sizes=(50,))] == ["numba"]
+    assert [row.peer for row in arrays.rows(1, sizes=(50,))] == ["JAX, jit and vmap", "PyTorch Kinematics"]
 
 
 def test_batches_say_what_a_pose_and_a_joint_cost(monkeypatch: pytest.MonkeyPatch) -> None:

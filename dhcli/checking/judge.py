@@ -137,14 +137,18 @@ class Judge:
         part.question.need_values(self.exercise)
         return part.question.expected(self._case(part), style)
 
+    def shortest(self, part: Part) -> str:
+        """The right answer to a part in few words and digits, as it is shown."""
+        part.question.need_values(self.exercise)
+        return part.question.shortest(self._case(part))
+
     def solution(self, part: Part) -> tuple[Shown, ...]:
         """The steps that lead to the right answer; the last one holds it as it may be typed."""
         part.question.need_values(self.exercise)
-        case = self._case(part)
-        steps = tuple(part.question.steps(case))
+        steps = tuple(part.question.steps(self._case(part)))
         if part.question.statements:
             return steps
-        answer = part.question.shortest(case)
+        answer = self.shortest(part)
         return (*steps, Shown(f"So the answer is {answer}" if steps else f"The answer is {answer}"))
 
     def findings(self, part: Part, where: tuple[str | int, ...]) -> tuple[Finding, ...]:

@@ -21,7 +21,7 @@ PANELS = {
     "See": ("draw",),
     "Exercises": ("start", "check", "watch", "hint", "solution"),
     "Classes": ("grade",),
-    "Library and authors": ("show", "list", "new", "lint"),
+    "Library and authors": ("show", "list", "new", "lint", "schema"),
     "Manual": ("help",),
 }
 """Every command under its heading in the help, which keeps this order; each has the file of its name in `commands`."""

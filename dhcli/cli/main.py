@@ -93,7 +93,8 @@ def usage_problem(error: Exception) -> Problem:
         near = did_you_mean(wanted, context.command.list_commands(context)) if context else ""
         hint = f"{near}; {hint}" if near else hint
     elif message.startswith("Got unexpected extra argument"):
-        hint = f"values that belong together have no blanks between them, or quotes around them; {hint}"
+        behind = "joint values stand behind --q; " if "--q" in known else ""
+        hint = f"{behind}values that belong together have no blanks between them, or quotes around them; {hint}"
     elif message.startswith("Missing argument"):
         message = f"{path} needs {message.removeprefix('Missing argument ')}"
     message = message.replace("a valid int range", "a whole number").replace("a valid integer range", "a whole number")

@@ -13,6 +13,10 @@ from dhcli.files.reading import read_text
 FOLDER = Path(__file__).parents[1] / "manual"
 GROUPS = {"tutorial": "Tutorials", "howto": "How to", "reference": "Reference", "explanation": "Explanations"}
 """The folders of pages, in the order in which they are read, and what they are called."""
+LEAST_TYPED = 3
+"""Letters by which pages are found that have them anywhere."""
+MOST_PAGES = 4
+"""Pages that are named for a word in them."""
 _COMMAND = re.compile(r"`dhcli ([a-z]+)[^`]*`")
 
 
@@ -75,8 +79,10 @@ def find_topic(name: str) -> Topic:
     if len(begun) == 1:
         return begun[0]
     known = [*(topic.name for topic in every), *(command for topic in every for command in topic.commands)]
-    near = [topic.name for topic in begun] or nearest(wanted, known) or _holding(wanted, every)
+    near = [topic.name for topic in begun] or nearest(wanted, known, cutoff=0.7)
     hint = f"did you mean {' or '.join(near)}?; " if near else ""
+    if not near and (pages := _speaking(wanted.replace("-", " "), every)):
+        hint = f"it is spoken of in {', '.join(pages)}; "
     raise UnknownNameError(f"the manual has no page '{name}'", f"{hint}dhcli help lists the topics")
 
 
@@ -86,10 +92,11 @@ def _topic(path: Path, group: str) -> Topic:
     return Topic(path.stem, heading.replace("`", ""), group, path, tuple(_COMMAND.findall(heading)))
 
 
-def _holding(word: str, every: tuple[Topic, ...]) -> list[str]:
-    """Topics whose page has a word in one of its headings."""
-    return [topic.name for topic in every if word and word in _headings(topic)][:4]
-
-
-def _headings(topic: Topic) -> str:
-    return "\n".join(line.lower() for line in read_text(topic.path).splitlines() if line.startswith("#"))
+def _speaking(words: str, every: tuple[Topic, ...]) -> list[str]:
+    """Topics whose page has the words: in a heading first, then most often."""
+    found = []
+    for topic in every if len(words) >= LEAST_TYPED else ():
+        text = read_text(topic.path).lower()
+        in_headings = any(words in line for line in text.splitlines() if line.startswith("#"))
+        found.append((in_headings, text.count(words), topic.name))
+    return [name for _, count, name in sorted(found, reverse=True) if count][:MOST_PAGES]

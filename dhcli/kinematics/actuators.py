@@ -121,16 +121,13 @@ class Actuators:
     def _sentence(self, name: str, others: Sequence[str], row: Row, shift: Fraction) -> str:
         """`theta3 = m2 + m3`, `d3 = 20 mm/360° * m3`, `m3 = 18 °/mm * d3`."""
         pieces = [
-            (ratio, self._factor(name, other, abs(ratio)) + other) for other, ratio in zip(others, row, strict=True)
+            (ratio, self.factor(name, other, abs(ratio)) + other) for other, ratio in zip(others, row, strict=True)
         ]
-        if shift:
-            pieces.append(
-                (shift, value_text(Angle.in_degrees(abs(shift)) if name in self.turning else number(abs(shift))))
-            )
-        told = "".join(f" {'-' if size < 0 else '+'} {piece}" for size, piece in pieces if size)
-        return f"{name} = {'-' * told.startswith(' -')}{told[3:]}"
+        size = Angle.in_degrees(abs(shift)) if name in self.turning else number(abs(shift))
+        return f"{name} = {total_text([*pieces, (shift, value_text(size))])}"
 
-    def _factor(self, name: str, other: str, size: Fraction) -> str:
+    def factor(self, name: str, other: str, size: Fraction) -> str:
+        """What another's value is multiplied with in the motion of a joint or a motor, as a person writes it."""
         if name in self.turning and other not in self.turning:
             return f"{exact_text(size / 1000)}°/(1 mm) * "
         if name not in self.turning and other in self.turning:
@@ -141,6 +138,13 @@ class Actuators:
 def metres(value: Expr) -> Fraction:
     """A constant length; exactly where it is a plain number."""
     return value.value if isinstance(value, Number) else Fraction(Floats().value(value))
+
+
+def total_text(pieces: Sequence[tuple[Fraction, str]]) -> str:
+    """A sum of pieces, each with what gives its sign; those added stand first, those that are 0 are left out."""
+    ordered = sorted((piece for piece in pieces if piece[0]), key=lambda piece: piece[0] < 0)
+    told = "".join(f" {'-' if sign < 0 else '+'} {text}" for sign, text in ordered)
+    return f"{'-' * told.startswith(' -')}{told[3:]}" or "0"
 
 
 def exact_text(value: Fraction) -> str:
@@ -178,7 +182,9 @@ def read_drive(expr: Expr, motors: Sequence[str], joints: Sequence[str], *, turn
     shift = ZERO
     for name, size, angles, lengths in _terms(expr, motors, joints):
         if not name:
-            if size and (angles, lengths) != ((1, 0) if turns else (0, 1)):
+            if size and (angles, lengths) not in (
+                {(1, 0)} if turns else {(0, 1), (0, 0)}
+            ):  # a bare length is in metres
                 raise RobotError("what is added is no " + ("angle" if turns else "length"), "write m2 + 90°, or 20 mm")
             shift += size
             continue
@@ -274,10 +280,16 @@ def actuators(
 
 
 def _check_limits(motor: str, limits: tuple[Value, Value] | None, *, turns: bool) -> None:
+    if limits is not None and _constant(limits[0]) >= _constant(limits[1]):
+        raise RobotError(f"{motor}: the lower limit is not below the upper one", "write [lowest, highest]")
     for value in limits or ():
         if isinstance(value, Angle) != turns and value not in (Number(ZERO), Angle()):
             does, wanted = ("turns", "an angle: 90°") if turns else ("slides", "a length: 0.3 m")
             raise RobotError(f"{motor} {does}, and its limit is {wanted}")
+
+
+def _constant(value: Value) -> float:
+    return value.constant() if isinstance(value, Angle) else float(metres(value))
 
 
 def inverse(rows: Sequence[Row], names: Sequence[str]) -> tuple[Row, ...]:

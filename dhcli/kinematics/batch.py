@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
+from dhcli.algebra.arrays import library_of
 from dhcli.errors import RobotError
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.frames import ends
 from dhcli.kinematics.playing import play
 from dhcli.kinematics.recorded import recorded_pose
 from dhcli.kinematics.robot import Robot, check_robot
+from dhcli.kinematics.traced import shaped, trace
 from dhcli.kinematics.values import numbers, parameter_values
 
 if TYPE_CHECKING:
@@ -33,7 +35,8 @@ def forward_batch(  # noqa: PLR0913  each by its name
 
     Args:
         robot: The robot.
-        Q: Joint values, shape (N, n), a row for each pose in joint order; radians and metres.
+        Q: Joint values, shape (N, n), a row for each pose in joint order; radians and metres. An array of JAX, PyTorch
+            or another library of the array API may have any shape (..., n), and is only computed with, never looked at.
         start: The frame it is seen from; the first numbered one by default.
         end: The frame described; the last numbered one by default.
         parameters: Lengths and angles to use instead of the robot's own.
@@ -43,7 +46,8 @@ def forward_batch(  # noqa: PLR0913  each by its name
         threads: How many threads share the work.
 
     Returns:
-        The poses, shape (N, 4, 4), translation in metres; NaN or infinite where a joint value is.
+        The poses, shape (N, 4, 4), translation in metres; NaN or infinite where a joint value is. For an array of
+        another library one of that library, of its kind and on its device, shape (..., 4, 4).
 
     Raises:
         RobotError: Q or `out` has another shape, Q holds something else than real numbers, `out` cannot be written
@@ -51,9 +55,12 @@ def forward_batch(  # noqa: PLR0913  each by its name
         UnknownNameError: The robot has no such frame or length.
     """
     check_robot(robot)
-    q = joint_rows(robot, Q)
     frames = ends(robot, start, end)
     recording = recorded_pose(robot, *frames, numbers(parameter_values(robot, parameters)) if parameters else None)
+    if library := library_of(Q):
+        only = {"out": out, "dtype": dtype, "threads": None if threads == 1 else threads}
+        return cast("NDArray[Any]", shaped(*trace(robot, recording, Q, library, only), (4, 4)))
+    q = joint_rows(robot, Q)
     poses = room(out, (len(q), 4, 4), dtype)
     play(recording, q, poses, threads)
     return poses

@@ -4,22 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
-from fractions import Fraction
 from typing import TypeVar
 
 from dhcli.errors import NotationError, Place, Problem, RobotError, UnknownNameError, did_you_mean
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
 from dhcli.kinematics.derived import Value
 from dhcli.kinematics.description import Description, Link
+from dhcli.kinematics.given import mapping_of, text_of, texts_of, tuple_of, value_of
 from dhcli.kinematics.moves import read_chain
 from dhcli.kinematics.values import parameter_values
 from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_angle, to_length
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import Expr, Number
+from dhcli.notation.tree import Expr
 
 Cell = float | str
+_A_ROW = "each is a mapping with a, alpha, d, theta, or these four in this order"
+_A_TOOL = "write moves, 'Trans(0, 0, 0.1)'"
 Made = TypeVar("Made", bound=Description)
 
 
@@ -34,15 +36,16 @@ def from_dh(
     name: str = "robot",
 ) -> Made:
     """A robot from the rows of its table; what is taken is told by `Robot.from_dh`."""
-    if convention not in ("standard", "modified"):
+    if text_of(convention, "convention", "standard or modified") not in ("standard", "modified"):
         raise UnknownNameError(f"there is no convention {convention}", "standard or modified")
-    given = parameters or {}
-    scope = Scope(lengths=(*variables, *given))
+    given = {} if parameters is None else mapping_of(parameters, "parameters")
+    named, called = texts_of(variables, "variables", 'write ["theta1", "d2"]'), text_of(name, "name")
+    scope = Scope(lengths=(*named, *given))
     kind = Convention(convention)
-    found = [_row(row, i, scope) for i, row in enumerate(rows, 1)]
+    found = [_row(row, i, scope) for i, row in enumerate(tuple_of(rows, "rows", _A_ROW), 1)]
     links = tuple(Link(i, moves_of(row, kind), row) for i, row in enumerate(found, 1))
     open_: dict[str, Value | None] = dict.fromkeys(given)
-    bare = made(name, name, "made in Python", kind, tuple(variables), links, open_)
+    bare = made(called, called, "made in Python", kind, named, links, open_)
     known = {parameter: value for parameter, value in given.items() if value is not None}
     return replace(bare, parameters={**open_, **parameter_values(bare, known)})
 
@@ -59,22 +62,24 @@ def copy(
     scope = Scope(lengths=tuple(robot.parameters))
     named = {"tool": robot.tools, "base": {}}
     ends = {
-        end: named[end].get(text.strip(), ()) or (read_chain(text, scope, Place(end)) if text.strip() else ())
+        end: named[end].get(text_of(text, end, _A_TOOL).strip(), ())
+        or (read_chain(text, scope, Place(end)) if text.strip() else ())
         for end, text in (("tool", tool), ("base", base))
         if text is not None
     }
     values = robot.parameters if parameters is None else {**robot.parameters, **parameter_values(robot, parameters)}
-    return replace(robot, name=name or robot.name, parameters=values, path=None, **ends)  # type: ignore[arg-type]
+    called = robot.name if name is None else text_of(name, "name")
+    return replace(robot, name=called, parameters=values, path=None, **ends)  # type: ignore[arg-type]
 
 
-def _row(row: Mapping[str, Cell] | Sequence[Cell], number: int, scope: Scope) -> Row:
+def _row(row: object, number: int, scope: Scope) -> Row:
     place = Place(f"row {number}")
     if isinstance(row, Mapping):
         if unknown := [key for key in row if key not in COLUMNS]:
             raise RobotError(Problem(f"{unknown[0]} is no column", place, did_you_mean(unknown[0], COLUMNS)))
         cells = [row.get(column, 0.0) for column in COLUMNS]
     else:
-        cells = list(row)
+        cells = list(tuple_of(row, str(place), _A_ROW))
     if len(cells) != len(COLUMNS):
         raise RobotError(Problem(f"{len(cells)} cells, not four", place, "a, alpha, d, theta"))
     a, alpha, d, theta = cells
@@ -83,18 +88,24 @@ def _row(row: Mapping[str, Cell] | Sequence[Cell], number: int, scope: Scope) ->
     )
 
 
-def _length(cell: Cell, scope: Scope, place: Place) -> Expr:
+def _length(cell: object, scope: Scope, place: Place) -> Expr:
     if not isinstance(cell, str):
-        return Number(Fraction(repr(float(cell))), 17)
+        found = value_of(cell, str(place), is_angle=False)
+        if isinstance(found, Angle):
+            raise RobotError(Problem("an angle, and a length is wanted", place, "write 0.4 or '400 mm'"))
+        return found
     try:
         return to_length(parse(cell, scope, place))
     except DimensionError as error:
         raise NotationError(Problem(error.message, place, error.hint)) from None
 
 
-def _angle(cell: Cell, scope: Scope, place: Place) -> Angle:
+def _angle(cell: object, scope: Scope, place: Place) -> Angle:
     if not isinstance(cell, str):
-        return Angle(radians=Fraction(repr(float(cell))))
+        found = value_of(cell, str(place), is_angle=True)
+        if not isinstance(found, Angle):
+            raise RobotError(Problem(f"{found} is a length, an angle is wanted", place, "write '90°' or radians"))
+        return found
     try:
         return to_angle(parse(cell, scope, place), bare="refuse")
     except DimensionError as error:

@@ -126,20 +126,14 @@ def plain_floats(q: JointInput, parameters: Given | None) -> Sequence[float] | N
 
 
 def _played(robot: Robot, q: Sequence[float], start: str, end: str) -> tuple[tuple[float, ...], ...] | None:
-    """The pose by its recording, shape (4, 4), the same as by the fold; None where only that can tell what is wrong."""
+    """The pose by its recording, shape (4, 4); see `Recording.again`."""
     from dhcli.kinematics.recorded import recorded_pose  # a command has a robot once, and records nothing
 
     try:
-        recording = recorded_pose(robot, start, end)
-        if not recording.is_asked_again:
-            return None
-        found = recording.one(q)
-        # what is infinite or no number makes a sum one; a sum of numbers too large goes the long way for nothing
-        if not math.isfinite(sum(q) + sum(found)):
-            return None
-    except (ArithmeticError, ValueError, RobotError):
+        found = recorded_pose(robot, start, end).again(q)
+    except RobotError:
         return None
-    return found[:4], found[4:8], found[8:12], found[12:]
+    return None if found is None else (found[:4], found[4:8], found[8:12], found[12:])
 
 
 def symbolic_pose(robot: Robot, values: Values, start: str, end: str) -> Pose[Expr]:

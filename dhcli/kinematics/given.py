@@ -46,6 +46,26 @@ def chain_of(given: object, part: str) -> Chain:
     return tuple(moves)
 
 
+def text_of(given: object, part: str, hint: str = "") -> str:
+    """A text.
+
+    Raises:
+        RobotError: It is none.
+    """
+    if not isinstance(given, str):
+        raise RobotError(f"{part}: {_shown(given)} is no text", hint)
+    return given
+
+
+def texts_of(given: object, part: str, hint: str = "") -> tuple[str, ...]:
+    """A list of texts.
+
+    Raises:
+        RobotError: It is no list, or one of them is no text.
+    """
+    return tuple(text_of(each, part, hint) for each in tuple_of(given, part, hint))
+
+
 def tuple_of(given: object, part: str, hint: str = "") -> tuple[object, ...]:
     """A list of something.
 

@@ -18,21 +18,31 @@ def in_motors(robot: Robot) -> Robot:
     Raises:
         RobotError: Its motors are not known.
     """
-    driven = robot.actuators
-    if driven is None:
-        hint = "its file says so under actuators: motors: {m2: [-60°, 76°]}, theta2: m2"
-        raise RobotError(f"of {robot.name} it is not known which motors drive it", hint)
-    formulas = driven.formulas
-    own = {motor: robot.limits[motor] for motor in driven.motors if motor in robot.limits and motor in driven.joints}
+    motors = driven(robot).actuators
+    assert motors is not None  # noqa: S101  that is what has just been looked for
+    formulas = motors.formulas
+    own = {motor: robot.limits[motor] for motor in motors.motors if motor in robot.limits and motor in motors.joints}
     return replace(
         robot,
-        variables=driven.motors,
+        variables=motors.motors,
         links=tuple(link_with(link, formulas, robot.convention) for link in robot.links),
-        limits={**own, **driven.limits},
-        poses={name: _motors(driven, robot, values) for name, values in robot.poses.items()},
+        limits={**own, **motors.limits},
+        poses={name: _motors(motors, robot, values) for name, values in robot.poses.items()},
         actuators=None,
         drives=robot,
     )
+
+
+def driven(robot: Robot) -> Robot:
+    """The robot, if it is known which motors drive it.
+
+    Raises:
+        RobotError: It is not.
+    """
+    if robot.actuators is None:
+        hint = "its file says so under actuators: motors: {m2: [-60°, 76°]}, theta2: m2"
+        raise RobotError(f"of {robot.name} it is not known which motors drive it", hint)
+    return robot
 
 
 def _motors(driven: Actuators, robot: Robot, values: tuple[Value, ...]) -> tuple[Value, ...]:

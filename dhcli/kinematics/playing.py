@@ -24,8 +24,14 @@ BLOCK = 4040
 power of two would lie on the same few lines of a cache: to turn them into rows takes up to three times as long then.
 """
 
+CACHE = 900_000
+"""Bytes of all columns that are worked on at a time; the Jacobian of a Panda has 79 of them."""
+
+FEWEST = 1000
+"""Rows at a time however many columns there are."""
+
 CHUNK = 16 * BLOCK
-"""Rows that one thread takes at a time."""
+"""Rows that one thread takes at a time; as one block, for at each call of numpy one thread waits for the other."""
 
 FEW = 16
 """Rows that are played one by one in less time than numpy takes to begin."""
@@ -33,8 +39,11 @@ FEW = 16
 MODEST = 10.0
 """Joint values [rad] up to which parallel joints are merged; the sum of larger angles lacks digits of its parts."""
 
-_IDLE: deque[Columns] = deque(maxlen=8)
-"""Columns that nobody uses now: the next block, or the next call, of the same robot need not make them."""
+_IDLE: deque[Columns] = deque(maxlen=4)
+"""Columns that nobody uses now: the next block, or the next call, of the same robot need not make them.
+
+A megabyte each, or those of threads some twenty.
+"""
 
 
 def play(recording: Recording, q: NDArray[np.float64], found: NDArray[Any], threads: int = 1) -> None:
@@ -52,7 +61,7 @@ def play(recording: Recording, q: NDArray[np.float64], found: NDArray[Any], thre
     """
     if type(threads) is not int or threads < 1:
         raise RobotError(f"threads is a number from 1, not {threads!r:.60}")
-    chunks = [slice(first, first + CHUNK) for first in range(0, len(q), CHUNK)]
+    chunks = shares(len(q), threads)
     with np.errstate(all="ignore"):
         if is_ready(len(q)):
             one = partial(_by_loop, recording, q, found)
@@ -64,10 +73,21 @@ def play(recording: Recording, q: NDArray[np.float64], found: NDArray[Any], thre
             for chunk in chunks:
                 one(chunk)
             return
+        one = partial(one, block=CHUNK)
         from concurrent.futures import ThreadPoolExecutor  # a command that needs none starts sooner
 
         with ThreadPoolExecutor(min(threads, len(chunks))) as pool:
             list(pool.map(one, chunks))
+
+
+def shares(count: int, threads: int) -> list[slice]:
+    """Rows in parts of at most `CHUNK`; for several threads as many and as large for each, but none below a block."""
+    size = CHUNK
+    if threads > 1:
+        parts = -(-count // CHUNK)
+        parts = min(-(-parts // threads) * threads, count // BLOCK)
+        size = -(-count // max(1, parts))
+    return [slice(first, first + size) for first in range(0, count, max(1, size))]
 
 
 def _one_by_one(recording: Recording, q: NDArray[np.float64], found: NDArray[Any]) -> bool:
@@ -80,7 +100,9 @@ def _one_by_one(recording: Recording, q: NDArray[np.float64], found: NDArray[Any
     return True
 
 
-def _by_loop(recording: Recording, q: NDArray[np.float64], found: NDArray[Any], chunk: slice) -> None:
+def _by_loop(
+    recording: Recording, q: NDArray[np.float64], found: NDArray[Any], chunk: slice, block: int | None = None
+) -> None:
     """A chunk by the compiled loop; by numpy where that does not know a step, or an angle is too large for it."""
     rows, target = np.ascontiguousarray(q[chunk]), found[chunk]
     merged = bool(rows.size == 0 or (rows.max() <= MODEST and rows.min() >= -MODEST))
@@ -88,22 +110,31 @@ def _by_loop(recording: Recording, q: NDArray[np.float64], found: NDArray[Any], 
     is_plain = target.flags.c_contiguous
     flat = (target if is_plain else np.empty(target.shape, target.dtype)).reshape(len(rows), -1)
     if kernel is None or not kernel.play(rows, flat):
-        _by_columns(recording, q, found, chunk)
+        _by_columns(recording, q, found, chunk, block)
     elif not is_plain:
         target[...] = flat.reshape(target.shape)
 
 
-def _by_columns(recording: Recording, q: NDArray[np.float64], found: NDArray[Any], chunk: slice) -> None:
-    """A chunk by numpy, block by block."""
+def _by_columns(
+    recording: Recording, q: NDArray[np.float64], found: NDArray[Any], chunk: slice, block: int | None = None
+) -> None:
+    """A chunk by numpy, so many rows at a time, by default as a cache holds well."""
     rows, target = q[chunk], found[chunk]
     with np.errstate(all="ignore"):  # a thread has its own
-        for first in range(0, len(rows), BLOCK):
-            block = rows[first : first + BLOCK]
-            merged = bool(np.abs(block).max(initial=0.0) <= MODEST)
-            columns = _columns(recording.program(merged=merged, tangents=True), len(block))
-            results = columns.play(block.T).reshape(*target.shape[1:], -1)
-            target[first : first + BLOCK] = np.moveaxis(results, -1, 0)
+        length = block or _length(recording.program(merged=True, tangents=True))
+        for first in range(0, len(rows), length):
+            part = rows[first : first + length]
+            merged = bool(np.abs(part).max(initial=0.0) <= MODEST)
+            columns = _columns(recording.program(merged=merged, tangents=True), len(part))
+            results = columns.play(part.T).reshape(*target.shape[1:], -1)
+            target[first : first + length] = np.moveaxis(results, -1, 0)
             _IDLE.append(columns)
+
+
+def _length(program: Program) -> int:
+    """Rows at a time of a program: fewer where it has so many columns that they would not fit the cache."""
+    rows = min(BLOCK, max(FEWEST, CACHE // (8 * program.registers)))
+    return rows - rows % 16 + 8  # an odd number of the lines of a cache
 
 
 def _columns(program: Program, length: int) -> Columns:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import deque
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from functools import cached_property
@@ -71,13 +72,7 @@ class Recording:
         self._variables, self._values, self._results = tuple(variables), values, results
         self._programs: dict[tuple[bool, bool], Program] = {}
         self._kernels: dict[bool, Kernel | None] = {}
-        self._is_asked_again = False
-
-    @property
-    def is_asked_again(self) -> bool:
-        """Whether this was asked before: what is asked once is had sooner without recording anything."""
-        before, self._is_asked_again = self._is_asked_again, True
-        return before
+        self._is_asked = False
 
     def program(self, *, merged: bool, tangents: bool = False) -> Program:
         """The steps.
@@ -106,6 +101,22 @@ class Recording:
     def one(self) -> Play:
         """The steps as a function of one row of joint values, good at angles of any size."""
         return compiled(self.program(merged=False))
+
+    def again(self, q: Sequence[float]) -> tuple[float, ...] | None:
+        """The results for one row of joint values, the same as by the fold.
+
+        What is asked for once is had sooner without recording anything, so the first time there are none; nor are there
+        where only the general way can tell what is wrong.
+        """
+        if not self._is_asked:
+            self._is_asked = True
+            return None
+        try:
+            found = self.one(q)
+            # what is infinite or no number makes a sum one; a sum of numbers too large goes the long way for nothing
+            return found if math.isfinite(sum(q) + sum(found)) else None
+        except (ArithmeticError, ValueError):
+            return None
 
 
 def recorded_chain(chain: Chain, variables: Sequence[str], values: Mapping[str, Angle | float]) -> Recording:

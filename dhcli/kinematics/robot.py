@@ -12,6 +12,7 @@ from typing import Any
 from dhcli.errors import RobotError, plural
 from dhcli.kinematics.derived import Value
 from dhcli.kinematics.description import Description, Joint, Kind, Link
+from dhcli.kinematics.given import text_of
 from dhcli.kinematics.validity import check
 
 __all__ = ["Joint", "Kind", "Link", "Robot", "Value", "check_robot"]
@@ -131,7 +132,8 @@ class Robot(Description):
         Raises:
             FileError: With every problem, each with line and column.
         """
-        found: Robot = _above("files.yaml.robots", "robot_of")(text, "text", name)
+        read = _above("files.yaml.robots", "robot_of")
+        found: Robot = read(text_of(text, "text"), "text", text_of(name, "name"))
         return found
 
     @staticmethod
@@ -152,7 +154,8 @@ class Robot(Description):
             UnknownNameError: There is no such link; the nearest are listed.
         """
         read = _above("files.urdf.robots", "read_urdf")
-        found: Robot = read(text, "text", name, base=base, tip=tip, as_typed=as_typed)
+        given, called = text_of(text, "text"), text_of(name, "name")
+        found: Robot = read(given, "text", called, base=base, tip=tip, as_typed=as_typed)
         return found
 
     def save(self, path: str | Path, *, overwrite: bool = False) -> None:
@@ -166,6 +169,8 @@ class Robot(Description):
             FileError: The file exists already, or cannot be written.
             RobotError: It cannot be a URDF.
         """
+        if not isinstance(path, str | Path):
+            raise RobotError(f"{path!r:.60} is no path", "write robot.save('arm.yaml')")
         _above("files.yaml.writing", "save_robot")(self, path, overwrite=overwrite)
 
     def copy(

@@ -209,7 +209,7 @@ def _trials(judge: Judge) -> Iterator[Finding]:
 def _right(judge: Judge, trial: Trial) -> str:
     """The right answer, where a test holds another one for right."""
     try:
-        answer = judge.expected(judge.exercise.part(trial.part)) if trial.verdict in PASSED else ""
+        answer = judge.shortest(judge.exercise.part(trial.part)) if trial.verdict in PASSED else ""
     except DhcliError:
         return ""
     return f"right is {answer}" if answer else ""

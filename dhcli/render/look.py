@@ -37,6 +37,7 @@ _NOUNS = {
     "torques": "torques",
     "velocity": "rates and velocities",
     "description": "a description",
+    "motors": "motors",
 }
 """What each kind of result is called in messages."""
 
@@ -128,6 +129,7 @@ _RENDERERS = {
     ("velocity", "sympy"): "dhcli.render.code.velocity:velocity_code",
     ("velocity", "csv"): "dhcli.render.code.velocity:velocity_csv",
     ("description", "table"): "dhcli.render.text.describe:description_table",
+    ("motors", "table"): "dhcli.render.text.motors:motors_table",
     ("description", "yaml"): "dhcli.render.code.robots:description_yaml",
     ("description", "urdf"): "dhcli.render.code.robots:description_urdf",
 }
@@ -158,6 +160,7 @@ _CONTENTS = {
     "torques": "dhcli.render.json.velocity:torques_content",
     "velocity": "dhcli.render.json.velocity:velocity_content",
     "description": "dhcli.render.text.describe:description_content",
+    "motors": "dhcli.render.text.motors:motors_content",
 }
 """Where each kind of result becomes what stands under `data` in JSON."""
 

@@ -13,7 +13,7 @@ from dhcli.scene.painter import turn_arc
 from dhcli.scene.primitives import Anchor, Arrow, Box, Dimension, Drum, Scene
 from dhcli.scene.shapes import Shape, arrowhead, ring
 from dhcli.scene.vectors import Flat, along
-from dhcli.scene.words import Run, named
+from dhcli.scene.words import Run, spelled
 
 END_ON = 0.13
 """An axis that looks shorter than this part of its length is ⊙ or ⊗."""
@@ -23,6 +23,9 @@ OFFSETS = (24.0, 31.0, 38.0, 46.0, 58.0)
 
 SHORT, NOTHING = 22.0, 4.0
 """Dimensions shorter than this have their arrows outside; shorter than that only a label [px]."""
+
+BY_THE_HAND = 0.5
+"""The number of an axis goes to its other end where the hand is so much nearer to the first one."""
 
 HEAD = 10.0
 
@@ -77,7 +80,7 @@ def turn_wishes(scene: Scene, camera: Camera) -> Iterator[Wish]:
             arc = [camera.flat(point) for point in turn_arc(body, camera)]
             x, y = camera.flat(body.centre)
             front = (arc[-1], arc[-4], arc[-7], arc[-10])
-            yield Wish(front, named(solid.name), "turn", (front[1][0] - x, front[1][1] - y))
+            yield Wish(front, spelled(solid.name), "turn", (front[1][0] - x, front[1][1] - y))
 
 
 def joint_axes(scene: Scene, camera: Camera, first: int | None) -> tuple[list[Shape], list[Wish]]:
@@ -85,6 +88,7 @@ def joint_axes(scene: Scene, camera: Camera, first: int | None) -> tuple[list[Sh
     shapes: list[Shape] = []
     wishes: list[Wish] = []
     bodies = [solid for solid in scene.solids if isinstance(solid, Drum | Box)]
+    hand = camera.flat(scene.point(scene.hand.wrist)) if scene.hand else None
     for number, solid in enumerate(bodies, first or 1):
         centre = scene.point(solid.centre)
         axis = scene.direction(solid.centre.state, solid.axis)
@@ -97,6 +101,8 @@ def joint_axes(scene: Scene, camera: Camera, first: int | None) -> tuple[list[Sh
             wishes.append(Wish((middle,), words, "number", (1.0, -1.0)))
             continue
         shapes.append(Shape(tuple(ends), "axis"))
+        if hand and math.dist(ends[0], hand) < BY_THE_HAND * math.dist(ends[1], hand):
+            ends.reverse()
         wishes.append(Wish(tuple(ends), words, "number", (ends[0][0] - ends[1][0], ends[0][1] - ends[1][1])))
     return shapes, wishes if first is not None else []
 

@@ -30,6 +30,9 @@ MARGIN, FOOT = 62.0, 34.0
 LARGEST_DRUM = 36.0
 """The largest radius of a drum on paper [px]."""
 
+LARGEST_OF_LINKAGE = 62.0
+"""The same where no frames and lengths stand around it."""
+
 
 @dataclass(frozen=True)
 class Staged:
@@ -155,7 +158,8 @@ def fitted(scene: Scene, view: tuple[float, float], paper: Paper, more: Sequence
         paper.width - paper.margin,
         paper.height - paper.foot - paper.margin * 0.7,
     )
-    most = LARGEST_DRUM / scene.unit * min(paper.width / WIDTH, paper.height / HEIGHT)
+    largest = LARGEST_DRUM if scene.arrows else LARGEST_OF_LINKAGE
+    most = largest / scene.unit * min(paper.width / WIDTH, paper.height / HEIGHT)
     return Camera.at(*view).fitted([*extent(scene), *more], room, most)
 
 
@@ -221,14 +225,27 @@ def _shown(value: Value) -> str:
     return f"{in_floats(value):.4g} m"
 
 
+MOST_LINES = 2
+"""Lines of a caption; what is longer ends in three dots."""
+
+
 def foot(title: str, caption: str, paper: Paper) -> list[Text]:
-    """The line under a figure."""
+    """The line under a figure; two of them where one is too short."""
     if not paper.foot:
         return []
     text = " · ".join(filter(None, (title, caption)))
     text = "".join(letter if letter.isprintable() else " " for letter in text)
     size = 12.5
     most = int((paper.width - 32) / (0.53 * size))
-    if len(text) > most:
-        text = text[: most - 1] + "…"
-    return [Text((16.0, paper.height - 14.0), (Run(text),), "caption", size)]
+    lines = [""]
+    for piece in text.split(" · "):
+        longer = f"{lines[-1]} · {piece}" if lines[-1] else piece
+        if len(longer) > most and lines[-1] and len(lines) < MOST_LINES:
+            lines.append(piece)
+        else:
+            lines[-1] = longer
+    lines = [line if len(line) <= most else f"{line[: most - 1]}…" for line in lines]
+    low = paper.height - 14.0
+    return [
+        Text((16.0, low - 1.25 * size * up), (Run(line),), "caption", size) for up, line in enumerate(reversed(lines))
+    ][::-1]

@@ -14,7 +14,7 @@ import statistics
 import sys
 import time
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from itertools import islice
 from pathlib import Path
@@ -24,9 +24,10 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 from dhcli import load_exercise, load_robot
 from dhcli.checking.diagnosis.matrix_causes import typed_text
 from dhcli.checking.diagnosis.mistakes import IN_TERMS
+from dhcli.checking.diagnosis.mistakes.in_terms import TERM_MAKERS, among_of
 from dhcli.checking.diagnosis.result import Diagnosis, Slip
 from dhcli.checking.diagnosis.search import matches, same, search_of
-from dhcli.checking.diagnosis.slips import candidates
+from dhcli.checking.diagnosis.slips import candidates, setting_of
 from dhcli.checking.diagnosis.typed import typed_answer
 from dhcli.checking.exercise import Case, Exercise, Part
 from dhcli.checking.judge import Judge
@@ -157,15 +158,9 @@ def singles(judge: Judge, part: Part, tally: Tally) -> None:
 
 def in_terms(judge: Judge, part: Part, tally: Tally, draw: random.Random) -> None:
     """Some of the mistakes in the terms of the entries of a part, each in one entry."""
-    question = part.question
-    if judge.exercise.numeric or not isinstance(question, MatrixQuestion):
-        return
-    case, search = Case(part, judge.memo), search_of(question, judge.memo)
-    right = search.general.entries(search.right)
-    every = {one.slips[0].name: one for one in candidates(search.right, search.setting, among=IN_TERMS)}
-    wrong = [one for one in every.values() if not same(search.general.entries(one.work), right)]
-    for one in draw.sample(wrong, min(TERMS, len(wrong))):
-        answer, wanted = typed_text(case, one.work), one.slips[0].name
+    wrong = term_answers(judge, part)
+    for wanted in draw.sample(sorted(wrong), min(TERMS, len(wrong))):
+        answer = wrong[wanted][0]()
         judged = judge.judged(part, answer)
         if judged.mark.verdict not in UNSOLVED:
             continue
@@ -175,12 +170,51 @@ def in_terms(judge: Judge, part: Part, tally: Tally, draw: random.Random) -> Non
         tally.made += 1
         tally.named += bool(found.causes)
         unique = found.ids == (wanted,)
-        others = [judge.answer_with(part, name) for name in found.ids if name not in (wanted, "misprint")]
-        fits = [agree(judge, part, answer, other) for other in others]
+        others = [
+            [one() for one in wrong[name]] if name in wrong else [made(judge, part, name)]
+            for name in found.ids
+            if name != wanted
+        ]
+        fits = [any(agree(judge, part, answer, one) for one in other) for other in others if any(other)]
         tally.unique += unique
         tally.alike += not unique and bool(found.causes) and all(fits)
         tally.wrong += len(fits) - sum(fits)
         tally.few += bool(found.causes) and len(found.ids) <= 3
+
+
+def term_answers(judge: Judge, part: Part) -> dict[str, list[Callable[[], str]]]:
+    """For each mistake in the terms of one entry the answers that it leads to; two for a term that stands twice."""
+    case, question = Case(part, judge.memo), part.question
+    if judge.exercise.numeric:
+        return {}
+    if isinstance(question, MatrixQuestion):
+        search = search_of(question, judge.memo)
+        right = search.general.entries(search.right)
+        every = {one.slips[0].name: one for one in candidates(search.right, search.setting, among=IN_TERMS)}
+        wrong = {name: one for name, one in every.items() if not same(search.general.entries(one.work), right)}
+        return {name: [partial(typed_text, case, one.work)] for name, one in wrong.items()}
+    if not isinstance(question, MotionQuestion):
+        return {}
+    right_grid = question.right(case)
+    found: dict[str, list[Callable[[], str]]] = {}
+    among = among_of(right_grid.rows, setting_of(judge.exercise))
+    for r, row in enumerate(right_grid.rows):
+        for c, entry in enumerate(row):
+            for name, maker in TERM_MAKERS.items():
+                for text, changed in maker(entry, among):
+                    line = (*row[:c], changed, *row[c + 1 :])
+                    grid = replace(right_grid, rows=(*right_grid.rows[:r], line, *right_grid.rows[r + 1 :]))
+                    about = f"{name} {question.place(r, c)} {text}"
+                    found.setdefault(about, []).append(partial(question.text, case, grid))
+    return found
+
+
+def made(judge: Judge, part: Part, name: str) -> str:
+    """The answer of a mistake; nothing where it cannot be made."""
+    try:
+        return judge.answer_with(part, name)
+    except DhcliError:
+        return ""
 
 
 def agree(judge: Judge, part: Part, answer: str, other: str) -> bool:
@@ -253,7 +287,7 @@ def names(slips: Iterable[Slip]) -> str:
 
 def alike(judge: Judge, part: Part, names_: Iterable[str]) -> bool:
     """Whether mistakes, or pairs of them, give one and the same answer at all values; a misprint copied does too."""
-    if isinstance(part.question, ColumnsQuestion) and any(" + " in name for name in names_):
+    if isinstance(part.question, ColumnsQuestion):
         return alike_grids(judge, part, part.question, set(names_))
     if not isinstance(part.question, MatrixQuestion):
         return not isinstance(part.question, TableQuestion)  # the same number or name, which is all there is
@@ -270,8 +304,9 @@ def alike(judge: Judge, part: Part, names_: Iterable[str]) -> bool:
 def alike_grids(judge: Judge, part: Part, question: ColumnsQuestion, wanted: set[str]) -> bool:
     """Whether mistakes in columns, or pairs of them, give one and the same answer at all values."""
     case = Case(part, judge.memo)
-    grids = [one.grid for one in question.pairs(case) if names(one.slips) in wanted]
-    grids += [grid for slip, grid in question.wrong(case) if slip.name in wanted]
+    paired = question.pairs(case) if any(" + " in name for name in wanted) else ()
+    grids = [one.grid for one in paired if names(one.slips) in wanted]
+    grids += [grid for slip, grid in question.every(case, question.right(case)) if slip.name in wanted]
     first, *others = (question.at_points(judge.exercise, grid) for grid in grids)
     return len(grids) >= len(wanted) and all(same_points(first, other) for other in others)
 

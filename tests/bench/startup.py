@@ -36,6 +36,7 @@ COMMANDS = (
     "grade sheets",
     "lint exercise.yaml",
     "new robot my-arm --overwrite",
+    "schema robot",
     "help fk",
     "ik puma560 --pose nominal",
 )

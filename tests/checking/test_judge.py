@@ -10,7 +10,7 @@ import pytest
 from dhcli import load_exercise
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.judge import Judge
-from dhcli.checking.kinds.registry import KINDS
+from dhcli.checking.kinds.registry import every_kind
 from dhcli.checking.verdicts import Verdict
 
 
@@ -18,7 +18,7 @@ from dhcli.checking.verdicts import Verdict
 def readings(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
     """How often each text is read, by whatever kind of question."""
     counted: Counter[str] = Counter()
-    for kind in KINDS:
+    for kind in every_kind():
 
         def counting(question, case, text, place=None, *, read=kind.read):  # noqa: ANN001, ANN202
             counted[text] += 1

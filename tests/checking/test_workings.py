@@ -8,6 +8,7 @@ import pytest
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Exercise, Part
+from dhcli.checking.kinds.cell import CellQuestion
 from dhcli.checking.kinds.matrix import MatrixQuestion
 from dhcli.checking.kinds.table import TableQuestion
 from dhcli.checking.symbolic import same
@@ -19,7 +20,7 @@ from dhcli.kinematics.conventions import Convention
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import to_length
 from dhcli.notation.writer import write, write_angle
-from tests.judging import mark, shortest, solution
+from tests.judging import expected, mark, shortest, solution
 
 EXERCISES = [entry.name for entry in entries(Kind.EXERCISES)]
 
@@ -109,3 +110,17 @@ def test_each_cell_of_a_table_is_found_on_the_way(name: str) -> None:
             assert f"a{back} = {write(link.row.a)}, α{back} = {write_angle(link.row.alpha)}" in told
             assert f"d{number} = {write(link.row.d)}, θ{number} = {write_angle(link.row.theta)}" in told
         assert told.index("1  z axes: DH1: ") < told.index("\n3  x axes: ") < told.index("\n4  Each row leads")
+
+
+@pytest.mark.parametrize("name", EXERCISES)
+def test_a_cell_of_a_table_is_found_in_its_step(name: str) -> None:
+    """The one that has the cell, in either convention."""
+    exercise = load_exercise(name)
+    for part in exercise.parts:
+        robot = exercise.robot
+        if isinstance(part.question, CellQuestion) and robot is not None:
+            column, number = part.question.column, int(part.question.link)
+            number -= robot.convention is Convention.MODIFIED and column in ("a", "alpha")
+            head = {"alpha": "α", "theta": "θ"}.get(column, column)
+            _, step, _ = solution(exercise, part)
+            assert f"{head}{number} = {expected(exercise, part)}" in step.text

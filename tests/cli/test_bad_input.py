@@ -53,6 +53,8 @@ from tests.cli.running import Run
         ("fk scara --pose pick -o nowhere/pose.json", "there is no folder nowhere"),
         ("fk scara --pose pick --overwrite", "--overwrite needs a file"),
         ("fk scara --q 0 0 0", "quotes around them"),
+        ("fk scara 0 0 0", "joint values stand behind --q; "),
+        ("fk planar2r --q 0,0", "did you mean planar-2r?; "),
         ("fk scara --formt json", "did you mean --format"),
         ("fk scara --pose", "requires an argument"),
         ("check scara --pose", "dhcli check --help shows what can be typed"),

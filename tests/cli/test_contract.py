@@ -207,7 +207,7 @@ def test_a_robot_has_exactly_these_keys(dhcli: Run) -> None:
     data = dhcli("show", "puma560", "--format", "json").data
     assert set(data) == {
         *("name", "title", "source", "notes", "convention", "pattern", "frames", "columns", "links", "joints"),
-        *("parameters", "poses", "base", "tool", "tools"),
+        *("parameters", "poses", "base", "tool", "tools", "actuators"),
     }
     assert set(data["links"][0]) == {"number", "a", "alpha", "d", "theta"}
     assert set(data["joints"][0]) == {"name", "kind", "link", "limits"}

@@ -66,7 +66,8 @@ def test_json_has_the_table_the_steps_and_the_proof() -> None:
     [
         (("scara", "--as", "modifed"), "did you mean modified"),
         (("dh-link", "--as", "axes"), "directions depend on alpha_i"),
-        (("scara", "--as", "axes", "--choose", "next_d"), "did you mean next-d"),
+        (("scara", "--as", "standard", "--choose", "next_d"), "did you mean next-d"),
+        (("scara", "--as", "axes", "--choose", "next-d"), "--choose is about tables"),
         (("assembly-blocks", "--as", "standard"), "no joints"),
         (("scara", "--as", "axes", "--pose", "elbo"), "elbow"),
         (("dh-link", "--as", "modified", "--numbers"), "has no value"),
@@ -77,3 +78,9 @@ def test_what_cannot_be_described_is_said(words: tuple[str, ...], said: str) -> 
     result = run("describe", *words)
     assert result.code == 2
     assert said in result.err
+
+
+def test_every_description_is_told_to_whoever_asks_for_another() -> None:
+    """URDF among them, which is a file besides."""
+    hint = run("describe", "puma560", "--as", "foo").err.splitlines()[-1]
+    assert all(form in hint for form in ("standard", "modified", "axes", "screws", "body-screws", "product", "urdf"))

@@ -56,6 +56,7 @@ links:
 limits: {{theta1: [-170°, 170°]}}
 poses: {{home: [0, 0.1 m]}}
 """
+MOTORS = "actuators:\n  motors: [m1, m2]\n  theta1: m1 - m2\n  d2: m2 * 20 mm / 360°\n"
 PRODUCTS = """\
 format: 1
 title: {evil}
@@ -98,7 +99,7 @@ def files(tmp_path: Path) -> Path:
     """A folder with hostile files of every kind."""
     evil = f"'{TITLE}'"
     texts = {
-        "robots": {NAME: ROBOT, f"p{NAME}": PRODUCTS, "r": ROBOT},
+        "robots": {NAME: ROBOT, f"p{NAME}": PRODUCTS, "r": ROBOT, f"m{NAME}": ROBOT + MOTORS},
         "robots/linkages": {f"l{NAME}": LINKAGE},
         "exercises/c": {f"x{NAME}": EXERCISE},
         "class/one": {f"s{NAME}": SHEET},
@@ -124,6 +125,7 @@ def command_lines() -> Iterator[tuple[str, ...]]:
         "placement": ("fk", robot, "--pose", "home", "--as", "rpy"),
         "robot": ("show", robot),
         "description": ("describe", robot, "--steps", "--as", "standard"),
+        "motors": ("describe", f"./robots/m{NAME}.yaml", "--as", "motors"),
         "linkage": ("show", linkage),
         "mobility": ("dof", linkage),
         "mobility at joint values": ("dof", robot, "--pose", "home"),

@@ -40,12 +40,14 @@ def test_a_command_is_a_topic(dhcli: Run, name: str) -> None:
     [
         ("exercise", "did you mean exercises or exercise-files?"),
         ("convnetions", "did you mean conventions"),
-        ("credit", "did you mean judging?"),
+        ("credit", "it is spoken of in judging, "),
+        ("joint values", "it is spoken of in "),
+        ("robts", "did you mean robots?;"),
         ("xyzzy", "dhcli help lists the topics"),
     ],
 )
 def test_an_unknown_topic_is_answered_with_the_nearest(dhcli: Run, typed: str, hint: str) -> None:
-    """By letters, by how a topic begins, or by a word in a heading."""
+    """By letters, by how a topic begins, or by what pages speak of."""
     done = dhcli("help", typed)
     assert (done.code, done.out) == (2, "")
     assert f"the manual has no page '{typed}'" in done.err

@@ -280,6 +280,15 @@ def test_of_all_ways_to_stand_nearest_the_plainest_is_offered() -> None:
     assert np.allclose(forward(robot, list(plain)).matrix, forward(robot, list(other)).matrix, atol=1e-6)
 
 
+@pytest.mark.parametrize("typed", ["0.5,0.3,0", "[0.5, 0.3, 0]"])
+def test_a_position_for_a_pose_is_recognised(dhcli: Run, typed: str) -> None:
+    """It has an option of its own."""
+    done = dhcli("ik", "planar-2r", typed)
+    assert done.code == 2
+    assert f"'{typed}' is a position, and a whole pose is wanted" in done.err
+    assert f"write --position {typed.strip('[]')}, where the turn is free" in done.err
+
+
 def test_formulas_asked_for_as_symbols_are_found(dhcli: Run) -> None:
     """Other commands take `--symbolic`."""
     assert "did you mean --derive?" in dhcli("ik", "planar-2r", "--symbolic").err
@@ -291,6 +300,7 @@ def test_rows_from_the_keyboard_are_waited_for_aloud(tmp_path: Path) -> None:
         screen.until("reading from the keyboard; Ctrl-D on an empty line ends it")
         screen.type("p_x,p_y,p_z\n0.5,0.3,0\n\x04")
         assert screen.end() == 0
+    assert "0 rows" not in screen.seen, "a bar would stand between what is typed"
     assert "theta1" in screen.seen
 
 

@@ -202,6 +202,13 @@ def test_torques_have_units_and_say_where_the_force_acts(dhcli: Run) -> None:
     assert out.endswith("tau_theta1 = 3.4641 N m\ntau_theta2 = 0      N m\n")
 
 
+@pytest.mark.parametrize("moment", ["5", "5Nm", "5 N m", "5N*m", "5N·m", "500Ncm", "5000 N mm", "5000N*mm", "0.005kNm"])
+def test_a_moment_may_have_any_unit_of_moments(dhcli: Run, moment: str) -> None:
+    """Five newton metres about z."""
+    done = dhcli("torques", "planar-2r", "--pose", "zero", "--moment", f"0,0,{moment}")
+    assert "tau_theta1 = 5 N m\n" in done.out
+
+
 def test_torques_in_letters_are_those_of_the_book(dhcli: Run) -> None:
     """Jᵀ F."""
     out = dhcli("torques", "planar-2r", "-s", "--force", "f_x,f_y,0").out
@@ -318,8 +325,11 @@ def test_torques_and_rates_come_in_every_format(dhcli: Run, command: str, format
         ("singularities articulated --part up", "there is no part up"),
         ("singularities articulated --q 0,0", "3 joints"),
         ("torques planar-2r --pose zero", "torques of what?"),
+        ("jacobian planar-2r --in q.csv", "rows of a file: dhcli jacobian --rows"),
         ("torques planar-2r --pose zero --force 0,1", "three numbers are wanted"),
-        ("torques planar-2r --pose zero --force 0,0,3Nm", "3Nm is in Nm, and N is wanted"),
+        ("torques planar-2r --pose zero --force 0,0,3Nm", "3Nm is in N m, and N is wanted"),
+        ("torques planar-2r --pose zero --force 0,0,3kg", "3kg is in kg, and N is wanted"),
+        ("rates planar-2r --pose zero --velocity 0,0,3km/h", "3km/h is in km/h, and m/s is wanted"),
         ("torques planar-2r --pose zero --moment 0,0,3mm", "3mm is in mm, and N m is wanted"),
         ("torques planar-2r --pose zero --moment 0,0,3N", "3N is in N, and N m is wanted"),
         ("torques planar-2r --pose zero --force f,0,0", "f of the force or moment has no value"),

@@ -187,6 +187,15 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("describe", "puma560", "--as", "axes", "--pose", "ready", "-o", "d.yaml", "--overwrite"),
     ("describe", "puma560", "--as", "axes", "--tool", "Trans(0,0,0.1) Rot(z,45°)"),
     ("describe", "ur5e", "--as", "standard", "--choose", "next-d,previous-x"),
+    ("fk", "./motors.yaml", "--motors", "--q", "0,31°,-33°"),
+    ("ik", "./motors.yaml", "--motors", "--q", "0,31°,-33°", "--task", "position"),
+    ("jacobian", "./motors.yaml", "--motors", "-s"),
+    ("rates", "./motors.yaml", "--motors", "--pose", "folded", "--velocity", "0.1,0,0"),
+    ("torques", "./motors.yaml", "--motors", "--pose", "folded", "--force", "1,0,0"),
+    ("singularities", "./motors.yaml", "--motors"),
+    ("sweep", "./motors.yaml", "--motors", "--over", "J2 n 3", "--q", "theta1=0,J3=0"),
+    ("check", "./motors.yaml", "--motors", "--pose", "folded", "--entry", "1,4", "--answer", "0"),
+    ("describe", "./motors.yaml", "--as", "motors"),
     ("draw", "yim/planar-in-numbers", "--variant", "alice", "--solution", "--worksheet", "-o", "w.svg"),
     ("ik", "planar-2r", "--q", "10,20", "--deg", "--set", "a1=1", "--task", "position", "--from", "0", "--to", "2"),
     ("ik", "puma560", "--pose", "ready", "--near", "ready", "--branch", "elbow up", "--within-limits", "--digits", "3"),
@@ -247,6 +256,7 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("check", "planar-2r", "--table", "robot.yaml", "--format", "json", "-o", "m.json", "--overwrite"),
     ("check", "planar-2r", "--table", "robot.yaml", "--compare", "same-motion"),
     ("check", "planar-2r", "--frames", "robot.yaml", "--pose", "zero", "--why"),
+    ("sweep", "planar-2r", "--over", "theta1 n 3", "--draw", "reach.svg", "--overwrite"),
     ("draw", "planar-2r", "--to", "fold", "--animate", "-o", "move.svg", "--overwrite"),
     ("draw", "planar-2r", "--in", "two.csv", "-o", "strip.svg", "--overwrite"),
     ("check", "planar-2r", "--table", "robot.yaml", "--compare", "same-motion", "--draw", "over.svg", "--overwrite"),
@@ -276,6 +286,8 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("new", "linkage", "press", "--form", "bars", "-o", "-"),
     ("new", "linkage", "press", "--form", "joints", "-o", "press.yaml", "--overwrite"),
     ("new", "robot", "arm", "-o", "arm.yaml", "--overwrite"),
+    ("schema", "linkage"),
+    ("schema", "robot", "-o", "robot.schema.json", "--overwrite"),
     ("new", "robot", "--from", "table.csv", "--convention", "standard", "--joints", "RR", "--units", "mm", "-o", "-"),
     ("new", "robot", "--from", "arm.urdf", "--base", "base_link", "--tip", "hand", "--as-typed", "-o", "-"),
     ("sweep", "planar-2r", "--over", "theta1 n 3", "--q", "theta2=0", "-o", "t.csv", "--overwrite"),
@@ -298,6 +310,10 @@ FILES: dict[str, tuple[str, tuple[tuple[str, ...], ...]]] = {
             ("check", "puma560", "--table", "x.yaml"),
             ("check", "puma560", "--frames", "x.yaml"),
         ),
+    ),
+    "motors": (
+        "tests/data/coupled/two-and-three.yaml",
+        (("fk", "./x.yaml", "--motors", "-s"), ("describe", "./x.yaml", "--as", "motors"), ("show", "./x.yaml")),
     ),
     "urdf": (
         "tests/data/urdf/three-joints.urdf",
@@ -369,6 +385,7 @@ def _line(chance: random.Random) -> Case:
         "robot.yaml": source("robot"),
         "exercise.yaml": source("exercise"),
     }
+    files |= {"motors.yaml": source("motors")}
     files |= {"arm.urdf": source("urdf"), "table.csv": b"a,alpha [deg],d,theta\n300,90,0,q1\n200,0,0,q2*\n"}
     files |= {"class/one/s.yaml": source("sheet"), "sheet.yaml": source("sheet")}
     return Case(tuple(word.replace("\0", "") for word in words), files, chance.choice(("", IDENTITY)))

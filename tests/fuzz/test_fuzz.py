@@ -17,11 +17,11 @@ import numpy as np
 import pytest
 
 import dhcli
-from dhcli import DhcliError, Pose, load_exercise, load_robot
+from dhcli import DhcliError, Pose, Robot, load_exercise, load_robot
 from dhcli.cli.app import COMMANDS, load
 from tests.cli.running import run
 from tests.fuzz.corpus import CASES, SLOW
-from tests.fuzz.doors import DOORS, LINES, Case, cases
+from tests.fuzz.doors import DOORS, LINES, ROOT, Case, cases
 from tests.fuzz.measuring import MOST_BYTES, TooMuchWorkError, counted
 from tests.nightly import NIGHT, cases_for_nights
 
@@ -135,12 +135,34 @@ def calls() -> Iterator[tuple[str, Callable[[Any], Any]]]:
             yield f"{function.__name__} {name}", lambda junk, f=function, n=name: f(robot, q, **{n: junk})
     for name in ("tool", "base", "links", "variables", "parameters", "limits", "poses", "convention"):
         yield f"replace {name}", lambda junk, n=name: replace(robot, **{n: junk})
+    yield from makers()
     exercise = load_exercise("yim/planar-in-numbers")
     yield "check exercise", lambda junk: dhcli.check(junk, "a1", "1")
     yield "check part", lambda junk: dhcli.check(exercise, junk, "1")
     yield "check answer", lambda junk: dhcli.check(exercise, "a1", junk)
     yield "Pose", Pose
     yield "Pose rows", lambda junk: Pose([[junk] * 4] * 4)  # type: ignore[arg-type]
+
+
+def makers() -> Iterator[tuple[str, Callable[[Any], Any]]]:
+    """Every way to make a robot in Python, or another of one."""
+    robot, screws, rows = load_robot("planar-2r"), [(0, 0, 1, 0, 0, 0)], [("a", 0, 0, "q1")]
+    urdf = (ROOT / "tests" / "data" / "urdf" / "three-joints.urdf").read_text("utf-8")
+    yield "from_screws", lambda junk: Robot.from_screws(junk, "")
+    yield "from_screws home", lambda junk: Robot.from_screws(screws, junk)
+    yield "from_dh", lambda junk: Robot.from_dh(junk, variables=["q1"])
+    yield "from_text", Robot.from_text
+    yield "from_urdf", Robot.from_urdf
+    yield "save", lambda junk: None if isinstance(junk, str) else robot.save(junk)
+    for name in ("frame", "variables", "name"):
+        yield f"from_screws {name}", lambda junk, n=name: Robot.from_screws(screws, "", **{n: junk})
+    for name in ("variables", "convention", "parameters", "name"):
+        given = {"variables": ["q1"], "parameters": {"a": 1}}
+        yield f"from_dh {name}", lambda junk, n=name, g=given: Robot.from_dh(rows, **{**g, n: junk})
+    for name in ("base", "tip", "name"):
+        yield f"from_urdf {name}", lambda junk, n=name: Robot.from_urdf(urdf, **{"tip": "tool0", n: junk})
+    for name in ("tool", "base", "parameters", "name"):
+        yield f"copy {name}", lambda junk, n=name: robot.copy(**{n: junk})
 
 
 def test_junk_in_a_call_of_the_library_is_refused_in_words() -> None:

@@ -15,7 +15,7 @@ from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.frames import between
 from dhcli.kinematics.moves import Trans
-from dhcli.kinematics.playing import BLOCK, FEW
+from dhcli.kinematics.playing import BLOCK, CHUNK, FEW
 from dhcli.kinematics.robot import Link, Robot
 from dhcli.kinematics.values import numbers, parameter_values
 from dhcli.notation.tree import ONE, ZERO
@@ -143,6 +143,20 @@ def test_threads_change_nothing(threads: int, player: str, monkeypatch: pytest.M
     alone = forward_batch(robot, q)
     assert np.array_equal(forward_batch(robot, q, threads=threads), alone), player
     assert np.array_equal(forward_batch(robot, q, threads=threads, out=np.zeros((77, 4, 4))), alone)
+
+
+@pytest.mark.parametrize("count", [0, 1, BLOCK - 1, BLOCK, 2 * BLOCK + 1, CHUNK, CHUNK + 1, 1_000_000])
+@pytest.mark.parametrize("threads", [1, 2, 3, 7])
+def test_threads_have_equal_shares(count: int, threads: int) -> None:
+    """All rows once and in order, none longer than a chunk; as many for each thread where there are enough rows."""
+    parts = playing.shares(count, threads)
+    assert [part.start for part in parts[1:]] == [part.stop for part in parts[:-1]]
+    sizes = [min(part.stop, count) - part.start for part in parts]
+    assert sum(sizes) == count
+    assert max(sizes, default=0) <= CHUNK
+    if threads > 1 and count >= 2 * BLOCK * threads:
+        assert len(parts) % threads == 0
+        assert max(sizes) - min(sizes) < len(parts)
 
 
 def test_other_lengths_are_recorded_by_themselves() -> None:

@@ -119,7 +119,7 @@ def test_a_robot_of_screws_moves_as_the_product_of_their_exponentials(frame: str
     ("screws", "home", "said"),
     [
         ([(0, 0, 1, 0, 0)], "", "5 numbers, not six"),
-        ([3], "", "is no screw"),
+        ([3], "", "screw 1: 3 is no list"),
         ([], "", "0 variables and 0 screws"),
         ([(0, 0, 0, 0, 0, 0)], "", "is zero"),
         ([(0, 0, 1, 0, 0, float("nan"))], "", "nan is no value"),

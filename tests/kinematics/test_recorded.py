@@ -12,12 +12,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from dhcli import Pose, Robot, forward, load_robot
+from dhcli import Pose, Robot, forward, jacobian, load_robot
 from dhcli.errors import DhcliError, RobotError
 from dhcli.kinematics import recorded
 from dhcli.kinematics.forward import numeric_pose
 from dhcli.kinematics.frames import ends
 from dhcli.kinematics.values import joint_values, parameter_values
+from dhcli.kinematics.velocity.form import Form
+from dhcli.kinematics.velocity.jacobian import numeric_jacobian
+from dhcli.kinematics.velocity.view import MotionView
 from tests.kinematics.arms import moving_robots, with_values
 
 
@@ -40,6 +43,22 @@ def test_a_pose_that_is_played_is_the_pose_of_the_fold(name: str) -> None:
             for pose in again:
                 assert np.abs(pose.matrix - plain.matrix).max() <= 4e-16 * max(1.0, np.abs(plain.matrix).max())
                 assert (pose.reference, pose.frame, pose.joints) == (plain.reference, plain.frame, plain.joints)
+
+
+@pytest.mark.parametrize("name", ["planar-2r", "scara", "puma560", "stanford", "panda"])
+def test_a_jacobian_that_is_played_is_that_of_the_fold(name: str) -> None:
+    """The first time and every other, in other axes and by parts; what is no number is refused every time."""
+    robot = load_robot(name)
+    q = np.random.default_rng(2).uniform(-3, 3, len(robot.variables)).tolist()
+    for part, axes in (("all", None), ("linear", "1"), ("angular", "0")):
+        view, form = MotionView.of(robot, axes=axes), Form(part)  # type: ignore[arg-type]
+        wanted = numeric_jacobian(robot, {**parameter_values(robot, {}), **joint_values(robot, q)}, view, form).matrix
+        for _ in range(3):
+            assert np.abs(jacobian(robot, q, part=part, axes=axes) - wanted).max() <= 4e-16  # type: ignore[arg-type]
+    for bad in (math.nan, math.inf):
+        for _ in range(3):
+            with pytest.raises(RobotError, match="not a number that a joint can have"):
+                jacobian(robot, [bad, *q[1:]])
 
 
 @given(st.lists(st.floats(-1e300, 1e300) | st.integers(-(10**400), 10**400), min_size=3, max_size=3))

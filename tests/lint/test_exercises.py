@@ -338,7 +338,7 @@ def test_the_right_answer_stands_beside_a_test_that_takes_another_for_it(tmp_pat
     (found,) = findings(
         tmp_path, CLEAN.replace('"0.4997, 0.4752, 0", verdict: RIGHT', '"0.4997, 1, 0", verdict: RIGHT')
     )
-    assert found.hint.startswith("right is [[0.4997")
+    assert found.hint.startswith("right is [0.4997")
     (other,) = findings(tmp_path, CLEAN.replace('"0.4997, 0.5752, 0"', '"0.4997, 0.4752, 0"'))
     assert other.hint == ""
 

@@ -7,10 +7,13 @@ import inspect
 import io
 import os
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 from unittest.mock import patch
+
+from dhcli.files.keys.shapes import Key, Scalar
 
 MANUAL = Path(__file__).parents[2] / "dhcli" / "manual"
 
@@ -76,6 +79,8 @@ def mistakes_page() -> str:
         "|---|---|",
     ]
     lines += [f"| `{one.id}` | {_words(one.words)} |" for one in IN_COLUMNS]
+    lines += ["", "And on the way from the columns to each answer:", "", "| name | what has happened |", "|---|---|"]
+    lines += [f"| `{name}` | {words} |" for name, words in _behind_columns({one.id for one in IN_COLUMNS}).items()]
     lines += [
         "",
         "In frames; the number behind the name is the frame. `convention` is one of them as well.",
@@ -85,6 +90,42 @@ def mistakes_page() -> str:
     ]
     lines += [f"| `{one.id}` | {_words(one.words)} |" for one in MISTAKES]
     return "\n".join([*lines, ""])
+
+
+_ASKED = (
+    ("articulated", "jacobian of 0..3"),
+    ("articulated", "column 2 of jacobian analytic rpy of 0..3"),
+    ("articulated", "determinant of jacobian linear of 0..3"),
+    ("articulated", "singular when linear of 0..3"),
+    ("ur5e", "singular when angular of 0..6"),
+    ("articulated", "rank of jacobian linear of 0..3"),
+    ("articulated", "manipulability of jacobian linear of 0..3"),
+    ("articulated", "torques for (3, -2, 5) of 0..3"),
+    ("articulated", "joint rates for (0.1, 0.2, 0.3) of 0..3"),
+    ("articulated", "velocity of 0..3 with rates (1, 2, -1)"),
+    ("articulated", "differential motion (0.1, 0.2, 0.3) turn (0.1, 0, 0.2) of 0..3"),
+)
+"""A question of each kind about motion."""
+
+
+def _behind_columns(known: Collection[str]) -> dict[str, str]:
+    """What else can go wrong in a question about motion, by name."""
+    from dhcli import load_robot
+    from dhcli.checking.judge import Judge
+    from dhcli.checking.kinds.made import question_about
+    from dhcli.kinematics.values import joint_values
+
+    found: dict[str, str] = {}
+    for name, ask in _ASKED:
+        robot = load_robot(name)
+        elbow = 0.0 if ask.startswith("rank") else 1.1  # a rank that is full has few slips
+        given = joint_values(robot, [0.4, 0.7, elbow, -0.8, 1.3, 0.5][: len(robot.variables)])
+        judge = Judge(question_about(robot, ask, numeric=True, given=given))
+        for slip in judge.slips(judge.exercise.parts[0]):
+            kind, _, where = slip.name.partition(" ")
+            if kind not in known:
+                found.setdefault(kind, slip.words.replace(where, "i") if where else slip.words)
+    return found
 
 
 _FRAMES = (("{before}", "i-1"), ("{other}", "i-1 or i+1"))
@@ -127,7 +168,69 @@ def _signature(found: Callable[..., object]) -> str:
         return ""
 
 
+def keys_page(page: Path, tables: Mapping[str, Sequence[Key]]) -> str:
+    """The keys of a kind of file, behind what is written by hand."""
+    lines = [page.read_text("utf-8").partition(KEYS_MARK)[0].rstrip(), "", KEYS_MARK, ""]
+    lines += ["`dhcli schema` has the same for [editors](../howto/schema.md).", ""]
+    for heading, keys in tables.items():
+        lines += [heading, "", "| key | means |", "|---|---|"] if heading else ["| key | means |", "|---|---|"]
+        for key in keys:
+            shown = f"`{key.example or key.name}`{', required' * key.is_required}"
+            lines.append(f"| {shown} | {_words(_means(key))} |")
+        lines.append("")
+    return "\n".join(lines)
+
+
+def _means(key: Key) -> str:
+    words = key.holds.words if isinstance(key.holds, Scalar) else ()
+    listed = ", ".join(words)
+    is_told = all(word in key.means for word in words) or words in (("true", "false"), ("yes", "no", "true", "false"))
+    return key.means if is_told else f"{key.means} ({listed})"
+
+
+def key_tables() -> dict[Path, Callable[[], str]]:
+    """The pages that end with the keys of a kind of file."""
+    from dhcli.files.keys import exercises, linkages, robots
+    from dhcli.files.keys.shapes import ROW
+
+    def only(keys: Sequence[Key], of: Sequence[Key]) -> list[Key]:
+        return [key for key in keys if key not in of]
+
+    products = only(robots.PRODUCTS, robots.TABLE)
+    robot = {
+        "": robots.TABLE,
+        "A row of `links:`": ROW,
+        "With `convention: product`": products,
+        "With `convention: axes`, in the place of `links`, `first`, `base`, `tool` and `tools`": only(
+            robots.AXES, robots.TABLE
+        ),
+        "With `convention: screws`, likewise": only(robots.SCREWS, robots.TABLE),
+    }
+    exercise = {
+        "": exercises.EXERCISE,
+        "A part": exercises.PART,
+        "Under `tolerance:`": exercises.TOLERANCE,
+        "Under `credit:`, in a part too, which has `points: 2` besides": exercises.SHARES,
+        "Under `source:`": exercises.SOURCE,
+        "Under `also:`": exercises.ALSO,
+        "Under a part of `printed:`": exercises.PRINTED,
+        "A test": exercises.TEST,
+    }
+    linkage = {
+        "": linkages.LINKAGE,
+        "A joint": linkages.JOINT,
+        "Under `loop:`": linkages.LOOP,
+        "A row of `loop:`": linkages.LOOP_ROW,
+    }
+    folder = MANUAL / "reference"
+    tables = {"robot": robot, "exercise": exercise, "linkage": linkage}
+    return {
+        (page := folder / f"{kind}-files.md"): partial(keys_page, page, of_kind) for kind, of_kind in tables.items()
+    }
+
+
 MARK = "## Every name"
+KEYS_MARK = "## Every key"
 LIBRARY = MANUAL / "reference" / "library.md"
 INDEX = MANUAL / "index.md"
 PICTURES = MANUAL / "howto"
@@ -147,5 +250,6 @@ GENERATED: dict[Path, Callable[[], str]] = {
     PICTURES / "puma560.svg": lambda: picture("puma560"),
     PICTURES / "stanford.svg": lambda: picture("stanford"),
     LIBRARY: lambda: library_page(LIBRARY.read_text("utf-8")),
+    **key_tables(),
 }
 """Each page that is made, and what makes it."""

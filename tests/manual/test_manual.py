@@ -127,12 +127,14 @@ def test_a_page_that_names_an_unknown_option_is_caught() -> None:
 
 def test_every_key_of_a_file_format_is_documented() -> None:
     """Keys that a loader knows stand as code on the page about its files."""
-    from dhcli.files.yaml import exercises, joints, linkages, parts, robot_loader, sheets, tolerances
+    from dhcli.files.keys import exercises, linkages, robots
+    from dhcli.files.keys.shapes import names
+    from dhcli.files.yaml import sheets
 
     known = {
-        "robot-files": {*robot_loader.KEYS},
-        "exercise-files": {*exercises.KEYS, *parts.KEYS, *tolerances.KEYS, *sheets.KEYS},
-        "linkage-files": {*linkages.KEYS, *joints.JOINT_KEYS, *joints.LOOP_KEYS},
+        "robot-files": {name for keys in robots.ROBOTS.values() for name in names(keys)},
+        "exercise-files": {*names((*exercises.EXERCISE, *exercises.PART, *exercises.TOLERANCE)), *sheets.KEYS},
+        "linkage-files": {*names((*linkages.LINKAGE, *linkages.JOINT, *linkages.LOOP_ROW))},
     }
     for topic, keys in known.items():
         page = (MANUAL / "reference" / f"{topic}.md").read_text("utf-8")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import pytest
 from hypothesis import given, settings
@@ -16,10 +17,12 @@ from dhcli.scene.arm import arm_scene
 from dhcli.scene.choice import best_pose, with_examples
 from dhcli.scene.primitives import Box, Drum, Scene
 from dhcli.scene.skeleton import Skeleton
+from dhcli.scene.staging import values_at
 from dhcli.scene.vectors import Vec, cross, dot, norm, sub
 from tests.scene.examples import ROBOTS
 
 REAL = tuple(name for name in ROBOTS if not name.startswith("dh-link"))
+DATA = Path(__file__).parents[1] / "data" / "coupled"
 TABLES = tuple(name for name in REAL if load_robot(name).convention is not Convention.PRODUCT)
 
 
@@ -88,11 +91,11 @@ def test_a_body_stands_on_the_axis_of_its_joint(name: str) -> None:
     values = {**full, **best_pose(robot, full)[1]}
     skeleton, scene = Skeleton.of(robot, values), arm_scene(robot, values)
     state = dict(skeleton.numbered)
-    assert len(scene.solids) == len(robot.joints)
-    for solid, joint in zip(scene.solids, robot.joints, strict=True):
+    moved = [link for link, variables in robot.movers.items() if variables]
+    for solid, link in zip(scene.solids, moved, strict=True):
         assert isinstance(solid, Drum | Box)
         offset = 0 if robot.convention is Convention.MODIFIED else 1
-        frame = skeleton.states[state[str(joint.link - offset)]]
+        frame = skeleton.states[state[str(link - offset)]]
         assert _is_on(scene.point(solid.centre), frame.origin, frame.z)
         assert abs(dot(scene.direction(solid.centre.state, solid.axis), frame.z)) == pytest.approx(1, abs=1e-12)
 
@@ -147,3 +150,11 @@ def test_the_pose_that_shows_a_robot_best_is_not_its_zero_where_it_has_better_on
     for name, pose in {"puma560": "nominal", "panda": "ready", "stanford": "grasp", "ur5e": "work"}.items():
         robot = load_robot(name)
         assert best_pose(robot, with_examples(robot, {})[0])[0] == pose
+
+
+def test_joints_that_drives_tie_about_one_axis_are_one_drum_with_the_sum_of_their_angles() -> None:
+    """`j3 - j2` in one row of the table is one joint of the arm."""
+    robot = load_robot(DATA / "palletizer.yaml")
+    drums = [solid.name for solid in arm_scene(robot, values_at(robot, None, None, None)).solids]
+    assert len(drums) == len([link for link in robot.links if link.row and link.row.theta.terms])
+    assert any("j2" in name and "j3" in name for name in drums)

@@ -44,7 +44,8 @@ def mark_frames(exercise: Exercise, rules: Rules, typed: Sequence[TypedFrame]) -
         return Mark(Verdict.RIGHT, reading, remarks=told, earned=1.0, expected=expected)
     cells = tuple(_cells(exercise, sketch, typed, broken))
     counted = [cell for cell in cells if cell.counted or cell.verdict is Verdict.WRONG]
-    earned = sum(cell.verdict is Verdict.RIGHT for cell in counted) / len(counted)
+    is_work = len({frame_text(one.frame, exercise) for one in typed}) > 1
+    earned = is_work * sum(cell.verdict is Verdict.RIGHT for cell in counted) / len(counted)
     said = tuple(_said(one) for one in broken[:MOST_SAID])
     more = (f"and {len(broken) - MOST_SAID} more",) if len(broken) > MOST_SAID else ()
     return Mark(Verdict.WRONG, reading, cells, (*said, *more), earned, expected)
@@ -77,16 +78,25 @@ def _said(one: Broken) -> str:
 def _cells(
     exercise: Exercise, sketch: Sketch, typed: Sequence[TypedFrame], broken: Sequence[Broken]
 ) -> Iterator[CellMark]:
-    """The origin, x and z of each frame; what is free earns nothing, and costs something where it breaks a rule."""
+    """The origin, x and z of each frame.
+
+    What is free earns nothing, nor what lies as the base does, which one need not have found; it only costs something
+    where it breaks a rule.
+    """
     wrong = {(one.frame, one.cell) for one in broken}
-    for k, one in enumerate(typed):
+    base = Frame()
+    for k, (one, right) in enumerate(zip(typed, sketch.frames, strict=True)):
         has_axis, has_normal = sketch.axis_of(k) is not None, sketch.other_of(k) is not None
-        counted = {ORIGIN_CELL: has_axis or has_normal, X_CELL: has_normal, Z_CELL: has_axis}
-        right = frame_text(sketch.frames[k], exercise)
+        counted = {
+            ORIGIN_CELL: (has_axis or has_normal) and bool(right.origin),
+            X_CELL: has_normal and dot(right.x, base.x) < 1 - _NEAR,
+            Z_CELL: has_axis and dot(right.z, base.z) < 1 - _NEAR,
+        }
+        shown = frame_text(right, exercise)
         for cell, name in enumerate(_NAMES):
             verdict = Verdict.WRONG if (k, cell) in wrong else Verdict.RIGHT
             text = " ".join(one.texts.get(name, "").split())
-            yield CellMark(k, cell, verdict, text, right, counted=counted[cell])
+            yield CellMark(k, cell, verdict, text, shown, counted=counted[cell])
 
 
 def _freedoms(rules: Rules, typed: Sequence[TypedFrame]) -> Iterator[str]:

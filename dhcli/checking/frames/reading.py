@@ -21,9 +21,6 @@ from dhcli.notation.quantity import DimensionError, to_length
 from dhcli.notation.tree import ONE, ZERO, Expr
 from dhcli.notation.walk import substitute, symbols
 
-LONGEST = 20_000
-"""Characters of an answer."""
-
 LEAST = 1e-9
 """A direction that is shorter was meant to be zero."""
 
@@ -55,8 +52,6 @@ def read_frames(text: str, exercise: Exercise, numbers: Sequence[int], pose: Pos
     Raises:
         UnreadableError: Naming the frame, and what would be read.
     """
-    if len(text) > LONGEST:
-        raise UnreadableError(f"the answer has {len(text)} characters, more than the {LONGEST} that are read")
     asked = f"frames {numbers[0]} to {numbers[-1]} are asked for"
     found: dict[int, TypedFrame] = {}
     for k, row in enumerate(rows_of(text)):

@@ -75,7 +75,7 @@ class Rules:
             yield Broken(FRAME, k, X_CELL, f"{self.name('x', k)} is not perpendicular to {self.name('z', k)}: {own}")
         elif typed.y is not None and not self._along(typed.y, frames[k].y, same=True):
             yield Broken(FRAME, k, X_CELL, self._handed(k, typed.y, frames[k]))
-        yield from self._x(k, frames)
+        yield from self._x(k, frames, is_beside=any(one.cell == ORIGIN_CELL for one in first))
         if not first:
             yield from self._task(k, frames[k])
 
@@ -98,7 +98,7 @@ class Rules:
             origin = self.name("o", k)
             yield Broken(DH1, k, ORIGIN_CELL, f"{origin} is off the axis of {joint}: {name} passes {beside} beside it")
 
-    def _x(self, k: int, frames: Sequence[Frame]) -> Iterator[Broken]:
+    def _x(self, k: int, frames: Sequence[Frame], *, is_beside: bool) -> Iterator[Broken]:
         """DH2 and DH3, the second of them only where the first is kept."""
         other = self.sketch.other_of(k)
         if other is None:
@@ -119,7 +119,9 @@ class Rules:
             axis = Frame(z=line.direction, origin=line.through)
             if not self._tilt(frame.x, axis.z) and not self._passes(frame, axis):
                 return  # it meets the joint axis, on which the other frame does not stand
-        yield Broken(DH3, k, ORIGIN_CELL, f"{own} does not meet {name}: it passes {passes} beside it")
+        # Between parallel axes only one direction leads from one to the other; else x is square to both wherever it is.
+        cell = X_CELL if not is_beside and self._along(frame.z, frames[other].z) else ORIGIN_CELL
+        yield Broken(DH3, k, cell, f"{own} does not meet {name}: it passes {passes} beside it")
 
     def _task(self, k: int, frame: Frame) -> Iterator[Broken]:
         """The frames that the task fixes."""

@@ -31,7 +31,7 @@ Pose: TypeAlias = Mapping[str, Value]
 
 @dataclass(frozen=True, slots=True)
 class Sketch:
-    """A robot drawn in one pose, seen from its base.
+    """A robot drawn in one pose, seen from its base; from its frame 0 where its own table is asked for.
 
     Attributes:
         robot: The robot, with the values of the task.
@@ -84,6 +84,8 @@ def sketch_of(exercise: Exercise, convention: Convention, pose: str) -> Sketch:
     assert exercise.robot is not None  # noqa: S101  `check` has refused it
     robot = _valued(exercise.robot, exercise)
     drawn = pose_of(robot, pose)
+    if robot.convention is convention:
+        robot = replace(robot, base=())
     drawing = drawing_of(_chain(robot), robot.variables, known_values(robot), drawn)
     if not drawing.lines:
         raise RobotError(f"{robot.name} has no joints, so no frames are put on its axes")
@@ -116,6 +118,13 @@ def pose_of(robot: Robot, name: str) -> Pose:
         raise UnknownNameError(f"{robot.name} has no pose {name}", did_you_mean(name, robot.poses))
     values = robot.poses.get(name or DRAWN, ())
     return dict(zip(robot.variables, values, strict=False))
+
+
+def seen_from(exercise: Exercise, convention: Convention) -> str:
+    """The frame that points and directions are seen from."""
+    robot = exercise.robot
+    is_own = robot is not None and robot.base and robot.convention is convention
+    return f"frame {robot.first - 1} of the robot" if is_own and robot else "the base"
 
 
 def drawn_at(pose: Pose) -> str:

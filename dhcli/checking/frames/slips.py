@@ -165,6 +165,15 @@ def _is_kept_origin(rules: Rules, typed: Sequence[TypedFrame], one: Broken) -> b
     return is_origin and k > 0 and not rules.amount(moved(typed[k].frame.origin, typed[k - 1].frame.origin, -1))
 
 
+def _kept_z(_rules: Rules, typed: Sequence[TypedFrame], k: int) -> TypedFrame | None:
+    return as_typed(replace(typed[k].frame, z=typed[k - 1].frame.z)) if k else None
+
+
+def _is_kept_z(_rules: Rules, typed: Sequence[TypedFrame], one: Broken) -> bool:
+    k = one.frame
+    return one.rule == DH1 and one.cell == Z_CELL and k > 0 and dot(typed[k].frame.z, typed[k - 1].frame.z) > _NEAR
+
+
 def _left(_rules: Rules, typed: Sequence[TypedFrame], k: int) -> TypedFrame:
     return replace(as_typed(typed[k].frame), y=scaled(typed[k].frame.y, -1))
 
@@ -193,6 +202,13 @@ MISTAKES = (
         "on which joint axis does frame {k} stand?",
         _on_neighbour,
         _is_on_neighbour,
+    ),
+    Mistake(
+        "z-kept",
+        "z{k} was taken over from frame {before}, where the next joint axis points another way",
+        "which joint turns about z{k}, and where does its axis point?",
+        _kept_z,
+        _is_kept_z,
     ),
     Mistake(
         "z-sign",

@@ -9,6 +9,9 @@ from itertools import pairwise
 from dhcli.checking.pasted import UnreadableError
 from dhcli.notation.operators import OPENING
 
+LONGEST = 20_000
+"""Characters of an answer."""
+
 SHAPE = "a row for each frame has its origin, its x axis and its z axis, such as (a1, 0, 0) +x +z"
 
 _MINUS = "\N{MINUS SIGN}"
@@ -16,17 +19,25 @@ AXIS = re.compile(rf"([+\-{_MINUS}]?)([xyz])(?:_?\{{?\d{{1,3}}\}}?)?")
 """A direction along an axis of the base: `+z`, `-x0`."""
 
 _HAS_AXIS = re.compile(rf"(?:^|[\s,;=:|&(\[{{]){AXIS.pattern}(?=$|[\s,;|&)\]}}=:])")
-_HEADS = re.compile(r"\W*(?:frame|no|i)?\W*(?:origin|o)\W+x\W+(?:y\W+)?z\W*", re.IGNORECASE)
+_HEADS = re.compile(r"\W{0,9}(?:frame|no|i)?\W{0,9}(?:origin|o)\W{1,9}x\W{1,9}(?:y\W{1,9})?z\W{0,9}", re.IGNORECASE)
 _NUMBER = re.compile(r"\s*(?:frame\s{0,9})?\{?(\d{1,4})\}?\s{0,9}:|\s*frame\s{1,9}(\d{1,4})(?=\s)", re.IGNORECASE)
 _LABEL = re.compile(r"(?<![\w+.-])(frame|origin|o|x|y|z)(?:_?\{?(\d{1,4})\}?)?\s{0,9}[=:]", re.IGNORECASE)
 _BLANK = re.compile(r"(?<![+*/^-])[ \t]+(?![*/^]|[-+][ \t])")
 """A blank that separates cells: not beside an operator, so that `a + b` is one cell, and `a -b` are two."""
 
 _VECTOR = 3
+_PAIRS = 3
+"""Pairs of brackets around a text that say nothing; more of them are no notation of frames."""
 
 
 def has_frames(text: str) -> bool:
-    """Whether a text holds axes and no table: names of axes, or more numbers in a row than a table has."""
+    """Whether a text holds axes and no table: names of axes, or more numbers in a row than a table has.
+
+    Raises:
+        UnreadableError: It is too long to be looked at.
+    """
+    if len(text) > LONGEST:
+        raise UnreadableError(f"the answer has {len(text)} characters, more than the {LONGEST} that are read")
     return bool(_HAS_AXIS.search(text)) or any(len(_cells(_bare(row))) > 2 * _VECTOR for row in rows_of(text))
 
 
@@ -148,8 +159,9 @@ def _masked(text: str) -> str:
 def _bare(text: str) -> str:
     """A text without the brackets around all of it."""
     body = text.strip()
-    while (
-        len(body) > 1 and body[0] in OPENING and body[-1] == OPENING[body[0]] and not set(_masked(body)[1:-1]) - {"."}
-    ):
+    for _ in range(_PAIRS):
+        is_whole = len(body) > 1 and body[0] in OPENING and body[-1] == OPENING[body[0]]
+        if not is_whole or set(_masked(body)[1:-1]) - {"."}:
+            break
         body = body[1:-1].strip()
     return body

@@ -58,11 +58,12 @@ class CellQuestion(Question[TypedValue]):
         return spelled_value(self._quantity(getattr(link_of(case.exercise, self.link).row, self.column)), case.exercise)
 
     def steps(self, case: Case) -> Iterable[Shown]:
-        from dhcli.checking.tables.steps import MEANINGS
+        from dhcli.checking.tables.steps import MEANINGS, cell_lines
 
         robot = case.exercise.robot
         if robot is not None and robot.convention in MEANINGS:
             yield Shown(f"What is measured is {MEANINGS[robot.convention][COLUMNS.index(self.column)]}")
+            yield from cell_lines(robot, self.column, int(self.link))
 
     def read(self, case: Case, text: str, place: Place | None = None) -> TypedValue:
         return read_value(case.exercise, text.strip().removesuffix("*"), place)

@@ -21,7 +21,7 @@ from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.velocity.cramer import LARGEST, determinant
 from dhcli.kinematics.velocity.form import GEOMETRIC, Form
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import ZERO, Expr, multiply, negate, power
+from dhcli.notation.tree import ZERO, Expr, Number, Power, Product, multiply, negate, power
 from dhcli.notation.writer import write
 
 
@@ -79,10 +79,10 @@ class DeterminantQuestion(OneNumberQuestion, ColumnsQuestion):
         kept, is_right = kept_rows(found), columns == self.columns(case)
         right = (found.determinant or ZERO) if is_right else self.of_columns(case, columns).rows[0][0]
         yield Slip("sign", "the sign is turned round", "look at the sign", Rank.WHOLE), self._one(case, negate(right))
-        for factor in found.factors if is_right else ():
-            text = write(factor.zeros[0], "short", found.writing)
+        for factor in _factors(right) if is_right else ():
+            text = write(factor, "short", found.writing)
             slip = Slip(f"factor-forgotten {text}", f"the factor {text} is missing", "go through the factors")
-            yield slip, self._one(case, multiply(right, power(factor.zeros[0], -factor.exponent)))
+            yield slip, self._one(case, multiply(right, power(factor, -1)))
         if len(kept) > LARGEST:
             return
         words = "every second product is added instead of taken away"
@@ -98,3 +98,12 @@ class DeterminantQuestion(OneNumberQuestion, ColumnsQuestion):
             yield Shown(f"No joint moves the other rows, so that {', '.join(found.rows)} are left")
         if found.determinant is not None and case.exercise.numeric:
             yield Shown(f"In symbols it is {write(found.determinant, 'short', found.writing)}")
+
+
+def _factors(whole: Expr) -> Iterator[Expr]:
+    """The factors of a product, of a power its base as well: d3² lacks d3, or all of it."""
+    for factor in whole.factors if isinstance(whole, Product) else ():
+        if not isinstance(factor, Number):
+            yield factor
+        if isinstance(factor, Power):
+            yield factor.base

@@ -4,27 +4,40 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import ClassVar, Self, TypeAlias
+from typing import TYPE_CHECKING, ClassVar, Self, TypeAlias
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
+from dhcli.checking.exercise import (
+    Case,
+    Causes,
+    Exercise,
+    Matrices,
+    Overlaid,
+    Points,
+    Question,
+    Reading,
+    Shown,
+)
 from dhcli.checking.frames.marking import frame_text, frames_text, mark_frames
 from dhcli.checking.frames.reading import TypedFrame, read_frames
 from dhcli.checking.frames.rows import table_of
 from dhcli.checking.frames.rules import Rules
-from dhcli.checking.frames.sketch import axes_text, drawn_at, pose_of, sketch_of
+from dhcli.checking.frames.sketch import axes_text, drawn_at, pose_of, seen_from, sketch_of
 from dhcli.checking.frames.slips import as_typed, causes_of, every_slip
 from dhcli.checking.frames.spelling import has_frames, rows_of
 from dhcli.checking.kinds.linked import needed
-from dhcli.checking.kinds.table import TableQuestion
+from dhcli.checking.kinds.table import TableQuestion, leads_of
 from dhcli.checking.tables.comparing import END
 from dhcli.checking.tables.typed_rows import TypedRow
-from dhcli.checking.verdicts import UNSOLVED, Mark
+from dhcli.checking.verdicts import UNSOLVED, Mark, Verdict
 from dhcli.errors import NotationError, Place, Problem
 from dhcli.kinematics.conventions import Convention, Row
 from dhcli.kinematics.describe.words import Speaker, written
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.scope import Scope
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.values import Values
 
 Answer: TypeAlias = tuple[TypedFrame, ...] | tuple[TypedRow, ...]
 """Frames, or the rows of a table."""
@@ -50,6 +63,7 @@ class FramesQuestion(Question[Answer]):
     words: ClassVar = ("frames",)
     examples: ClassVar = ("frames standard", "frames modified at zero")
     is_in_table: ClassVar = True
+    is_overlaid: ClassVar = True
     earns_by_row: ClassVar = True
 
     @classmethod
@@ -75,7 +89,8 @@ class FramesQuestion(Question[Answer]):
     def notes(self, exercise: Exercise) -> Iterable[str]:
         sketch = sketch_of(exercise, self.convention, self.pose)
         yield "a row for each frame: the coordinates of its origin, then x and z, such as a, 0, 0, +x, +z; or the table"
-        yield f"seen from the base, drawn with {drawn_at(sketch.pose)}: {'; '.join(axes_text(sketch))}"
+        seen = seen_from(exercise, self.convention)
+        yield f"seen from {seen}, drawn with {drawn_at(sketch.pose)}: {'; '.join(axes_text(sketch))}"
 
     @property
     def in_rows(self) -> bool:
@@ -95,7 +110,9 @@ class FramesQuestion(Question[Answer]):
         sketch = self._rules(case).sketch
         speaker = Speaker(sketch.walked, self.convention, sketch.robot.first, sketch.robot.writing)
         yield from map(Shown, written(speaker.drawn()))
-        yield Shown("A row for each frame: its origin, x and z")
+        rows = (frame_text(frame, case.exercise) for frame in sketch.frames)
+        lines = (f"frame {number}: {row}" for number, row in enumerate(rows, sketch.first))
+        yield Shown("Frame by frame, the origin, x and z:\n" + "\n".join(lines))
 
     def read(self, case: Case, text: str, place: Place | None = None) -> Answer:
         if not has_frames(text):
@@ -105,7 +122,7 @@ class FramesQuestion(Question[Answer]):
 
     def mark(self, case: Case, reading: Reading[Answer]) -> Mark:
         if frames := _frames(reading.value):
-            mark = mark_frames(case.exercise, self._rules(case), frames)
+            mark = self._second_truth(case, frames) or mark_frames(case.exercise, self._rules(case), frames)
         else:
             mark = self._marked_table(case, _rows(reading.value))
         return replace(mark, remarks=(*mark.remarks, self.note)) if self.note else mark
@@ -133,6 +150,31 @@ class FramesQuestion(Question[Answer]):
             return self._table.rows(case, Reading(reading.text, _rows(reading.value)))
         rules = self._rules(case)
         return () if rules.broken(frames) else table_of(rules.sketch, [one.frame for one in frames])
+
+    def leads(
+        self, case: Case, reading: Reading[Answer], span: tuple[int, int], points: Points
+    ) -> tuple[int, int, Matrices] | None:
+        return leads_of(self.rows(case, reading), self.convention, span, points)
+
+    def _second_truth(self, case: Case, frames: tuple[TypedFrame, ...]) -> Mark | None:
+        """EQUIVALENT if frames lie on the axes of the exercise's other robot."""
+        exercise = case.exercise
+        if exercise.also is None or not self._rules(case).broken(frames):
+            return None
+        robot, note = exercise.also
+        other = replace(exercise, robot=robot, also=None)
+        rules = Rules(sketch_of(other, self.convention, self.pose), case.tolerance)
+        mark = mark_frames(other, rules, frames)
+        return replace(mark, verdict=Verdict.EQUIVALENT, remarks=(note, *mark.remarks)) if mark.earned == 1 else None
+
+    def overlaid(self, case: Case, reading: Reading[Answer], values: Values) -> Overlaid:
+        from dhcli.checking.frames.overlaid import joints_drawn, overlaid_frames
+
+        rules = self._rules(case)
+        drawn = {**values, **joints_drawn(rules.sketch)}
+        if frames := _frames(reading.value):
+            return overlaid_frames(rules, frames, self._table.robot_drawn(case.exercise), drawn)
+        return self._table.overlaid(case, Reading(reading.text, _rows(reading.value)), drawn)
 
     def _marked_table(self, case: Case, rows: tuple[TypedRow, ...]) -> Mark:
         """A table is right when frames of it can lie on the axes, the last one anywhere if the task leaves it open."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Rank, Slip
@@ -21,7 +22,7 @@ from dhcli.kinematics.velocity.cramer import LARGEST, solved
 from dhcli.kinematics.velocity.form import GEOMETRIC
 from dhcli.kinematics.velocity.view import joints_between
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import Expr, negate
+from dhcli.notation.tree import Expr, multiply, negate, number
 from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write
 
@@ -91,6 +92,10 @@ class TorquesQuestion(ColumnsQuestion):
             Slip("sign", "all signs are turned round", hint, Rank.WHOLE),
             _column([negate(row[0]) for row in right.rows]),
         )
+        if not self.names:
+            words = "the load is taken in kilograms, times 9.81 m/s²"
+            slip = Slip("kilograms", words, "is the load given in newtons or in kilograms?", Rank.WHOLE)
+            yield slip, _column([multiply(number(Fraction(981, 100)), row[0]) for row in right.rows])
         six = (*self.force, *self.moment)
         kept = [k for k in columns.moved if k < 3 or self.moment != ORIGIN]  # noqa: PLR2004  the rows of v
         rows = columns.cut(kept)

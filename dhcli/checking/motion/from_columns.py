@@ -38,6 +38,8 @@ Twice: TypeAlias = tuple[Slip, Columns, tuple[tuple[Slip, Columns], ...]]
 MOST_WORK = 40_000
 """Pairs of slips, times the entries of an answer, that are worked out: about those of six joints."""
 
+TINY = 1e-12
+
 MOST_EARLIER = 6
 """Earlier parts of which every choice is tried."""
 
@@ -107,10 +109,14 @@ class ColumnsQuestion(MotionQuestion):
         columns = self.columns(case)
         if len(_slipped(case, columns)) ** 2 / 2 * rows * width > MOST_WORK:
             return
+        singles = [self._seen(case, grid) for grid in (self.right(case), *self.single_grids(case))]
+        known = set(map(_rounded, singles))
         for one, changed, twice in _slipped_twice(case, columns):
             for two, grid in self._after(case, changed, twice):
                 with suppress(DhcliError, KeyError, ZeroDivisionError, OverflowError):
-                    yield Pair((one, two), grid, self._seen(case, grid))
+                    seen = self._seen(case, grid)
+                    if _rounded(seen) not in known:  # else one of the two has left no trace
+                        yield Pair((one, two), grid, seen)
 
     def _after(
         self, case: Case, changed: Columns, twice: Iterable[tuple[Slip, Columns]]
@@ -172,6 +178,11 @@ class ColumnsQuestion(MotionQuestion):
         if judged.reading is None or is_trivial(at_a_point(judged.reading.value, case.exercise.values)):
             return False
         return not case.exercise.numeric or judged.mark.earned >= HALF or has_name(judged.mark)
+
+
+def _rounded(seen: Numbers) -> tuple[str, ...]:
+    """Entries as they are told apart from others."""
+    return tuple(f"{value:.9g}" if abs(value) > TINY else "0" for row in seen for value in row)
 
 
 def _slipped(case: Case, columns: Columns) -> Sequence[tuple[Slip, Columns]]:

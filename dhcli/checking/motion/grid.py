@@ -114,7 +114,7 @@ def alike(first: Sequence[Numbers], second: Sequence[Numbers]) -> bool:
     return all(abs(a - b) <= CLOSE * max(1.0, abs(a), abs(b)) for a, b in pairs)
 
 
-def within(first: Numbers, second: Numbers, limits: Numbers) -> bool:
+def within(first: Numbers, second: Numbers, limits: Sequence[Sequence[float]]) -> bool:
     """Whether entries are near enough."""
     rows = zip(first, second, limits, strict=True)
     return all(abs(a - b) <= limit for row in rows for a, b, limit in zip(*row, strict=True))

@@ -5,15 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
+from itertools import combinations
 from typing import TypeAlias
 
 from dhcli.checking.diagnosis.by_entry import EntryCauses, WrongEntry, entry_causes
 from dhcli.checking.diagnosis.mistakes.in_terms import among_of
 from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.diagnosis.slips import setting_of
-from dhcli.checking.exercise import Exercise
+from dhcli.checking.exercise import Causes, Exercise
 from dhcli.checking.motion.grid import Grid, Numbers, alike
 from dhcli.notation.tree import ZERO, Expr, negate
+
+MOST_TOLD = 4
+"""Entries that are told one by one; of more, it is told how many."""
 
 AtPoints: TypeAlias = Callable[[Grid], tuple[Numbers, ...]]
 """The entries of a grid at a few general points."""
@@ -31,6 +35,39 @@ def signs(right: Grid, placed: Placed) -> Iterator[tuple[Slip, Grid]]:
                 slip = Slip(f"entry-sign {placed(r, c)}", words, f"look at the signs in row {r + 1}", Rank.SYMPTOM)
                 changed = (*row[:c], negate(entry), *row[c + 1 :])
                 yield slip, replace(right, rows=(*right.rows[:r], changed, *right.rows[r + 1 :]))
+
+
+def sign_causes(right: Grid, given: Grid, at: AtPoints, placed: Placed) -> Causes:
+    """The entries whose signs are turned round, where all others are right."""
+    try:
+        typed, true = at(given), at(right)
+    except KeyError:  # a name that has no value
+        return ()
+    wrong = []
+    for r, row in enumerate(right.rows):
+        for c in range(len(row)):
+            seen, wanted = _only(typed, r, c), _only(true, r, c)
+            if alike(seen, wanted):
+                continue
+            if not alike(seen, tuple(((-table[0][0],),) for table in wanted)):
+                return ()
+            wrong.append(placed(r, c))
+    if len(wrong) < 2:  # noqa: PLR2004  one is a mistake of its own
+        return ()
+    places = f"{', '.join(f'({place})' for place in wrong[:-1])} and ({wrong[-1]})"
+    shown = f"entries {places}" if len(wrong) <= MOST_TOLD else f"{len(wrong)} entries"
+    words = f"the signs of {shown} are turned round"
+    return ((Slip("entry-signs " + " ".join(wrong), words, "look at the signs", Rank.SYMPTOM),),)
+
+
+def swapped(right: Grid) -> Iterator[tuple[Slip, Grid]]:
+    """Two numbers of a list in each other's place."""
+    rows, width = right.shape
+    for i, j in combinations(range(rows), 2) if width == 1 else ():
+        order = [j if k == i else i if k == j else k for k in range(rows)]
+        words = f"numbers {i + 1} and {j + 1} have changed places"
+        slip = Slip(f"numbers-swapped {i + 1} and {j + 1}", words, "in which order are they asked for?", Rank.SYMPTOM)
+        yield slip, replace(right, rows=tuple(right.rows[k] for k in order))
 
 
 def term_causes(exercise: Exercise, right: Grid, given: Grid, at: AtPoints, placed: Placed) -> EntryCauses:

@@ -16,10 +16,11 @@ from dhcli.checking.motion.columns import NOTHING, Column, Columns, Vector, axis
 from dhcli.checking.motion.differentiated import differentiated
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.frames import ORIGIN, between
+from dhcli.notation.angle import Angle
 from dhcli.notation.derivative import derivative
 from dhcli.notation.tree import Expr, Trig, negate, number
 from dhcli.notation.trig import cosine, sine
-from dhcli.notation.walk import rebuild
+from dhcli.notation.walk import rebuild, substitute
 
 Made: TypeAlias = Iterator[tuple[str, Columns]]
 Maker: TypeAlias = Callable[[Columns], Made]
@@ -109,6 +110,16 @@ def _each(columns: Columns, change: Callable[[Column], Column]) -> Columns:
     return replace(columns, each=tuple(map(change, columns.each)))
 
 
+def _changed(columns: Columns, change: Callable[[Expr], Expr]) -> Columns:
+    """Every entry of every column changed."""
+
+    def changed(vector: Vector) -> Vector:
+        x, y, z = map(change, vector)
+        return x, y, z
+
+    return _each(columns, lambda one: replace(one, linear=changed(one.linear), angular=changed(one.angular)))
+
+
 def _turned(columns: Columns, arm: Callable[[Column], Vector]) -> Columns:
     """The velocity that each revolute joint gives, with another arm than from its axis to the point."""
     return _each(columns, lambda one: replace(one, linear=cross(one.axis, arm(one))) if one.turns else one)
@@ -172,6 +183,47 @@ def axis_shifted(columns: Columns) -> Made:
         return replace(one, linear=axis)
 
     yield "", _each(columns, shifted)
+
+
+@_mistake(
+    "slide-turns",
+    "the column of the slide {where} has an angular part, and a slide turns nothing",
+    "what does a slide turn?",
+    Rank.PLACE,
+)
+def slide_turns(columns: Columns) -> Made:
+    """Z above z, where 0 belongs below."""
+    for k, one in enumerate(columns.each):
+        if not one.turns:
+            changed = replace(one, angular=one.axis)
+            yield one.joint, replace(columns, each=(*columns.each[:k], changed, *columns.each[k + 1 :]))
+
+
+@_mistake("one-axis", "all joints turn about the axis of the first one", "along what does the axis of each joint lie?")
+def one_axis(columns: Columns) -> Made:
+    """The z0 of a planar arm for every joint."""
+    axis = columns.each[0].axis
+
+    def changed(one: Column) -> Column:
+        arm = minus(columns.point, one.origin)
+        return replace(one, axis=axis, linear=cross(axis, arm), angular=axis) if one.turns else one
+
+    yield "", _each(columns, changed)
+
+
+@_mistake(
+    "zero-turned",
+    "the angle {where} counts from another zero, a quarter turn away",
+    "where does the arm point when its angles are 0?",
+    Rank.PLACE,
+    stage=Stage.WRITING,
+)
+def zero_turned(columns: Columns) -> Made:
+    """Links along x0 that lie along y0 at zero, or the other way round."""
+    first = columns.each[0]
+    for quarter in (90, -90) if first.turns else ():
+        turned = {first.joint: Angle.of(first.joint) + Angle.in_degrees(quarter)}
+        yield f"{first.joint} {quarter:+}°", _changed(columns, lambda entry, at=turned: substitute(entry, {}, at))  # type: ignore[misc]
 
 
 @_mistake(
@@ -306,8 +358,4 @@ def sine_cosine(columns: Columns) -> Made:
             return sine(node.angle) if node.function == "cos" else cosine(node.angle)
         return node
 
-    def changed(vector: Vector) -> Vector:
-        x, y, z = (rebuild(entry, swapped) for entry in vector)
-        return x, y, z
-
-    yield "", _each(columns, lambda one: replace(one, linear=changed(one.linear), angular=changed(one.angular)))
+    yield "", _changed(columns, lambda entry: rebuild(entry, swapped))

@@ -13,8 +13,9 @@ from dhcli.algebra.points import general
 from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.entries import Entries, entries_text
 from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
+from dhcli.checking.motion.digits import Digits
 from dhcli.checking.motion.grid import Grid, Numbers, alike, over, scale_of, within
-from dhcli.checking.motion.in_entries import signs, term_causes
+from dhcli.checking.motion.in_entries import sign_causes, signs, swapped, term_causes
 from dhcli.checking.motion.marking import in_other_unit, mark_grid, mark_numbers, values_of
 from dhcli.checking.motion.reading import read_cells
 from dhcli.checking.pasted import UnreadableError
@@ -136,7 +137,7 @@ class MotionQuestion(Question[Entries]):
     def answer_with(self, case: Case, name: str) -> str | None:
         """The answer of a mistake, of those too that another one names."""
         right = self.at_points(case.exercise, self._valued(case))
-        for slip, grid in self._every(case, self.right(case)):
+        for slip, grid in self.every(case, self.right(case)):
             if slip.name == name and not alike(self.at_points(case.exercise, grid), right):
                 return self.text(case, grid)
         return None
@@ -151,13 +152,16 @@ class MotionQuestion(Question[Entries]):
             return ()
         entries = self._in_unit(case, reading.value)
         found = [one for one in self._wrong(case) if self._made_by(case, one, entries)]
+        found = found or self._by_digits(case, entries)
         plain = [one for one in found if one.slip.rank < Rank.SYMPTOM] or found
         if plain:
             return tuple((one.slip,) for one in sorted(plain, key=lambda one: one.slip.rank))
         right, exercise = self.right(case), case.exercise
         at = partial(self.at_points, exercise)
-        in_terms = term_causes(exercise, right, self.given(right, entries), at, self.place)
-        return in_terms.one or self.paired_causes(case, entries) or in_terms.more
+        given = self.given(right, entries)
+        in_signs = () if exercise.numeric else sign_causes(right, given, at, self.place)
+        in_terms = term_causes(exercise, right, given, at, self.place)
+        return in_signs or in_terms.one or self.paired_causes(case, entries) or in_terms.more
 
     def place(self, row: int, column: int) -> str:
         """Row and column of an entry as they are told."""
@@ -179,10 +183,14 @@ class MotionQuestion(Question[Entries]):
         """The mistakes that change the answer at general values; of those that are the same the first."""
         return case.memo.of(("motion mistakes", self), lambda: tuple(self._made(case)))
 
+    def single_grids(self, case: Case) -> Iterator[Grid]:
+        """The answers that single mistakes lead to."""
+        return (one.grid for one in self._wrong(case))
+
     def _made(self, case: Case) -> Iterator[Wrong]:
         exercise, right = case.exercise, self._valued(case)
         known = [self.at_points(exercise, right)]
-        for slip, grid in self._every(case, right):
+        for slip, grid in self.every(case, right):
             try:
                 seen = grid.numbers(exercise) if exercise.numeric else ()
                 limits = self._limits(case, grid) if exercise.numeric else ()
@@ -193,10 +201,11 @@ class MotionQuestion(Question[Entries]):
                 known.append(points)
                 yield Wrong(slip, grid, seen, limits, points)
 
-    def _every(self, case: Case, right: Grid) -> Iterator[tuple[Slip, Grid]]:
+    def every(self, case: Case, right: Grid) -> Iterator[tuple[Slip, Grid]]:
         """Mistakes in the work, then those in one entry."""
         yield from self.wrong(case)
         yield from signs(right, self.place)
+        yield from swapped(right)
 
     def at_points(self, exercise: Exercise, grid: Grid) -> tuple[Numbers, ...]:
         """Entries at general points; at the values given, in symbols."""
@@ -227,6 +236,15 @@ class MotionQuestion(Question[Entries]):
             typed = values_of(entries, case.exercise)
             return within(typed, one.seen, one.limits) and not self._is_right(case, one)
         return self._equals(case, one.grid, one.general, entries)
+
+    def _by_digits(self, case: Case, entries: Entries) -> list[Wrong]:
+        """Mistakes that give an answer to the digits typed, where these are enough for that not to be chance."""
+        if not case.exercise.numeric:
+            return []
+        typed, every = Digits.of(case.exercise, self.right(case), entries), self._wrong(case)
+        found = [one for one in every if typed.are_those_of(one.seen) and not self._is_right(case, one)]
+        is_known = found and typed.say_enough(*self.right_numbers(case), [one.seen for one in every])
+        return found if is_known else []
 
     def gives(self, case: Case, grid: Grid, entries: Entries) -> bool:
         """Whether an answer is that of a grid."""

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from dhcli.checking.exercise import Exercise, Shown
 from dhcli.checking.tables.cells import spelled
 from dhcli.errors import RobotError
 from dhcli.kinematics.conventions import Convention, Row
 from dhcli.kinematics.robot import Robot
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.describe.words import Step
 
 MEANINGS = {
     Convention.STANDARD: (
@@ -33,15 +37,36 @@ def process_lines(robot: Robot) -> Iterator[Shown]:
     They are told with all joints at 0, and every free choice as the table makes it. Nothing is told of a table with a
     row without a joint, nor where a twist is a letter.
     """
+    from dhcli.kinematics.describe.words import written
+
+    yield from map(Shown, written(_steps(robot)))
+
+
+def cell_lines(robot: Robot, column: str, number: int) -> Iterator[Shown]:
+    """The step of the process in which one cell of a table is found.
+
+    Args:
+        robot: The robot.
+        column: The column.
+        number: The number of the row.
+    """
+    is_before = robot.convention is Convention.MODIFIED and column in ("a", "alpha")
+    subject = f"x{number - is_before}"
+    for step in _steps(robot):
+        if step.subject == subject:
+            yield Shown("\n".join(step.lines()))
+
+
+def _steps(robot: Robot) -> tuple[Step, ...]:
+    """The process as a robot's own table has gone it, up to the y axes; nothing where it cannot be told."""
     from dhcli.kinematics.describe.retold import retold
-    from dhcli.kinematics.describe.words import Speaker, written
+    from dhcli.kinematics.describe.words import Speaker
 
     try:
         walked = retold(robot)
     except RobotError:
-        return
-    steps = Speaker(walked, robot.convention, robot.first, robot.writing).drawn()
-    yield from map(Shown, written(steps))
+        return ()
+    return tuple(Speaker(walked, robot.convention, robot.first, robot.writing).drawn())
 
 
 def table_lines(rows: Sequence[Row], columns: Sequence[str], first: int, exercise: Exercise) -> Iterator[str]:

@@ -24,6 +24,8 @@ dhcli describe panda --as screws
 dhcli describe scara --as axes -o drawn.yaml
 
 dhcli describe ur5e -o ur5e.urdf
+
+dhcli describe fanuc-like --as motors
 """
 
 _SUFFIXES = {".yaml": "yaml", ".yml": "yaml", ".urdf": "urdf"}
@@ -38,7 +40,7 @@ def complete_form(incomplete: str) -> list[str]:
     """The descriptions that begin like this."""
     from dhcli.kinematics.describe.description import FORMS
 
-    return [form for form in (*FORMS, "urdf") if form.startswith(incomplete)]
+    return [form for form in (*FORMS, "urdf", "motors") if form.startswith(incomplete)]
 
 
 def complete_choice(incomplete: str) -> list[str]:
@@ -55,7 +57,7 @@ def describe(
         typer.Option(
             "--as",
             metavar="FORM",
-            help="standard, modified, axes, screws, body-screws, product or urdf.",
+            help="standard, modified, axes, screws, body-screws, product, urdf, or motors: what drives the joints.",
             autocompletion=complete_form,
         ),
     ] = None,
@@ -83,14 +85,24 @@ def describe(
 
     from dhcli.cli.shell.delivery import Delivery
     from dhcli.cli.shell.given import lengths_of, named_pose, robot_of
+    from dhcli.errors import DhcliError
     from dhcli.kinematics.describe.choices import read_choices
     from dhcli.kinematics.describe.description import Asked, check_form
     from dhcli.kinematics.describe.description import describe as described
+    from dhcli.kinematics.motors import driven
 
     format_ = format_ or ("urdf" if as_ == "urdf" else _by_suffix(output))
     delivery = Delivery("describe", format_, output=output, force=force)
-    form = check_form("product" if format_ == "urdf" else as_ or "standard")
+    if as_ == "motors":
+        if steps or choose or numbers or chosen.pose is not None:
+            raise DhcliError("--as motors has no steps, choices, numbers or pose", "leave them out")
+        delivery.chosen("motors")
+        delivery.hand_over("motors", driven(robot_of(chosen)))
+        return
+    form = check_form("product" if format_ == "urdf" else as_ or "standard", ("urdf", "motors"))
     delivery.chosen("description")
+    if choose and form not in ("standard", "modified"):
+        raise DhcliError("--choose is about tables", "--as standard or --as modified")
     arm = robot_of(chosen)
     arm = replace(arm, parameters={**arm.parameters, **lengths_of(arm, chosen, symbolic=True)})
     drawn = None if chosen.pose is None else named_pose(arm, chosen.pose)

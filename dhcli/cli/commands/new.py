@@ -12,7 +12,7 @@ from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.options import Force
 from dhcli.cli.shell.spreading import But, spread
 
-_OF_URDF = But(without=("robot", "q", "deg", "pose", "set_", "from_", "to", "tool"))
+_OF_URDF = But(without=("robot", "q", "deg", "pose", "set_", "motors", "from_", "to", "tool"))
 """Of the options about a robot those that choose a chain of a URDF."""
 
 new = typer.Typer(cls=Group, add_completion=False, rich_markup_mode="rich", help="Write a file to start from.")

@@ -120,10 +120,9 @@ def fk_rows(
     # With the last row of each matrix.
     whole = delivery.chosen() == "npy" and wanted.forms == ("matrix",) and not index
     tally, bad = Tally(wanted.robot), BadRows(path, skip=skip_bad)
-    to_file = delivery.output is not None or not sys.stdout.isatty()
     with open_source(path) as source:
         rows = joint_rows(source, asked)
-        with delivery.open(layout) as sink, row_progress(sys.stderr, wanted=to_file) as tell:
+        with delivery.open(layout) as sink, row_progress(sys.stderr, wanted=delivery.is_away) as tell:
             for block in rows.blocks():
                 bad.take(block.bad, block.bad_rows)
                 poses = wanted.poses(block.q)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, cast
@@ -29,6 +30,9 @@ if TYPE_CHECKING:
     from dhcli.geometry.rotations import Rotation
     from dhcli.kinematics.inverse.solutions import Solutions
     from dhcli.kinematics.inverse.tasks import TaskName
+
+_POINT = re.compile(r"\s*[\[(]?[^][(),;]+(?:,[^][(),;]+){2}[\])]?\s*")
+"""Three values with commas: no move and no matrix."""
 
 Rows = tuple[tuple[float, ...], ...]
 
@@ -150,6 +154,10 @@ def _target(text: str, typed: str) -> Rows:
         if path == typed == "-":
             raise DhcliError("the robot and the pose cannot both come from standard input", "save one in a file")
         text, place = read_text(path), Place(source_of(path))
+    if _POINT.fullmatch(text):
+        message = f"'{text.strip()}' is a position, and a whole pose is wanted"
+        hint = f"write --position {text.strip('[]() ')}, where the turn is free"
+        raise DhcliError(Problem(message, place, hint))
     pose = compose(read_product(text, place), {}, Wanted()).pose
     if pose.is_symbolic:
         _known([cast("Expr", entry) for row in pose.rows for entry in row], place)

@@ -73,7 +73,7 @@ def inverse_rows(wanted: PoseWish, path: str, delivery: RowDelivery, bad: list[P
     """
     joints = Group.named("q", {name: name for name in wanted.robot.variables})
     total = lost = 0
-    with delivery.open(Layout((INDEX, joints))) as sink, row_progress(sys.stderr, wanted=True) as tell:
+    with delivery.open(Layout((INDEX, joints))) as sink, row_progress(sys.stderr, wanted=delivery.is_away) as tell:
         for poses, places in pose_blocks(path, bad):
             task = wanted.task or ("pose" if poses.ndim == 3 else "position")  # noqa: PLR2004  matrices
             if bad is not None:

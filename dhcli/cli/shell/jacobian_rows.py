@@ -59,10 +59,9 @@ def jacobian_rows(
     layout = jacobian_layout(wanted, index=index)
     whole = delivery.chosen() == "npy" and not index
     tally, bad = Tally(wanted.robot), BadRows(path, skip=skip_bad)
-    to_file = delivery.output is not None or not sys.stdout.isatty()
     with open_source(path) as source:
         rows = joint_rows(source, asked)
-        with delivery.open(layout) as sink, row_progress(sys.stderr, wanted=to_file) as tell:
+        with delivery.open(layout) as sink, row_progress(sys.stderr, wanted=delivery.is_away) as tell:
             for block in rows.blocks():
                 bad.take(block.bad, block.bad_rows)
                 found = wanted.jacobians(block.q)

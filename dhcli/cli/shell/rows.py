@@ -63,6 +63,11 @@ class RowDelivery:
     output: str | None = None
     force: bool = False
 
+    @property
+    def is_away(self) -> bool:
+        """Whether the rows go elsewhere than to the terminal, where they would run through a bar."""
+        return self.output is not None or not sys.stdout.isatty()
+
     def chosen(self) -> str:
         """The format, once everything that can be known before the work has been looked at.
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -15,10 +16,21 @@ from dhcli.notation.tree import PI, Expr, Unit, multiply, number
 from dhcli.notation.walk import walk
 
 FORCE = {"N": number(1), "kN": number(1000)}
-MOMENT = {"N m": number(1), "Nm": number(1), "N*m": number(1), "N mm": number(Fraction(1, 1000))}
+MOMENT = {
+    "N m": number(1),
+    "N cm": number(Fraction(1, 100)),
+    "N mm": number(Fraction(1, 1000)),
+    "kN m": number(1000),
+}
 SPEED = {"m/s": number(1), "cm/s": number(Fraction(1, 100)), "mm/s": number(Fraction(1, 1000))}
 DEGREES = multiply(PI, number(Fraction(1, 180)))
 TURNING = {"rad/s": number(1), "°/s": DEGREES, "deg/s": DEGREES}
+
+_MOMENT = re.compile(r"(k?N)\s*[*·]?\s*(mm|cm|m)")
+"""A unit of a moment, `Nm`, `N*m`, `N·mm`."""
+
+_OTHER = re.compile(r".*\d\s*(?P<unit>kg|kgf|g|lbf?|km/h|mph|ft/s|in/s|rpm|rev/s|J)")
+"""A number with a unit of something else."""
 
 KNOWN = (FORCE, MOMENT, SPEED, TURNING)
 
@@ -68,17 +80,20 @@ def rates_of(text: str, robot: Robot, joints: Sequence[str]) -> tuple[Expr, ...]
 
 def _read(text: str, units: Mapping[str, Expr], scope: Scope, place: Place) -> Expr:
     own = next(iter(units))
-    bare, worth = text.strip(), units[own]
+    bare, worth = _MOMENT.sub(r"\1 \2", text.strip()), units[own]
     for name, value in sorted(((n, v) for known in KNOWN for n, v in known.items()), key=lambda unit: -len(unit[0])):
         before = bare.removesuffix(name).rstrip()
         if before != bare and before[-1:].isdigit():
             if name not in units:
-                raise DhcliError(Problem(f"{bare} is in {name}, and {own} is wanted", place, _hint(units)))
+                raise DhcliError(Problem(f"{text.strip()} is in {name}, and {own} is wanted", place, _hint(units)))
             bare, worth = before, value
             break
+    other = _OTHER.fullmatch(bare)
+    if other and other["unit"] not in scope.names:
+        raise DhcliError(Problem(f"{text.strip()} is in {other['unit']}, and {own} is wanted", place, _hint(units)))
     expr = parse(bare, scope, place)
     if unit := next((node.name for node in walk(expr) if isinstance(node, Unit)), ""):
-        raise DhcliError(Problem(f"{bare} is in {unit}, and {own} is wanted", place, _hint(units)))
+        raise DhcliError(Problem(f"{text.strip()} is in {unit}, and {own} is wanted", place, _hint(units)))
     return multiply(expr, worth)
 
 

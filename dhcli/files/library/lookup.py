@@ -143,7 +143,7 @@ def is_path(kind: Kind, name: str) -> bool:
 def _hint(kind: Kind, name: str, known: tuple[Entry, ...]) -> str:
     """What to type instead of an unknown name."""
     begun = _begun(name, known)
-    hints = [begun or did_you_mean(name, [entry.name for entry in known])]
+    hints = [begun or similar(name, (kind,)) or did_you_mean(name, [entry.name for entry in known])]
     for other in Kind:
         if other is not kind and any(entry.name == name for entry in entries(other)):
             hints = [f"'{name}' is the name of a{'n' if other is Kind.EXERCISES else ''} {other.noun}", begun]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dhcli.errors import FileError, Place, Problem, UnknownNameError, did_you_mean
 from dhcli.files.urdf.model import KINDS, Joint, Model
+from dhcli.kinematics.given import text_of
 
 
 def chain_of(model: Model, base: str | None = None, tip: str | None = None) -> tuple[Joint, ...]:
@@ -69,9 +70,23 @@ def _root(model: Model, above: dict[str, Joint]) -> str:
     return roots[0]
 
 
-def _tip(model: Model, above: dict[str, Joint], start: str) -> str:
+def tips_of(model: Model) -> list[str]:
+    """The links at the ends of chains that move, from the root.
+
+    Raises:
+        FileError: Links and joints are no tree.
+    """
+    above = _tree(model)
+    return _moving(model, above, _root(model, above))
+
+
+def _moving(model: Model, above: dict[str, Joint], start: str) -> list[str]:
     leaves = _leaves(model, above, start)
-    moving = [leaf for leaf in leaves if any(joint.kind != "fixed" for joint in _up(above, leaf, start) or ())]
+    return [leaf for leaf in leaves if any(joint.kind != "fixed" for joint in _up(above, leaf, start) or ())]
+
+
+def _tip(model: Model, above: dict[str, Joint], start: str) -> str:
+    moving = _moving(model, above, start)
     if len(moving) == 1:
         return moving[0]
     if not moving:
@@ -96,7 +111,7 @@ def _up(above: dict[str, Joint], end: str, start: str) -> tuple[Joint, ...] | No
 
 
 def _link(model: Model, name: str, what: str) -> str:
-    if name not in model.links:
+    if text_of(name, what) not in model.links:
         hint = did_you_mean(name, model.links) or f"links: {_listed(list(model.links))}"
         raise UnknownNameError(Problem(f"there is no link {name}", Place(f"--{what}"), hint))
     return name

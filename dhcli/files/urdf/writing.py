@@ -33,6 +33,8 @@ def urdf_text(robot: Robot) -> str:
     valued = in_numbers(robot)
     drawing = drawing_of(valued.chain, valued.variables, {})
     for line in drawing.lines:
+        if line.pitch:
+            raise RobotError(f"{line.name} turns and slides", "a URDF has no screws")
         if line.rate != 1:
             message = f"{line.name} moves its joint by {line.rate} of its own value"
             raise RobotError(message, "a URDF has no joint like that: give the joint a variable of its own")

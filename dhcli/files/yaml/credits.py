@@ -6,19 +6,20 @@ from dataclasses import replace
 
 from dhcli.checking.credit import UNITS, USUAL, Shares
 from dhcli.errors import did_you_mean
+from dhcli.files.keys import exercises as keys
+from dhcli.files.keys.shapes import names
 from dhcli.files.yaml.fields import Fields
 from dhcli.files.yaml.placed import PlacedMapping
 from dhcli.files.yaml.typed import read_number
 
 HALVES = ("rotation", "position")
 SHARES = ("close", "rounded", "unit", "moves")
-KEYS = (*HALVES, *SHARES, "table")
 EXAMPLE = "{rotation: 1/2, close: 1/2, rounded: 1, unit: 1/2}"
 
 
 def read_shares(fields: Fields) -> Shares:
     """What stands under the key `credit` at the top of a file, for all parts; the usual shares where nothing does."""
-    return _shares(fields.mapping("credit", known=KEYS, example=EXAMPLE), USUAL)
+    return _shares(fields.mapping("credit", known=names(keys.SHARES), example=EXAMPLE), USUAL)
 
 
 def read_credit(fields: Fields, shares: Shares) -> tuple[float, Shares | None]:
@@ -31,7 +32,7 @@ def read_credit(fields: Fields, shares: Shares) -> tuple[float, Shares | None]:
     if not isinstance(fields.get("credit"), PlacedMapping):
         points = read_number(fields, "credit")
         return 1.0 if points is None else points, None
-    own = fields.mapping("credit", known=("points", *KEYS))
+    own = fields.mapping("credit", known=names(keys.CREDIT))
     points, found = read_number(own, "points"), _shares(own, shares)
     return 1.0 if points is None else points, None if found == shares else found
 

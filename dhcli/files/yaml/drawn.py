@@ -7,15 +7,16 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean
+from dhcli.files.keys.robots import ROBOTS
 from dhcli.files.yaml.fields import Fields
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
-from dhcli.files.yaml.robot_loader import KEYS, Loader
+from dhcli.files.yaml.robot_loader import Loader
 from dhcli.files.yaml.typed import read_value
 from dhcli.geometry.orthonormal import not_a_rotation
 from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, length, scaled
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.describe.drawn import Drawing, Frame, Line, drawing_of
-from dhcli.kinematics.describe.linear import LettersError, Point, moved, point_of
+from dhcli.kinematics.describe.linear import Form, LettersError, Point, form_of, moved, point_of
 from dhcli.kinematics.describe.products import chains_of
 from dhcli.kinematics.describe.screws import ScrewAxis, Side, lines_of
 from dhcli.kinematics.moves import Chain, Fixed
@@ -27,15 +28,6 @@ from dhcli.notation.quantity import DimensionError, to_length
 from dhcli.notation.tree import ONE, ZERO, Expr
 from dhcli.notation.walk import symbols
 
-_OTHER = tuple(key for key in KEYS if key not in ("links", "base", "tool", "tools", "first"))
-_KNOWN = {
-    "axes": (*_OTHER, "drawn", "axes", "end"),
-    "screws": (*_OTHER, "frame", "screws", "home"),
-}
-_REQUIRED = {
-    "axes": ("title", "source", "convention", "variables", "axes"),
-    "screws": ("title", "source", "convention", "variables", "screws", "home"),
-}
 _SIDES: tuple[Side, ...] = ("space", "body")
 _SIX = 6
 _LEAST = 1e-9
@@ -65,7 +57,7 @@ class DrawnLoader(Loader):
 
     def __init__(self, root: PlacedNode, name: str, refused: list[Problem], convention: str) -> None:
         """Read the fields that every robot has."""
-        super().__init__(root, name, refused, _KNOWN[convention], _REQUIRED[convention])
+        super().__init__(root, name, refused, ROBOTS[convention])
         self.given = convention
         self.drawn: dict[str, Value] = {}
 
@@ -130,7 +122,7 @@ class DrawnLoader(Loader):
                 self.drawn[key] = value if value is not None else Angle()
         for i, node in enumerate(nodes):
             fields = self.problems.mapping(node, f"axes: row {i + 1}", example="{theta1: +z, through: (0, 0, 0)}")
-            named = [key for key in fields.entries if key not in ("through", "slides")]
+            named = [key for key in fields.entries if key not in ("through", "slides", "pitch")]
             known = [key for key in named if key in self.variables]
             for key in named:
                 if key not in self.variables:
@@ -147,17 +139,20 @@ class DrawnLoader(Loader):
     def axis_line(self, fields: Fields, name: str, place: Place) -> Line:
         """The line of one joint: a direction and a point, or two points."""
         slides = fields.text("slides") == "true" or self.slides_by_name(name)
-        node, drawn = fields.get(name), self.drawn.get(name, ZERO)
+        node, drawn, pitch = fields.get(name), self.drawn.get(name, ZERO), self.pitch(fields)
+        if slides and "pitch" in fields:
+            self.problems.add(fields.place_of("pitch"), f"{name} slides only", "a screw turns: leave slides out")
         if isinstance(node, PlacedScalar) and (ends := node.text.split(" to ")) and len(ends) == 2:  # noqa: PLR2004
             start, end = (self.point(replace(node, text=text.strip()), name) for text in ends)
             direction = self.between(start, end, node, name)
-            return Line(name, direction, None if slides else start, turns=not slides, drawn=drawn)
+            return Line(name, direction, None if slides else start, turns=not slides, drawn=drawn, pitch=pitch)
         if "through" not in fields and not slides:
             message = f"{name} turns about a line, and a point of it is missing"
             self.problems.add(place, message, "write through: (0, 0, 0), or slides: true")
         through = fields.get("through")
         point = self.point(through, "through") if through is not None else {}
-        return Line(name, self.direction(node, name), None if slides else point, turns=not slides, drawn=drawn)
+        direction = self.direction(node, name)
+        return Line(name, direction, None if slides else point, turns=not slides, drawn=drawn, pitch=pitch)
 
     def between(self, start: Point, end: Point, node: PlacedNode, name: str) -> Vector:
         """The direction from one point of an axis to another."""
@@ -193,6 +188,12 @@ class DrawnLoader(Loader):
                 if len(parts_) == _SIX:
                     screws.append(ScrewAxis(key, self.numbers(parts_[:3], fields.get(key), key), point_of(parts_[3:])))
         return lines_of(tuple(screws), home, side)
+
+    def pitch(self, fields: Fields) -> Form:
+        """How far a screw goes for each radian; the file says it for one turn."""
+        found = self.expressions(fields.get("pitch"), "pitch", 1) if "pitch" in fields else ()
+        turn = form_of(found[0]) if found else {}
+        return {letter: value / math.tau for letter, value in turn.items()}
 
     @staticmethod
     def slides_by_name(name: str) -> bool:

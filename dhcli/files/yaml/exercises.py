@@ -11,6 +11,8 @@ from dhcli.checking.figures import LEVELS
 from dhcli.checking.verdicts import Verdict
 from dhcli.checking.written import Printed, Range, Trial, answer_scope
 from dhcli.errors import DhcliError, FileError, Problem, did_you_mean
+from dhcli.files.keys.exercises import ALSO, EXERCISE, PRINTED, SOURCE, TEST
+from dhcli.files.keys.shapes import names, required
 from dhcli.files.library.lookup import Kind, check_typed, entries, find
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.yaml.credits import read_shares
@@ -32,26 +34,6 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.names import GREEK_NAMES, parts
 from dhcli.notation.quantity import LENGTH_UNITS
 from dhcli.notation.scope import Scope
-
-KEYS = (
-    "title",
-    "source",
-    "robot",
-    "task",
-    "given",
-    "names",
-    "numeric",
-    "unit",
-    "tolerance",
-    "credit",
-    "also",
-    "parts",
-    "printed",
-    "tests",
-    "variants",
-    "feedback",
-    "picture",
-)
 
 
 def load_exercise(name: str | Path) -> Exercise:
@@ -121,7 +103,7 @@ class _Loader:
         self.problems = Problems(refused)
         self.robots = robots
         self.name = name
-        self.fields = self.problems.document(root, known=KEYS, required=("title", "source", "task", "parts"))
+        self.fields = self.problems.document(root, known=names(EXERCISE), required=required(EXERCISE))
         self.robot = self.read_robot("robot")
         self.unit = self.fields.text("unit", "m")
         self.names = read_texts(self.fields, "names")
@@ -216,7 +198,7 @@ class _Loader:
 
     def also(self) -> tuple[Robot, str] | None:
         fields = self.fields.mapping(
-            "also", known=("robot", "note"), required=("robot",), example="{robot: NAME, note: why it is right too}"
+            "also", known=names(ALSO), required=required(ALSO), example="{robot: NAME, note: why it is right too}"
         )
         scalar = fields.scalar("robot")
         if scalar is None:
@@ -230,7 +212,7 @@ class _Loader:
     def source(self) -> str:
         node = self.fields.get("source")
         if isinstance(node, PlacedMapping):
-            fields = self.fields.mapping("source", known=("document", "item"), required=("document", "item"))
+            fields = self.fields.mapping("source", known=names(SOURCE), required=required(SOURCE))
             return f"{fields.text('document')}, {fields.text('item')}"
         return self.fields.text("source")
 
@@ -276,16 +258,15 @@ class _Loader:
         for key in fields.entries:
             node = fields.get(key)
             if isinstance(node, PlacedMapping):
-                inner = self.problems.mapping(node, key, known=("answer", "note"), required=("answer",))
+                inner = self.problems.mapping(node, key, known=names(PRINTED), required=required(PRINTED))
                 printed[key] = Printed(inner.text("answer"), inner.text("note"))
             else:
                 printed[key] = Printed(fields.text(key))
         return printed
 
     def trial(self, node: PlacedNode) -> Trial:
-        keys = ("part", "answer", "mistake", "verdict")
         example = "{part: a1, answer: ..., verdict: WRONG}"
-        fields = self.problems.mapping(node, "tests", known=keys, required=("part", "verdict"), example=example)
+        fields = self.problems.mapping(node, "tests", known=names(TEST), required=required(TEST), example=example)
         known = self.parts.ids
         name = fields.text("part")
         if name and name not in known and known:

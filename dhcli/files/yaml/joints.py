@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 
 from dhcli.errors import DhcliError, NotationError, Place
+from dhcli.files.keys.linkages import JOINT, LOOP, LOOP_ROW
+from dhcli.files.keys.shapes import names, required
 from dhcli.files.yaml.coordinates import Coordinates
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedNode, PlacedScalar
@@ -16,22 +18,6 @@ from dhcli.mobility.patterns import count_of, read_chain
 from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_angle, to_length
-
-JOINT_KEYS = (
-    "name",
-    "type",
-    "links",
-    "point",
-    "axis",
-    "axis2",
-    "other",
-    "slide",
-    "pitch",
-    "carrier",
-    "radii",
-    "internal",
-)
-LOOP_KEYS = ("convention", "rows")
 
 _SHORT = re.compile(
     r"(?P<a>\S+)\s+(?P<pair>\S+)\s+(?P<b>\S+)(?:\s+at\s+(?P<point>\S+))?(?:\s+(?:about|along)\s+(?P<axis>\S.*))?"
@@ -99,7 +85,7 @@ class JointReader:
 
     def joint(self, node: PlacedNode, number: str) -> list[Joint]:
         """A joint as a mapping; a pin through k links is k - 1 joints."""
-        fields = self.problems.mapping(node, "joints", known=JOINT_KEYS, required=("type", "links"))
+        fields = self.problems.mapping(node, "joints", known=names(JOINT), required=required(JOINT))
         links = [s.text for item in fields.sequence("links") if (s := self.problems.scalar(item, "links"))]
         if "links" in fields and len(links) < 2:  # noqa: PLR2004  two links
             self.problems.add(
@@ -205,7 +191,7 @@ class JointReader:
 
     def loop(self) -> list[Joint]:
         """A closed loop of DH rows."""
-        fields = self.fields.mapping("loop", known=LOOP_KEYS, required=LOOP_KEYS)
+        fields = self.fields.mapping("loop", known=names(LOOP), required=required(LOOP))
         word = fields.text("convention")
         if word not in (Convention.STANDARD, Convention.MODIFIED):
             self.problems.add(
@@ -222,7 +208,7 @@ class JointReader:
 
     def row(self, node: PlacedNode) -> tuple[Row, Pair]:
         """One row of a DH table, and the kind of its joint."""
-        fields = self.problems.mapping(node, "rows", known=(*COLUMNS, "joint"), required=COLUMNS)
+        fields = self.problems.mapping(node, "rows", known=names(LOOP_ROW), required=required(LOOP_ROW))
         scope, cells = self.numbers.scope, {}
         for column in COLUMNS:
             scalar = fields.scalar(column)

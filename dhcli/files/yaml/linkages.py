@@ -5,6 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from dhcli.errors import DhcliError, FileError, Place, Problem
+from dhcli.files.keys.linkages import FORMS, LINKAGE
+from dhcli.files.keys.shapes import names, required
 from dhcli.files.library.lookup import Kind, check_typed, entries, find, is_path
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.yaml.coordinates import Coordinates
@@ -15,24 +17,6 @@ from dhcli.mobility.counting import Counts, counts
 from dhcli.mobility.linkage import InvalidLinkageError, Linkage, NamedPoint, serial
 from dhcli.mobility.pairs import LETTERS, SPATIAL, LinkageError, Space, space_of
 from dhcli.mobility.patterns import EXAMPLES, count_of, joint_counts, looks_like_pattern, read_pattern
-
-KEYS = (
-    "title",
-    "source",
-    "notes",
-    "space",
-    "lambda",
-    "ground",
-    "output",
-    "let",
-    "points",
-    "links",
-    "joints",
-    "chain",
-    "bars",
-    "loop",
-)
-FORMS = ("joints", "chain", "bars", "loop")
 
 
 def find_linkage(what: str, space: Space = SPATIAL, tolerance: float = 0.0) -> Linkage | Counts:
@@ -108,7 +92,7 @@ class _Loader:
         self.problems = Problems(refused)
         self.name = name
         self.tolerance = tolerance
-        self.fields = self.problems.document(root, known=KEYS, required=("title", "source"))
+        self.fields = self.problems.document(root, known=names(LINKAGE), required=required(LINKAGE))
         self.space = self.read_space()
         self.numbers = Coordinates(
             self.problems, self.fields.mapping("let"), self.fields.mapping("points"), planar=self.space.is_planar

@@ -8,11 +8,13 @@ from typing import Any
 
 from dhcli.checking.credit import Shares
 from dhcli.checking.exercise import Part, Question
-from dhcli.checking.kinds.registry import keys, read_question
+from dhcli.checking.kinds.registry import read_question
 from dhcli.checking.tables.comparing import COMPARED
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.written import Printed
 from dhcli.errors import DhcliError, NotationError, Place, did_you_mean
+from dhcli.files.keys.exercises import PART
+from dhcli.files.keys.shapes import names, required
 from dhcli.files.yaml.credits import read_credit
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedNode, PlacedScalar
@@ -21,7 +23,6 @@ from dhcli.files.yaml.typed import read_flag, read_texts, read_whole
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.scope import Scope
 
-KEYS = ("id", "ask", "prompt", "credit", "withdrawn", "depends", "hints", *keys(), "exact", "decimals")
 OF_ALL = (
     "numeric",
     "unit",
@@ -67,7 +68,7 @@ class PartReader:
     def part(self, node: PlacedNode) -> Part | None:
         """A part; None if there is no telling what it asks."""
         fields = self.problems.mapping(
-            node, "parts", known=KEYS, required=("id", "ask"), above=OF_ALL, example="{id: a1, ask: link 1}"
+            node, "parts", known=names(PART), required=required(PART), above=OF_ALL, example="{id: a1, ask: link 1}"
         )
         name, depends = fields.text("id"), read_texts(fields, "depends")
         self.check_id(fields, name, depends)

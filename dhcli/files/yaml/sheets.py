@@ -189,7 +189,8 @@ def _part_lines(exercise: Exercise, part: Part) -> Iterator[str]:
     asked = (part.prompt.strip(), part.form(exercise)) if part.prompt.strip() else (part.heading(exercise),)
     for text in (*asked[:-1], " · ".join(filter(None, (asked[-1], worth(exercise, part))))):
         yield from _comment(text, "  # ", "  # ")
-    yield from (f"  # {note}" for note in question.notes(exercise))
+    for note in question.notes(exercise):
+        yield from _comment(note, "  # ", "  # ")
     for number, option in enumerate(question.statements, 1):
         yield from _comment(option, f"  #   {number}: ", "  #      ")
     yield f"  {part.id}: |"

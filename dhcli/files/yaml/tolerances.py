@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from dhcli.checking.tolerance import DEFAULT, Tolerance
+from dhcli.files.keys.exercises import TOLERANCE
+from dhcli.files.keys.shapes import names
 from dhcli.files.yaml.fields import Fields
 from dhcli.files.yaml.typed import read_degrees, read_flag, read_number, read_whole
-
-KEYS = ("rotation", "position", "angle", "decimals", "exact")
-
 
 MOST_DECIMALS = 12
 
@@ -24,7 +23,7 @@ def read_decimals(fields: Fields) -> int | None:
 
 def read_tolerance(fields: Fields) -> Tolerance:
     """What stands under the key `tolerance`; the usual tolerances where nothing does."""
-    own = fields.mapping("tolerance", known=KEYS, example="{rotation: 0.001, position: 0.5 mm}")
+    own = fields.mapping("tolerance", known=names(TOLERANCE), example="{rotation: 0.001, position: 0.5 mm}")
     rotation, position, angle = read_number(own, "rotation"), read_number(own, "position"), read_degrees(own, "angle")
     for key, value in (("rotation", rotation), ("position", position), ("angle", angle)):
         if value is not None and not value >= 0:

@@ -12,7 +12,7 @@ from dhcli.kinematics.describe.drawn import Drawing
 from dhcli.kinematics.describe.exact import exact_factor, places_of
 from dhcli.kinematics.describe.linear import Point, coordinates_of
 from dhcli.kinematics.describe.process import axis_word
-from dhcli.kinematics.describe.products import end_of
+from dhcli.kinematics.describe.products import end_of, pitch_of
 from dhcli.kinematics.describe.screws import ScrewAxis
 from dhcli.kinematics.moves import Chain, product_text
 from dhcli.kinematics.robot import Robot, Value
@@ -158,8 +158,10 @@ def _motors(robot: Robot) -> Iterator[str]:
     limits = {name: f"[{', '.join(quantity(value, 'm') for value in pair)}]" for name, pair in driven.limits.items()}
     yield ""
     yield "actuators:"
-    listed = ", ".join(f"{cell(motor)}: {limits.get(motor, '')}".strip() for motor in own)
-    yield f"  motors: {{{listed}}}"
+    if limits:
+        yield from ("  motors:", *(f"    {cell(motor)}: {limits.get(motor, '')}".rstrip() for motor in own))
+    else:
+        yield f"  motors: [{', '.join(map(cell, own))}]"
     yield from (f"  {sentence.replace(' = ', ': ', 1)}" for sentence in driven.sentences())
 
 
@@ -181,7 +183,8 @@ def _axes(drawing: Drawing) -> Iterator[str]:
         )
         through = "" if line.through is None else f", through: {_point(line.through)}"
         kept = "" if line.turns or line.name.startswith("d") else ", slides: true"
-        yield f"  - {{{line.name}: {exact}{through}{kept}}}"
+        pitch = f", pitch: {quantity(pitch_of(line))}" if line.pitch else ""
+        yield f"  - {{{line.name}: {exact}{through}{pitch}{kept}}}"
 
 
 def _six(screw: ScrewAxis) -> Iterator[str]:

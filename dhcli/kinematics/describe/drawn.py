@@ -12,7 +12,7 @@ from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
 from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, cross, dot, length, plus, scaled
 from dhcli.kinematics.axes import no_axis
-from dhcli.kinematics.describe.linear import LettersError, Point, Ruler, form_of, shifted
+from dhcli.kinematics.describe.linear import Form, LettersError, Point, Ruler, along, form_of, moved, shifted
 from dhcli.kinematics.moves import PLANES, Chain, Fixed, Move, Rot, Trans, angle_names, names, substituted
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ONE, ZERO, Expr, Number
@@ -34,6 +34,7 @@ class Line:
         turns: Whether the joint turns.
         rate: Motion for each unit of the variable.
         drawn: Value of the variable in the pose drawn.
+        pitch: Of a screw, how far it slides along its axis for each unit of the variable.
     """
 
     name: str
@@ -42,6 +43,7 @@ class Line:
     turns: bool = True
     rate: Fraction = Fraction(1)
     drawn: Value = ZERO
+    pitch: Form = field(default_factory=dict)
 
     def reversed(self) -> Line:
         """The same axis pointing the other way, against which the variable grows."""
@@ -100,25 +102,50 @@ def drawing_of(
 
     Raises:
         LettersError: A direction depends on a letter.
-        RobotError: A variable stands in two moves, or a move has two.
+        RobotError: A variable stands in two moves that are no screw, or a move has two.
     """
     drawn = pose or {}
-    lengths: dict[str, Expr] = dict.fromkeys(variables, ZERO)
+    turning = angle_names(chain)
+    lengths: dict[str, Expr] = {name: ZERO for name in variables if name not in turning}
     lengths |= {name: value for name, value in drawn.items() if isinstance(value, Expr)}
-    angles = {name: Angle() for name in variables}
+    angles = {name: Angle() for name in variables if name in turning}
     angles |= {name: value for name, value in drawn.items() if isinstance(value, Angle)}
     lines: list[Line] = []
+    slides: dict[str, Point] = {}
     here: Placed = (UNITS, {})
     for move in chain:
         moving = [name for name in variables if name in names((move,))]
-        if len(moving) > 1 or any(line.name in moving for line in lines):
+        known = [line.name for line in lines]
+        if len(moving) > 1 or (slides and moving != list(slides)) or any(name in known[:-1] for name in moving):
             raise RobotError(*no_axis(moving[-1]))
-        if moving:
-            lines.append(replace(_line(moving[0], move, here), drawn=drawn.get(moving[0], ZERO)))
+        for name in moving:
+            if isinstance(move, Trans) and name in turning:
+                slides[name] = _slide(name, move, here)
+            elif name in known:
+                raise RobotError(*no_axis(name))
+            else:
+                lines.append(replace(_line(name, move, here), drawn=drawn.get(name, ZERO)))
+            if slides and lines and lines[-1].name == name:
+                lines[-1] = _screwed(lines[-1], slides.pop(name))
         (still,) = substituted((move,), lengths, angles)
         here = _after(here, still)
+    if slides:
+        raise RobotError(*no_axis(next(iter(slides))))
     (x, _, z), origin = here
     return Drawing(tuple(lines), Frame(x, z, origin), values)
+
+
+def _screwed(line: Line, slide: Point) -> Line:
+    """A turn and a slide of the same variable as one screw.
+
+    Raises:
+        RobotError: It slides across its axis, or twice.
+    """
+    pitch = along(slide, line.direction)
+    across = moved(slide, {letter: scaled(line.direction, value) for letter, value in pitch.items()}, -1)
+    if line.pitch or any(length(vector) > 1e-12 for vector in across.values()):  # noqa: PLR2004
+        raise RobotError(*no_axis(line.name))
+    return replace(line, pitch=pitch)
 
 
 def _after(here: Placed, move: Move) -> Placed:
@@ -159,10 +186,10 @@ def _line(name: str, move: Move, here: Placed) -> Line:
         return Line(name, scaled(axis, math.copysign(1, rate)), origin, turns=True, rate=abs(rate))
     if name in angle_names((move,)):
         raise RobotError(f"{name} does not move one joint about or along one axis")
-    slopes = [_slope(expr, name) for expr in _offset(move)]
-    total = ORIGIN
-    for axis, slope in zip(axes, slopes, strict=True):
-        total = (total[0] + axis[0] * slope, total[1] + axis[1] * slope, total[2] + axis[2] * slope)
+    slide = _slide(name, move, here)
+    if free := [str(letter) for letter in slide if letter != ONE]:
+        raise LettersError(f"how far {name} slides depends on {', '.join(free)}")
+    total = slide.get(ONE, ORIGIN)
     rate = Fraction(length(total)).limit_denominator(10**6)
     if not rate or abs(float(rate) - length(total)) > 1e-12:  # noqa: PLR2004
         raise RobotError(f"{name} slides by {length(total):g} m for each metre of its own", "write it once in a row")
@@ -178,13 +205,13 @@ def _offset(move: Move) -> tuple[Expr, ...]:
     return move.offset if isinstance(move, Trans) else ()
 
 
-def _slope(expr: Expr, name: str) -> float:
-    """By how much a length grows with a variable; a number."""
-    grown = substitute(expr, {name: Number(Fraction(1))}, {}) - substitute(expr, {name: ZERO}, {})
-    form = form_of(grown)
-    if any(letter != ONE and abs(value) > 0 for letter, value in form.items()):
-        raise LettersError(f"how far {name} slides depends on {grown}")
-    return form.get(ONE, 0.0)
+def _slide(name: str, move: Move, here: Placed) -> Point:
+    """How far a move slides for each unit of a variable, in the base."""
+    total: Point = {}
+    for axis, expr in zip(here[0], _offset(move), strict=True):
+        grown = form_of(substitute(expr, {name: Number(Fraction(1))}, {}) - substitute(expr, {name: ZERO}, {}))
+        total = shifted(total, axis, {letter: value for letter, value in grown.items() if value})
+    return total
 
 
 def same_direction(u: Vector, v: Vector, close: float = 1e-12) -> int:

@@ -14,13 +14,14 @@ from dhcli.kinematics.describe.linear import Point, point_of
 from dhcli.kinematics.describe.products import chains_of
 from dhcli.kinematics.describe.screws import ScrewAxis, Side, lines_of
 from dhcli.kinematics.description import Description, Link
-from dhcli.kinematics.given import chain_of, value_of
+from dhcli.kinematics.given import chain_of, text_of, texts_of, tuple_of, value_of
 from dhcli.kinematics.moves import Chain, Fixed, Move
 from dhcli.notation.tree import ONE
 
 Made = TypeVar("Made", bound=Description)
 _SIX = 6
 _A_SCREW = "write six numbers, ω then v: (0, 0, 1, 0, 0, 0)"
+_SOME_NAMES = 'write ["theta1", "d2"]'
 _A_HOME = "write moves, 'Trans(0.7, 0, 0)', or give a matrix of shape (4, 4)"
 
 
@@ -35,27 +36,28 @@ def from_screws(
 ) -> Made:
     """A robot from its screws and its home pose; what is taken is told by `Robot.from_screws`."""
     sides: tuple[Side, ...] = get_args(Side)
+    text_of(frame, "frame", "space or body")
     side = next((known for known in sides if known == frame), None)
     if side is None:
         raise UnknownNameError(f"frame: {frame!r:.60} is not known", did_you_mean(str(frame), sides) or "space or body")
-    rows = [_six(row, i) for i, row in enumerate(screws, 1)]
+    rows = [_six(row, i) for i, row in enumerate(tuple_of(screws, "screws", _A_SCREW), 1)]
     letters = ["theta" if any(omega) else "d" for omega, _ in rows]
-    named = tuple(variables) or tuple(f"{letter}{i}" for i, letter in enumerate(letters, 1))
+    named = texts_of(variables, "variables", _SOME_NAMES) or tuple(
+        f"{letter}{i}" for i, letter in enumerate(letters, 1)
+    )
     if len(named) != len(rows) or not rows:
         raise RobotError(f"{len(named)} variables and {len(rows)} screws", "one variable for each screw")
     end = _end(home)
     axes = tuple(ScrewAxis(label, omega, v) for label, (omega, v) in zip(named, rows, strict=True))
     drawing = Drawing(lines_of(axes, end, side), end)
     links = tuple(Link(i, chain) for i, chain in enumerate(chains_of(drawing), 1))
-    return made(name, name, "made in Python", Convention.PRODUCT, named, links)
+    called = text_of(name, "name")
+    return made(called, called, "made in Python", Convention.PRODUCT, named, links)
 
 
-def _six(row: Sequence[float], number: int) -> tuple[Vector, Point]:
+def _six(row: object, number: int) -> tuple[Vector, Point]:
     """ω and v of one screw."""
-    try:
-        given = tuple(row)
-    except TypeError:
-        raise RobotError(f"screw {number}: {row!r:.60} is no screw", _A_SCREW) from None
+    given = tuple_of(row, f"screw {number}", _A_SCREW)
     if len(given) != _SIX:
         raise RobotError(f"screw {number}: {len(given)} numbers, not six", _A_SCREW)
     exprs = [value_of(part, f"screw {number}", is_angle=False) for part in given]

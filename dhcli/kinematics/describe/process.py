@@ -18,6 +18,7 @@ from dhcli.kinematics.describe.drawn import Drawing, Frame, Line
 from dhcli.kinematics.describe.exact import exact_angle
 from dhcli.kinematics.describe.linear import Form, along, length_of, moved
 from dhcli.kinematics.describe.normals import Lie, Normal, far_feet, how_far, normal, placed, through_end
+from dhcli.kinematics.describe.products import screwed
 from dhcli.kinematics.moves import Chain, Rot
 from dhcli.kinematics.moves import along as shift
 from dhcli.notation.angle import Angle
@@ -151,7 +152,8 @@ def with_variable(line: Line, turn: float, way: Form) -> Along:
         return Along(turned, offset)
     if line.turns:
         drawn = line.drawn if isinstance(line.drawn, Angle) else Angle()
-        return Along(Angle(((line.name, line.rate),)) + _rounded(turned - drawn * line.rate), offset)
+        slid = screwed(line, length_of(line.pitch)) if line.pitch else ZERO
+        return Along(Angle(((line.name, line.rate),)) + _rounded(turned - drawn * line.rate), slid + offset)
     drawn_length = line.drawn if isinstance(line.drawn, Expr) else ZERO
     moving = multiply(Number(line.rate), Symbol(line.name))
     return Along(turned, moving + (offset - multiply(Number(line.rate), drawn_length)))

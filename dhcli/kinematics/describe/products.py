@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from fractions import Fraction
 
 from dhcli.geometry.euler import euler
 from dhcli.geometry.vectors import UNITS, Vector, cross, length
 from dhcli.kinematics.describe.drawn import Drawing, Frame, Line
 from dhcli.kinematics.describe.exact import exact_angle, exact_factor
-from dhcli.kinematics.describe.linear import Point, coordinates_of, moved
-from dhcli.kinematics.moves import Chain, Rot, Trans, inverse
+from dhcli.kinematics.describe.linear import Point, coordinates_of, length_of, moved
+from dhcli.kinematics.moves import Chain, Rot, Trans, along, in_radians, inverse
 from dhcli.notation.angle import Angle
 from dhcli.notation.factors import AXES, Axis
-from dhcli.notation.tree import ZERO, Expr, Number, Symbol, multiply
+from dhcli.notation.tree import PI, ZERO, Expr, Number, Symbol, multiply, negate
 
 _STRAIGHT = 1e-12
 
@@ -55,11 +56,24 @@ def _motion(line: Line) -> Chain:
         drawn = line.drawn if isinstance(line.drawn, Angle) else Angle()
         angle = (Angle.of(line.name) - drawn) * line.rate
         axis, sign, before = _towards(line.direction)
-        return (*before, Rot(axis, angle * sign), *inverse(before))
+        slid = screwed(line, length_of(line.pitch))
+        slide = (along(axis, multiply(Number(Fraction(sign)), slid)),) if line.pitch else ()
+        return (*before, Rot(axis, angle * sign), *slide, *inverse(before))
     away = line.drawn if isinstance(line.drawn, Expr) else ZERO
     way = multiply(Number(line.rate), Symbol(line.name) - away)
     x, y, z = (multiply(exact_factor(part), way) if abs(part) > _STRAIGHT else ZERO for part in line.direction)
     return (Trans(x, y, z),)
+
+
+def pitch_of(line: Line) -> Expr:
+    """How far a screw goes in one turn of its variable."""
+    return multiply(Number(Fraction(2)), PI, length_of(line.pitch))
+
+
+def screwed(line: Line, pitch: Expr) -> Expr:
+    """How far a screw has slid: nothing in the pose drawn."""
+    drawn = in_radians(line.drawn) if isinstance(line.drawn, Angle) else ZERO
+    return multiply(pitch, Symbol(line.name)) + negate(multiply(pitch, drawn))
 
 
 def _towards(direction: Vector) -> tuple[Axis, int, Chain]:

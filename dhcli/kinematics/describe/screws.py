@@ -12,8 +12,11 @@ from typing import Literal
 from dhcli.errors import RobotError
 from dhcli.geometry.vectors import ORIGIN, Vector, cross, dot, length, scaled
 from dhcli.kinematics.describe.drawn import Drawing, Frame, Line
-from dhcli.kinematics.describe.linear import Point, moved
+from dhcli.kinematics.describe.linear import Point, moved, shifted
 from dhcli.notation.tree import ONE
+
+_NO_PITCH = 1e-12
+"""A part of v along ω that is rounding [m]."""
 
 Side = Literal["space", "body"]
 
@@ -52,7 +55,7 @@ def lines_of(screws: tuple[ScrewAxis, ...], home: Frame, side: Side = "space") -
         side: The frame that they are seen from.
 
     Raises:
-        RobotError: A screw is zero, or has a pitch.
+        RobotError: A screw is zero.
     """
     return tuple(_line(screw, home if side == "body" else Frame()) for screw in screws)
 
@@ -63,21 +66,18 @@ def _screw(line: Line, seen_from: Frame) -> ScrewAxis:
         return ScrewAxis(line.name, ORIGIN, {ONE: direction})
     gap = moved(line.through or {}, seen_from.origin, -1)
     point = {letter: _seen(vector, seen_from) for letter, vector in gap.items()}
-    return ScrewAxis(line.name, direction, {letter: cross(vector, direction) for letter, vector in point.items()})
+    v = {letter: cross(vector, direction) for letter, vector in point.items()}
+    return ScrewAxis(line.name, direction, shifted(v, _seen(line.direction, seen_from), line.pitch))
 
 
 def _line(screw: ScrewAxis, frame: Frame) -> Line:
     rate = length(screw.omega)
     if rate:
         axis = scaled(screw.omega, 1 / rate)
-        pitch = {letter: dot(axis, vector) for letter, vector in screw.v.items()}
-        if any(abs(value) > 1e-9 for value in pitch.values()):  # noqa: PLR2004
-            raise RobotError(
-                f"{screw.name} turns and slides: ω·v is not zero", "a lead screw is two moves of a product"
-            )
+        pitch = {letter: slid for letter, vector in screw.v.items() if abs(slid := dot(axis, vector)) > _NO_PITCH}
         point = {letter: scaled(cross(axis, vector), 1 / rate) for letter, vector in screw.v.items()}
         through = moved(frame.origin, {letter: _back(vector, frame) for letter, vector in point.items()})
-        return Line(screw.name, _back(axis, frame), through, turns=True, rate=_whole(rate))
+        return Line(screw.name, _back(axis, frame), through, turns=True, rate=_whole(rate), pitch=pitch)
     if set(screw.v) - {ONE}:
         raise RobotError(f"the direction in which {screw.name} slides depends on a letter")
     speed = length(screw.v.get(ONE, ORIGIN))

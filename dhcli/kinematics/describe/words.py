@@ -130,6 +130,7 @@ class Speaker:
         for k, line in enumerate(self.walk.lines[1:-1], 1):
             where = f"through {self.point(line.through or {})}"
             kind = "" if line.turns else ", a slide: only its direction matters"
+            kind = ", a screw: its slide goes into d" if line.pitch else kind
             against = f", {line.name} counts the other way" if line.rate < 0 else ""
             yield Step(1, self.z(k), f"{axis_word(line.direction)} {where}, of {line.name}{kind}{against}")
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from dhcli.errors import RobotError, did_you_mean
+from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.inverse.asked import Question, ask
 from dhcli.kinematics.inverse.running import CONFIRMED, Found, run
@@ -17,7 +18,7 @@ from dhcli.kinematics.inverse.targets import read_targets
 from dhcli.kinematics.inverse.tasks import TaskName
 from dhcli.kinematics.inverse.turns import limits_of
 from dhcli.kinematics.pose import Pose
-from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.values import SLACK, JointInput
 from dhcli.notation.angle import Angle
 
@@ -74,6 +75,13 @@ def inverse_batch(  # noqa: PLR0913  what may be asked of poses
         raise RobotError(f"there is no {each!r} of solutions", did_you_mean(str(each), ("all", "nearest", "first")))
     if each == "nearest" and near is None:
         raise RobotError("nearest to what?", "give near=")
+    check_robot(robot)
+    if is_coupled(robot):
+        from dhcli.kinematics.inverse.coupled import through_many  # few robots are
+
+        asked: dict[str, object] = {"task": task, "hold": hold, "start": start, "end": end, "parameters": parameters}
+        asked |= {"near": near, "tolerance": tolerance}
+        return through_many(inverse_batch, robot, T, each, within_limits=within_limits, **asked)
     question, held = ask(robot, task, near=near, hold=hold, start=start, end=end, parameters=parameters)
     poses, _ = read_targets(T, question.ready.task)
     values, indices = [], []

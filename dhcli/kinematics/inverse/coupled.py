@@ -13,7 +13,7 @@ from dhcli.errors import RobotError, plural
 from dhcli.kinematics.coupling import Uncoupled, uncoupled
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.inverse.solutions import Solutions, in_numbers, turning_joints
-from dhcli.kinematics.inverse.turns import placed
+from dhcli.kinematics.inverse.turns import limits_of, outside, placed
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import JointInput, numbers, parameter_values
 from dhcli.notation.angle import Angle
@@ -122,6 +122,32 @@ def through(solve: Callable[..., Solutions], robot: Robot, T: object, **asked: A
     wish = None if near is None else in_numbers(robot, near)
     limits = {key: asked[key] for key in ("within_limits", "all_turns")}
     return placed(answer, wish, periodic=carried.periodic, **limits)
+
+
+def through_many(
+    solve: Callable[..., tuple[Array, NDArray[np.int64]]],
+    robot: Robot,
+    T: object,  # noqa: N803
+    each: str,
+    *,
+    within_limits: bool,
+    **asked: Any,  # noqa: ANN401
+) -> tuple[Array, NDArray[np.int64]]:
+    """The same for many poses; see `inverse_batch`."""
+    carried = Carried.of(robot, asked["parameters"])
+    near = asked["near"]
+    ways = {"near": carried.there(near), "hold": carried.held(asked["hold"])}
+    values, index = solve(carried.arm.robot, T, **{**asked, **ways}, each="all")
+    rows = [(row, int(k)) for k, moves in zip(index, values, strict=True) if (row := carried.back(moves)) is not None]
+    if within_limits:
+        limits = limits_of(robot)
+        rows = [(row, k) for row, k in rows if not outside(robot, row, limits)]
+    if each != "all":
+        wish = np.zeros(len(robot.variables)) if near is None else in_numbers(robot, near)
+        rows.sort(key=lambda found: (found[1], float(np.linalg.norm(found[0] - wish))))
+        rows = [found for n, found in enumerate(rows) if not n or rows[n - 1][1] != found[1]]
+    q = np.array([row for row, _ in rows]).reshape(-1, len(robot.variables))
+    return q, np.array([k for _, k in rows], dtype=np.int64)
 
 
 def _carried(carried: Carried, found: Solutions) -> Solutions:

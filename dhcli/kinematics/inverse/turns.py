@@ -64,7 +64,7 @@ def placed(
             rows.append(np.array(values))
             origin.append(k)
     table = np.array(rows).reshape(-1, len(robot.variables))
-    beyond = [_beyond(robot, row, limits) for row in table]
+    beyond = [outside(robot, row, limits) for row in table]
     order = list(range(len(table)))
     if near is not None:
         order.sort(key=lambda k: round(float(np.linalg.norm(table[k] - near)), 9))
@@ -104,7 +104,8 @@ def _turns(x: float, limits: Array, *, turns: bool, near: float | None) -> list[
     return [min(around, key=lambda value: max(low - value, value - high))]
 
 
-def _beyond(robot: Robot, q: Array, limits: Array) -> tuple[Beyond, ...]:
+def outside(robot: Robot, q: Array, limits: Array) -> tuple[Beyond, ...]:
+    """What is outside its limits at some values, on either side of the drives."""
     found = []
     for name, x, (low, high) in zip(robot.variables, q.tolist(), limits.tolist(), strict=True):
         if x > high + SLACK:

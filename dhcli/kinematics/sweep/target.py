@@ -10,6 +10,7 @@ from dhcli.errors import RobotError
 from dhcli.kinematics.forward import in_numbers, put_in, textbook_form
 from dhcli.kinematics.frames import View
 from dhcli.kinematics.moves import Chain
+from dhcli.kinematics.recorded import kept
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import Values, numbers, parameter_values, require
 from dhcli.notation.angle import Angle
@@ -49,6 +50,9 @@ class Target:
 
     def movers(self) -> frozenset[str]:
         """The joints that it moves with."""
+        return kept(self.robot, ("movers", self.view, tuple(self.lengths.items())), self._movers)
+
+    def _movers(self) -> frozenset[str]:
         joints = frozenset(self.robot.variables)
         try:
             rows = textbook_form(put_in(self.chain, self.lengths))

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import math
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, Unpack, cast
 
 import numpy as np
 
+from dhcli.algebra.arrays import Array, library_of
 from dhcli.algebra.tape import Number, Tape
 from dhcli.errors import DhcliError, RobotError
 from dhcli.kinematics.batch import joint_rows, room
@@ -17,6 +18,7 @@ from dhcli.kinematics.merge import merge
 from dhcli.kinematics.playing import play
 from dhcli.kinematics.recorded import Recording, kept
 from dhcli.kinematics.robot import Robot, check_robot
+from dhcli.kinematics.traced import shaped, trace
 from dhcli.kinematics.values import JointInput, given_parameters, joint_values, numbers, parameter_values
 from dhcli.kinematics.velocity.analytic import TINY
 from dhcli.kinematics.velocity.form import Form, Which
@@ -56,6 +58,8 @@ def jacobian(  # noqa: PLR0913  each by its name
     Args:
         robot: The robot.
         q: Joint values in radians and metres, in any form that `forward` takes; or many, shape (N, n), a row for each.
+            An array of JAX, PyTorch or another library of the array API may have any shape (..., n), and gives one of
+            its own.
         part: `all` six rows, or the three of v, `linear`, or of ω, `angular`.
         angular_first: Whether ω stands above v.
         analytic: Angles whose rates are wanted in the place of ω: `rpy`, or three axes such as `zyz`.
@@ -75,12 +79,16 @@ def jacobian(  # noqa: PLR0913  each by its name
         UnknownNameError: The robot has no such frame, joint or length.
     """
     check_robot(robot)
-    if (floats := plain_floats(cast("JointInput", q), parameters)) is not None:
+    library = library_of(q)
+    if not library and (floats := plain_floats(cast("JointInput", q), parameters)) is not None:
         played = _played(robot, floats, (part, angular_first, analytic), viewing)
         if played is not None:
             return played
     view = MotionView.of(robot, **viewing)
     form = Form(checked_part(part), angular_first, analytic)
+    if library:
+        only = {"dtype": dtype, "threads": None if threads == 1 else threads}
+        return cast("NDArray[Any]", traced_jacobian(robot, q, view, form, parameters or {}, (library, only)))
     if _is_many(q):
         return jacobians(robot, cast("ArrayLike", q), view, form, parameters or {}, dtype=dtype, threads=threads)
     values = {**parameter_values(robot, parameters or {}), **joint_values(robot, cast("JointInput", q))}
@@ -100,18 +108,12 @@ def _played(
 
     try:
         recording, shape = kept(robot, (rows, *viewing.items()), record)
-        if not recording.is_asked_again:
-            return None
-        found = recording.one(q)
-        if not math.isfinite(sum(q) + sum(found)):
-            return None
-        if rows[2]:
-            if found[-1] < TINY**2:
-                return None
-            found = found[:-1]
-    except (ArithmeticError, TypeError, ValueError, DhcliError):  # a point in a list is no key
+        found = recording.again(q)
+    except (TypeError, DhcliError):  # a point in a list is no key
         return None
-    return np.array(found).reshape(shape)
+    if found is None or (rows[2] and found[-1] < TINY**2):
+        return None
+    return np.array(found[:-1] if rows[2] else found).reshape(shape)
 
 
 def symbolic_jacobian(
@@ -191,8 +193,24 @@ def jacobians(  # noqa: PLR0913  each by its name
         found[entries[:, -1] < TINY**2] = np.nan
     else:
         play(recording, q, found, threads)
-    found[~np.isfinite(q).all(axis=1)] = np.nan
+    with np.errstate(all="ignore"):
+        is_finite = np.isfinite(q.sum())  # much sooner had than a look at every row
+    if not is_finite:
+        found[~np.isfinite(q).all(axis=1)] = np.nan
     return found
+
+
+def traced_jacobian(
+    robot: Robot, q: Array, view: MotionView, form: Form, parameters: Given, library: tuple[str, Mapping[str, object]]
+) -> Array:
+    """The Jacobians for an array of another library, shape (..., n): shape (..., rows, joints); see `trace`."""
+    shape = len(form.labels), len(moving_joints(robot, view))
+    found, q, xp = trace(robot, recorded_jacobian(robot, view, form, parameters), q, *library)
+    is_there = xp.all(xp.isfinite(q), axis=-1)
+    if form.analytic:
+        found, square = found[..., :-1], found[..., -1]
+        is_there = is_there & (square >= TINY**2)
+    return shaped(xp.where(is_there[..., None], found, xp.full_like(found, xp.nan)), q, xp, shape)
 
 
 def recorded_jacobian(robot: Robot, view: MotionView, form: Form, parameters: Given) -> Recording:

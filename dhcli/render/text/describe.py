@@ -13,7 +13,7 @@ from dhcli.kinematics.describe.description import NAMES, Described
 from dhcli.kinematics.describe.exact import exact_factor
 from dhcli.kinematics.describe.linear import coordinates_of
 from dhcli.kinematics.describe.process import axis_word
-from dhcli.kinematics.describe.products import end_of
+from dhcli.kinematics.describe.products import end_of, pitch_of
 from dhcli.kinematics.describe.words import Step
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import spelled
@@ -79,6 +79,7 @@ def description_content(result: Described, look: Look) -> dict[str, Any]:
                 "turns": line.turns,
                 "direction": list(map(_written, line.direction)),
                 "through": None if line.through is None else [write(e, "full") for e in coordinates_of(line.through)],
+                "pitch": write(pitch_of(line), "full") if line.pitch else None,
             }
             for line in result.drawing.lines
         ]
@@ -123,13 +124,16 @@ def _body(result: Described, look: Look) -> Iterator[str]:
         rows = [
             [
                 line.name,
-                "turns about" if line.turns else "slides along",
+                "screws about" if line.pitch else "turns about" if line.turns else "slides along",
                 axis_word(line.direction),
                 "" if line.through is None else _triple(coordinates_of(line.through)),
+                write(pitch_of(line)) if line.pitch else "",
             ]
             for line in result.drawing.lines
         ]
-        yield table_text(["joint", "", "direction", "through"], rows, look.paper)
+        heads = ["joint", "", "direction", "through", "each turn"]
+        width = len(heads) if any(line.pitch for line in result.drawing.lines) else -1
+        yield table_text(heads[:width], [row[:width] for row in rows], look.paper)
         yield look.paper.spell(f"end  {' '.join(map(spelled, end_of(result.drawing.end)))}") + "\n"
     elif result.screws and result.drawing is not None:
         rows = [

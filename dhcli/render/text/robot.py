@@ -18,6 +18,7 @@ from dhcli.notation.writer import write, write_angle
 from dhcli.render.code.matrices import csv_line
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
+from dhcli.render.text.motors import actuators_content
 from dhcli.render.text.quantities import in_units
 from dhcli.render.text.table import Inked, table_text
 from dhcli.safe import csv_cell, latex
@@ -43,11 +44,7 @@ def robot_table(robot: Robot, look: Look) -> str:
     blocks = [
         f"{paper.ink(paper.spell(robot.title), 'bold')}\n{paper.ink(paper.spell(facts), 'dim')}\n",
         links_table(robot, look),
-        *(
-            block
-            for block in (_joints(robot, look), _parameters(robot, look), _poses(robot, look), _ends(robot, look))
-            if block
-        ),
+        *filter(None, (part(robot, look) for part in (_joints, _motors, _parameters, _poses, _ends))),
         *(
             _prose(name, text, paper)
             for name, text in (("Notes", robot.notes), ("Source", robot.source))
@@ -100,6 +97,7 @@ def robot_content(robot: Robot, _look: Look) -> dict[str, Any]:
         "poses": {n: [in_units(v) for v in values] for n, values in robot.poses.items()},
         "base": _product(robot, robot.base),
         "tool": _product(robot, robot.tool),
+        "actuators": None if robot.actuators is None else actuators_content(robot.actuators),
         "tools": {name: _product(robot, chain) for name, chain in robot.tools.items()},
     }
 
@@ -167,6 +165,14 @@ def _joints(robot: Robot, look: Look) -> str:
         )
         rows.append([joint.name, low, high])
     return table_text(["limits", "from", "to"], rows, look.paper)
+
+
+def _motors(robot: Robot, look: Look) -> str:
+    """What the motors do, where they drive joints together."""
+    if robot.actuators is None:
+        return ""
+    lines = (f"  {look.paper.spell(sentence)}\n" for sentence in robot.actuators.sentences())
+    return look.paper.ink("motors", "bold") + "\n" + "".join(lines)
 
 
 def _parameters(robot: Robot, look: Look) -> str:

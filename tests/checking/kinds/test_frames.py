@@ -32,11 +32,12 @@ from dhcli.kinematics.describe.drawn import Frame
 from dhcli.kinematics.describe.linear import shifted
 from dhcli.kinematics.describe.normals import Lie
 from dhcli.notation.tree import ONE
-from tests.judging import answer_with, checked, expected, mark, slips, solution
+from tests.coupled import COUPLED
+from tests.judging import answer_with, checked, expected, mark, slips, solution, vary
 
 LIBRARY = Path(__file__).parents[3] / "robots"
-OPEN = ("dh-link", "dh-link-modified", "assembly-blocks")
-ROBOTS = [path.stem for path in sorted(LIBRARY.glob("*.yaml")) if path.stem not in OPEN]
+OPEN = ("dh-link", "dh-link-modified", "assembly-blocks", *COUPLED)
+ROBOTS = [path.stem for path in sorted(LIBRARY.glob("*.yaml")) if path.stem not in (*OPEN, *COUPLED)]
 CONVENTIONS = (Convention.STANDARD, Convention.MODIFIED)
 ZHOU = "0 +x +z; (a, 0, 0) +x +z; (a + b, 0, 0) +x +y; (a + b, 0, 0) +x +y"
 
@@ -97,6 +98,8 @@ def test_our_own_frames_are_right_and_give_the_robots_own_table(name: str, conve
     shown = solution(exercise, part)
     assert shown[-1].text == f"So the answer is {text}"
     assert shown[0].text.startswith("1  z axes: DH1: ")
+    *_, rows = shown[-2].text.partition("\n")
+    assert mark(exercise, part, rows).verdict is Verdict.RIGHT
 
 
 @pytest.mark.parametrize("name", ["zhou-3r", "stanford", "puma560", "scara-yim", "ur5e", "cylindrical", "scara"])
@@ -180,21 +183,21 @@ def test_each_mistake_is_named(name: str, convention: Convention) -> None:
 @pytest.mark.parametrize(
     ("answer", "said", "earned"),
     [
-        (ZHOU.replace("+y", "+x +y", 0).replace("(a + b, 0, 0) +x +y;", "(a + b, 0, 0) +x +z;"), "is 90° off", 0.9),
+        (ZHOU.replace("(a + b, 0, 0) +x +y;", "(a + b, 0, 0) +x +z;"), "is 90° off", 0.75),
         (
             ZHOU.replace("(a, 0, 0)", "(a, b, 0)"),
             "DH1: o1 is off the axis of joint 2 (theta2): z1 passes b beside it",
-            0.9,
+            0.75,
         ),
-        (ZHOU.replace("(a, 0, 0) +x", "(a, 0, 0) (1, 1, 0)"), "DH3: x1 does not meet z0: it passes sqrt(2)*a/2", 0.9),
+        (ZHOU.replace("(a, 0, 0) +x", "(a, 0, 0) (1, 1, 0)"), "DH3: x1 does not meet z0: it passes sqrt(2)*a/2", 0.8),
         (
             ZHOU.replace("(a, 0, 0) +x", "(a, 0, 0) (1, 0, 1)"),
             "DH2: x1 is not perpendicular to z0: the angle is 45°",
-            0.9,
+            0.8,
         ),
-        (ZHOU.replace("(a, 0, 0) +x", "(a, 0, 0) -z"), "x1 is not perpendicular to z1: they are parallel", 0.9),
-        (ZHOU.replace("(a, 0, 0) +x +z", "o = (a, 0, 0), x = +x, y = -y, z = +z"), "y1 must be z1 × x1 = +y", 0.9),
-        (ZHOU.replace("(a + b, 0, 0) +x +y;", "(a + b, 0.1, 0) -z +y;"), "DH2: x2 is not perpendicular to z1", 0.9),
+        (ZHOU.replace("(a, 0, 0) +x", "(a, 0, 0) -z"), "x1 is not perpendicular to z1: they are parallel", 0.8),
+        (ZHOU.replace("(a, 0, 0) +x +z", "o = (a, 0, 0), x = +x, y = -y, z = +z"), "y1 must be z1 × x1 = +y", 0.8),
+        (ZHOU.replace("(a + b, 0, 0) +x +y;", "(a + b, 0.1, 0) -z +y;"), "DH2: x2 is not perpendicular to z1", 0.8),
     ],
 )
 def test_each_broken_rule_is_said_with_its_joint_and_by_how_much(answer: str, said: str, earned: float) -> None:
@@ -204,6 +207,12 @@ def test_each_broken_rule_is_said_with_its_joint_and_by_how_much(answer: str, sa
     assert any(said in remark for remark in judged.remarks), judged.remarks
     assert sum("x2" in remark for remark in judged.remarks if "DH" in remark) <= 1
     assert judged.earned == pytest.approx(earned)
+
+
+def test_frames_that_are_all_the_same_earn_nothing() -> None:
+    """Nobody has worked them out; and what lies as the base does earns nothing by itself."""
+    assert told("; ".join(["0 +x +z"] * 4)).earned == 0
+    assert told("0 +x +z; 0 +x +z; (a, 0, 0) +x +z; (a + b, 0, 0) +x +y").earned == pytest.approx(0.5)
 
 
 def test_what_is_drawn_otherwise_than_ours_is_named_with_its_table() -> None:
@@ -282,9 +291,27 @@ def test_what_cannot_be_read_says_what_would_be(answer: str, said: str) -> None:
     assert any(said in remark for remark in judged.remarks), judged.remarks
 
 
-def test_an_answer_that_is_too_long_is_refused() -> None:
-    """Work is bounded."""
-    assert "more than the" in told("+x " * 10_000).remarks[0]
+@pytest.mark.parametrize(
+    "answer",
+    [
+        "+x " * 10_000,
+        "(" * 9_000 + "+x" + ")" * 9_000,
+        "[" * 400 + "0 +x +z" + "]" * 400,
+        ";" * 15_000 + "+x",
+        "+x\n" * 6_000,
+        ZHOU.replace("a, 0, 0", "1e8^60, 0, 0", 1),
+        ZHOU.replace("a, 0, 0", "9^9^9^9, 0, 0", 1),
+        ZHOU.replace("(a, 0, 0) +x", "(a, 0, 0) (1e-300, 0, 0)", 1),
+        ZHOU.replace("(a, 0, 0) +x", "(a, 0, 0) (1e8^40, 0, 0)", 1),
+        ZHOU.replace("(a, 0, 0) +x", "(a, 0, 0) __import__('os')", 1),
+        "\u202e +x \x00",
+    ],
+)
+def test_nothing_that_is_typed_ends_in_anything_but_a_verdict(answer: str) -> None:
+    """Work is bounded, and nothing is evaluated as code."""
+    judged = told(answer)
+    assert judged.verdict in (Verdict.CANNOT_READ, Verdict.WRONG)
+    assert judged.remarks
 
 
 def test_a_table_that_no_frames_on_these_axes_have_is_wrong() -> None:
@@ -372,12 +399,29 @@ def test_a_cell_that_follows_from_other_frames_keeps_its_credit() -> None:
     assert "right from your frames" in marked.parts[1].mark.remarks[0]
 
 
+def test_matrices_that_follow_from_other_frames_keep_their_credit() -> None:
+    """A link matrix and a pose of the exercise that walks the process, from frames whose x1 and x2 are turned over."""
+    from dhcli.files.yaml.exercises import load_exercise
+    from tests.judging import mark_sheet
+
+    frames = "0 +x +z; (a, 0, 0) -x +z; (a + b, 0, 0) +x +y; (a + b, 0, 0) +x +y"
+    link = "[-c2 0 s2 -b*c2; -s2 0 -c2 -b*s2; 0 -1 0 0; 0 0 0 1]"
+    marked = mark_sheet(load_exercise("yim/dh-process"), {"frames": frames, "step5": link})
+    found = {one.part.id: one.mark for one in marked.parts}
+    assert found["frames"].verdict is Verdict.RIGHT
+    assert found["step5"].earned == 1
+    assert "right from your frames, which has other frames" in found["step5"].remarks[0]
+    alone = mark_sheet(load_exercise("yim/dh-process"), {"step5": link})
+    assert next(one.mark for one in alone.parts if one.part.id == "step5").earned < 1
+
+
 def test_a_sheet_shows_the_axes_and_a_row_for_each_frame() -> None:
     """There is no picture on it."""
     from dhcli.files.yaml.sheets import write_sheet
 
     sheet = write_sheet(written("Put frames on it."))
-    assert "seen from the base, drawn with all joints at 0: theta1 +z through (0, 0, 0); theta2 +z" in sheet
+    words = " ".join(sheet.replace("#", "").split())
+    assert "seen from the base, drawn with all joints at 0: theta1 +z through (0, 0, 0); theta2 +z" in words
     assert "  frames: |\n    _  _  _  _  _\n    _  _  _  _  _\n    _  _  _  _  _\n" in sheet
 
 
@@ -398,6 +442,18 @@ def test_a_question_that_cannot_be_asked_is_refused(ask: str, error: type[DhcliE
     assert said in str(caught.value)
 
 
+def test_a_robot_that_stands_on_something_is_seen_from_its_own_frame_0() -> None:
+    """Where its table says what that is; else from the base."""
+    robot = load_robot("zhou-3r").copy(base="Trans(0, 0, 0.5) Rot(x, 30°)")
+    exercise = question_about_frames(robot, Convention.STANDARD)
+    part = exercise.parts[0]
+    assert mark(exercise, part, ZHOU).remarks == ()
+    assert "seen from frame 0 of the robot, drawn" in " ".join(part.question.notes(exercise))
+    other = question_about_frames(robot, Convention.MODIFIED)
+    assert "seen from the base, drawn" in " ".join(other.parts[0].question.notes(other))
+    assert mark(other, other.parts[0], expected(other, other.parts[0])).verdict is Verdict.RIGHT
+
+
 def test_a_pose_turns_the_axes() -> None:
     """Drawn with theta1 at 90°, the second axis is elsewhere, and offsets make up for it."""
     exercise = asked("planar-2r", Convention.STANDARD, "up")
@@ -406,6 +462,39 @@ def test_a_pose_turns_the_axes() -> None:
     assert mark(exercise, part, expected(exercise, part)).verdict is Verdict.RIGHT
     sketch = sketch_of(exercise, Convention.STANDARD, "up")
     assert table_of(sketch, sketch.frames) == tuple(link.row for link in load_robot("planar-2r").links)
+
+
+IN_MM = """
+format: 1
+title: Frames in mm
+source: a test
+robot: planar-2r
+numeric: true
+unit: mm
+task: Put frames on it.
+given: {a1: 400 mm, a2: 300 mm}
+variants: {a1: 300 mm..500 mm step 10 mm}
+parts:
+  - {id: frames, ask: frames standard, hints: [z first]}
+tests:
+  - {part: frames, answer: "0 +x +z; (400, 0, 0) +x +z; (700, 0, 0) +x +z", verdict: RIGHT}
+  - {part: frames, mistake: frame-on-joint 1, verdict: WRONG}
+"""
+
+
+def test_frames_in_numbers_are_in_the_unit_of_the_sheet_and_vary() -> None:
+    """Each variant is right with its own numbers, and with no others."""
+    exercise = read_exercise(IN_MM, "x.yaml", "x")
+    part = exercise.parts[0]
+    assert expected(exercise, part) == "(0, 0, 0) +x +z; (400, 0, 0) +x +z; (700, 0, 0) +x +z"
+    assert mark(exercise, part, "0 +x +z; (400, 0, 0) +x +z; (0.7 m, 0, 0) +x +z").verdict is Verdict.RIGHT
+    other = vary(exercise, "alice")
+    assert expected(other, part) != expected(exercise, part)
+    assert mark(other, part, expected(other, part)).verdict is Verdict.RIGHT
+    names = [slip.name for slip in slips(exercise, part)]
+    assert names
+    for name in names:
+        assert mark(exercise, part, answer_with(exercise, part, name)).verdict is Verdict.WRONG
 
 
 def test_numbers_near_the_right_ones_are_right_within_the_tolerance() -> None:

@@ -74,6 +74,36 @@ def test_slips_in_the_terms_of_an_entry_are_named(answer: str, words: str) -> No
     assert found.names == (words,)
 
 
+@pytest.mark.parametrize(
+    ("answer", "words"),
+    [
+        ("[0 s1 s1; 0 c1 c1; 1 0 0]", "the signs of entries (2,2) and (2,3) are turned round"),
+        ("[0 s1 s1; 0 c1 c1; -1 0 0]", "the signs of entries (2,2), (2,3) and (3,1) are turned round"),
+        ("[0 s1 s1; 0 s1 c1; 1 0 0]", None),
+    ],
+)
+def test_signs_in_several_entries_are_named_together(answer: str, words: str | None) -> None:
+    """Where all else is right."""
+    judge = asked("articulated", "jacobian angular of 0..3", None)
+    found = judge.check(judge.exercise.parts[0], answer).diagnosis
+    if words is None:
+        assert found is None or "signs of" not in " ".join(found.names)
+    else:
+        assert found is not None
+        assert found.names == (words,)
+
+
+def test_a_slip_is_named_by_the_digits_typed() -> None:
+    """The root is forgotten: 0.0127 is 0.012716 to three digits; 0.01 is too little for a name."""
+    judge = asked("planar-2r", "manipulability of jacobian linear of 0..2", (0.4, 1.2217304763960306))
+    part = judge.exercise.parts[0]
+    assert judge.expected(part) == "0.11276"
+    found = judge.check(part, "0.0127").diagnosis
+    assert found is not None
+    assert found.ids == ("root-forgotten",)
+    assert judge.check(part, "0.01").diagnosis is None
+
+
 def test_the_sign_of_one_number_of_several_is_seen() -> None:
     """In numbers too."""
     judge = asked("articulated", "torques for (3, -2, 5) of 0..3", Q)

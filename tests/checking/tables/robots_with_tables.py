@@ -21,13 +21,16 @@ from dhcli.kinematics.same_robot import Match
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO, Expr, Symbol, add, negate, number
 from dhcli.notation.walk import symbols
+from tests.coupled import COUPLED
 
 Rows = tuple[Row, ...]
 Matrix = NDArray[np.float64]
 
 ROOT = Path(__file__).parents[3] / "robots"
 NAMES = tuple(
-    path.stem for path in sorted(ROOT.glob("*.yaml")) if "convention: product" not in path.read_text(encoding="utf-8")
+    path.stem
+    for path in sorted(ROOT.glob("*.yaml"))
+    if "convention: product" not in path.read_text(encoding="utf-8") and path.stem not in COUPLED
 )
 HALF_TURN = Angle.in_degrees(180)
 ROBOTS: dict[str, Robot] = {}

@@ -20,12 +20,13 @@ from dhcli.kinematics.forward import forward
 from dhcli.kinematics.robot import Robot
 from dhcli.render.look import Look
 from dhcli.render.text.robot import robot_csv
+from tests.coupled import COUPLED
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 DATA = Path(__file__).parents[2] / "data"
-ROBOTS = sorted(path.stem for path in (Path(__file__).parents[3] / "robots").glob("*.yaml"))
+ROBOTS = sorted({path.stem for path in (Path(__file__).parents[3] / "robots").glob("*.yaml")} - {*COUPLED})
 TABLES = [name for name in ROBOTS if load_robot(name).convention is not Convention.PRODUCT]
 
 

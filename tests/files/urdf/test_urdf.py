@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import math
 import random
 from pathlib import Path
@@ -19,11 +18,12 @@ from dhcli.files.yaml.robots import load_robot, read_robot
 from dhcli.kinematics.describe.description import Asked, describe
 from dhcli.kinematics.forward import forward
 from dhcli.kinematics.robot import Robot
+from tests.coupled import COUPLED
 
 DATA = Path(__file__).parents[2] / "data" / "urdf"
 THREE = (DATA / "three-joints.urdf").read_text("utf-8")
 ROBOTS = sorted(path.stem for path in (Path(__file__).parents[3] / "robots").glob("*.yaml"))
-EXPORTED = [name for name in ROBOTS if not name.startswith("dh-link") and name != "assembly-blocks"]
+EXPORTED = [name for name in ROBOTS if not name.startswith("dh-link") and name not in ("assembly-blocks", *COUPLED)]
 
 
 def turned(axis: np.ndarray, angle: float) -> np.ndarray:
@@ -166,29 +166,6 @@ def test_a_written_urdf_moves_as_the_robot(name: str) -> None:
 
 def _joint_names(text: str) -> list[str]:
     return [joint.get("name", "") for joint in ET.fromstring(text).iter("joint") if joint.get("type") != "fixed"]  # noqa: S314
-
-
-@pytest.mark.skipif(importlib.util.find_spec("pinocchio") is None, reason="pinocchio is not installed")
-@pytest.mark.parametrize("name", EXPORTED)
-def test_pinocchio_reads_what_is_written(name: str, tmp_path: Path) -> None:
-    """Where it is installed: the same pose to 1e-12."""
-    import pinocchio
-
-    robot = load_robot(name)
-    path = tmp_path / "x.urdf"
-    path.write_text(urdf_text(robot), "utf-8")
-    model = pinocchio.buildModelFromUrdf(str(path))
-    found = model.createData()
-    draw = random.Random(name)  # noqa: S311  the same poses every time
-    q = {name: draw.uniform(-1, 1) for name in robot.variables}
-    values = []
-    for joint in list(model.names)[1:]:
-        turns = model.joints[model.getJointId(joint)].nq == 2
-        values += [math.cos(q[joint]), math.sin(q[joint])] if turns else [q[joint]]
-    pinocchio.framesForwardKinematics(model, found, np.array(values))
-    pose = found.oMf[model.getFrameId("tool0")].homogeneous
-    expected = forward(robot, [q[name] for name in robot.variables], start="base", end="tool").matrix
-    assert np.abs(pose - expected).max() < 1e-12
 
 
 def test_a_variable_that_counts_in_other_units_is_refused() -> None:

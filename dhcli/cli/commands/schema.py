@@ -1,0 +1,51 @@
+"""`dhcli schema`: what editors need to complete keys and to mark mistakes."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from dhcli.cli.shell.options import Force
+
+EXAMPLES = """
+[bold]Examples[/]
+
+dhcli schema robot -o robot.schema.json
+
+dhcli schema exercise
+"""
+
+
+def complete_kind(incomplete: str) -> list[str]:
+    """The kinds that begin like this."""
+    from dhcli.files.keys.schema import KINDS
+
+    return [kind for kind in KINDS if kind.startswith(incomplete)]
+
+
+def schema(
+    kind: Annotated[
+        str,
+        typer.Argument(metavar="KIND", help="robot, exercise or linkage.", autocompletion=complete_kind),
+    ],
+    output: Annotated[
+        str | None,
+        typer.Option("-o", "--output", metavar="FILE", help="Write to a file; - is stdout.", rich_help_panel="Output"),
+    ] = None,
+    force: Force = False,
+) -> None:
+    """Print the JSON schema of a kind of file, for an editor that completes keys and marks mistakes."""
+    import json
+
+    from dhcli.cli.shell.console import tell, write_out
+    from dhcli.cli.shell.delivery import write_file
+    from dhcli.files.keys.schema import schema_of
+
+    text = json.dumps(schema_of(kind), indent=2, ensure_ascii=False) + "\n"
+    if output in (None, "-"):
+        write_out(text)
+        return
+    write_file(output, text, force=force)
+    tell(f"wrote {output}")
+    tell(f"next: begin a file with # yaml-language-server: $schema={output}")
