@@ -63,13 +63,20 @@ class Actuators:
         """Values of the motors for constant values of the joints."""
         return self._values(self.motors, self.joints, self.back, joints)
 
-    def sentences(self, *, back: bool = False) -> Iterator[str]:
-        """Each joint that is coupled in terms of motors; or each such motor in terms of joints."""
+    def sentences(self, *, back: bool = False, exact: bool = False) -> Iterator[str]:
+        """Each joint that is coupled in terms of motors; or each such motor in terms of joints.
+
+        Args:
+            back: The other way round.
+            exact: Whether a ratio without a short decimal stands there as a fraction, else with six digits.
+        """
         rows, shifts = self.back if back else (self.ratios, self.shifts)
         of, by = (self.motors, self.joints) if back else (self.joints, self.motors)
-        for name, row, shift in zip(of, rows, shifts, strict=True):
-            if self.joints[of.index(name)] != self.motors[of.index(name)]:
-                yield self._sentence(name, by, row, shift)
+        for k, (name, row, shift) in enumerate(zip(of, rows, shifts, strict=True)):
+            if self.joints[k] != self.motors[k]:
+                pieces = [(x, self.piece(name, other, abs(x), exact=exact)) for other, x in zip(by, row, strict=True)]
+                size = Angle.in_degrees(abs(shift)) if name in self.turning else number(abs(shift))
+                yield f"{name} = {total_text([*pieces, (shift, value_text(size))])}"
 
     def slopes(self, *, back: bool = False) -> tuple[tuple[float, ...], ...]:
         """The ratios, or those of the way back, in radians and metres; shape (n, n)."""
@@ -118,21 +125,26 @@ class Actuators:
             found[name] = angle if turns else number(total)
         return found
 
-    def _sentence(self, name: str, others: Sequence[str], row: Row, shift: Fraction) -> str:
-        """`theta3 = m2 + m3`, `d3 = 20 mm/360° * m3`, `m3 = 18 °/mm * d3`."""
-        pieces = [
-            (ratio, self.factor(name, other, abs(ratio)) + other) for other, ratio in zip(others, row, strict=True)
-        ]
-        size = Angle.in_degrees(abs(shift)) if name in self.turning else number(abs(shift))
-        return f"{name} = {total_text([*pieces, (shift, value_text(size))])}"
+    def piece(self, name: str, other: str, size: Fraction, *, exact: bool = False, called: str = "") -> str:
+        """What another gives to the motion of a joint or a motor: `m2`, `0.5*m2`, `m4/76.036`, `20 mm/(360°) * m3`.
 
-    def factor(self, name: str, other: str, size: Fraction) -> str:
-        """What another's value is multiplied with in the motion of a joint or a motor, as a person writes it."""
+        Args:
+            name: The joint or motor that moves.
+            other: What it is moved by.
+            size: The ratio, positive.
+            exact: See `sentences`.
+            called: What is written for the other; its name by default.
+        """
+        called = called or other
         if name in self.turning and other not in self.turning:
-            return f"{exact_text(size / 1000)}°/(1 mm) * "
+            return f"{exact_text(size / 1000, exact=exact)}°/(1 mm) * {called}"
         if name not in self.turning and other in self.turning:
-            return f"{exact_text(size * 360_000)} mm/(360°) * "
-        return "" if size == 1 else f"{exact_text(size)}*"
+            return f"{exact_text(size * 360_000, exact=exact)} mm/(360°) * {called}"
+        if size == 1:
+            return called
+        if size and short(size) is None and (below := short(1 / size)) is not None:
+            return f"{called}/{below}"
+        return f"{exact_text(size, exact=exact)}*{called}"
 
 
 def metres(value: Expr) -> Fraction:
@@ -147,10 +159,15 @@ def total_text(pieces: Sequence[tuple[Fraction, str]]) -> str:
     return f"{'-' * told.startswith(' -')}{told[3:]}" or "0"
 
 
-def exact_text(value: Fraction) -> str:
-    """A decimal of a few digits where one says it exactly, else a fraction."""
-    short = f"{float(value):.10g}"
-    return short if Fraction(short) == value else str(value)
+def short(value: Fraction) -> str | None:
+    """A decimal of a few digits, where one says it exactly."""
+    text = f"{float(value):.10g}"
+    return text if Fraction(text) == value else None
+
+
+def exact_text(value: Fraction, *, exact: bool) -> str:
+    """A decimal of a few digits where one says it, else a fraction, or a rounded decimal."""
+    return short(value) or (str(value) if exact else f"{float(value):.6g}")
 
 
 @dataclass(frozen=True, slots=True)

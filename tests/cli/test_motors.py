@@ -78,9 +78,22 @@ def test_a_file_with_motors_is_written_and_reads_the_same(dhcli: Run) -> None:
 
 def test_without_motors_the_option_is_refused(dhcli: Run) -> None:
     """With where they would stand."""
-    done = dhcli("fk", "puma560-standard", "--motors", "-s")
+    done = dhcli("fk", "scara-yim", "--motors", "-s")
     assert (done.code, "not known which motors drive it" in done.err) == (2, True)
     assert "actuators" in done.err
+
+
+def test_the_gears_of_the_puma_turn_each_other_in_the_wrist(dhcli: Run) -> None:
+    """Motor 5 turns with joint 4, motor 6 with joint 4 and by 13/72 of joint 5; people read ratios, files fractions."""
+    data = told(dhcli, "describe", "puma560-standard", "--as", "motors")
+    back = np.asarray(data["inverse"])[3:, 3:]
+    gears = np.array([76.03636, 71.923, 76.686])
+    assert back == pytest.approx(np.array([[gears[0], 0, 0], [1, gears[1], 0], [1, gears[2] * 13 / 72, gears[2]]]))
+    assert "theta4 = m4/76.03636" in dhcli("show", "puma560-standard").out
+    assert dhcli("describe", "puma560-standard", "--as", "modified", "-o", "x.yaml").code == 0
+    assert np.asarray(told(dhcli, "describe", "./x.yaml", "--as", "motors")["inverse"]) == pytest.approx(
+        np.asarray(data["inverse"]), rel=1e-15
+    )
 
 
 @pytest.mark.parametrize(
