@@ -4,10 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import ClassVar, Self, TypeAlias
+from typing import TYPE_CHECKING, ClassVar, Self, TypeAlias
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
+from dhcli.checking.exercise import (
+    Case,
+    Causes,
+    Exercise,
+    Matrices,
+    Overlaid,
+    Points,
+    Question,
+    Reading,
+    Shown,
+)
 from dhcli.checking.frames.marking import frame_text, frames_text, mark_frames
 from dhcli.checking.frames.reading import TypedFrame, read_frames
 from dhcli.checking.frames.rows import table_of
@@ -16,7 +26,7 @@ from dhcli.checking.frames.sketch import axes_text, drawn_at, pose_of, seen_from
 from dhcli.checking.frames.slips import as_typed, causes_of, every_slip
 from dhcli.checking.frames.spelling import has_frames, rows_of
 from dhcli.checking.kinds.linked import needed
-from dhcli.checking.kinds.table import TableQuestion
+from dhcli.checking.kinds.table import TableQuestion, leads_of
 from dhcli.checking.tables.comparing import END
 from dhcli.checking.tables.typed_rows import TypedRow
 from dhcli.checking.verdicts import UNSOLVED, Mark, Verdict
@@ -25,6 +35,9 @@ from dhcli.kinematics.conventions import Convention, Row
 from dhcli.kinematics.describe.words import Speaker, written
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.scope import Scope
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.values import Values
 
 Answer: TypeAlias = tuple[TypedFrame, ...] | tuple[TypedRow, ...]
 """Frames, or the rows of a table."""
@@ -50,6 +63,7 @@ class FramesQuestion(Question[Answer]):
     words: ClassVar = ("frames",)
     examples: ClassVar = ("frames standard", "frames modified at zero")
     is_in_table: ClassVar = True
+    is_overlaid: ClassVar = True
     earns_by_row: ClassVar = True
 
     @classmethod
@@ -96,7 +110,9 @@ class FramesQuestion(Question[Answer]):
         sketch = self._rules(case).sketch
         speaker = Speaker(sketch.walked, self.convention, sketch.robot.first, sketch.robot.writing)
         yield from map(Shown, written(speaker.drawn()))
-        yield Shown("A row for each frame: its origin, x and z")
+        rows = (frame_text(frame, case.exercise) for frame in sketch.frames)
+        lines = (f"frame {number}: {row}" for number, row in enumerate(rows, sketch.first))
+        yield Shown("Frame by frame, the origin, x and z:\n" + "\n".join(lines))
 
     def read(self, case: Case, text: str, place: Place | None = None) -> Answer:
         if not has_frames(text):
@@ -135,6 +151,11 @@ class FramesQuestion(Question[Answer]):
         rules = self._rules(case)
         return () if rules.broken(frames) else table_of(rules.sketch, [one.frame for one in frames])
 
+    def leads(
+        self, case: Case, reading: Reading[Answer], span: tuple[int, int], points: Points
+    ) -> tuple[int, int, Matrices] | None:
+        return leads_of(self.rows(case, reading), self.convention, span, points)
+
     def _second_truth(self, case: Case, frames: tuple[TypedFrame, ...]) -> Mark | None:
         """EQUIVALENT if frames lie on the axes of the exercise's other robot."""
         exercise = case.exercise
@@ -145,6 +166,15 @@ class FramesQuestion(Question[Answer]):
         rules = Rules(sketch_of(other, self.convention, self.pose), case.tolerance)
         mark = mark_frames(other, rules, frames)
         return replace(mark, verdict=Verdict.EQUIVALENT, remarks=(note, *mark.remarks)) if mark.earned == 1 else None
+
+    def overlaid(self, case: Case, reading: Reading[Answer], values: Values) -> Overlaid:
+        from dhcli.checking.frames.overlaid import joints_drawn, overlaid_frames
+
+        rules = self._rules(case)
+        drawn = {**values, **joints_drawn(rules.sketch)}
+        if frames := _frames(reading.value):
+            return overlaid_frames(rules, frames, self._table.robot_drawn(case.exercise), drawn)
+        return self._table.overlaid(case, Reading(reading.text, _rows(reading.value)), drawn)
 
     def _marked_table(self, case: Case, rows: tuple[TypedRow, ...]) -> Mark:
         """A table is right when frames of it can lie on the axes, the last one anywhere if the task leaves it open."""

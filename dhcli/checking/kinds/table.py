@@ -169,27 +169,39 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
 
         A table is one drawing: its rows are never mixed with those of the right one.
         """
-        rows = self.rows(case, reading)
-        start, end = max(span[0], FIRST), min(span[1], FIRST + len(rows))
-        if start >= end:
-            return None
-        chain = tuple(move for row in rows[start - FIRST : end - FIRST] for move in moves_of(row, self.convention))
-        if not names(chain) <= points.names:
-            return None
-        return start, end, tuple(fold(chain, over) for over in points.at)
+        return leads_of(self.rows(case, reading), self.convention, span, points)
 
     def overlaid(self, case: Case, reading: Reading[tuple[TypedRow, ...]], values: Values) -> Overlaid:
         from dhcli.checking.tables.marking import robot_of
         from dhcli.kinematics.values import numbers
         from dhcli.scene.traced import paired, traced
 
-        exercise, own = case.exercise, robot_of(case.exercise)
-        also = exercise.also[0] if exercise.also else own
-        robot = also if own.convention is not self.convention and also.convention is self.convention else own
+        own, robot = robot_of(case.exercise), self.robot_drawn(case.exercise)
         rows = [moves_of(row, self.convention) for row in _settled(case, reading)]
         segments = [(str(own.first + k - 1), moves) for k, moves in enumerate((own.base, *rows))]
         pairs = paired(robot.frames[1:-1], [name for name, _ in segments], alike=robot.convention is self.convention)
-        return Overlaid(robot, traced("your table", segments, numbers(values), pairs))
+        return Overlaid(robot, traced("your table", segments, numbers(values), pairs), values)
+
+    def robot_drawn(self, exercise: Exercise) -> Robot:
+        """The arm, with the table of this convention where the exercise has one."""
+        from dhcli.checking.tables.marking import robot_of
+
+        own = robot_of(exercise)
+        also = exercise.also[0] if exercise.also else own
+        return also if own.convention is not self.convention and also.convention is self.convention else own
+
+
+def leads_of(
+    rows: tuple[Row, ...], convention: Convention, span: tuple[int, int], points: Points
+) -> tuple[int, int, Matrices] | None:
+    """From which frame to which rows lead within a span of frames, and the matrices at some points."""
+    start, end = max(span[0], FIRST), min(span[1], FIRST + len(rows))
+    if start >= end:
+        return None
+    chain = tuple(move for row in rows[start - FIRST : end - FIRST] for move in moves_of(row, convention))
+    if not names(chain) <= points.names:
+        return None
+    return start, end, tuple(fold(chain, over) for over in points.at)
 
 
 def _settled(case: Case, reading: Reading[tuple[TypedRow, ...]]) -> tuple[Row, ...]:
