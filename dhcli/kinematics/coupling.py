@@ -16,6 +16,7 @@ from dhcli.kinematics.robot import Link, Robot
 from dhcli.notation.angle import Angle
 from dhcli.notation.derivative import derivative
 from dhcli.notation.factors import AXES
+from dhcli.notation.names import canonical
 from dhcli.notation.tree import ZERO, Expr, Symbol
 from dhcli.notation.walk import substitute, symbols
 
@@ -138,8 +139,8 @@ class _Splitter:
         return substitute(part, dict.fromkeys(inside, ZERO), dict.fromkeys(inside, Angle()))
 
     def _new(self, wish: str, slopes: dict[str, float]) -> str:
-        taken = {*self._robot.variables, *self._robot.parameters, *self.slopes}
-        while wish in taken:
-            wish += "_"
+        taken = set(map(canonical, (*self._robot.variables, *self._robot.parameters, *self.slopes)))
+        while canonical(wish) in taken:
+            wish += "0"
         self.slopes[wish] = slopes
         return wish
