@@ -60,7 +60,9 @@ def uncoupled(robot: Robot, values: Mapping[str, Angle | float]) -> Uncoupled:
     """
     if robot.drives is not None and robot.drives.actuators is not None:
         driven = robot.drives.actuators
-        arm = replace(robot.drives, tool=robot.tool, base=robot.base)
+        arm = replace(
+            robot.drives, tool=robot.tool, base=robot.base, parameters=robot.parameters, derived=robot.derived
+        )
         return Uncoupled(arm, driven.slopes(), driven.offsets())  # type: ignore[arg-type]
     splitter = _Splitter(robot, values)
     links = tuple(new for link in robot.links for new in splitter.links(link))

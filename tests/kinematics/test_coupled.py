@@ -239,6 +239,10 @@ def test_poses_by_name_and_a_tool_hold_for_motors_too() -> None:
     assert np.asarray(forward(arm, "folded")) == pytest.approx(np.asarray(forward(PAIR, "folded")))
     longer = replace(arm, tool=load_robot("planar-2r").links[0].moves[2:3])
     assert len(inverse(longer, forward(arm, "folded"), task="pose")) == 1
+    other = arm.copy(parameters={"a2": 0.7})
+    assert inverse(other, forward(other, "folded")).nearest("folded") == pytest.approx(
+        inverse(arm, forward(arm, "folded")).nearest("folded")
+    )
 
 
 def test_a_robot_without_motors_has_none() -> None:
