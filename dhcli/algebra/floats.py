@@ -30,7 +30,11 @@ class Floats:
 
     def cos_sin(self, angle: Angle) -> tuple[float | int, float | int]:
         """Cosine and sine; exact where the angle is exact, NaN where it is too large."""
-        angle = angle.substitute(self._angles)
+        try:
+            angle = angle.substitute(self._angles)
+        except OverflowError:  # so small a part of a sum that it has no exact form
+            radians = angle.constant() + sum(float(factor) * self.symbol(name) for name, factor in angle.terms)
+            return math.cos(radians), math.sin(radians)
         exact = right_angle(angle)
         if exact is not None:
             return exact

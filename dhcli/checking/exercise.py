@@ -349,7 +349,7 @@ class Question(ABC, Generic[T]):
         return None
 
     def overlaid(self, _case: Case, _reading: Reading[T], _values: Values) -> Overlaid | None:
-        """What an answer draws over the arm at some values of all names; None where it draws nothing."""
+        """What an answer draws over the arm, at some values of all names unless it has its own; None for nothing."""
         return None
 
 
@@ -360,10 +360,12 @@ class Overlaid:
     Attributes:
         robot: The arm, with the table whose frames are compared.
         traced: The frames of the answer.
+        values: The values of all names at which they stand so.
     """
 
     robot: Robot
     traced: Traced
+    values: Values
 
 
 @dataclass(frozen=True, slots=True)

@@ -48,7 +48,7 @@ def overlaid_matrix(exercise: Exercise, question: Wanted, entries: Entries, valu
         origin = add(seen_from.direction(_vec(columns[-1])), seen_from.origin)
     frame = Frame(x, y, z, origin)
     shown = next(name for name, state in reversed(skeleton.numbered) if skeleton.states[state] is place[end])
-    return Overlaid(robot, Traced("your answer", ((end, frame),), (origin,), ((shown, end),)))
+    return Overlaid(robot, Traced("your answer", ((end, frame),), (origin,), ((shown, end),)), values)
 
 
 def _states(frames: tuple[str, ...], skeleton: Skeleton) -> list[Frame]:

@@ -91,7 +91,8 @@ def beside_figure(  # noqa: PLR0913  what a figure of one robot takes, and the o
     leaders, texts = placed(
         wishes, ink, Rect(3, 3, paper.width - 3, paper.height - max(paper.foot, 3)), paper.lettering
     )
-    told = "no frame differs" if number is None else f"frame {number} is the first that differs{theirs.note}"
+    does = "differs" if theirs.pairs else "breaks a rule"
+    told = f"no frame {does}" if number is None else f"frame {number} is the first that {does}{theirs.note}"
     aside = "" if is_near else ", far outside the picture"
     caption = f"{staged.caption} · over it {theirs.name}: {told}{aside}"
     everything = (*shapes, *leaders, *axes, *lines)
@@ -107,6 +108,8 @@ def first_difference(right: Skeleton, theirs: Traced) -> str | None:
         right: The robot that is right, at a pose.
         theirs: The other's frames at the same pose.
     """
+    if theirs.wrong is not None:
+        return theirs.wrong
     ours, found = dict(right.numbered), dict(theirs.frames)
     near = theirs.close * _size(right)
     for one, name in theirs.pairs:

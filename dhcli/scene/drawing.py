@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from dhcli.errors import DhcliError
 from dhcli.kinematics.robot import Robot, Value
+from dhcli.kinematics.sweep.workspace import Workspace
 from dhcli.kinematics.values import JointInput
 from dhcli.mobility.linkage import Linkage
 from dhcli.scene.beside import beside_figure
@@ -19,6 +20,7 @@ from dhcli.scene.staging import HEIGHT, MARGIN, WIDTH, Paper, figure_of, stage_a
 from dhcli.scene.strip import strip_figure
 from dhcli.scene.table import with_table
 from dhcli.scene.traced import Traced
+from dhcli.scene.workspace import workspace_figure
 
 if TYPE_CHECKING:
     from dhcli.notation.quantity import Bare
@@ -41,6 +43,7 @@ class Drawing:
         bare: What a number without a unit means for a joint that turns.
         to: Joint values or the name of a pose to which the robot moves: then the picture is a film strip.
         path: Joint values of each moment of a motion instead: a film strip of five of them.
+        workspace: The points that a sweep came by: then the picture is these, from the side and from above.
         more: Further drawings on the same sheet.
         beside: Another table of the same arm, or frames, drawn over it; the first frame that differs is marked.
     """
@@ -58,6 +61,7 @@ class Drawing:
     to: JointInput = None
     beside: Robot | Traced | None = None
     path: Path = ()
+    workspace: Workspace | None = None
     more: tuple[Drawing, ...] = ()
 
     def figure(self, paper: Paper | None = None) -> Figure:
@@ -77,6 +81,8 @@ class Drawing:
         staged = stage_arm(
             self.what, self.q, pose=self.pose, view=self.view, parameters=self.parameters, bare=self.bare
         )
+        if self.workspace is not None:
+            return workspace_figure(staged, self.workspace)
         drawn = figure_of(staged, paper, worksheet=self.worksheet)
         return with_table(drawn, self.what) if self.table else drawn
 
@@ -130,7 +136,7 @@ class Drawing:
     @property
     def shown_at(self) -> tuple[int, int] | None:
         """The size asked for, where the figure has that shape: one with a table beside has its own."""
-        return None if self.table or self.more or self.moves else self.size
+        return None if self.table or self.more or self.moves or self.workspace else self.size
 
     def _paper(self) -> Paper:
         if self.size is None:

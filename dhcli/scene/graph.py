@@ -58,20 +58,19 @@ def graph_figure(linkage: Linkage, paper: Paper, caption: list[Text]) -> Figure:
 
 
 def _spots(linkage: Linkage, paper: Paper) -> dict[str, Flat]:
-    """A place for each link: in rows for an open chain, around a ring otherwise."""
+    """A place for each link: in rows of one length for an open chain, around a ring otherwise."""
     links, count = linkage.links, len(linkage.links)
     width, height = paper.width - 2 * paper.margin, paper.height - paper.foot - 2 * paper.margin
     top = paper.margin + 10
     if not linkage.loops:
-        a_row = max(2, int(width / 130))
-        rows = math.ceil(count / a_row)
-        return {
-            link: (
-                paper.margin + width * ((i % a_row) + 0.5) / min(a_row, count),
-                top + height * (i // a_row + 0.5) / rows,
-            )
-            for i, link in enumerate(links)
-        }
+        rows = math.ceil(count / max(2, int(width / 130)))
+        a_row = math.ceil(count / rows)
+        spots = {}
+        for i, link in enumerate(links):  # there and back again, so that neighbours stay neighbours
+            row, column = divmod(i, a_row)
+            column = a_row - 1 - column if row % 2 else column
+            spots[link] = (paper.margin + width * (column + 0.5) / a_row, top + height * (row + 0.5) / rows)
+        return spots
     turns = [2 * math.pi * i / count + math.pi / 2 for i in range(count)]
     x, y = paper.width / 2, top + height / 2
     return {

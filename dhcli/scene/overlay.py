@@ -13,7 +13,7 @@ from dhcli.scene.painter import turn_arc
 from dhcli.scene.primitives import Anchor, Arrow, Box, Dimension, Drum, Scene
 from dhcli.scene.shapes import Shape, arrowhead, ring
 from dhcli.scene.vectors import Flat, along
-from dhcli.scene.words import Run, named
+from dhcli.scene.words import Run, spelled
 
 END_ON = 0.13
 """An axis that looks shorter than this part of its length is ⊙ or ⊗."""
@@ -80,7 +80,7 @@ def turn_wishes(scene: Scene, camera: Camera) -> Iterator[Wish]:
             arc = [camera.flat(point) for point in turn_arc(body, camera)]
             x, y = camera.flat(body.centre)
             front = (arc[-1], arc[-4], arc[-7], arc[-10])
-            yield Wish(front, named(solid.name), "turn", (front[1][0] - x, front[1][1] - y))
+            yield Wish(front, spelled(solid.name), "turn", (front[1][0] - x, front[1][1] - y))
 
 
 def joint_axes(scene: Scene, camera: Camera, first: int | None) -> tuple[list[Shape], list[Wish]]:

@@ -143,12 +143,29 @@ def _links(places: Places, sheet: Sheet) -> Iterator[Shape]:
         outline = hull([p for flat in flats for p in ring(flat, BAR, 20)]) if straight else None
         yield Shape(outline or _rounded(flats), "bar", closed=True)
         if link == linkage.ground:
-            a, b = flats[0], flats[-1]
-            if (a[0], -a[1]) > (b[0], -b[1]):
-                a, b = b, a
+            a, b = _lower_side(flats) if straight else _outer_side(flats, sheet.middle)
             dx, dy = (b[0] - a[0]) / math.dist(a, b), (b[1] - a[1]) / math.dist(a, b)
             shift = (-dy * BAR, dx * BAR)
             yield from hatching((a[0] + shift[0], a[1] + shift[1]), (b[0] + shift[0], b[1] + shift[1]), 9.0)
+
+
+def _lower_side(flats: list[Flat]) -> tuple[Flat, Flat]:
+    """The ends of a bar, so that what is on the right as one goes is below."""
+    a, b = flats[0], flats[-1]
+    return (b, a) if (a[0], -a[1]) > (b[0], -b[1]) else (a, b)
+
+
+def _outer_side(flats: list[Flat], middle: Flat) -> tuple[Flat, Flat]:
+    """The side of a plate that is farthest from the middle of the paper, with the plate on the left as one goes."""
+    sides = zip(flats, (*flats[1:], flats[0]), strict=True)
+    a, b = max(sides, key=lambda side: round(math.dist(middle, _between(*side)), 6))
+    x, y = sum(p[0] for p in flats) / len(flats), sum(p[1] for p in flats) / len(flats)
+    is_left = (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]) < 0
+    return (a, b) if is_left else (b, a)
+
+
+def _between(a: Flat, b: Flat) -> Flat:
+    return (a[0] + b[0]) / 2, (a[1] + b[1]) / 2
 
 
 def _rounded(flats: list[Flat]) -> tuple[Flat, ...]:

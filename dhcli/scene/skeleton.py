@@ -14,7 +14,7 @@ from dhcli.kinematics.values import Values, numbers
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr, Number
 from dhcli.notation.walk import symbols
-from dhcli.notation.writer import write
+from dhcli.notation.writer import write, write_angle
 from dhcli.scene.vectors import NULL, WORLD, Frame, Vec, add, norm, scaled, sub, unit
 from dhcli.scene.words import Words, spelled
 
@@ -28,7 +28,7 @@ class Axis:
     """The axis of a joint.
 
     Attributes:
-        name: The joint variable.
+        name: The joint variable, or the sum of those that turn about it together.
         kind: Whether it turns or slides.
         state: The state before its move; the axis goes through the origin of that state.
         direction: Its direction in that state, positive as the variable grows.
@@ -148,12 +148,13 @@ def _axes(robot: Robot, given: Given) -> list[Axis]:
     found: list[Axis] = []
     for state, move in enumerate(robot.chain):
         if isinstance(move, Rot):
-            terms = [(name, factor) for name, factor in move.angle.terms if name in robot.variables]
-            if terms:  # one axis, whatever turns it: named after the variable that has none yet
-                seen = {axis.name for axis in found}
-                name, factor = next((term for term in terms if term[0] not in seen), terms[0])
-                sign = 1.0 if factor > 0 else -1.0
-                found.append(Axis(name, "revolute", state, scaled(AXES[move.axis], sign)))
+            terms = tuple((name, factor) for name, factor in move.angle.terms if name in robot.variables)
+            if len(terms) == 1:
+                (name, factor), *_ = terms
+                found.append(Axis(name, "revolute", state, scaled(AXES[move.axis], 1.0 if factor > 0 else -1.0)))
+            elif terms:  # joints that drives tie turn about one axis: one body, whose angle is their sum
+                text = write_angle(Angle(terms), "short", robot.writing)
+                found.append(Axis(text, "revolute", state, AXES[move.axis]))
         elif isinstance(move, Trans):
             sliding = variables_of(move, robot)
             found += (Axis(name, "prismatic", state, unit(slope(move, name, given))) for name in sliding)

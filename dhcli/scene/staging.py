@@ -30,6 +30,9 @@ MARGIN, FOOT = 62.0, 34.0
 LARGEST_DRUM = 36.0
 """The largest radius of a drum on paper [px]."""
 
+LARGEST_OF_LINKAGE = 62.0
+"""The same where no frames and lengths stand around it."""
+
 
 @dataclass(frozen=True)
 class Staged:
@@ -155,7 +158,8 @@ def fitted(scene: Scene, view: tuple[float, float], paper: Paper, more: Sequence
         paper.width - paper.margin,
         paper.height - paper.foot - paper.margin * 0.7,
     )
-    most = LARGEST_DRUM / scene.unit * min(paper.width / WIDTH, paper.height / HEIGHT)
+    largest = LARGEST_DRUM if scene.arrows else LARGEST_OF_LINKAGE
+    most = largest / scene.unit * min(paper.width / WIDTH, paper.height / HEIGHT)
     return Camera.at(*view).fitted([*extent(scene), *more], room, most)
 
 

@@ -26,6 +26,7 @@ class Traced:
         frames: The frames by name, in the world of the arm.
         line: The way through them [m]; one point, or none, where only a frame is known.
         pairs: Which of them are compared with which frames of the arm, from the base on.
+        wrong: The first that is known to be wrong, by other rules than where the arm has it.
         note: What a caption should say of a frame that differs.
         close: Frames nearer than this are the same: directions, and places in parts of the arm's reach.
     """
@@ -36,6 +37,7 @@ class Traced:
     pairs: Pairs
     note: str = ""
     close: float = CLOSE
+    wrong: str | None = None
 
 
 def traced(name: str, segments: Iterable[tuple[str, Chain]], given: Given, pairs: Pairs) -> Traced:

@@ -210,3 +210,12 @@ def test_the_bridge_to_sympy_keeps_the_meaning(text: str, sympy_text: str) -> No
     assert all(symbol.is_real for symbol in found.free_symbols)
     assert isinstance(found, sympy.Basic)
     assert to_sympy(number(1) * expr) == found
+
+
+def test_a_part_of_an_angle_too_small_for_an_exact_sum_is_added_in_floats() -> None:
+    """A variable in two rows may stand at 1e-296: its sum with another has no exact form that is worth its length."""
+    tiny = Angle((), radians=Fraction("1.1457236281781556e-296"))
+    floats = Floats({"j2": Angle((), degrees=Fraction(30)), "j3": tiny})
+    cos, sin = floats.cos_sin(Angle((("j2", Fraction(1)), ("j3", Fraction(-1)))))
+    assert math.isclose(cos, math.sqrt(3) / 2)
+    assert math.isclose(sin, 0.5)

@@ -119,3 +119,30 @@ def test_an_answer_that_cannot_be_read_is_not_drawn(dhcli: Run) -> None:
     assert done.code == 2
     assert "nothing was drawn" in done.err
     assert not Path("d.svg").exists()
+
+
+FRAMES = """format: 1
+title: Frames
+source: made for a test
+robot: articulated
+task: Put frames on the axes.
+parts:
+  - {id: fr, ask: frames standard, hints: [a, b]}
+"""
+RIGHT_FRAMES = "(0,0,0) +x +z; (0,0,d1) +x -y; (a2,0,d1) +x -y; (a2+a3,0,d1) +x -y"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "wrong"),
+    [("+x -y; (a2,0", "+x +z; (a2,0", "1"), ("(a2,0,d1) +x", "(a2,0,d1) +z", "2"), ("+x +z; (0,0", "-x +z; (0,0", "")],
+)
+def test_of_frames_the_first_that_breaks_a_rule_is_marked(dhcli: Run, old: str, new: str, wrong: str) -> None:
+    """Other frames that keep the rules are right, and none of them is."""
+    Path("frames.yaml").write_text(FRAMES, "utf-8")
+    answer = RIGHT_FRAMES.replace(old, new, 1)
+    assert answer != RIGHT_FRAMES
+    done = dhcli("check", "./frames.yaml", "--answer", answer, "--draw", "f.svg")
+    assert (done.code, done.err) == (int(bool(wrong)), "wrote f.svg: part fr\n")
+    marks, text = _drawn(Path("f.svg"))
+    assert marks == int(bool(wrong))
+    assert set(re.findall(r"(\d)′", re.sub(r"<[^>]*>", "", text))) == ({wrong} if wrong else set())

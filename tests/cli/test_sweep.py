@@ -210,3 +210,18 @@ def test_a_small_step_is_not_shown_as_zero(dhcli: Run) -> None:
     """Nor is the end of a small range."""
     done = dhcli("sweep", "scara", "--over", "d3=0..0.03mm n 3")
     assert ["d3", "0", "m", "0.00003", "m", "0.000015", "m", "3"] in [line.split() for line in done.out.splitlines()]
+
+
+def test_points_are_drawn_from_two_sides_or_in_space(dhcli: Run, tmp_path: Path) -> None:
+    """Beside the summary, which is as it is without a picture."""
+    words = ("sweep", "planar-2r", "--over", "theta1 n 41", "--over", "theta2 n 41")
+    plain = dhcli(*words)
+    for name, begins in (("w.svg", "<svg"), ("w.html", "<!DOCTYPE")):
+        done = dhcli(*words, "--draw", name)
+        assert (done.code, done.out, done.err) == (0, plain.out, f"wrote {name}\n")
+        assert Path(name).read_text("utf-8").startswith(begins)
+    again = dhcli(*words, "--draw", "w.svg")
+    assert again.code == 2
+    assert "exists already" in again.err
+    assert dhcli(*words, "--draw", "w.svg", "--overwrite").code == 0
+    assert dhcli(*words, "--draw", "w").code == 2

@@ -256,6 +256,7 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("check", "planar-2r", "--table", "robot.yaml", "--format", "json", "-o", "m.json", "--overwrite"),
     ("check", "planar-2r", "--table", "robot.yaml", "--compare", "same-motion"),
     ("check", "planar-2r", "--frames", "robot.yaml", "--pose", "zero", "--why"),
+    ("sweep", "planar-2r", "--over", "theta1 n 3", "--draw", "reach.svg", "--overwrite"),
     ("draw", "planar-2r", "--to", "fold", "--animate", "-o", "move.svg", "--overwrite"),
     ("draw", "planar-2r", "--in", "two.csv", "-o", "strip.svg", "--overwrite"),
     ("check", "planar-2r", "--table", "robot.yaml", "--compare", "same-motion", "--draw", "over.svg", "--overwrite"),

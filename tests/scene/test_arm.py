@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import pytest
 from hypothesis import given, settings
@@ -16,10 +17,12 @@ from dhcli.scene.arm import arm_scene
 from dhcli.scene.choice import best_pose, with_examples
 from dhcli.scene.primitives import Box, Drum, Scene
 from dhcli.scene.skeleton import Skeleton
+from dhcli.scene.staging import values_at
 from dhcli.scene.vectors import Vec, cross, dot, norm, sub
 from tests.scene.examples import ROBOTS
 
 REAL = tuple(name for name in ROBOTS if not name.startswith("dh-link"))
+DATA = Path(__file__).parents[1] / "data" / "coupled"
 TABLES = tuple(name for name in REAL if load_robot(name).convention is not Convention.PRODUCT)
 
 
@@ -147,3 +150,11 @@ def test_the_pose_that_shows_a_robot_best_is_not_its_zero_where_it_has_better_on
     for name, pose in {"puma560": "nominal", "panda": "ready", "stanford": "grasp", "ur5e": "work"}.items():
         robot = load_robot(name)
         assert best_pose(robot, with_examples(robot, {})[0])[0] == pose
+
+
+def test_joints_that_drives_tie_about_one_axis_are_one_drum_with_the_sum_of_their_angles() -> None:
+    """`j3 - j2` in one row of the table is one joint of the arm."""
+    robot = load_robot(DATA / "palletizer.yaml")
+    drums = [solid.name for solid in arm_scene(robot, values_at(robot, None, None, None)).solids]
+    assert len(drums) == len([link for link in robot.links if link.row and link.row.theta.terms])
+    assert any("j2" in name and "j3" in name for name in drums)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import pytest
 
@@ -11,12 +12,14 @@ from dhcli.errors import RobotError
 from dhcli.files.yaml.linkages import load_linkage, read_linkage
 from dhcli.mobility.linkage import Linkage
 from dhcli.scene.camera import ViewError, read_view
+from dhcli.scene.ink import CELL, LINE, Ink
 from dhcli.scene.labels import PRINT, Rect
 from dhcli.scene.linkages import linkage_figure
 from dhcli.scene.primitives import Drum
 from dhcli.scene.shapes import Figure, Text
 from dhcli.scene.staging import Paper, figure_of, foot, stage_arm
-from dhcli.scene.words import Run, named
+from dhcli.scene.words import Run, spelled
+from tests.nightly import NIGHT
 from tests.scene.examples import LINKAGES, ROBOTS, long_robot, odd_robots
 
 
@@ -56,6 +59,34 @@ def test_nothing_of_a_figure_leaves_its_paper_and_no_label_is_on_another(name: s
     _check(_figure(name))
 
 
+def test_hardly_a_label_stands_on_a_line() -> None:
+    """At most 3 in 100, over all robots from three sides, at night at all of their poses, and all linkages."""
+    labels = on_ink = 0
+    for figure in _all():
+        ink = Ink(figure.width, figure.height)
+        ink.add([shape for shape in figure.shapes if shape.look != "leader"])
+        for text in figure.texts:
+            if text.look != "caption":
+                rect = _rect(text)
+                labels += 1
+                on_ink += _has_line(ink, Rect(rect.left + 4, rect.top + 6, rect.right - 4, rect.bottom - 6))
+    assert labels > 1000
+    assert on_ink <= 0.03 * labels
+
+
+def _all() -> Iterator[Figure]:
+    for name in ROBOTS:
+        for pose in load_robot(name).poses if NIGHT else (None,):
+            yield from (_figure(name, pose, view) for view in (None, "iso", "front"))
+    yield from map(_figure, LINKAGES)
+
+
+def _has_line(ink: Ink, rect: Rect) -> bool:
+    columns = range(max(0, int(rect.left / CELL)), min(ink.columns, int(rect.right / CELL) + 1))
+    rows = range(max(0, int(rect.top / CELL)), min(ink.rows, int(rect.bottom / CELL) + 1))
+    return any(ink.cells[j * ink.columns + i] == LINE for j in rows for i in columns)
+
+
 @pytest.mark.parametrize("name", ROBOTS)
 def test_every_frame_joint_and_length_has_its_label(name: str) -> None:
     """None is left out for want of room."""
@@ -65,7 +96,7 @@ def test_every_frame_joint_and_length_has_its_label(name: str) -> None:
     for arrow in scene.arrows:
         assert (arrow.letter, arrow.words) in written
     for solid in scene.solids:
-        assert not isinstance(solid, Drum) or ("turn", named(solid.name)) in written
+        assert not isinstance(solid, Drum) or ("turn", spelled(solid.name)) in written
     assert len(written) == len(scene.arrows) + len(scene.dimensions) + sum(isinstance(s, Drum) for s in scene.solids)
 
 
@@ -197,3 +228,29 @@ def test_the_number_of_an_axis_is_not_in_the_hand() -> None:
     fingers = [shape for shape in figure.shapes if shape.look.startswith("hand")]
     assert fingers
     assert three.at[1] < min(y for shape in fingers for _, y in shape.points) - 100
+
+
+def test_an_open_chain_without_points_goes_there_and_back_along_straight_lines() -> None:
+    """No line crosses the sheet from the end of one row to the start of the next."""
+    figure = _figure("six-r-arm")
+    for shape in figure.shapes:
+        if shape.look == "edge":
+            (x1, y1), (x2, y2) = shape.points
+            assert abs(x1 - x2) < 1e-6 or abs(y1 - y2) < 1e-6
+
+
+def test_the_ground_that_is_a_plate_is_hatched_along_its_outer_side() -> None:
+    """In the Hoberman ring between B1 and C0, away from the middle."""
+    figure = _figure("hoberman")
+    middle = figure.width / 2, (figure.height - 34) / 2
+    strokes = [shape.points for shape in figure.shapes if shape.look == "hatch-line"]
+    assert strokes
+    assert all(math.dist(a, middle) < math.dist(b, middle) + 9 for a, b in strokes)
+    pins = [
+        (sum(x for x, _ in s.points) / len(s.points), sum(y for _, y in s.points) / len(s.points))
+        for s in figure.shapes
+        if s.look == "pin"
+    ]
+    assert (
+        min(math.dist(a, middle) for a, _ in strokes) > sorted(math.dist(pin, middle) for pin in pins)[len(pins) // 2]
+    )

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import ClassVar, Self, TypeAlias
+from typing import TYPE_CHECKING, ClassVar, Self, TypeAlias
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
+from dhcli.checking.exercise import Case, Causes, Exercise, Overlaid, Question, Reading, Shown
 from dhcli.checking.frames.marking import frame_text, frames_text, mark_frames
 from dhcli.checking.frames.reading import TypedFrame, read_frames
 from dhcli.checking.frames.rows import table_of
@@ -25,6 +25,9 @@ from dhcli.kinematics.conventions import Convention, Row
 from dhcli.kinematics.describe.words import Speaker, written
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.scope import Scope
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.values import Values
 
 Answer: TypeAlias = tuple[TypedFrame, ...] | tuple[TypedRow, ...]
 """Frames, or the rows of a table."""
@@ -50,6 +53,7 @@ class FramesQuestion(Question[Answer]):
     words: ClassVar = ("frames",)
     examples: ClassVar = ("frames standard", "frames modified at zero")
     is_in_table: ClassVar = True
+    is_overlaid: ClassVar = True
     earns_by_row: ClassVar = True
 
     @classmethod
@@ -145,6 +149,15 @@ class FramesQuestion(Question[Answer]):
         rules = Rules(sketch_of(other, self.convention, self.pose), case.tolerance)
         mark = mark_frames(other, rules, frames)
         return replace(mark, verdict=Verdict.EQUIVALENT, remarks=(note, *mark.remarks)) if mark.earned == 1 else None
+
+    def overlaid(self, case: Case, reading: Reading[Answer], values: Values) -> Overlaid:
+        from dhcli.checking.frames.overlaid import joints_drawn, overlaid_frames
+
+        rules = self._rules(case)
+        drawn = {**values, **joints_drawn(rules.sketch)}
+        if frames := _frames(reading.value):
+            return overlaid_frames(rules, frames, self._table.robot_drawn(case.exercise), drawn)
+        return self._table.overlaid(case, Reading(reading.text, _rows(reading.value)), drawn)
 
     def _marked_table(self, case: Case, rows: tuple[TypedRow, ...]) -> Mark:
         """A table is right when frames of it can lie on the axes, the last one anywhere if the task leaves it open."""

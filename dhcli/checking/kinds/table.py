@@ -183,13 +183,19 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         from dhcli.kinematics.values import numbers
         from dhcli.scene.traced import paired, traced
 
-        exercise, own = case.exercise, robot_of(case.exercise)
-        also = exercise.also[0] if exercise.also else own
-        robot = also if own.convention is not self.convention and also.convention is self.convention else own
+        own, robot = robot_of(case.exercise), self.robot_drawn(case.exercise)
         rows = [moves_of(row, self.convention) for row in _settled(case, reading)]
         segments = [(str(own.first + k - 1), moves) for k, moves in enumerate((own.base, *rows))]
         pairs = paired(robot.frames[1:-1], [name for name, _ in segments], alike=robot.convention is self.convention)
-        return Overlaid(robot, traced("your table", segments, numbers(values), pairs))
+        return Overlaid(robot, traced("your table", segments, numbers(values), pairs), values)
+
+    def robot_drawn(self, exercise: Exercise) -> Robot:
+        """The arm, with the table of this convention where the exercise has one."""
+        from dhcli.checking.tables.marking import robot_of
+
+        own = robot_of(exercise)
+        also = exercise.also[0] if exercise.also else own
+        return also if own.convention is not self.convention and also.convention is self.convention else own
 
 
 def _settled(case: Case, reading: Reading[tuple[TypedRow, ...]]) -> tuple[Row, ...]:

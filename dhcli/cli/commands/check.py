@@ -136,7 +136,8 @@ def check(
     from dhcli.checking.judge import Judge
     from dhcli.checking.variants import variant_of
     from dhcli.cli.shell.delivery import Delivery
-    from dhcli.cli.shell.overlaid import check_overlaid, check_picture, draw_over
+    from dhcli.cli.shell.drawn import check_picture
+    from dhcli.cli.shell.overlaid import check_overlaid, draw_over
     from dhcli.cli.shell.quiz import RobotOptions, exercise_of, exit_code, remember, with_tolerance
     from dhcli.errors import DhcliError
     from dhcli.files.yaml.sheets import judged_sheet, read_sheet
@@ -145,7 +146,7 @@ def check(
     delivery = Delivery("check", format_, output=output, force=force and not (draw and output is None))
     delivery.chosen("marks")
     if draw is not None:
-        check_picture(draw, force=force)
+        check_picture(draw, force=force, page="a page shows one table")
     goal = _goal(target, position) if ik else None
     if not ik and (target, position, branch) != (None, None, None):
         raise DhcliError("--target, --position and --branch belong to --ik", "add --ik")
@@ -163,7 +164,7 @@ def check(
         check_overlaid(exercise, part)
     if sheet is None and answer is None and table is None and frames is None:
         if draw is not None:
-            raise DhcliError("--draw draws an answer that was given", "name a sheet, --answer or --table")
+            raise DhcliError("--draw draws an answer that was given", "name a sheet, --answer, --table or --frames")
         delivery.warn(warned)
         return _walk(variant_of(Judge(exercise), variant), part, why=why)
     if sheet is not None:

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from dhcli.cli.shell.rows import RowDelivery
+    from dhcli.kinematics.sweep.density import Density
     from dhcli.kinematics.sweep.grid import Grid
 
 
@@ -28,6 +29,8 @@ dhcli sweep planar-2r
 dhcli sweep scara --over 'q1=-90°..90° step 5°' --over 'd3=0..0.2 n 11'
 
 dhcli sweep puma560 --pose ready --over q2 --over q3 -o reach.csv
+
+dhcli sweep scara --over theta1 --over theta2 --over d3=0..0.2 --draw reach.svg
 """
 
 
@@ -58,6 +61,14 @@ def sweep(
             rich_help_panel="Output",
         ),
     ] = None,
+    draw: Annotated[
+        str | None,
+        typer.Option(
+            metavar="FILE",
+            help="Draw the points from the side and from above, .svg .pdf .png .tex, or in space, .html.",
+            rich_help_panel="Output",
+        ),
+    ] = None,
     force: Force = False,
 ) -> None:
     """Sweep joints over a grid: how far a robot reaches, the box it stays in, and the poses at its sides.
@@ -65,6 +76,7 @@ def sweep(
     --q and --pose say where the joints stand that are not swept, at 0 by default.
     """
     from dhcli.cli.shell.delivery import Delivery
+    from dhcli.cli.shell.drawn import check_picture, draw_workspace
     from dhcli.cli.shell.given import open_scope, point_of, robot_of, values_of
     from dhcli.errors import Place
     from dhcli.kinematics.frames import View
@@ -74,7 +86,9 @@ def sweep(
 
     delivery = Delivery("sweep", format_, digits)
     delivery.chosen("sweep")
-    points = _points(output, force=force)
+    points = _points(output, force=force and not (draw and output is None))
+    if draw is not None:
+        check_picture(draw, force=force)
     arm = robot_of(chosen)
     values = values_of(arm, chosen)
     seen = None if point is None else point_of(point, "--point", open_scope(arm))
@@ -82,11 +96,15 @@ def sweep(
     overs = [read_over(arm, text, bare=chosen.bare, place=Place("--over")) for text in over or []]
     grid = plan(target, overs, values, Place("--over") if overs else None)
 
-    from dhcli.kinematics.sweep.run import sweep as go_through  # numpy: not for what is refused before it starts
+    from dhcli.kinematics.sweep.density import Density  # numpy: not for what is refused before it starts
+    from dhcli.kinematics.sweep.run import sweep as go_through
 
-    with _taking(points, grid) as take:
+    density = None if draw is None else Density()
+    with _taking(points, grid, density) as take:
         result = go_through(target, grid, take)
     delivery.hand_over("sweep", result, result.warnings)
+    if draw is not None and density is not None:
+        draw_workspace(target, density.workspace(target), draw, force=force)
 
 
 def _points(output: str | None, *, force: bool) -> RowDelivery | None:
@@ -104,8 +122,10 @@ def _points(output: str | None, *, force: bool) -> RowDelivery | None:
 
 
 @contextmanager
-def _taking(points: RowDelivery | None, grid: Grid) -> Iterator[Callable[[NDArray[np.float64]], None]]:
-    """What takes the rows of a grid: a file, if one is wanted, and the bar that shows how far they are."""
+def _taking(
+    points: RowDelivery | None, grid: Grid, density: Density | None
+) -> Iterator[Callable[[NDArray[np.float64]], None]]:
+    """What takes the rows of a grid: a file and a picture, if they are wanted, and the bar that shows how far it is."""
     from dhcli.render.text.progress import row_progress
     from dhcli.render.text.sweep import point_layout
 
@@ -119,6 +139,8 @@ def _taking(points: RowDelivery | None, grid: Grid) -> Iterator[Callable[[NDArra
             done += len(rows)
             if sink is not None:
                 sink.write(rows)
+            if density is not None:
+                density.take(rows)
             tell(done, done / grid.count)
 
         yield take

@@ -10,6 +10,8 @@ from dhcli.errors import DhcliError, FileError, Place, Problem
 
 if TYPE_CHECKING:
     from dhcli.kinematics.robot import Robot
+    from dhcli.kinematics.sweep.target import Target
+    from dhcli.kinematics.sweep.workspace import Workspace
     from dhcli.mobility.linkage import Linkage
 
 
@@ -127,6 +129,41 @@ def _read_rows(robot: Robot, path: str, chosen: Chosen) -> tuple[tuple[float, ..
     if not found:
         raise FileError(Problem("holds no joint values", Place(path)))
     return tuple(found)
+
+
+def check_picture(path: str, *, force: bool, page: str = "") -> None:
+    """Refuse a file that is no picture, or that exists already, before anything is computed.
+
+    Args:
+        path: The file.
+        force: Whether it may be overwritten.
+        page: Why it cannot be a page; empty where it can.
+
+    Raises:
+        DhcliError: Its suffix stands for no such picture.
+        FileError: It exists already.
+    """
+    from dhcli.cli.shell.delivery import check_free
+    from dhcli.render.pictures.picture import format_of
+
+    if page and format_of(path) == "page":
+        raise DhcliError(page, "write .svg, .pdf, .png or .tex")
+    check_free(path, force=force)
+
+
+def draw_workspace(target: Target, workspace: Workspace, path: str, *, force: bool) -> None:
+    """Draw the points of a sweep, and write the file.
+
+    Raises:
+        FileError: It cannot be written.
+    """
+    from dhcli.cli.shell.console import tell
+    from dhcli.render.pictures.picture import Picture, format_of
+    from dhcli.storage.atomic import write_whole
+
+    picture = Picture(target.robot, parameters=target.lengths, workspace=workspace)
+    write_whole(path, picture.rendered(format_of(path)), overwrite=force)
+    tell(f"wrote {path}")
 
 
 def refuse_table(what: Robot | Linkage, name: str | None) -> None:

@@ -16,22 +16,7 @@ if TYPE_CHECKING:
     from dhcli.render.pictures.picture import Picture
 
 RIGHT = " (it is right all the same: other frames of the same robot)"
-NO_FRAME = "only a table, a pose, a rotation or a position of the arm can be drawn over it"
-
-
-def check_picture(path: str, *, force: bool) -> None:
-    """Refuse a file that is no picture of two arms, or that exists already, before anything is judged.
-
-    Raises:
-        DhcliError: Its suffix stands for no such picture.
-        FileError: It exists already.
-    """
-    from dhcli.cli.shell.delivery import check_free
-    from dhcli.render.pictures.picture import format_of
-
-    if format_of(path) == "page":
-        raise DhcliError("a page shows one table", "write .svg, .pdf, .png or .tex to see two over each other")
-    check_free(path, force=force)
+NO_FRAME = "only a table, frames, a pose, a rotation or a position of the arm can be drawn over it"
 
 
 def check_overlaid(exercise: Exercise, part: str | None) -> None:
@@ -91,9 +76,9 @@ def _picture(exercise: Exercise, part: Part, answers: Mapping[str, str], *, is_r
             return None
         note = RIGHT if is_right else ""
         traced = replace(over.traced, note=note, close=exercise.tolerance.rotation)
-        joints: Any = {name: values[name] for name in robot.variables}
-        picture = Picture(over.robot, joints, parameters=values, beside=traced)
-        if is_right or first_difference(Skeleton.of(over.robot, values), traced) is not None:
+        joints: Any = {name: over.values[name] for name in robot.variables}
+        picture = Picture(over.robot, joints, parameters=over.values, beside=traced)
+        if is_right or first_difference(Skeleton.of(over.robot, over.values), traced) is not None:
             return picture
         best = best or picture
     return best

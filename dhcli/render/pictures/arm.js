@@ -31,8 +31,9 @@ const stateOf = (name) => D.frames.find((f) => f[0] === name)[1];
 window.dhcli = { fk: (values, i, j) => { const s = fold(values); return relative(s[stateOf(i)], s[stateOf(j)]); }, frames: D.frames.map((f) => f[0]), rpy };
 
 const PATH = D.path && D.path.length ? [q.slice(), ...D.path] : [], TRACE = PATH.flatMap((p, i) => { const n = PATH.length === 2 && i ? 24 : 1; return Array.from({ length: n }, (_, k) => { const s = fold(p.map((v, j) => (n > 1 ? PATH[0][j] + ((k + 1) / n) * (v - PATH[0][j]) : v))); return s[s.length - 1][3]; }); });
-const states = () => fold(q), under = (P, cam) => S.pinned.flatMap((p) => bearing(cam.flat(P.at(p[0], p[1])), Math.max(9, S.unit * cam.k)));
-const lines = (cam) => (TRACE.length ? [line(TRACE.map(cam.flat), "trace")] : []), more = (P) => D.frames.flatMap(([, s]) => [0, 2].map((i) => at(P.st[s][3], P.st[s][i], 3 * S.unit))).concat(TRACE);
+const states = () => fold(q), dots = (cam) => { const s = new Set(D.cloud.map((p) => cam.flat(p).map(Math.round).join(" "))); return s.size ? [{ points: [...s].map((t) => t.split(" ").map(Number)), look: "cloud", dots: true }] : []; };
+const under = (P, cam) => dots(cam).concat(S.pinned.flatMap((p) => bearing(cam.flat(P.at(p[0], p[1])), Math.max(9, S.unit * cam.k))));
+const lines = (cam) => (TRACE.length ? [line(TRACE.map(cam.flat), "trace")] : []), more = (P) => D.frames.flatMap(([, s]) => [0, 2].map((i) => at(P.st[s][3], P.st[s][i], 3 * S.unit))).concat(TRACE, D.cloud);
 const grab = () => null, pull = () => false, letGo = () => 0;
 function arc(b, cam) {
   const front = sub(cam.to, mul(b.axis, dot(cam.to, b.axis))), f = norm(front) > 0.05 ? unit(front) : unit(cross(cam.up, b.axis)), s = cross(b.axis, f), R = 1.42 * b.r;

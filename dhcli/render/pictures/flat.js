@@ -19,7 +19,7 @@ function head(tip, tail, size) {
   return [tip, [b[0] - h * dy, b[1] + h * dx], [b[0] + h * dy, b[1] - h * dx]];
 }
 
-const LIGHT = new Set(["plate", "hatch", "halo", "ground-sheet"]);
+const LIGHT = new Set(["plate", "hatch", "halo", "ground-sheet", "cloud"]);
 function Ink(W, H) {
   const C = Math.ceil(W / 4) + 1, R = Math.ceil(H / 4) + 1, cells = new Uint8Array(C * R); let sums = null;
   const amount = (l, t, r, b) => {
@@ -93,7 +93,7 @@ function placed(wishes, ink, room) {
   return [leaders.map((l) => line(l, "leader")), texts];
 }
 const f1 = (v) => { const t = v.toFixed(1).replace(/\.0$/, ""); return t === "-0" ? "0" : t; };
-const path = (s) => "M" + s.points.map((p) => f1(p[0]) + " " + f1(p[1])).join("L") + (s.closed ? "Z" : "");
+const path = (s) => s.dots ? s.points.map((p) => `M${p[0] - 1} ${p[1] - 1}h2v2h-2Z`).join("") : "M" + s.points.map((p) => f1(p[0]) + " " + f1(p[1])).join("L") + (s.closed ? "Z" : "");
 const spans = (words, size) => { let low = false; return words.map(([t, below]) => { const d = f1(0.24 * size), o = below ? `<tspan dy="${d}" font-size="${f1(0.7 * size)}">${esc(t)}</tspan>` : low ? `<tspan dy="-${d}">${esc(t)}</tspan>` : esc(t); low = below; return o; }).join(""); };
 const htmlOf = (words) => words.map(([t, below]) => (below ? `<sub>${esc(t)}</sub>` : `<i>${esc(t)}</i>`)).join("");
 function svgOf(shapes, texts) {

@@ -62,6 +62,10 @@ function bar(l, pts) {
   return { ends, shape: poly(hull(ends.flatMap((p) => ring(p, 7.5, 20))), "bar") };
 }
 function around(f) { const c = [0, 1].map((i) => f.reduce((s, p) => s + p[i], 0) / f.length); return f.slice().sort((a, b) => Math.atan2(a[1] - c[1], a[0] - c[0]) - Math.atan2(b[1] - c[1], b[0] - c[0])); }
+function outer(f) { // the side of a plate that is farthest from the middle of the paper, with the plate on the left as one goes
+  const g = around(f), o = g.map((a, i) => [a, g[(i + 1) % g.length]]), away = ([a, b]) => Math.hypot((a[0] + b[0] - W) / 2, (a[1] + b[1] - H) / 2), [a, b] = o.reduce((m, s) => (away(s) > away(m) + 1e-6 ? s : m)), c = [0, 1].map((i) => f.reduce((s, p) => s + p[i], 0) / f.length);
+  return turn(a, b, c) < 0 ? [a, b] : [b, a];
+}
 function slider(j, at0, angle, ground) {
   let [dx, dy] = spun(j.u, angle); dy = -dy; if (dx < 0 || (dx === 0 && dy > 0)) { dx = -dx; dy = -dy; }
   const nx = -dy, ny = dx, w = 21, h = 14, g = ground || at0, a = [g[0] - 62 * dx + h * nx, g[1] - 62 * dy + h * ny], b = [g[0] + 62 * dx + h * nx, g[1] + 62 * dy + h * ny];
@@ -79,7 +83,7 @@ function draw() {
   D.links.forEach(([, pts], l) => {
     if (pts.length < 2 || (l === G && !D.bar)) return;
     const b = bar(l, pts); ends.set(l, b.ends); shapes.push(b.shape);
-    if (l === G) { let [p, q] = [b.ends[0], b.ends[b.ends.length - 1]]; if (p[0] > q[0]) [p, q] = [q, p]; const m = far(p, q), o = [(-(q[1] - p[1]) / m) * 7.5, ((q[0] - p[0]) / m) * 7.5]; shapes.push(...hatching([p[0] + o[0], p[1] + o[1]], [q[0] + o[0], q[1] + o[1]], 9)); }
+    if (l === G) { const [p, q] = b.ends.length > 2 ? outer(b.ends) : b.ends[0][0] > b.ends[1][0] ? [b.ends[1], b.ends[0]] : b.ends; const m = far(p, q), o = [(-(q[1] - p[1]) / m) * 7.5, ((q[0] - p[0]) / m) * 7.5]; shapes.push(...hatching([p[0] + o[0], p[1] + o[1]], [q[0] + o[0], q[1] + o[1]], 9)); }
   });
   for (const j of joints) {
     if (j.t === "prismatic") { const ground = j.a === G || j.b === G, l = j.a === G ? j.b : j.a; shapes.push(...slider(j, there(l, [j.p[0] * L, j.p[1] * L]), pose(X, j.a)[2], ground ? flat([j.p[0] * L, j.p[1] * L]) : null)); }

@@ -47,6 +47,11 @@ COLOURS = {
     "turn": Ink("#8a4b00", "#f0b45c"),
     "hand": Ink("#111111", "#f2f2f2"),
     "theirs": Ink("#7b2fbf", "#c79bff"),
+    "density-1": Ink("#dfe9f7", "#202b3c"),
+    "density-2": Ink("#b9d0ee", "#28405f"),
+    "density-3": Ink("#86aede", "#325c8d"),
+    "density-4": Ink("#4f86c6", "#4b86c4"),
+    "density-5": Ink("#2a5f9e", "#8fc0f2"),
     "caption": Ink("#84888f", "#8d939d"),
 }
 
@@ -99,6 +104,8 @@ LOOKS = {
     "theirs-mark": Look("", "theirs", 1.8),
     "rule": Look("", "line", 1.0),
     "moment": Look(),
+    "cloud": Look("density-4"),
+    **{f"density-{level}": Look(f"density-{level}") for level in range(1, 6)},
 }
 
 TEXTS = {

@@ -6,8 +6,10 @@ import math
 from typing import TYPE_CHECKING, Any
 
 from dhcli.algebra.floats import Floats
+from dhcli.errors import DhcliError
 from dhcli.kinematics.moves import Fixed, Move, Rot
 from dhcli.kinematics.robot import Robot, Value
+from dhcli.kinematics.sweep.workspace import Workspace
 from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import JointInput, Values, numbers
 from dhcli.mobility.linkage import Joint, Linkage
@@ -24,7 +26,8 @@ from dhcli.scene.space import holder
 from dhcli.scene.staging import posed, stage_arm, values_at
 from dhcli.scene.table import cells, heads
 from dhcli.scene.vectors import Vec
-from dhcli.scene.words import Words, named
+from dhcli.scene.words import Words, named, spelled
+from dhcli.scene.workspace import is_at_base
 
 if TYPE_CHECKING:
     from dhcli.scene.drawing import Drawing
@@ -53,11 +56,21 @@ def arm_model(picture: Drawing) -> dict[str, Any]:
         "frames": frames,
         "poses": [[name, [_number(value) for value in pose]] for name, pose in robot.poses.items()],
         "path": _path(robot, picture, values),
+        "cloud": [] if picture.workspace is None else _cloud(picture.workspace, staged.scene),
         "view": list(staged.view),
         "views": [["best", list(staged.view)], *([name, list(view)] for name, view in VIEWS.items())],
         "table": _table(robot, given),
         "scene": _scene(staged.scene),
     }
+
+
+def _cloud(workspace: Workspace, scene: Scene) -> list[list[float]]:
+    """Some points of a sweep, in as many digits as a dot needs."""
+    if not is_at_base(scene, workspace):
+        raise DhcliError(
+            f"a page shows points seen from the base, not from frame {workspace.reference}", "write .svg, .pdf or .png"
+        )
+    return [[float(f"{x:.4g}") for x in point] for point in workspace.sample]
 
 
 MOST_ROWS = 400
@@ -71,7 +84,7 @@ def _path(robot: Robot, picture: Drawing, values: Values) -> list[list[float]]:
         return [[_number(goal[name]) for name in robot.variables]]
     last = len(picture.path) - 1
     count = min(last, MOST_ROWS)
-    return [_short(list(picture.path[round(k * last / count)])) for k in range(1, count + 1)]
+    return [[float(f"{x:.9g}") for x in picture.path[round(k * last / count)]] for k in range(1, count + 1)]
 
 
 UNMOVED = frozenset({"gear", "rolling"})
@@ -285,7 +298,7 @@ def _solid(solid: Solid) -> list[Any]:
     if isinstance(solid, Ball):
         return ["ball", solid.centre.state, solid.centre.at, solid.radius]
     if isinstance(solid, Drum):
-        words = _words(named(solid.name))
+        words = _words(spelled(solid.name))
         return ["drum", solid.centre.state, solid.centre.at, solid.axis, solid.radius, solid.half, words]
     assert isinstance(solid, Box)  # noqa: S101  the last kind
     return ["box", solid.centre.state, solid.centre.at, solid.axis, solid.half]

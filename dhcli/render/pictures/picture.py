@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from dhcli.errors import DhcliError, RobotError, UnknownNameError
 from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.sweep.workspace import Workspace
 from dhcli.kinematics.values import JointInput, given_parameters
 from dhcli.mobility.linkage import Linkage
 from dhcli.scene.camera import read_view
@@ -82,6 +83,8 @@ class Picture(Drawing):
         from dhcli.render.pictures.terminal import LEAST as FEWEST
         from dhcli.render.pictures.terminal import sheet_of, terminal
 
+        if self.workspace is not None:
+            raise DhcliError("a workspace is no picture in letters", "write .svg, .pdf, .png, .tex or .html")
         if self.moves:
             raise DhcliError(
                 "a film strip is no picture in letters", "write .svg, .pdf, .png, .tex, or .html to play it"
@@ -142,6 +145,7 @@ def draw(  # noqa: PLR0913  a figure has as many sides
     to: JointInput = None,
     path: Rows = (),
     beside: Robot | None = None,
+    workspace: Workspace | None = None,
 ) -> Picture:
     """A picture of a robot at joint values, or of a linkage in its assembled position.
 
@@ -158,6 +162,7 @@ def draw(  # noqa: PLR0913  a figure has as many sides
         to: Joint values or the name of a pose to which it moves: a film strip, and a page that plays it.
         path: Joint values of each moment of a motion instead, radians and metres, shape (N, n).
         beside: Another table of the same arm, drawn over it; the first frame that differs is marked.
+        workspace: The points of a sweep, as `dhcli.kinematics.sweep.density.Density` counts them.
 
     Returns:
         The picture: shown by a notebook, or saved with `save("arm.svg")`; also .tex, .png, .pdf, .html and .txt.
@@ -173,9 +178,9 @@ def draw(  # noqa: PLR0913  a figure has as many sides
         check_size(size)
     given = given_parameters(what, parameters) if parameters and isinstance(what, Robot) else None
     seen = read_view(view) if isinstance(view, str) else view
-    return Picture(
-        what, q, pose, seen, size, dark, worksheet, table, given, to=to, path=_rows(what, path), beside=beside
-    )
+    moving: dict[str, Any] = {"to": to, "path": _rows(what, path)}
+    other: dict[str, Any] = {"beside": beside, "workspace": workspace}
+    return Picture(what, q, pose, seen, size, dark, worksheet, table, given, **moving, **other)
 
 
 def _rows(what: Robot | Linkage, path: Rows) -> Rows:

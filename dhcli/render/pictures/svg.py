@@ -112,11 +112,11 @@ def _shapes(shapes: tuple[Shape, ...]) -> list[str]:
         if shape.shade:
             fill, shaded = f' fill="url(#g{shaded})"', shaded + 1
         path = _path(shape.points, closed=shape.closed)
-        if shape.look == last and not fill and not shape.closed:
+        if shape.look == last and not fill:
             found[-1] = found[-1][:-3] + path + '"/>'  # lines of one look that follow each other are one path
         else:
             found.append(f'<path class="{shape.look}"{fill} d="{path}"/>')
-        last = shape.look if not shape.closed else ""
+        last = shape.look if not shape.closed or shape.look.startswith("density") else ""
     return found
 
 

@@ -17,7 +17,7 @@ function extent(P) {
 }
 function aim(P, refit) {
   const cam = camera(view[0], view[1]), pts = extent(P), room = [62, 50, W - 62, H - 60];
-  fit(cam, pts, room, 36 / S.unit);
+  fit(cam, pts, room, (D.links ? 62 : 36) / S.unit);
   if (!refit && scale && scale.k <= cam.k * 1.35) { // keep the scale while a joint moves, unless something leaves the paper
     const k = cam.k, o = cam.o; cam.k = scale.k; cam.o = scale.o;
     if (pts.some((p) => { const [x, y] = cam.flat(p); return x < 20 || y < 20 || x > W - 20 || y > H - 20; })) { cam.k = k; cam.o = o; }

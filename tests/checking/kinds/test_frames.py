@@ -36,7 +36,7 @@ from tests.coupled import COUPLED
 from tests.judging import answer_with, checked, expected, mark, slips, solution, vary
 
 LIBRARY = Path(__file__).parents[3] / "robots"
-OPEN = ("dh-link", "dh-link-modified", "assembly-blocks")
+OPEN = ("dh-link", "dh-link-modified", "assembly-blocks", *COUPLED)
 ROBOTS = [path.stem for path in sorted(LIBRARY.glob("*.yaml")) if path.stem not in (*OPEN, *COUPLED)]
 CONVENTIONS = (Convention.STANDARD, Convention.MODIFIED)
 ZHOU = "0 +x +z; (a, 0, 0) +x +z; (a + b, 0, 0) +x +y; (a + b, 0, 0) +x +y"

@@ -1,0 +1,97 @@
+"""The workspace of a robot on paper."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from dhcli import draw, load_robot
+from dhcli.errors import DhcliError
+from dhcli.kinematics.sweep.density import CELLS, SAMPLE, Density
+from dhcli.kinematics.sweep.plan import plan
+from dhcli.kinematics.sweep.ranges import read_over
+from dhcli.kinematics.sweep.result import Sweep
+from dhcli.kinematics.sweep.run import sweep, walked
+from dhcli.kinematics.sweep.target import Target, target_of
+from dhcli.kinematics.sweep.workspace import Workspace
+
+
+def _swept(name: str, *overs: str) -> tuple[Target, Sweep, Workspace]:
+    robot, density = load_robot(name), Density()
+    target = target_of(robot)
+    found = sweep(target, plan(target, [read_over(robot, text) for text in overs]), density.take)
+    return target, found, density.workspace(target)
+
+
+def test_every_point_is_counted_in_the_cell_where_it_is() -> None:
+    """Against a count of all points in plain Python, from both sides."""
+    target, found, seen = _swept("scara", "theta1=-90°..90° n 31", "theta2 n 37", "d3=0..0.2 n 5")
+    size = 2 * seen.half / CELLS
+    for counts, axis in ((seen.side, 2), (seen.top, 1)):
+        known: dict[tuple[int, int], int] = {}
+        for _, places in walked(target, found.grid):
+            rows = places.T
+            for row in rows[:, -3:].tolist():
+                cell = int((row[axis] + seen.half) / size), int((row[0] + seen.half) / size)
+                known[cell] = known.get(cell, 0) + 1
+        assert {(j, i): count for j, row in enumerate(counts) for i, count in enumerate(row) if count} == known
+    assert seen.count == found.grid.count
+    assert all(abs(x) < seen.half for side in found.box for x in side)
+
+
+def test_a_square_grows_around_its_middle_as_points_come_from_farther_away() -> None:
+    """Cells of the larger square hold what lay in four of the smaller."""
+    import numpy as np
+
+    density = Density()
+    points = [(0.1 * 3.0**k, -0.07 * 3.0**k, 0.02) for k in range(8)]
+    for point in points:
+        density.take(np.array([point]))
+    seen = density.workspace(target_of(load_robot("planar-2r")))
+    size = 2 * seen.half / CELLS
+    assert seen.half > 0.1 * 3.0**7
+    for x, y, _ in points:
+        assert seen.top[math.floor((y + seen.half) / size)][math.floor((x + seen.half) / size)]
+    assert sum(map(sum, seen.top)) == sum(map(sum, seen.side)) == 8
+
+
+def test_the_points_kept_are_spread_over_the_whole_grid() -> None:
+    """At least half as many as may be, each one of those of the grid."""
+    target, found, seen = _swept("planar-2r", "theta1=-180°..180° n 181", "theta2=-180°..180° n 61")
+    assert SAMPLE / 2 <= len(seen.sample) <= SAMPLE
+    every = {tuple(row) for _, places in walked(target, found.grid) for row in places.T.tolist()}
+    assert set(seen.sample) <= every
+    assert {(x > 0, y > 0) for x, y, _ in seen.sample} == {(a, b) for a in (True, False) for b in (True, False)}
+
+
+def test_a_workspace_is_drawn_from_two_sides_with_the_arm_in_it() -> None:
+    """A cell stands where its points are; more poses, a darker shade."""
+    _, _, seen = _swept("planar-2r", "theta1=-180°..180° n 181", "theta2=-180°..180° n 181")
+    picture = draw(load_robot("planar-2r"), workspace=seen)
+    figure = picture.figure()
+    cells = [shape for shape in figure.shapes if shape.look.startswith("density")]
+    assert len({shape.look for shape in cells}) == 5
+    assert sum(shape.look == "drum" for shape in figure.shapes) == 2  # from the side; from above only their caps
+    top = [shape for shape in cells if min(x for x, _ in shape.points) > figure.width / 2]
+    xs, ys = ([point[i] for shape in top for point in shape.points] for i in (0, 1))
+    assert max(xs) - min(xs) == pytest.approx(max(ys) - min(ys), rel=0.02)  # a disc
+    assert "32,761 poses of frame 2, seen from frame 0" in figure.caption
+    assert picture.svg() == draw(load_robot("planar-2r"), workspace=seen).svg()
+    assert len(picture.svg().encode()) < 100_000
+    with pytest.raises(DhcliError, match="no picture in letters"):
+        picture.terminal()
+
+
+def test_a_page_knows_the_sample_of_a_workspace() -> None:
+    """As far as it is seen from the base."""
+    _, _, seen = _swept("planar-2r", "theta1=-180°..180° n 25", "theta2=-180°..180° n 25")
+    assert '"cloud":[[' in draw(load_robot("planar-2r"), workspace=seen).page()
+    robot, density = load_robot("puma560"), Density()
+    from dhcli.kinematics.frames import View
+
+    target = target_of(robot, View.of(robot, 1, 6))
+    sweep(target, plan(target, [read_over(robot, "theta2 n 5")]), density.take)
+    with pytest.raises(DhcliError, match="not from frame 1"):
+        draw(robot, workspace=density.workspace(target)).page()
+    assert "density" in draw(robot, workspace=density.workspace(target)).svg()
