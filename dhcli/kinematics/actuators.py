@@ -182,7 +182,9 @@ def read_drive(expr: Expr, motors: Sequence[str], joints: Sequence[str], *, turn
     shift = ZERO
     for name, size, angles, lengths in _terms(expr, motors, joints):
         if not name:
-            if size and (angles, lengths) != ((1, 0) if turns else (0, 1)):
+            if size and (angles, lengths) not in (
+                {(1, 0)} if turns else {(0, 1), (0, 0)}
+            ):  # a bare length is in metres
                 raise RobotError("what is added is no " + ("angle" if turns else "length"), "write m2 + 90°, or 20 mm")
             shift += size
             continue
