@@ -256,7 +256,7 @@ def test_open_writes_a_page_and_opens_it(dhcli: Run, monkeypatch: pytest.MonkeyP
         ("scara --table", "dhcli show scara --draw has both"),
         ("scara --table -o a.html", "a page always has the table"),
         ("watt --view top", "watt is planar: there is one view of it"),
-        ("zhou/standard-or-modified", "zhou/standard-or-modified has no robot"),
+        ("bajd/rotate-a-vector", "bajd/rotate-a-vector has no robot"),
         ("yim/counting-freedoms", "has no robot and no linkage with points"),
         ("motion/five-bar-loop -o a.html", "a page computes frames"),
         ("wpi/puma560-table -o a.html", "which a worksheet leaves to the student"),
