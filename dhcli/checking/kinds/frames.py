@@ -7,17 +7,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar, Self, TypeAlias
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import (
-    Case,
-    Causes,
-    Exercise,
-    Matrices,
-    Overlaid,
-    Points,
-    Question,
-    Reading,
-    Shown,
-)
+from dhcli.checking.exercise import Case, Causes, Exercise, Matrices, Overlaid, Points, Question, Reading, Shown
 from dhcli.checking.frames.marking import frame_text, frames_text, mark_frames
 from dhcli.checking.frames.reading import TypedFrame, read_frames
 from dhcli.checking.frames.rows import table_of

@@ -10,7 +10,7 @@ from itertools import product
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.pasted import UnreadableError
-from dhcli.checking.solving.derived import put_for
+from dhcli.checking.solving.putting import put_for
 from dhcli.errors import DhcliError, Place
 from dhcli.notation.angle import Angle
 from dhcli.notation.dimensions import ANGLE_UNITS, LENGTH_UNITS

@@ -174,7 +174,7 @@ def _motors(robot: Robot) -> Iterator[str]:
         yield from ("  motors:", *(f"    {cell(motor)}: {limits.get(motor, '')}".rstrip() for motor in own))
     else:
         yield f"  motors: [{', '.join(map(cell, own))}]"
-    yield from (f"  {sentence.replace(' = ', ': ', 1)}" for sentence in driven.sentences())
+    yield from (f"  {sentence.replace(' = ', ': ', 1)}" for sentence in driven.sentences(exact=True))
 
 
 def _poses(robot: Robot, poses: Mapping[str, tuple[Value, ...]] | None = None) -> Iterator[str]:

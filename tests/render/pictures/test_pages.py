@@ -54,7 +54,7 @@ def _check_silent(browser: WebDriver) -> None:
     assert all(url.startswith(("file:///", "data:")) for url in asked)
 
 
-@pytest.mark.parametrize("name", [*ROBOTS[:4], *LINKAGES[:4], "six-r-arm", "stewart-gough"])
+@pytest.mark.parametrize("name", [*ROBOTS, *LINKAGES])
 def test_a_page_names_no_address_but_those_of_namespaces(name: str) -> None:
     """Read as text, with no browser: nothing that could be fetched."""
     text = draw(_linkage(name) if name in LINKAGES else load_robot(name)).page()
