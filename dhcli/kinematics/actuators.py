@@ -7,11 +7,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError, did_you_mean, plural
+from dhcli.frozen import frozen
 from dhcli.kinematics.derived import Value
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import ANGLE_UNITS, LENGTH_UNITS, value_text
@@ -24,7 +25,7 @@ ZERO = Fraction(0)
 DEGREES = ("deg", "degree", "degrees")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Actuators:
     """Which motors drive which joints, and how: q = ratios m + shifts.
 
@@ -153,7 +154,7 @@ def exact_text(value: Fraction) -> str:
     return short if Fraction(short) == value else str(value)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Drive:
     """What a joint is driven by, as it was read.
 
