@@ -54,13 +54,13 @@ def _init(cls: type, found: Sequence[Field[Any]]) -> Callable[..., None]:
         names = ("self", *(each.name for each in found))
         defaults = tuple(each.default for each in found if each.default is not MISSING)
         # The names of the parameters are data of the compiled function: this renames them, and compiles nothing.
-        code = plain.__code__.replace(co_varnames=names)
+        code = plain.__code__.replace(co_varnames=names, co_name="__init__", co_qualname=f"{cls.__qualname__}.__init__")
         return FunctionType(code, plain.__globals__, "__init__", defaults, plain.__closure__)
     made = [(getattr(cls, each.name).__set__, each) for each in found if not each.init]
 
     def __init__(self: object, *values: object, **named: object) -> None:  # noqa: N807
         if named or len(values) != len(taken):
-            values = _arranged(type(self).__name__, taken, values, named)
+            values = _arranged(type(self).__qualname__, taken, values, named)
         for put, value in zip(puts, values, strict=True):
             put(self, value)
         for put, each in made:
