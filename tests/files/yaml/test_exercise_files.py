@@ -12,9 +12,9 @@ from dhcli.checking.kinds.count import CountQuestion
 from dhcli.checking.kinds.matrix import MatrixQuestion
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import FileError, UnknownNameError
-from dhcli.files.library.kinds import kind_of
+from dhcli.files.library.kinds import full_id, kind_of
 from dhcli.files.library.lookup import Kind
-from dhcli.files.yaml.exercises import full_id, load_exercise, read_exercise
+from dhcli.files.yaml.exercises import load_exercise, read_exercise
 from dhcli.notation.angle import Angle
 
 HEAD = "format: 1\ntitle: T\nsource: S\ntask: Do it\nrobot: planar-2r\n"
