@@ -13,8 +13,7 @@ from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.classroom.folder import Submission
 from dhcli.classroom.pool import Lost, spread
 from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean
-from dhcli.files.library.kinds import full_id
-from dhcli.files.library.lookup import Kind, entries
+from dhcli.files.library.lookup import Kind, entries, full_id
 from dhcli.files.yaml.exercises import load_exercise
 from dhcli.files.yaml.sheets import Sheet, judged_sheet, read_sheet
 from dhcli.frozen import frozen

@@ -60,7 +60,9 @@ def along(axis: Axis, length: Expr) -> Trans:
     return Trans(x, y, z)
 
 
-def read_chain(text: str, scope: Scope = OPEN, place: Place | None = None, remarks: list[str] | None = None) -> Chain:
+def read_chain(
+    text: str, scope: Scope = OPEN, place: Place | None = None, remarks: list[str] | None = None, unit: str = ""
+) -> Chain:
     """Read a product of moves such as `Trans(0, 0, l1) * Rot(z, theta1)`.
 
     Args:
@@ -68,11 +70,12 @@ def read_chain(text: str, scope: Scope = OPEN, place: Place | None = None, remar
         scope: The names it may use.
         place: Where the text stands, for errors.
         remarks: Where to say that 1.5708 rad was taken as 90°; without it such angles are taken as they stand.
+        unit: The unit of bare lengths; empty for metres.
 
     Raises:
         NotationError: With the column and what would be read.
     """
-    return tuple(from_factor(factor) for factor in in_order_of_motion(parse_factors(text, scope, place, remarks)))
+    return tuple(from_factor(factor) for factor in in_order_of_motion(parse_factors(text, scope, place, remarks, unit)))
 
 
 def from_factor(factor: Factor) -> Move:
@@ -106,7 +109,7 @@ def inverse(chain: Chain) -> Chain:
 def substituted(chain: Chain, lengths: Mapping[str, Expr], angles: Mapping[str, Angle]) -> Chain:
     """The same chain with exact values in the place of names; an angle in a length, as a screw has it, in radians."""
     inside = frozenset().union(*(symbols(expr) for expr in expressions(chain) if type(expr) is not Number))
-    lengths = {**lengths, **{name: in_radians(angles[name]) for name in inside & angles.keys()}}
+    lengths = {**{name: in_radians(angles[name]) for name in inside & angles.keys()}, **lengths}
 
     def put(expr: Expr) -> Expr:
         return substitute(expr, lengths, angles)

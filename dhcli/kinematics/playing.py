@@ -24,7 +24,7 @@ BLOCK = 4040
 power of two would lie on the same few lines of a cache: to turn them into rows takes up to three times as long then.
 """
 
-CACHE = 1_250_000
+CACHE = 900_000
 """Bytes of all columns that are worked on at a time; the Jacobian of a Panda has 79 of them."""
 
 FEWEST = 1000

@@ -275,10 +275,12 @@ def coordinates(point: Iterable[Any]) -> list[Expr]:
     """Coordinates as expressions: of numbers as they are typed [m], and of text with any names, `"a6"` or `"30mm"`.
 
     Raises:
-        RobotError: One is neither.
+        RobotError: One is neither, or the point is no list of them.
         NotationError: A text cannot be read, or is no length.
     """
     found: list[Expr] = []
+    if not isinstance(point, Iterable):
+        raise RobotError(f"a point has three coordinates, and {point!r:.60} has none", "write (0, 0, 0.1)")
     for coordinate in point:
         if isinstance(coordinate, Expr):
             found.append(coordinate)

@@ -18,7 +18,7 @@ from dhcli.notation.cells import matching
 from dhcli.notation.matrix import read_matrix
 from dhcli.notation.operators import DEEPEST
 from dhcli.notation.parser import Parser
-from dhcli.notation.quantity import DimensionError, to_angle, to_plain_length
+from dhcli.notation.quantity import DimensionError, to_angle, to_plain_length, with_unit
 from dhcli.notation.quarters import with_right_angles
 from dhcli.notation.scope import OPEN, Scope
 from dhcli.notation.tokens import Source, Token, tokenize
@@ -90,10 +90,11 @@ class _Reading:
     source: Source
     scope: Scope
     remarks: list[str] | None
+    unit: str = ""
 
 
 def parse_factors(
-    text: str, scope: Scope = OPEN, place: Place | None = None, remarks: list[str] | None = None
+    text: str, scope: Scope = OPEN, place: Place | None = None, remarks: list[str] | None = None, unit: str = ""
 ) -> tuple[Factor, ...]:
     """Read a product of moves and matrices, from left to right.
 
@@ -102,13 +103,14 @@ def parse_factors(
         scope: The names it may use.
         place: Where the text stands, for errors.
         remarks: Where to say that 1.5708 rad was taken as 90°; without it such angles are taken as they stand.
+        unit: The unit of bare lengths; empty for metres.
 
     Raises:
         NotationError: With the column, what is wrong there, and what would be read.
     """
     source = Source(text, place or Place("product"))
     tokens = [token for token in tokenize(source, most=LONGEST) if token.kind != "end"]
-    factors = tuple(_product(_Reading(source, scope, remarks), tokens, inverse=False))
+    factors = tuple(_product(_Reading(source, scope, remarks, unit), tokens, inverse=False))
     if not factors:
         raise source.error(0, "no move is written here", EXAMPLE)
     if len(factors) > MOST_FACTORS:
@@ -181,7 +183,11 @@ def _matrix(reading: _Reading, tokens: Sequence[Token], *, inverse: bool) -> Fac
     if [len(row) for row in cells] != [4] * 4:
         shape = f"{len(cells)}x{len(cells[0])}"
         raise source.error(start, f"a pose has 4 rows of 4, this matrix is {shape}", "add the row 0 0 0 1")
-    rows = tuple(tuple(_length(source, cell.expr, cell.start) for cell in row) for row in cells)
+    units = ("", "", "", reading.unit)
+    rows = tuple(
+        tuple(_length(source, cell.expr, cell.start, unit) for cell, unit in zip(row, units, strict=True))
+        for row in cells[:3]
+    )
     for cell, right in zip(cells[3], (ZERO, ZERO, ZERO, ONE), strict=True):
         if cell.expr != right:
             raise source.error(start, "the last row of a pose is 0 0 0 1", "lengths stand in the fourth column")
@@ -244,12 +250,14 @@ def _move(reading: _Reading, word: Token, inside: Sequence[Token], close: Token,
     if match := _TRANSLATION.fullmatch(word.text):
         if match[1] or len(arguments) == 2:  # noqa: PLR2004  Trans(z, d1) and Trans_z(d1)
             axis, rest = _axis(source, match[1], arguments, word, close, "Trans(0, 0, d1)")
-            length = _length(source, _parse(source, rest[0], scope, close), rest[0][0].start)
+            length = _length(source, _parse(source, rest[0], scope, close), rest[0][0].start, reading.unit)
             lengths = [length if name == axis else ZERO for name in AXES]
         else:
             if len(arguments) != len(AXES):
                 raise source.error(word.start, f"{word.text} takes three lengths", "write Trans(1, 2, 3)")
-            lengths = [_length(source, _parse(source, part, scope, close), part[0].start) for part in arguments]
+            lengths = [
+                _length(source, _parse(source, part, scope, close), part[0].start, reading.unit) for part in arguments
+            ]
         return Factor("trans", text, offset=(lengths[0], lengths[1], lengths[2]), inverse=inverse, start=word.start)
     raise source.error(word.start, f"{word.text} is not a move", EXAMPLE)
 
@@ -298,8 +306,8 @@ def _angle(reading: _Reading, expr: Expr, start: int) -> Angle:
         raise reading.source.error(start, error.message, error.hint) from None
 
 
-def _length(source: Source, expr: Expr, start: int) -> Expr:
+def _length(source: Source, expr: Expr, start: int, unit: str = "") -> Expr:
     try:
-        return to_plain_length(expr)
+        return to_plain_length(with_unit(expr, unit))
     except DimensionError as error:
         raise source.error(start, error.message, error.hint) from None

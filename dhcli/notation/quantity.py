@@ -20,7 +20,21 @@ from dhcli.notation.dimensions import (
     in_metres,
     is_inverse,
 )
-from dhcli.notation.tree import MOST_BITS, Call, Constant, Expr, Number, Power, Product, Sum, Symbol, Unit
+from dhcli.notation.tree import (
+    MOST_BITS,
+    Call,
+    Constant,
+    Expr,
+    Number,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    Trig,
+    Unit,
+    add,
+    multiply,
+)
 from dhcli.notation.walk import symbols, walk
 from dhcli.notation.writer import write, write_angle
 
@@ -37,6 +51,7 @@ __all__ = [
     "to_length",
     "to_plain_length",
     "value_text",
+    "with_unit",
 ]
 
 LARGEST_DEGREES = 1_000_000
@@ -93,6 +108,22 @@ def to_length(expr: Expr) -> Expr:
         return expr
     check_length(expr)
     return in_metres(expr)
+
+
+def with_unit(expr: Expr, unit: str) -> Expr:
+    """An expression of lengths in which a unit stands behind each bare number that is a term by itself.
+
+    Args:
+        expr: The expression; names, and numbers with a unit or before a name, stay what they are.
+        unit: A unit of length; empty for none.
+    """
+    if not unit:
+        return expr
+    measured = any(type(node) is Unit for node in walk(expr))
+    terms = expr.terms if type(expr) is Sum else (expr,)
+    bare = (Symbol, Unit, Trig)
+    found = [t if any(type(n) in bare for n in walk(t)) else multiply(t, Unit(unit)) for t in terms]
+    return add(*(found if measured else map(in_metres, found)))
 
 
 def to_plain_length(expr: Expr) -> Expr:

@@ -18,8 +18,10 @@ from collections import Counter
 from collections.abc import Iterator
 from contextlib import redirect_stderr, redirect_stdout, suppress
 from dataclasses import dataclass, field
+from importlib.metadata import distribution
 from importlib.util import find_spec
 from io import StringIO
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -34,7 +36,9 @@ from dhcli.files.urdf.model import read_model
 from dhcli.files.urdf.robots import read_urdf
 from dhcli.files.urdf.writing import urdf_text
 from dhcli.kinematics.describe.description import Asked, describe
+from dhcli.kinematics.describe.drawn import drawing_of, same_direction
 from dhcli.kinematics.forward import forward
+from dhcli.notation.tree import ONE
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 CLOSE, WRONG = 1e-12, 1e-6
@@ -94,6 +98,12 @@ def by_pinocchio(model: Any, names: list[str], q: list[float], tip: str) -> Arra
     return pose
 
 
+def has_antiparallel(robot: Robot) -> bool:
+    """Whether an axis is parallel to the next in the opposite sense."""
+    lines = drawing_of(robot.chain, robot.variables, {}).lines
+    return any(same_direction(one.direction, other.direction) < 0 for one, other in pairwise(lines))
+
+
 def by_urdf_to_dh(robot: Robot) -> list[tuple[float, float, float, float]]:
     """d, theta, a and alpha of each row by the rules of urdf_to_dh: frames on the joint axes, one after the other.
 
@@ -101,9 +111,6 @@ def by_urdf_to_dh(robot: Robot) -> list[tuple[float, float, float, float]]:
     has then no twist; where it is the same line, no turn either. Its x axis points towards the next axis, or along the
     cross product with x ≥ 0 where the two meet.
     """
-    from dhcli.kinematics.describe.drawn import drawing_of
-    from dhcli.notation.tree import ONE
-
     rows, here = [], np.eye(4)
     for line in drawing_of(robot.chain, robot.variables, {}).lines:
         back = np.linalg.inv(here)
@@ -162,20 +169,10 @@ def by_idyntree(path: Path, names: list[str], base: str, tip: str, q: list[float
         if not idyn.ExtractDHChainFromModel(loader.model(), base, tip, chain):
             return None
     order = [names.index(chain.getDOFName(i)) for i in range(chain.getNrOfDOFs())]
-    values = idyn.JointPosDoubleArray(chain.getNrOfDOFs())
-    for i, k in enumerate(order):
-        values.setVal(i, q[k])
-    pose: Array = idyn_pose(chain, values, idyn)
-    return pose
-
-
-def idyn_pose(chain: Any, values: Any, idyn: Any) -> Array:  # noqa: ANN401  iDynTree's
-    """The pose of a DH chain of iDynTree."""
-    transform = idyn.TransformFromDHCraig1989  # noqa: F841  makes sure that the library has DH at all
     pose = chain.getH0().asHomogeneousTransform().toNumPy()
-    for i in range(chain.getNrOfDOFs()):
-        link = chain(i) if callable(chain) else chain[i]
-        pose = pose @ _row(link.D, link.Offset + values.getVal(i), link.A, link.Alpha)
+    for i, k in enumerate(order):
+        link = chain(i)
+        pose = pose @ _row(link.D, link.Offset + q[k], link.A, link.Alpha)
     end: Array = pose @ chain.getHN().asHomogeneousTransform().toNumPy()
     return end
 
@@ -215,7 +212,8 @@ def compare(path: Path, tip: str, robot: Robot, tally: Tally) -> None:
     still = by_pinocchio(pinocchio.buildModelFromUrdf(str(path)), names, [0.0] * len(q), tip)
     with suppress(DhcliError, np.linalg.LinAlgError):
         found_motion = moved_by(robot, by_urdf_to_dh(robot), q)
-        tally.take("rules of urdf_to_dh", _gap(found_motion, truth @ np.linalg.inv(still)) / size)
+        against = ", axes against each other" if has_antiparallel(robot) else ""
+        tally.take(f"rules of urdf_to_dh{against}", _gap(found_motion, truth @ np.linalg.inv(still)) / size)
     if find_spec("idyntree"):
         model = read_model(path.read_text("utf-8", errors="replace"), path.name)
         base = next(link for link in model.links if all(joint.child != link for joint in model.joints))
@@ -223,7 +221,7 @@ def compare(path: Path, tip: str, robot: Robot, tally: Tally) -> None:
         if pose is None:
             tally.counts["iDynTree refused"] += 1
         else:
-            tally.take("iDynTree", _gap(pose, truth) / size)
+            tally.take(f"iDynTree{', with slides' * ('P' in robot.pattern)}", _gap(pose, truth) / size)
 
 
 def _gap(one: Array, other: Array) -> float:
@@ -233,9 +231,8 @@ def _gap(one: Array, other: Array) -> float:
 def main(folders: list[str]) -> None:
     """Print a line for each way."""
     if not folders:
-        import example_robot_data
-
-        folders = [str(Path(example_robot_data.getModelPath("ur_description"), "ur_description").parent)]
+        shipped = distribution("example-robot-data").files or ()
+        folders = sorted({str(Path(str(file.locate())).parent) for file in shipped if file.suffix == ".urdf"})
     tally, files = Tally(), set()
     for path, tip, robot in chains(folders):
         files.add(path)
@@ -244,12 +241,13 @@ def main(folders: list[str]) -> None:
         except (ValueError, RuntimeError) as error:
             tally.counts[f"not read by a peer: {str(error)[:60]}"] += 1
     print(f"{len(files)} files, {tally.counts['read']} chains")
+    print(f"{'':50}{'all':>5} {'1e-12':>5} {'wrong':>5}   worst")
     for what, worst in tally.worst.items():
         count = tally.counts
-        print(f"{what:34}{count[what]:5} {count[f'{what} within 1e-12']:5} {count[f'{what} wrong']:5}   {worst:.1e}")
+        print(f"{what:50}{count[what]:5} {count[f'{what} within 1e-12']:5} {count[f'{what} wrong']:5}   {worst:.1e}")
     for what, number in tally.counts.items():
         if what.endswith("refused") or what.startswith("not read"):
-            print(f"{what:34}{number:5}")
+            print(f"{what:50}{number:5}")
 
 
 if __name__ == "__main__":

@@ -160,7 +160,7 @@ def in_terms(judge: Judge, part: Part, tally: Tally, draw: random.Random) -> Non
     """Some of the mistakes in the terms of the entries of a part, each in one entry."""
     wrong = term_answers(judge, part)
     for wanted in draw.sample(sorted(wrong), min(TERMS, len(wrong))):
-        answer = wrong[wanted]()
+        answer = wrong[wanted][0]()
         judged = judge.judged(part, answer)
         if judged.mark.verdict not in UNSOLVED:
             continue
@@ -170,16 +170,20 @@ def in_terms(judge: Judge, part: Part, tally: Tally, draw: random.Random) -> Non
         tally.made += 1
         tally.named += bool(found.causes)
         unique = found.ids == (wanted,)
-        others = [wrong[name]() if name in wrong else made(judge, part, name) for name in found.ids if name != wanted]
-        fits = [agree(judge, part, answer, other) for other in others if other]
+        others = [
+            [one() for one in wrong[name]] if name in wrong else [made(judge, part, name)]
+            for name in found.ids
+            if name != wanted
+        ]
+        fits = [any(agree(judge, part, answer, one) for one in other) for other in others if any(other)]
         tally.unique += unique
         tally.alike += not unique and bool(found.causes) and all(fits)
         tally.wrong += len(fits) - sum(fits)
         tally.few += bool(found.causes) and len(found.ids) <= 3
 
 
-def term_answers(judge: Judge, part: Part) -> dict[str, Callable[[], str]]:
-    """For each mistake in the terms of one entry the answer that it leads to."""
+def term_answers(judge: Judge, part: Part) -> dict[str, list[Callable[[], str]]]:
+    """For each mistake in the terms of one entry the answers that it leads to; two for a term that stands twice."""
     case, question = Case(part, judge.memo), part.question
     if judge.exercise.numeric:
         return {}
@@ -188,10 +192,11 @@ def term_answers(judge: Judge, part: Part) -> dict[str, Callable[[], str]]:
         right = search.general.entries(search.right)
         every = {one.slips[0].name: one for one in candidates(search.right, search.setting, among=IN_TERMS)}
         wrong = {name: one for name, one in every.items() if not same(search.general.entries(one.work), right)}
-        return {name: partial(typed_text, case, one.work) for name, one in wrong.items()}
+        return {name: [partial(typed_text, case, one.work)] for name, one in wrong.items()}
     if not isinstance(question, MotionQuestion):
         return {}
-    right_grid, found = question.right(case), {}
+    right_grid = question.right(case)
+    found: dict[str, list[Callable[[], str]]] = {}
     among = among_of(right_grid.rows, setting_of(judge.exercise))
     for r, row in enumerate(right_grid.rows):
         for c, entry in enumerate(row):
@@ -199,7 +204,8 @@ def term_answers(judge: Judge, part: Part) -> dict[str, Callable[[], str]]:
                 for text, changed in maker(entry, among):
                     line = (*row[:c], changed, *row[c + 1 :])
                     grid = replace(right_grid, rows=(*right_grid.rows[:r], line, *right_grid.rows[r + 1 :]))
-                    found[f"{name} {question.place(r, c)} {text}"] = partial(question.text, case, grid)
+                    about = f"{name} {question.place(r, c)} {text}"
+                    found.setdefault(about, []).append(partial(question.text, case, grid))
     return found
 
 

@@ -78,3 +78,9 @@ def test_what_cannot_be_described_is_said(words: tuple[str, ...], said: str) -> 
     result = run("describe", *words)
     assert result.code == 2
     assert said in result.err
+
+
+def test_every_description_is_told_to_whoever_asks_for_another() -> None:
+    """URDF among them, which is a file besides."""
+    hint = run("describe", "puma560", "--as", "foo").err.splitlines()[-1]
+    assert all(form in hint for form in ("standard", "modified", "axes", "screws", "body-screws", "product", "urdf"))

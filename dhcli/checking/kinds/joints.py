@@ -53,6 +53,7 @@ class JointsQuestion(Question[Vectors]):
         "joints of position (0.5, 0.3, 0) all",
         "joints of position (0.5, 0.3, 0) branch elbow up",
         'joints of pose "Trans(0.4, 0, 0.3) Rot(y, 90°)"',
+        "joints of position (0.4, 0, 0.3) pointing (0, 0, -1)",
     )
     is_plain: ClassVar = True
 

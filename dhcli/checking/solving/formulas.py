@@ -9,7 +9,7 @@ from itertools import product
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.pasted import UnreadableError
-from dhcli.checking.solving.derived import put_for
+from dhcli.checking.solving.putting import put_for
 from dhcli.errors import DhcliError, Place
 from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle

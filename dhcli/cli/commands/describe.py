@@ -99,7 +99,7 @@ def describe(
         delivery.chosen("motors")
         delivery.hand_over("motors", driven(robot_of(chosen)))
         return
-    form = check_form("product" if format_ == "urdf" else as_ or "standard")
+    form = check_form("product" if format_ == "urdf" else as_ or "standard", ("urdf", "motors"))
     delivery.chosen("description")
     if choose and form not in ("standard", "modified"):
         raise DhcliError("--choose is about tables", "--as standard or --as modified")

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from os.path import isdir, isfile
 
 from dhcli.errors import FileError, UnknownNameError
-from dhcli.files.library.lookup import Kind, above, entries, similar
+from dhcli.files.library.lookup import Kind, above, entries, full_id, similar
 from dhcli.files.reading import read_text
 
 _SIGNS = {
@@ -32,14 +32,6 @@ def kind_of(name: str) -> Kind:
     if is_id and (not isdir(course) or any(entry.name.startswith(f"{course}/") for entry in entries(Kind.EXERCISES))):
         return Kind.EXERCISES  # misspelled, and whoever loads it says so
     return Kind.ROBOTS
-
-
-def full_id(name: str) -> str:
-    """An id from its last part, where only one exercise ends so."""
-    if "/" in name or name.endswith((".yaml", ".yml")) or name == "-":
-        return name
-    ends = [entry.name for entry in entries(Kind.EXERCISES) if entry.name.split("/")[-1] == name and not entry.shadowed]
-    return ends[0] if len(ends) == 1 else name
 
 
 def unknown(name: str, kinds: Sequence[Kind], error: UnknownNameError) -> UnknownNameError:

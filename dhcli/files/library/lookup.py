@@ -112,6 +112,14 @@ def find(kind: Kind, name: str) -> Path:
     raise UnknownNameError(f"there is no {kind.noun} '{name}'", hint=_hint(kind, name, known))
 
 
+def full_id(name: str) -> str:
+    """An id from its last part, where only one exercise ends so."""
+    if "/" in name or name.endswith((".yaml", ".yml")) or name == "-":
+        return name
+    ends = [entry.name for entry in entries(Kind.EXERCISES) if entry.name.split("/")[-1] == name and not entry.shadowed]
+    return ends[0] if len(ends) == 1 else name
+
+
 def check_typed(kind: Kind, name: object) -> None:
     """Make sure that a name may be one.
 

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedScalar, PlacedSequence
 from dhcli.files.yaml.typed import has_unit_of_angle, read_value
-from dhcli.kinematics.actuators import Actuators, Drive, actuators, read_drive
+from dhcli.kinematics.actuators import Actuators
+from dhcli.kinematics.drives import Drive, actuators, read_drive
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import RESERVED, parse
-from dhcli.notation.quantity import UNITS
+from dhcli.notation.quantity import UNITS, with_unit
 from dhcli.notation.scope import Scope
 from dhcli.notation.tokens import is_name
 
@@ -24,18 +26,37 @@ _EXAMPLE = "motors: {m2: [-60°, 76°], m3: [-70°, 200°]}, then theta2: m2 and
 Limits = tuple[Value, Value] | None
 
 
-def read_drives(fields: Fields, robot: Robot) -> Actuators | None:
+@dataclass(frozen=True, slots=True)
+class _Known:
+    """What a formula of a drive may name.
+
+    Attributes:
+        robot: The robot.
+        motors: The motors.
+        joints: The joints, and whether each turns.
+        unit: The unit of bare lengths.
+    """
+
+    robot: Robot
+    motors: dict[str, Limits]
+    joints: dict[str, bool]
+    unit: str
+
+
+def read_drives(fields: Fields, robot: Robot, unit: str) -> Actuators | None:
     """The motors of a robot, None if they cannot be read; problems are noted.
 
     Args:
         fields: The fields of the file.
         robot: The robot.
+        unit: The unit of bare lengths; empty for metres.
     """
     problems = fields.problems
     before = len(problems.found)
     inside = fields.mapping("actuators", example=_EXAMPLE)
-    motors = _motors(inside, robot)
+    motors = _motors(inside, robot, unit)
     joints = {joint.name: joint.kind == "revolute" for joint in robot.joints}
+    known = _Known(robot, motors, joints, unit)
     drives: dict[str, Drive] = {}
     for key, (name, _) in inside.entries.items():
         if key == "motors" or key.startswith("x-"):
@@ -45,7 +66,7 @@ def read_drives(fields: Fields, robot: Robot) -> Actuators | None:
             problems.add(name.place, f"actuators: {key} is no joint of this robot", hint)
             continue
         scalar = inside.scalar(key)
-        drive = None if scalar is None else _drive(problems, scalar, key, motors, robot, turns=joints[key])
+        drive = None if scalar is None else _drive(problems, scalar, key, known)
         if drive is not None:
             drives[key] = drive
     if "motors" not in inside:
@@ -60,7 +81,7 @@ def read_drives(fields: Fields, robot: Robot) -> Actuators | None:
         return None
 
 
-def _motors(inside: Fields, robot: Robot) -> dict[str, Limits]:
+def _motors(inside: Fields, robot: Robot, unit: str) -> dict[str, Limits]:
     """The motors, with their limits where the file gives them."""
     problems = inside.problems
     node = inside.get("motors")
@@ -70,7 +91,7 @@ def _motors(inside: Fields, robot: Robot) -> dict[str, Limits]:
         places = {scalar.text: scalar.place for scalar in names}
     else:
         listed = inside.mapping("motors", example="{m2: [-60°, 76°], m3: [-70°, 200°]}")
-        found = {key: _limits(listed, key) for key in listed.entries}
+        found = {key: _limits(listed, key, unit) for key in listed.entries}
         places = {key: listed.place_of(key) for key in listed.entries}
     taken = {canonical(name): name for name in (*robot.variables, *robot.parameters)}
     for name, place in places.items():
@@ -88,13 +109,14 @@ def _check_name(problems: Problems, name: str, place: Place, taken: dict[str, st
         problems.add(place, f"motors: {name} is used twice", f"{taken[canonical(name)]} is declared already")
 
 
-def _limits(listed: Fields, key: str) -> Limits:
+def _limits(listed: Fields, key: str, unit: str) -> Limits:
     node = listed.get(key)
     if isinstance(node, PlacedScalar) and not node.text and not node.quoted:
         return None
     scalars = [listed.problems.scalar(item, key) for item in listed.sequence(key, "[-60°, 76°]")]
     is_angle = any(scalar is not None and has_unit_of_angle(scalar) for scalar in scalars)
-    values = [read_value(listed.problems, scalar, key, is_angle=is_angle) for scalar in scalars if scalar is not None]
+    known = (scalar for scalar in scalars if scalar is not None)
+    values = [read_value(listed.problems, scalar, key, is_angle=is_angle, unit=unit) for scalar in known]
     if len(values) != 2:  # noqa: PLR2004  lowest and highest
         if values:
             listed.problems.add(listed.place_of(key), f"{key}: two values are wanted", "write [lowest, highest]")
@@ -103,14 +125,14 @@ def _limits(listed: Fields, key: str) -> Limits:
     return None if low is None or high is None else (low, high)
 
 
-def _drive(
-    problems: Problems, scalar: PlacedScalar, key: str, motors: dict[str, Limits], robot: Robot, *, turns: bool
-) -> Drive | None:
+def _drive(problems: Problems, scalar: PlacedScalar, key: str, known: _Known) -> Drive | None:
     """What a joint is driven by; None if it cannot be read."""
-    known = (*motors, *robot.variables, *robot.parameters)
+    names = (*known.motors, *known.robot.variables, *known.robot.parameters)
+    turns = known.joints[key]
     try:
-        expr = parse(_A_TURN.sub(r"/(\1\2)", scalar.text), Scope(lengths=known), scalar.place_of(0))
-        return read_drive(expr, tuple(motors), robot.variables, turns=turns)
+        expr = parse(_A_TURN.sub(r"/(\1\2)", scalar.text), Scope(lengths=names), scalar.place_of(0))
+        expr = expr if turns else with_unit(expr, known.unit)
+        return read_drive(expr, tuple(known.motors), known.robot.variables, turns=turns)
     except NotationError as error:
         problems.take(error)
     except RobotError as error:

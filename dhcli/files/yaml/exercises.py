@@ -13,8 +13,7 @@ from dhcli.checking.written import Printed, Range, Trial, answer_scope
 from dhcli.errors import DhcliError, FileError, Problem, did_you_mean
 from dhcli.files.keys.exercises import ALSO, EXERCISE, PRINTED, SOURCE, TEST
 from dhcli.files.keys.shapes import names, required
-from dhcli.files.library.kinds import full_id
-from dhcli.files.library.lookup import Kind, check_typed, entries, find
+from dhcli.files.library.lookup import Kind, check_typed, entries, find, full_id
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.yaml.credits import read_shares
 from dhcli.files.yaml.fields import Problems

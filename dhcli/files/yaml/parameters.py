@@ -13,7 +13,7 @@ from dhcli.kinematics.derived import Formula, circle, value_of
 from dhcli.kinematics.robot import Value
 from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
-from dhcli.notation.quantity import DimensionError, has_angle_unit
+from dhcli.notation.quantity import DimensionError, has_angle_unit, with_unit
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
@@ -26,17 +26,19 @@ class Parameters:
         formulas: Those that follow from others.
     """
 
-    def __init__(self, problems: Problems, fields: Fields, remarks: list[str] | None) -> None:
+    def __init__(self, problems: Problems, fields: Fields, remarks: list[str] | None, unit: str = "") -> None:
         """Read from the fields of a file.
 
         Args:
             problems: Where to note what is wrong.
             fields: The mapping.
             remarks: Where to say what was taken for what; None to take angles as they stand.
+            unit: The unit of bare lengths; empty for metres.
         """
         self.problems = problems
         self.fields = fields
         self.remarks = remarks
+        self.unit = unit
         self.formulas: dict[str, Formula] = {}
         self._names = tuple(fields.entries)
         self._unknown: set[str] = set()
@@ -73,7 +75,7 @@ class Parameters:
             return None
         if is_angle is None:
             is_angle = self._has_unit_of_angle(scalar)
-        return read_value(self.problems, scalar, key, is_angle=is_angle, remarks=self.remarks)
+        return read_value(self.problems, scalar, key, is_angle=is_angle, remarks=self.remarks, unit=self.unit)
 
     def _formula(self, key: str, scalar: PlacedScalar, is_angle: bool | None) -> Formula | None:  # noqa: FBT001
         """A parameter in terms of others; none if no other stands in it."""
@@ -95,7 +97,7 @@ class Parameters:
             is_angle = has_angle_unit(expr)
         if is_angle and self.remarks is not None:
             expr = taken_exactly(expr, key, self.remarks)
-        return Formula(expr, is_angle)
+        return Formula(expr if is_angle else with_unit(expr, self.unit), is_angle)
 
     def _derived(self, key: str, found: dict[str, Value | None]) -> Value | None:
         formula = self.formulas[key]

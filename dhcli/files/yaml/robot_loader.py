@@ -6,15 +6,15 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from dhcli.errors import FileError, NotationError, Place, Problem, did_you_mean
-from dhcli.files.keys.robots import CONVENTIONS, TABLE
+from dhcli.files.keys.robots import CONVENTIONS, TABLE, UNITS
 from dhcli.files.keys.shapes import Key, required
 from dhcli.files.keys.shapes import names as names_of
 from dhcli.files.yaml.drives import read_drives
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.parameters import Parameters
-from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar
+from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
 from dhcli.files.yaml.typed import has_unit_of_angle, read_flag, read_value, read_whole
-from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
+from dhcli.kinematics.conventions import COLUMNS, Convention, Row, calibrated_moves, moves_of
 from dhcli.kinematics.moves import Chain, angle_names, expressions, names, read_chain
 from dhcli.kinematics.robot import Link, Robot, Value
 from dhcli.kinematics.sharpened import sharpened
@@ -25,6 +25,9 @@ from dhcli.notation.scope import Scope
 from dhcli.notation.tokens import is_name
 from dhcli.notation.tree import ZERO, Expr, Trig
 from dhcli.notation.walk import walk
+
+"""Moves that do nothing."""
+ANGLES = ("alpha", "theta", "beta")
 
 
 class Loader:
@@ -48,7 +51,10 @@ class Loader:
         self.convention = self.read_convention()
         self.remarks: list[str] | None = None if self.fields.text("exact") == "false" else []
         read_flag(self.fields, "exact")
+        self.unit = self.read_unit()
         self.columns: tuple[str, ...] = COLUMNS
+        # A calibrated table: its fifth column leaves no table of four, so each row is a product.
+        self.has_beta = any("beta" in _keys(node) for node in _items(self.fields.get("links")))
         self.unclear: frozenset[str] = frozenset()
         self.is_broken = False
 
@@ -57,6 +63,7 @@ class Loader:
         first = self.read_first()
         before = len(self.problems.found)
         links = self.read_links(first)
+        convention = Convention.PRODUCT if self.has_beta else self.convention
         self.is_broken = len(self.problems.found) > before or not self.variables or "convention" not in self.fields
         movers = [name for link in links for name in names(link.moves)]
         idle = any(name not in movers for name in self.variables)
@@ -69,7 +76,7 @@ class Loader:
         chain += tuple(move for moves in tools.values() for move in moves)
         inside = {n for e in expressions(chain) for node in walk(e) if type(node) is Trig for n in node.angle.names}
         angles = angle_names(chain) | inside
-        reader = Parameters(self.problems, self.parameters, self.remarks)
+        reader = Parameters(self.problems, self.parameters, self.remarks, self.unit)
         parameters = reader.read(lambda key: self.is_angle(key, angles))
         limits = {key: self.limit(key, angles) for key in self.fields.mapping("limits").entries}
         poses = self.read_poses(angles)
@@ -79,7 +86,7 @@ class Loader:
         try:
             found = Robot(
                 name=self.name,
-                convention=self.convention,
+                convention=convention,
                 variables=self.variables,
                 links=links,
                 parameters=parameters,
@@ -89,7 +96,7 @@ class Loader:
                 first=first,
                 limits=limits,
                 poses=poses,
-                columns=self.columns,
+                columns=COLUMNS if self.has_beta else self.columns,
                 derived=reader.formulas,
                 remarks=tuple(dict.fromkeys(self.remarks or ())),
                 title=texts["title"],
@@ -101,7 +108,7 @@ class Loader:
                 self.problems.add(self.place_of(finding), self.key_of(finding) + finding.message, finding.hint)
             self.problems.raise_if_any(FileError)
             raise
-        driven = read_drives(self.fields, found) if "actuators" in self.fields else None
+        driven = read_drives(self.fields, found, self.unit) if "actuators" in self.fields else None
         self.problems.raise_if_any(FileError)
         return found if driven is None else replace(found, actuators=driven)
 
@@ -143,6 +150,15 @@ class Loader:
             self.problems.add(scalar.place, f"convention: '{scalar.text}' is not known", hint)
             return Convention.STANDARD
 
+    def read_unit(self) -> str:
+        """The unit of bare lengths, empty for metres."""
+        scalar = self.fields.scalar("units")
+        if scalar is None or scalar.text in UNITS:
+            return "" if scalar is None else scalar.text
+        hint = did_you_mean(scalar.text, UNITS) or ", ".join(UNITS)
+        self.problems.add(scalar.place, f"units: {scalar.text!r:.60} is no unit of length", hint)
+        return ""
+
     def read_first(self) -> int:
         """The number of the first link."""
         scalar = self.fields.scalar("first")
@@ -178,18 +194,20 @@ class Loader:
                 "write {a: a1, alpha: 90°, d: 0, theta: theta1}, or convention: product for moves",
             )
             return Link(number, ())
-        fields = self.problems.mapping(node, "links", known=COLUMNS, required=COLUMNS)
+        fields = self.problems.mapping(node, "links", known=(*COLUMNS, "beta"), required=COLUMNS)
         if len(fields.entries) == len(COLUMNS) and index == 0:
             self.columns = tuple(fields.entries)
         cells = {column: self.cell(fields, column, index) for column in COLUMNS}
         a, d = _as_length(cells["a"]), _as_length(cells["d"])
         row = Row(a=a, alpha=_as_angle(cells["alpha"]), d=d, theta=_as_angle(cells["theta"]))
-        return Link(number, moves_of(row, self.convention), row)
+        if not self.has_beta:
+            return Link(number, moves_of(row, self.convention), row)
+        return Link(number, calibrated_moves(row, _as_angle(self.cell(fields, "beta", index)), self.convention))
 
     def cell(self, fields: Fields, column: str, index: int) -> Value:
         """A cell of a row; nothing where it cannot be read."""
         scalar = fields.scalar(column)
-        empty: Value = Angle() if column in ("alpha", "theta") else ZERO
+        empty: Value = Angle() if column in ANGLES else ZERO
         if scalar is None:
             return empty
         self.places["links", index, column] = scalar.place
@@ -198,9 +216,10 @@ class Loader:
                 self.problems,
                 scalar,
                 column,
-                is_angle=column in ("alpha", "theta"),
+                is_angle=column in ANGLES,
                 scope=self.scope,
                 remarks=self.remarks,
+                unit=self.unit,
             )
             or empty
         )
@@ -208,7 +227,8 @@ class Loader:
     def moves(self, scalar: PlacedScalar, key: str) -> Chain:
         """A product of moves; none where it cannot be read."""
         try:
-            return sharpened(read_chain(scalar.text, self.scope, scalar.place_of(0), self.remarks), self.remarks)
+            chain = read_chain(scalar.text, self.scope, scalar.place_of(0), self.remarks, self.unit)
+            return sharpened(chain, self.remarks)
         except NotationError as error:
             self.problems.take(error)
             return ()
@@ -263,9 +283,13 @@ class Loader:
             is_angle = joints[i] in angles if i < len(joints) else True
             if scalar and (self.is_broken or (i < len(joints) and joints[i] in self.unclear)):
                 is_angle = has_unit_of_angle(scalar)
-            value = read_value(self.problems, scalar, key, is_angle=is_angle, remarks=self.remarks) if scalar else None
+            value = self.value(scalar, key, is_angle=is_angle) if scalar else None
             values.append(value if value is not None else Angle())
         return tuple(values)
+
+    def value(self, scalar: PlacedScalar, key: str, *, is_angle: bool) -> Value | None:
+        """A constant angle or length."""
+        return read_value(self.problems, scalar, key, is_angle=is_angle, remarks=self.remarks, unit=self.unit)
 
     def place_of(self, finding: Finding) -> Place:
         """Where a rule was broken, as near as the file can tell."""
@@ -279,6 +303,14 @@ class Loader:
         """What the message about a broken rule begins with."""
         last = finding.where[-1]
         return f"{last}: " if isinstance(last, str) else f"{finding.where[0]}: "
+
+
+def _items(node: PlacedNode | None) -> Sequence[PlacedNode]:
+    return node.items if isinstance(node, PlacedSequence) else ()
+
+
+def _keys(node: PlacedNode) -> list[str]:
+    return [key.text for key, _ in node.entries] if isinstance(node, PlacedMapping) else []
 
 
 def _as_length(value: Value) -> Expr:

@@ -7,7 +7,7 @@ from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedScalar
 from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
-from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_plain_length
+from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_plain_length, with_unit
 from dhcli.notation.quarters import with_right_angles
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr
@@ -17,7 +17,7 @@ NOTHING = Scope()
 """A scope without names, for values that must be constants."""
 
 
-def read_value(
+def read_value(  # noqa: PLR0913  what may be said of a value
     problems: Problems,
     scalar: PlacedScalar,
     key: str,
@@ -25,6 +25,7 @@ def read_value(
     is_angle: bool,
     scope: Scope = NOTHING,
     remarks: list[str] | None = None,
+    unit: str = "",
 ) -> Angle | Expr | None:
     """A scalar as an angle, whose unit must be written, or as a length [m]; None if it is neither.
 
@@ -35,11 +36,12 @@ def read_value(
         is_angle: Which of the two is wanted.
         scope: The names it may use.
         remarks: Where to say that 1.5708 rad was taken as 90°; without it such angles are taken as they stand.
+        unit: The unit of a bare length; empty for metres.
     """
     try:
         expr = parse(scalar.text, scope, scalar.place_of(0))
         if not is_angle:
-            return to_plain_length(expr)
+            return to_plain_length(with_unit(expr, unit))
         return to_angle(expr if remarks is None else taken_exactly(expr, key, remarks), bare="refuse")
     except NotationError as error:
         problems.take(error)

@@ -92,8 +92,12 @@ class Asked:
         return self.steps or self.pose is not None or self.choices != USUAL
 
 
-def check_form(text: str) -> Form:
+def check_form(text: str, others: tuple[str, ...] = ()) -> Form:
     """A form by its name.
+
+    Args:
+        text: The name.
+        others: What else the caller has names for, to be told where this is none of them.
 
     Raises:
         UnknownNameError: There is none of this name.
@@ -101,7 +105,8 @@ def check_form(text: str) -> Form:
     for form in FORMS:
         if form == text.strip().lower():
             return form
-    raise UnknownNameError(f"there is no description {text}", did_you_mean(text, FORMS) or "known: " + ", ".join(FORMS))
+    known = (*FORMS, *others)
+    raise UnknownNameError(f"there is no description {text}", did_you_mean(text, known) or "known: " + ", ".join(known))
 
 
 def describe(robot: Robot, asked: Asked) -> Described:
