@@ -9,7 +9,8 @@ from typing import TypeAlias
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.terms import TERMS
 from dhcli.checking.entries import entries_text
-from dhcli.checking.exercise import Case, Exercise, Rows, Shown
+from dhcli.checking.exercise import Case, Exercise
+from dhcli.checking.returned import Rows, Shown
 from dhcli.checking.tolerance import ZERO as NOTHING
 from dhcli.checking.truth import chain_of, is_length, truth_of
 from dhcli.checking.units import on_sheet

@@ -17,7 +17,7 @@ from dhcli.checking.diagnosis.search import Search
 from dhcli.checking.diagnosis.slips import slip_of
 from dhcli.checking.diagnosis.typed import TypedMatrix
 from dhcli.checking.diagnosis.work import terms
-from dhcli.checking.exercise import Causes
+from dhcli.checking.returned import Causes
 from dhcli.frozen import frozen
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import operations

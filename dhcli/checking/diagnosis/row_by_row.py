@@ -15,7 +15,7 @@ from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.diagnosis.search import Numbers, matches
 from dhcli.checking.diagnosis.slips import Candidate
 from dhcli.checking.diagnosis.work import Bench, Work
-from dhcli.checking.exercise import Causes
+from dhcli.checking.returned import Causes
 
 PAIR = 2
 

@@ -9,9 +9,10 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
+from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.solving.goal import Target, of_robot, read_target, solutions
 from dhcli.checking.solving.vectors import Range, Vector, in_radians, read_vectors, spelled
 from dhcli.checking.verdicts import Mark, Verdict

@@ -9,8 +9,9 @@ from fractions import Fraction
 from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
+from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.pasted import UnreadableError, without_label
+from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.solving.goal import Target, read_target, solutions
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import NotationError, Place, Problem, plural

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any
 from dhcli.errors import DhcliError
 
 if TYPE_CHECKING:
-    from dhcli.checking.exercise import Exercise, Overlaid, Part
+    from dhcli.checking.exercise import Exercise, Part
     from dhcli.checking.judge import SheetMark
+    from dhcli.checking.returned import Overlaid
     from dhcli.kinematics.robot import Robot, Value
     from dhcli.kinematics.values import Values
     from dhcli.render.pictures.picture import Picture
