@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from dhcli.checking.diagnosis.bench import inverse, product
 from dhcli.checking.diagnosis.search import matches, search_of
 from dhcli.checking.diagnosis.typed import typed_answer
-from dhcli.checking.diagnosis.work import inverse, product
 from dhcli.checking.entries import Entries
 from dhcli.checking.exercise import Case
 from dhcli.checking.pasted import UnreadableError
