@@ -23,7 +23,7 @@ from dhcli.checking.motion.question import MotionQuestion
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Causes, Judged, Reading, Shown
 from dhcli.errors import DhcliError
-from dhcli.kinematics.pose import rounded
+from dhcli.kinematics.entries import rounded
 from dhcli.kinematics.values import numbers
 from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.tree import Expr
