@@ -11,13 +11,13 @@ from dhcli.cli.shell.options import (
     MANY,
     WHERE,
     Digits,
-    Force,
     Format,
     Forms,
     IgnoreColumns,
     Index,
     Let,
     Output,
+    Overwrite,
     SkipBad,
     Spelling,
     Symbolic,
@@ -74,7 +74,7 @@ def fk(
     style: Spelling = None,
     digits: Digits = None,
     output: Output = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """Pose of a robot's end frame: in numbers from joint values, or in symbols as the textbook prints it."""
     from dhcli.cli.shell.given import robot_of, values_of
@@ -89,13 +89,13 @@ def fk(
         arm = robot_of(chosen)
         wanted = rows_wanted(arm, chosen, as_ or [], point, inverse=inverse, every=frames)
         asked = asked_of_rows(wanted.robot, chosen, ignores=ignore_columns)
-        fk_rows(wanted, asked, path, RowDelivery(format_, output, force), skip_bad=skip_bad, index=index)
+        fk_rows(wanted, asked, path, RowDelivery(format_, output, overwrite), skip_bad=skip_bad, index=index)
         return
     from dhcli.cli.shell.asking import ask, kind_of
     from dhcli.cli.shell.delivery import Delivery
     from dhcli.kinematics.question import answer
 
-    delivery = Delivery("fk", format_, digits, style, output, force)
+    delivery = Delivery("fk", format_, digits, style, output, overwrite)
     arm = robot_of(chosen)
     question = ask(
         arm,

@@ -10,7 +10,7 @@ from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.options import (
     MANY,
     Digits,
-    Force,
+    Overwrite,
     SkipBad,
     complete_pose,
     format_option,
@@ -178,7 +178,7 @@ def ik(
     ] = None,
     digits: Digits = None,
     output: Annotated[str | None, output_option(".json", ".csv", ".tex", ".md", ".py", ".m", ".c", ".txt")] = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> int:
     """Inverse kinematics: every way to hold the joints so that the end frame stands in a pose."""
     import os
@@ -205,8 +205,8 @@ def ik(
         others |= {"--all-turns": all_turns, "--derive": derive, "--digits": digits}
         others |= {"--euler": euler, "--why": why, "TARGET": goal_}
         rows = RowWish(in_, each, task, near, hold or [], within_limits, follow, skip_bad)
-        return solve_rows(chosen, rows, others, format_, output, force=force)
-    delivery = Delivery("ik", format_, digits, None, output, force)
+        return solve_rows(chosen, rows, others, format_, output, overwrite=overwrite)
+    delivery = Delivery("ik", format_, digits, None, output, overwrite)
     delivery.chosen("derivation" if derive else "inverse")
     arm = robot_of(chosen)
     if goal_ is not None and target is not None:
