@@ -39,6 +39,7 @@ _NOUNS = {
     "description": "a description",
     "motors": "motors",
     "function": "a function",
+    "inverse function": "a function",
 }
 """What each kind of result is called in messages."""
 
@@ -100,11 +101,7 @@ _RENDERERS = {
     ("inverse", "latex"): "dhcli.render.text.inverse:inverse_latex",
     ("derivation", "table"): "dhcli.render.text.derivation:derivation_table",
     ("derivation", "latex"): "dhcli.render.code.derivation:derivation_latex",
-    ("derivation", "matlab"): "dhcli.render.code.derivation:derivation_code",
-    ("derivation", "c"): "dhcli.render.code.derivation_c:derivation_c",
     ("derivation", "md"): "dhcli.render.code.derivation:derivation_markdown",
-    ("derivation", "python"): "dhcli.render.code.derivation:derivation_code",
-    ("derivation", "numpy"): "dhcli.render.code.derivation:derivation_code",
     ("jacobian", "table"): "dhcli.render.text.velocity:jacobian_table",
     ("jacobian", "latex"): "dhcli.render.code.velocity:jacobian_code",
     ("jacobian", "matlab"): "dhcli.render.code.velocity:jacobian_code",
@@ -138,6 +135,12 @@ _RENDERERS = {
     ("function", "matlab"): "dhcli.render.code.functions:function_code",
     ("function", "julia"): "dhcli.render.code.functions:function_code",
     ("function", "javascript"): "dhcli.render.code.functions:function_code",
+    ("inverse function", "python"): "dhcli.render.code.inverses:inverse_code",
+    ("inverse function", "numpy"): "dhcli.render.code.inverses:inverse_code",
+    ("inverse function", "c"): "dhcli.render.code.inverses:inverse_code",
+    ("inverse function", "matlab"): "dhcli.render.code.inverses:inverse_code",
+    ("inverse function", "julia"): "dhcli.render.code.inverses:inverse_code",
+    ("inverse function", "javascript"): "dhcli.render.code.inverses:inverse_code",
     ("description", "urdf"): "dhcli.render.code.robots:description_urdf",
 }
 """Where the renderer of each kind of result and format stands; it is imported when it is needed."""
@@ -172,6 +175,7 @@ _CONTENTS = {
     "description": "dhcli.render.text.describe:description_content",
     "motors": "dhcli.render.text.motors:motors_content",
     "function": "dhcli.render.code.functions:function_content",
+    "inverse function": "dhcli.render.text.derivation:derivation_content",
 }
 """Where each kind of result becomes what stands under `data` in JSON."""
 

@@ -150,6 +150,8 @@ def command_lines() -> Iterator[tuple[str, ...]]:
     for words in (("fk", robot), ("jacobian", robot)):
         yield from ((*words, "--code", name) for name in look.formats("function") if name != "json")
         yield (*words, "--code", "c", "--format", "json")
+    solver = ("ik", robot, "--task", "position", "--code")
+    yield from ((*solver, name) for name in look.formats("inverse function") if name != "json")
     yield "draw", robot, "--pose", "home"
     yield "draw", robot, "--pose", "home", "-o", f"{NAME}.svg"
     yield "start", exercise, "-o", "-"

@@ -105,7 +105,7 @@ def fk(
 
         besides: dict[str, object] = {"--frames": frames, "--links": links, "--factors": factors, "--point": point}
         besides |= {"--as": as_, "--let": let, "--style": style, "--digits": digits}
-        written = code_delivery("fk", code, besides, format_, output, force=force)
+        written = code_delivery("function", "fk", code, besides, format_, output, force=force)
         arm = robot_of(chosen)
         values = values_of(arm, chosen, symbolic=True)
         view = View.of(arm, chosen.from_, chosen.end, inverse=inverse)

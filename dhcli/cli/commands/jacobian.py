@@ -127,7 +127,7 @@ def jacobian(
         from dhcli.kinematics.generated import jacobian_function
 
         besides: dict[str, object] = {"--let": let, "--style": style, "--digits": digits}
-        written = code_delivery("jacobian", code, besides, format_, output, force=force)
+        written = code_delivery("function", "jacobian", code, besides, format_, output, force=force)
         values = values_of(arm, chosen, symbolic=True)
         written.hand_over("function", jacobian_function(arm, view, form, values, with_values=with_values))
         return

@@ -10,6 +10,7 @@ from dhcli.errors import DhcliError, UnknownNameError, did_you_mean
 
 
 def code_delivery(
+    kind: str,
     command: str,
     language: str | None,
     others: Mapping[str, object],
@@ -21,6 +22,7 @@ def code_delivery(
     """Where a function goes: its code, or with `--format json` its formulas as data.
 
     Args:
+        kind: What kind of function it is.
         command: The command typed.
         language: The language asked for; None where only `--with-values` is.
         others: Options that ask for something else, with what was given for them.
@@ -41,5 +43,5 @@ def code_delivery(
     if format_ not in {None, "json"}:
         raise DhcliError("--code says the language, and --format another", "leave --format out; json gives formulas")
     delivery = Delivery(command, format_ or language, output=output, force=force)
-    delivery.chosen("function")
+    delivery.chosen(kind)
     return delivery

@@ -9,10 +9,12 @@ from dhcli.kinematics.conventions import NAMES
 from dhcli.kinematics.frames import View
 from dhcli.kinematics.generated import Function
 from dhcli.kinematics.pose import Pose
+from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.velocity.asked import JacobianAnswer
 from dhcli.kinematics.velocity.jacobian import Jacobian
 from dhcli.notation.writer import write
-from dhcli.render.code.languages import LANGUAGES, Heading, Spelling
+from dhcli.render.code.language import Heading, Spelling
+from dhcli.render.code.languages import LANGUAGES
 from dhcli.render.look import Look
 from dhcli.render.text.forward import sentence
 from dhcli.render.text.velocity import rows_words, title
@@ -44,9 +46,7 @@ def _said(result: Function, spelling: Spelling) -> Iterator[str]:
         answer = _answer(result)
         yield f"{title(answer)}."
         yield f"Has {'; '.join(rows_words(answer, Look()))}; columns {', '.join(answer.jacobian.joints)}."
-    convention = NAMES[robot.convention]
-    named = robot.title if convention in robot.title else f"{robot.title}, {convention}"
-    yield f"{named}; radians and metres."
+    yield f"{robot_words(robot)}; radians and metres."
     kinds = {joint.name: joint.kind for joint in robot.joints}
     units = [f"{names[j]} [{'m' if kinds.get(j) == 'prismatic' else 'rad'}]" for j in result.joints]
     if units:
@@ -56,6 +56,12 @@ def _said(result: Function, spelling: Spelling) -> Iterator[str]:
         kind = "Lengths" if robot.angles.isdisjoint(result.lengths) else "Lengths and constant angles"
         yield f"{kind}: {', '.join(sizes)}."
     yield f"Source: {robot.source}"
+
+
+def robot_words(robot: Robot) -> str:
+    """What a robot is called, and its convention."""
+    convention = NAMES[robot.convention]
+    return robot.title if convention in robot.title else f"{robot.title}, {convention}"
 
 
 def _answer(result: Function) -> JacobianAnswer:

@@ -31,20 +31,31 @@ class Call:
         code: The file.
         name: The function's name.
         numbers: The arguments.
-        shape: Of the matrix that it gives.
+        shape: Of the matrix that it gives, or of the room for solutions.
+        pose: The pose that comes before the numbers, for the way back.
     """
 
-    def __init__(self, code: str, name: str, numbers: Sequence[float], shape: tuple[int, int]) -> None:
+    def __init__(
+        self,
+        code: str,
+        name: str,
+        numbers: Sequence[float],
+        shape: tuple[int, int],
+        pose: Sequence[Sequence[float]] = (),
+    ) -> None:
         """Keep all of it."""
-        self.code, self.name, self.numbers, self.shape = code, name, list(numbers), shape
+        self.code, self.name, self.numbers, self.shape, self.pose = code, name, list(numbers), shape, pose
 
     def renamed(self, number: int) -> str:
         """The file with another name of the function, so that many stand in one."""
         return re.sub(rf"\b{self.name}\(", f"{self.name}_{number}(", self.code)
 
-    def spoken(self, number: int) -> str:
-        """The call in a language that writes it with brackets."""
-        return f"{self.name}_{number}({', '.join(map(repr, self.numbers))})"
+    def spoken(self, number: int, marks: tuple[str, str, str, str] = ("[", "; ", "]", " ")) -> str:
+        """The call in a language that writes it with brackets: before a matrix, between rows, behind, between cells."""
+        first, middle, last, comma = marks
+        rows = middle.join(comma.join(map(repr, row)) for row in self.pose)
+        given = [f"{first}{rows}{last}"] if self.pose else []
+        return f"{self.name}_{number}({', '.join([*given, *map(repr, self.numbers)])})"
 
 
 def results(language: str, calls: Sequence[Call], folder: Path) -> list[Any]:
@@ -63,7 +74,7 @@ def namespace(code: str) -> dict[str, Any]:
 
 def by_python(call: Call) -> Any:  # noqa: ANN401
     """In a namespace of its own."""
-    return namespace(call.code)[call.name](*call.numbers)
+    return namespace(call.code)[call.name](*([call.pose] if call.pose else []), *call.numbers)
 
 
 def by_compiler(calls: Sequence[Call], folder: Path) -> list[Any]:
@@ -76,15 +87,17 @@ def by_compiler(calls: Sequence[Call], folder: Path) -> list[Any]:
     for k, call in enumerate(calls):
         rows, columns = call.shape
         matrix = (ctypes.c_double * columns * rows)()
-        getattr(loaded, f"{call.name}_{k}")(*map(ctypes.c_double, call.numbers), matrix)
-        found.append([list(row) for row in matrix])
+        given = [(ctypes.c_double * 4 * 4)(*map(tuple, call.pose))] if call.pose else []
+        count = getattr(loaded, f"{call.name}_{k}")(*given, *map(ctypes.c_double, call.numbers), matrix)
+        found.append([list(row) for row in matrix][: count if call.pose else rows])
     return found
 
 
 def by_node(calls: Sequence[Call], folder: Path) -> list[Any]:
     """One script of them all."""
     script = "'use strict';\n" + "\n".join(call.renamed(k) for k, call in enumerate(calls))
-    script += f"\nconsole.log(JSON.stringify([{', '.join(call.spoken(k) for k, call in enumerate(calls))}]));\n"
+    said = ", ".join(call.spoken(k, ("[[", "], [", "]]", ", ")) for k, call in enumerate(calls))
+    script += f"\nconsole.log(JSON.stringify([{said}]));\n"
     return read_back(["node"], folder / "functions.js", script)
 
 
@@ -107,8 +120,9 @@ def by_octave(calls: Sequence[Call], folder: Path) -> list[Any]:
 def by_julia(calls: Sequence[Call], folder: Path) -> list[Any]:
     """One script of them all."""
     script = "\n".join(call.renamed(k) for k, call in enumerate(calls))
-    rows = "[[M[i, k] for k in 1:size(M, 2)] for i in 1:size(M, 1)]"
-    said = [f"let M = {call.spoken(k)}; print({rows}, ','); end" for k, call in enumerate(calls)]
+    script += "\nrows(M::Matrix) = [[M[i, k] for k in 1:size(M, 2)] for i in 1:size(M, 1)]\nrows(M::Vector) = M"
+    script += "\nsaid(M) = string('[', join([string('[', join(row, ','), ']') for row in rows(M)], ','), ']')"
+    said = [f"print(said({call.spoken(k)}), ',')" for k, call in enumerate(calls)]
     return read_back(
         ["julia", "--startup-file=no"], folder / "functions.jl", "\n".join([script, "print('[')", *said, 'print("0]")'])
     )[:-1]
