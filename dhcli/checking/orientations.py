@@ -47,6 +47,11 @@ def angle_between(first: Matrix, second: Matrix) -> float:
     return math.atan2(sine, turn[0][0] + turn[1][1] + turn[2][2] - 1)
 
 
+def angle_of(first: Sequence[float], second: Sequence[float]) -> float:
+    """The angle between two directions of length 1 [rad], from the lengths of their difference and their sum."""
+    return 2 * math.atan2(math.dist(first, second), math.hypot(*(a + b for a, b in zip(first, second, strict=True))))
+
+
 def turned(typed: Matrix, truth: Matrix) -> str:
     """By what angle, and about which axis of the reference, an orientation is off."""
     off = [[sum(typed[i][k] * truth[j][k] for k in range(3)) for j in range(3)] for i in range(3)]

@@ -7,24 +7,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 
 from dhcli.algebra.floats import Floats
-from dhcli.errors import RobotError, did_you_mean, plural
+from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.derived import Value
 from dhcli.notation.angle import Angle
-from dhcli.notation.quantity import ANGLE_UNITS, LENGTH_UNITS, value_text
-from dhcli.notation.tree import PI, Expr, Number, Power, Product, Sum, Symbol, Unit, add, multiply, number, power
-from dhcli.notation.walk import symbols
+from dhcli.notation.quantity import value_text
+from dhcli.notation.tree import PI, Expr, Number, Symbol, add, multiply, number, power
 from dhcli.notation.writer import write
 
 Row = tuple[Fraction, ...]
 ZERO = Fraction(0)
-DEGREES = ("deg", "degree", "degrees")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Actuators:
     """Which motors drive which joints, and how: q = ratios m + shifts.
 
@@ -63,13 +62,20 @@ class Actuators:
         """Values of the motors for constant values of the joints."""
         return self._values(self.motors, self.joints, self.back, joints)
 
-    def sentences(self, *, back: bool = False) -> Iterator[str]:
-        """Each joint that is coupled in terms of motors; or each such motor in terms of joints."""
+    def sentences(self, *, back: bool = False, exact: bool = False) -> Iterator[str]:
+        """Each joint that is coupled in terms of motors; or each such motor in terms of joints.
+
+        Args:
+            back: The other way round.
+            exact: Whether a ratio without a short decimal stands there as a fraction, else with six digits.
+        """
         rows, shifts = self.back if back else (self.ratios, self.shifts)
         of, by = (self.motors, self.joints) if back else (self.joints, self.motors)
-        for name, row, shift in zip(of, rows, shifts, strict=True):
-            if self.joints[of.index(name)] != self.motors[of.index(name)]:
-                yield self._sentence(name, by, row, shift)
+        for k, (name, row, shift) in enumerate(zip(of, rows, shifts, strict=True)):
+            if self.joints[k] != self.motors[k]:
+                pieces = [(x, self.piece(name, other, abs(x), exact=exact)) for other, x in zip(by, row, strict=True)]
+                size = Angle.in_degrees(abs(shift)) if name in self.turning else number(abs(shift))
+                yield f"{name} = {total_text([*pieces, (shift, value_text(size))])}"
 
     def slopes(self, *, back: bool = False) -> tuple[tuple[float, ...], ...]:
         """The ratios, or those of the way back, in radians and metres; shape (n, n)."""
@@ -118,21 +124,26 @@ class Actuators:
             found[name] = angle if turns else number(total)
         return found
 
-    def _sentence(self, name: str, others: Sequence[str], row: Row, shift: Fraction) -> str:
-        """`theta3 = m2 + m3`, `d3 = 20 mm/360° * m3`, `m3 = 18 °/mm * d3`."""
-        pieces = [
-            (ratio, self.factor(name, other, abs(ratio)) + other) for other, ratio in zip(others, row, strict=True)
-        ]
-        size = Angle.in_degrees(abs(shift)) if name in self.turning else number(abs(shift))
-        return f"{name} = {total_text([*pieces, (shift, value_text(size))])}"
+    def piece(self, name: str, other: str, size: Fraction, *, exact: bool = False, called: str = "") -> str:
+        """What another gives to the motion of a joint or a motor: `m2`, `0.5*m2`, `m4/76.036`, `20 mm/(360°) * m3`.
 
-    def factor(self, name: str, other: str, size: Fraction) -> str:
-        """What another's value is multiplied with in the motion of a joint or a motor, as a person writes it."""
+        Args:
+            name: The joint or motor that moves.
+            other: What it is moved by.
+            size: The ratio, positive.
+            exact: See `sentences`.
+            called: What is written for the other; its name by default.
+        """
+        called = called or other
         if name in self.turning and other not in self.turning:
-            return f"{exact_text(size / 1000)}°/(1 mm) * "
+            return f"{exact_text(size / 1000, exact=exact)}°/(1 mm) * {called}"
         if name not in self.turning and other in self.turning:
-            return f"{exact_text(size * 360_000)} mm/(360°) * "
-        return "" if size == 1 else f"{exact_text(size)}*"
+            return f"{exact_text(size * 360_000, exact=exact)} mm/(360°) * {called}"
+        if size == 1:
+            return called
+        if size and short(size) is None and (below := short(1 / size)) is not None:
+            return f"{called}/{below}"
+        return f"{exact_text(size, exact=exact)}*{called}"
 
 
 def metres(value: Expr) -> Fraction:
@@ -147,149 +158,15 @@ def total_text(pieces: Sequence[tuple[Fraction, str]]) -> str:
     return f"{'-' * told.startswith(' -')}{told[3:]}" or "0"
 
 
-def exact_text(value: Fraction) -> str:
-    """A decimal of a few digits where one says it exactly, else a fraction."""
-    short = f"{float(value):.10g}"
-    return short if Fraction(short) == value else str(value)
+def short(value: Fraction) -> str | None:
+    """A decimal of a few digits, where one says it exactly."""
+    text = f"{float(value):.10g}"
+    return text if Fraction(text) == value else None
 
 
-@dataclass(frozen=True, slots=True)
-class Drive:
-    """What a joint is driven by, as it was read.
-
-    Attributes:
-        ratios: What each motor's value is multiplied with, and whether that is a length for an angle.
-        shift: What is added [deg or m].
-    """
-
-    ratios: Mapping[str, tuple[Fraction, bool]]
-    shift: Fraction
-
-
-def read_drive(expr: Expr, motors: Sequence[str], joints: Sequence[str], *, turns: bool) -> Drive:
-    """A joint in terms of motors: `m3 + m2`, `-m4/76.04`, `(m3 - m4) * 20 mm/(360°)`.
-
-    Args:
-        expr: The expression.
-        motors: The motors there are.
-        joints: The joints there are.
-        turns: Whether the joint turns.
-
-    Raises:
-        RobotError: It is no sum of multiples of motors, or a ratio is no number.
-    """
-    ratios: dict[str, tuple[Fraction, bool]] = {}
-    shift = ZERO
-    for name, size, angles, lengths in _terms(expr, motors, joints):
-        if not name:
-            if size and (angles, lengths) not in (
-                {(1, 0)} if turns else {(0, 1), (0, 0)}
-            ):  # a bare length is in metres
-                raise RobotError("what is added is no " + ("angle" if turns else "length"), "write m2 + 90°, or 20 mm")
-            shift += size
-            continue
-        if (angles, lengths) not in {(0, 0), (-1, 1)} or (lengths and turns):
-            wanted = "a number" if turns else "a number, or a length for an angle: 20 mm/(360°)"
-            raise RobotError(f"the ratio of {name} is {wanted}")
-        if name in ratios and ratios[name][1] != bool(lengths):
-            raise RobotError(f"{name} turns and slides here", "a motor does one of the two")
-        ratios[name] = (ratios.get(name, (ZERO, False))[0] + size, bool(lengths))
-    return Drive(ratios, shift)
-
-
-def _terms(expr: Expr, motors: Sequence[str], joints: Sequence[str]) -> list[tuple[str, Fraction, int, int]]:
-    """A sum as motor, factor, and the powers of angle and length that the factor has."""
-    if isinstance(expr, Sum):
-        return [term for part in expr.terms for term in _terms(part, motors, joints)]
-    found = [("", Fraction(1), 0, 0)]
-    for factor in expr.factors if isinstance(expr, Product) else (expr,):
-        new = _terms(factor, motors, joints) if isinstance(factor, Sum) else [_leaf(factor, motors, joints)]
-        if any(name for name, *_ in found) and any(name for name, *_ in new):
-            raise RobotError("it is not linear in the motors", "write a sum of multiples of them")
-        found = [
-            (name or other, size * factor, angles + turn, lengths + length)
-            for name, size, angles, lengths in found
-            for other, factor, turn, length in new
-        ]
-    return found
-
-
-def _leaf(expr: Expr, motors: Sequence[str], joints: Sequence[str]) -> tuple[str, Fraction, int, int]:
-    match expr:
-        case Number(value):
-            return "", value, 0, 0
-        case Symbol(name) if name in motors:
-            return name, Fraction(1), 0, 0
-        case Symbol(name) if name in joints:
-            raise RobotError(f"{name} is a joint, and joints are driven by motors", f"motors: {', '.join(motors)}")
-        case Symbol(name):
-            raise RobotError(f"a ratio is a number, and {name} is a letter", "write its value: 76.04, or 1/76.04")
-        case Unit(name) if name in DEGREES:
-            return "", Fraction(1), 1, 0
-        case Unit(name) if name in LENGTH_UNITS:
-            return "", LENGTH_UNITS[name], 0, 1
-        case Power(base, exponent) if exponent.denominator == 1 and not symbols(base):
-            _, size, angles, lengths = _leaf(base, motors, joints)
-            count = int(exponent)
-            return "", size**count, angles * count, lengths * count
-    if isinstance(expr, Unit) and expr.name in ANGLE_UNITS:
-        raise RobotError("a ratio in radians is no exact number", "write the lead for a turn: 20 mm/(360°)")
-    raise RobotError(f"{write(expr)} is no ratio", "ratios are numbers: m3 + m2, -m4/76.04")
-
-
-def actuators(
-    joints: Mapping[str, bool], drives: Mapping[str, Drive], motors: Mapping[str, tuple[Value, Value] | None]
-) -> Actuators:
-    """The motors of a robot.
-
-    Args:
-        joints: The joint variables in order, and whether each turns.
-        drives: What those that are coupled are driven by; every other joint has a motor of its own, of its own name.
-        motors: The motors, with their limits.
-
-    Raises:
-        RobotError: There are more motors than joints driven, or fewer; one drives nothing; joints depend on each other.
-    """
-    if len(motors) != len(drives):
-        listed = f"{plural(len(motors), 'motor')}, {', '.join(motors)}, for {plural(len(drives), 'joint')}"
-        raise RobotError(f"{listed}, {', '.join(drives)}", "as many motors as joints that they drive together")
-    own = iter(motors)
-    order = tuple(next(own) if joint in drives else joint for joint in joints)
-    turning = {joint for joint, turns in joints.items() if turns}
-    kinds = dict[str, bool]()
-    for joint, drive in drives.items():
-        for motor, (_, leads) in drive.ratios.items():
-            turns = joints[joint] or leads
-            if kinds.setdefault(motor, turns) != turns:
-                raise RobotError(
-                    f"{motor} turns for one joint and slides for another", "a slide has a lead: 20 mm/(360°)"
-                )
-    if idle := [motor for motor in motors if motor not in kinds]:
-        raise RobotError(f"{idle[0]} drives no joint", did_you_mean(idle[0], motors) or "leave it out of motors")
-    turning |= {motor for motor, turns in kinds.items() if turns}
-    ratios, shifts = [], []
-    for joint in joints:
-        drive = drives.get(joint) or Drive({joint: (Fraction(1), False)}, ZERO)
-        ratios.append(tuple(drive.ratios.get(motor, (ZERO, False))[0] for motor in order))
-        shifts.append(drive.shift)
-    for motor, limits in motors.items():
-        _check_limits(motor, limits, turns=kinds[motor])
-    inverse(ratios, tuple(joints))  # refuses joints that depend on each other
-    kept = {motor: limits for motor, limits in motors.items() if limits is not None}
-    return Actuators(tuple(joints), order, frozenset(turning), tuple(ratios), tuple(shifts), kept)
-
-
-def _check_limits(motor: str, limits: tuple[Value, Value] | None, *, turns: bool) -> None:
-    if limits is not None and _constant(limits[0]) >= _constant(limits[1]):
-        raise RobotError(f"{motor}: the lower limit is not below the upper one", "write [lowest, highest]")
-    for value in limits or ():
-        if isinstance(value, Angle) != turns and value not in (Number(ZERO), Angle()):
-            does, wanted = ("turns", "an angle: 90°") if turns else ("slides", "a length: 0.3 m")
-            raise RobotError(f"{motor} {does}, and its limit is {wanted}")
-
-
-def _constant(value: Value) -> float:
-    return value.constant() if isinstance(value, Angle) else float(metres(value))
+def exact_text(value: Fraction, *, exact: bool) -> str:
+    """A decimal of a few digits where one says it, else a fraction, or a rounded decimal."""
+    return short(value) or (str(value) if exact else f"{float(value):.6g}")
 
 
 def inverse(rows: Sequence[Row], names: Sequence[str]) -> tuple[Row, ...]:

@@ -56,7 +56,8 @@ def forward_batch(  # noqa: PLR0913  each by its name
     """
     check_robot(robot)
     frames = ends(robot, start, end)
-    recording = recorded_pose(robot, *frames, numbers(parameter_values(robot, parameters)) if parameters else None)
+    values = None if parameters is None else numbers(parameter_values(robot, parameters))
+    recording = recorded_pose(robot, *frames, values)
     if library := library_of(Q):
         only = {"out": out, "dtype": dtype, "threads": None if threads == 1 else threads}
         return cast("NDArray[Any]", shaped(*trace(robot, recording, Q, library, only), (4, 4)))
@@ -77,7 +78,7 @@ def joint_rows(robot: Robot, Q: ArrayLike) -> NDArray[np.float64]:  # noqa: N803
         if np.iscomplexobj(Q):
             raise RobotError("Q holds complex numbers", "joint values are real: Q.real, if that is what is meant")
         q = np.asarray(Q, dtype=np.float64)
-    except (ValueError, TypeError):
+    except (ValueError, TypeError, OverflowError):
         raise RobotError("Q is no array of numbers", f"wanted: rows of {wanted} numbers, all as long") from None
     if q.ndim != 2 or q.shape[1] != wanted:  # noqa: PLR2004  rows and columns
         raise RobotError(f"{robot.name} has {wanted} joints; Q has the shape {q.shape}, not (N, {wanted})")
@@ -93,7 +94,7 @@ def room(out: object, shape: tuple[int, ...], dtype: DTypeLike | None) -> NDArra
     """
     try:
         kind = np.dtype(np.float64 if dtype is None else dtype)
-    except TypeError:
+    except (ValueError, TypeError):
         raise RobotError(f"dtype is no kind of number: {dtype!r:.60}", "float64 or float32") from None
     if kind not in {np.dtype(np.float64), np.dtype(np.float32)}:
         raise RobotError(f"results are no numbers of {kind}", "float64 or float32")

@@ -16,6 +16,7 @@ from dhcli.kinematics.robot import Link, Robot
 from dhcli.notation.angle import Angle
 from dhcli.notation.derivative import derivative
 from dhcli.notation.factors import AXES
+from dhcli.notation.names import canonical
 from dhcli.notation.tree import ZERO, Expr, Symbol
 from dhcli.notation.walk import substitute, symbols
 
@@ -59,7 +60,9 @@ def uncoupled(robot: Robot, values: Mapping[str, Angle | float]) -> Uncoupled:
     """
     if robot.drives is not None and robot.drives.actuators is not None:
         driven = robot.drives.actuators
-        arm = replace(robot.drives, tool=robot.tool, base=robot.base)
+        arm = replace(
+            robot.drives, tool=robot.tool, base=robot.base, parameters=robot.parameters, derived=robot.derived
+        )
         return Uncoupled(arm, driven.slopes(), driven.offsets())  # type: ignore[arg-type]
     splitter = _Splitter(robot, values)
     links = tuple(new for link in robot.links for new in splitter.links(link))
@@ -138,8 +141,8 @@ class _Splitter:
         return substitute(part, dict.fromkeys(inside, ZERO), dict.fromkeys(inside, Angle()))
 
     def _new(self, wish: str, slopes: dict[str, float]) -> str:
-        taken = {*self._robot.variables, *self._robot.parameters, *self.slopes}
-        while wish in taken:
-            wish += "_"
+        taken = set(map(canonical, (*self._robot.variables, *self._robot.parameters, *self.slopes)))
+        while canonical(wish) in taken:
+            wish += "0"
         self.slopes[wish] = slopes
         return wish

@@ -68,7 +68,7 @@ def forward(
         rows = _played(robot, floats, *frames)
         if rows is not None:
             return Pose(rows, *frames, joints=robot.writing)
-    values = {**parameter_values(robot, {} if parameters is None else parameters), **joint_values(robot, q)}
+    values = {**parameter_values(robot, parameters), **joint_values(robot, q)}
     return numeric_pose(robot, values, *ends(robot, start, end))
 
 
@@ -96,7 +96,7 @@ def symbolic(
         UnknownNameError: The robot has no such frame, joint or length.
     """
     check_robot(robot)
-    values = {**given_parameters(robot, {} if parameters is None else parameters), **joint_values(robot, q)}
+    values = {**given_parameters(robot, parameters), **joint_values(robot, q)}
     return symbolic_pose(robot, values, *ends(robot, start, end))
 
 

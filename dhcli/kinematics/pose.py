@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
 from dhcli.algebra.arithmetic import plus
 from dhcli.algebra.floats import Floats
 from dhcli.errors import NotationError, RobotError
+from dhcli.frozen import frozen
 from dhcli.geometry.motion import dot, inverse, product
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_length
@@ -34,7 +35,7 @@ DIGITS = 4
 """Decimals that a person is shown unless they ask for more."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Pose(Generic[N]):
     """A homogeneous matrix with the names of its two frames.
 
@@ -274,10 +275,12 @@ def coordinates(point: Iterable[Any]) -> list[Expr]:
     """Coordinates as expressions: of numbers as they are typed [m], and of text with any names, `"a6"` or `"30mm"`.
 
     Raises:
-        RobotError: One is neither.
+        RobotError: One is neither, or the point is no list of them.
         NotationError: A text cannot be read, or is no length.
     """
     found: list[Expr] = []
+    if not isinstance(point, Iterable):
+        raise RobotError(f"a point has three coordinates, and {point!r:.60} has none", "write (0, 0, 0.1)")
     for coordinate in point:
         if isinstance(coordinate, Expr):
             found.append(coordinate)

@@ -72,7 +72,7 @@ def joint_values(
 
 
 def given_parameters(
-    robot: Description, given: Mapping[str, float | str | Value], place: Place | None = None
+    robot: Description, given: Mapping[str, float | str | Value] | None, place: Place | None = None
 ) -> dict[str, Value]:
     """Values of those lengths and constant angles that a person gives.
 
@@ -80,12 +80,15 @@ def given_parameters(
         RobotError: An unknown name.
         NotationError: A value that cannot be read.
     """
-    named = {_parameter(robot, name, place): value for name, value in mapping_of(given, "parameters").items()}
+    named = {
+        _parameter(robot, name, place): value
+        for name, value in mapping_of({} if given is None else given, "parameters").items()
+    }
     return {name: _value(robot, name, value, "refuse", place) for name, value in named.items()}
 
 
 def parameter_values(
-    robot: Description, given: Mapping[str, float | str | Value], place: Place | None = None
+    robot: Description, given: Mapping[str, float | str | Value] | None, place: Place | None = None
 ) -> dict[str, Value]:
     """Values of all lengths and constant angles that have one: the robot's own, and those given instead.
 

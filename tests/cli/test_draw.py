@@ -153,6 +153,17 @@ def test_another_table_is_drawn_over_the_arm_and_the_first_difference_named(dhcl
     assert dhcli("draw", "puma560", "--beside", "scara").code == 2
 
 
+def test_a_robot_is_drawn_without_what_judges_exercises(process: Run) -> None:
+    """What is not imported makes a start short."""
+    done = process(
+        "\"$0\" -c \"import sys, runpy\nsys.argv[1:] = ['draw', 'scara', '--size', '40x16']\n"
+        "try: runpy.run_module('dhcli', run_name='__main__', alter_sys=True)\n"
+        "except SystemExit: print(*(name for name in sys.modules if name.startswith('dhcli.checking')))\""
+    )
+    assert done.code == 0, done.err
+    assert "dhcli.checking" not in done.out
+
+
 def test_show_puts_a_picture_under_the_table(dhcli: Run) -> None:
     """Of a robot and of a linkage; an exercise has none."""
     for name in ("planar-2r", "planar-four-bar"):
@@ -245,7 +256,7 @@ def test_open_writes_a_page_and_opens_it(dhcli: Run, monkeypatch: pytest.MonkeyP
         ("scara --table", "dhcli show scara --draw has both"),
         ("scara --table -o a.html", "a page always has the table"),
         ("watt --view top", "watt is planar: there is one view of it"),
-        ("yim/dh-process", "yim/dh-process has no robot"),
+        ("bajd/rotate-a-vector", "bajd/rotate-a-vector has no robot"),
         ("yim/counting-freedoms", "has no robot and no linkage with points"),
         ("motion/five-bar-loop -o a.html", "a page computes frames"),
         ("wpi/puma560-table -o a.html", "which a worksheet leaves to the student"),

@@ -26,6 +26,7 @@ def test_motor_values_put_the_end_where_their_joint_values_do(dhcli: Run) -> Non
     motors = told(dhcli, "fk", PAIR, "--motors", "--q", "0,31.324°,-33.342°")
     joints = told(dhcli, "fk", PAIR, "--q", "0,31.324°,-2.018°")
     assert np.asarray(motors["matrix"]) == pytest.approx(np.asarray(joints["matrix"]), abs=1e-15)
+    assert "theta2 = 31.324° · theta3 = -2.018°" in dhcli("fk", PAIR, "--motors", "--q", "0,31.324°,-33.342°").out
     assert "a3*s(2*J2+J3)" in dhcli("fk", PAIR, "--motors", "-s", "--as", "position").out
     Path("q.csv").write_text("theta1[deg],J2[deg],J3[deg]\n0,31.324,-33.342\n", "utf-8")
     rows = dhcli("fk", PAIR, "--motors", "--in", "q.csv", "--as", "position").out.split("\n")
@@ -78,9 +79,22 @@ def test_a_file_with_motors_is_written_and_reads_the_same(dhcli: Run) -> None:
 
 def test_without_motors_the_option_is_refused(dhcli: Run) -> None:
     """With where they would stand."""
-    done = dhcli("fk", "puma560-standard", "--motors", "-s")
+    done = dhcli("fk", "scara-yim", "--motors", "-s")
     assert (done.code, "not known which motors drive it" in done.err) == (2, True)
     assert "actuators" in done.err
+
+
+def test_the_gears_of_the_puma_turn_each_other_in_the_wrist(dhcli: Run) -> None:
+    """Motor 5 turns with joint 4, motor 6 with joint 4 and by 13/72 of joint 5; people read ratios, files fractions."""
+    data = told(dhcli, "describe", "puma560-standard", "--as", "motors")
+    back = np.asarray(data["inverse"])[3:, 3:]
+    gears = np.array([76.03636, 71.923, 76.686])
+    assert back == pytest.approx(np.array([[gears[0], 0, 0], [1, gears[1], 0], [1, gears[2] * 13 / 72, gears[2]]]))
+    assert "theta4 = m4/76.03636" in dhcli("show", "puma560-standard").out
+    assert dhcli("describe", "puma560-standard", "--as", "modified", "-o", "x.yaml").code == 0
+    assert np.asarray(told(dhcli, "describe", "./x.yaml", "--as", "motors")["inverse"]) == pytest.approx(
+        np.asarray(data["inverse"]), rel=1e-15
+    )
 
 
 @pytest.mark.parametrize(

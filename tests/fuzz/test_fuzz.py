@@ -133,6 +133,17 @@ def calls() -> Iterator[tuple[str, Callable[[Any], Any]]]:
         yield f"{function.__name__} q", lambda junk, f=function: f(robot, junk)
         for name in ("start", "end", "parameters"):
             yield f"{function.__name__} {name}", lambda junk, f=function, n=name: f(robot, q, **{n: junk})
+    for function, names in (
+        (dhcli.forward_batch, ("start", "end", "parameters", "out", "dtype", "threads")),
+        (
+            dhcli.jacobian,
+            ("start", "end", "axes", "place", "point", "part", "analytic", "parameters", "dtype", "threads"),
+        ),
+    ):
+        yield f"{function.__name__} robot", lambda junk, f=function: f(junk, [q])
+        yield f"{function.__name__} Q", lambda junk, f=function: f(robot, junk)
+        for name in names:
+            yield f"{function.__name__} {name}", lambda junk, f=function, n=name: f(robot, [q], **{n: junk})
     for name in ("tool", "base", "links", "variables", "parameters", "limits", "poses", "convention"):
         yield f"replace {name}", lambda junk, n=name: replace(robot, **{n: junk})
     yield from makers()

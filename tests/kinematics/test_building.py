@@ -147,6 +147,17 @@ def test_a_length_of_a_table_may_stay_open() -> None:
     )
 
 
+def test_numbers_that_a_file_would_take_for_right_angles_are_saved_as_they_are(tmp_path: Path) -> None:
+    """1.571 rad is 90° to its digits, and 0.866 nearly a cosine; the file says that it means them."""
+    robot = Robot.from_dh([(0.3, 1.571, 0, "q1")], variables=["q1"])
+    robot.save(tmp_path / "x.yaml")
+    again = load_robot(tmp_path / "x.yaml")
+    assert again.links == robot.links
+    assert "exact: false" in (tmp_path / "x.yaml").read_text("utf-8")
+    load_robot("puma560").save(tmp_path / "p.yaml")
+    assert "exact" not in (tmp_path / "p.yaml").read_text("utf-8")
+
+
 @pytest.mark.parametrize("name", ["x.yaml", "x.urdf"])
 def test_what_is_saved_is_loaded(name: str, tmp_path: Path) -> None:
     """And not over a file that stands there."""

@@ -24,8 +24,8 @@ from dhcli import (
 )
 from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
-from dhcli.kinematics.actuators import actuators, read_drive
 from dhcli.kinematics.actuators import inverse as undone
+from dhcli.kinematics.drives import actuators, read_drive
 from dhcli.kinematics.motors import in_motors
 from dhcli.kinematics.values import joint_values, numbers, parameter_values, warnings
 from dhcli.notation.parser import parse
@@ -239,6 +239,10 @@ def test_poses_by_name_and_a_tool_hold_for_motors_too() -> None:
     assert np.asarray(forward(arm, "folded")) == pytest.approx(np.asarray(forward(PAIR, "folded")))
     longer = replace(arm, tool=load_robot("planar-2r").links[0].moves[2:3])
     assert len(inverse(longer, forward(arm, "folded"), task="pose")) == 1
+    other = arm.copy(parameters={"a2": 0.7})
+    assert inverse(other, forward(other, "folded")).nearest("folded") == pytest.approx(
+        inverse(arm, forward(arm, "folded")).nearest("folded")
+    )
 
 
 def test_a_robot_without_motors_has_none() -> None:

@@ -10,11 +10,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from dhcli import forward, load_robot
+from dhcli.files.yaml.robots import read_robot
 from dhcli.kinematics.conventions import Convention
+from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import joint_values
 from dhcli.notation.angle import Angle
 from dhcli.scene.arm import arm_scene
 from dhcli.scene.choice import best_pose, with_examples
+from dhcli.scene.drawing import Drawing
 from dhcli.scene.primitives import Box, Drum, Scene
 from dhcli.scene.skeleton import Skeleton
 from dhcli.scene.staging import values_at
@@ -158,3 +161,49 @@ def test_joints_that_drives_tie_about_one_axis_are_one_drum_with_the_sum_of_thei
     drums = [solid.name for solid in arm_scene(robot, values_at(robot, None, None, None)).solids]
     assert len(drums) == len([link for link in robot.links if link.row and link.row.theta.terms])
     assert any("j2" in name and "j3" in name for name in drums)
+
+
+AXES = """format: 1
+title: Drawn
+source: made for a test
+convention: axes
+variables: [theta1, theta2, theta3]
+parameters: {a: 0.4 m, b: 0.3 m}
+axes:
+  - {theta1: +z, through: (0, 0, 0)}
+  - {theta2: +z, through: (a, 0, 0)}
+  - {theta3: +y, through: (a + b, 0, 0)}
+end: Trans(a + b, 0, 0) Rot(x, -90°)
+"""
+
+
+def _given_otherwise() -> dict[str, Robot]:
+    """Robots that no table of the library gives: joint axes, a URDF, a product of moves, one with base and tool."""
+    urdf = DATA.parent / "urdf" / "three-joints.urdf"
+    placed = load_robot("planar-2r").copy(base="Trans(0, 0, 0.5) Rot(z, 30°)", tool="Trans(0.1, 0, 0)")
+    return {
+        "axes": read_robot(AXES, "drawn.yaml", "drawn"),
+        "urdf": load_robot(urdf, tip="tool0"),
+        "product": load_robot("scara"),
+        "placed": placed,
+    }
+
+
+@pytest.mark.parametrize("kind", ["axes", "urdf", "product", "placed"])
+def test_a_robot_is_drawn_however_it_was_given(kind: str) -> None:
+    """Each frame stands where forward has it, base and tool too, and a picture comes of it."""
+    robot = _given_otherwise()[kind]
+    values = values_at(robot, None, None, None)
+    skeleton = Skeleton.of(robot, values)
+    q = {name: values[name] for name in robot.variables}
+    names = [name for name, _ in skeleton.numbered]
+    assert ("base" in names, "tool" in names) == (bool(robot.base), bool(robot.tool))
+    for name, state in skeleton.numbered:
+        rows = forward(robot, q, start=names[0], end=name).rows  # type: ignore[arg-type]
+        frame = skeleton.states[state]
+        for i in range(3):
+            known = (frame.x[i], frame.y[i], frame.z[i], frame.origin[i])
+            assert known == pytest.approx(rows[i], abs=1e-12)
+    figure = Drawing(robot).figure()
+    assert len([text for text in figure.texts if text.look in "xz"]) >= 2
+    assert sum(isinstance(solid, Drum | Box) for solid in arm_scene(robot, values).solids) == len(robot.variables)

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
+import numpy as np
 import pytest
 
 from dhcli import draw, load_robot
@@ -12,29 +14,36 @@ from dhcli.kinematics.sweep.density import CELLS, SAMPLE, Density
 from dhcli.kinematics.sweep.plan import plan
 from dhcli.kinematics.sweep.ranges import read_over
 from dhcli.kinematics.sweep.result import Sweep
-from dhcli.kinematics.sweep.run import sweep, walked
-from dhcli.kinematics.sweep.target import Target, target_of
+from dhcli.kinematics.sweep.run import sweep
+from dhcli.kinematics.sweep.target import target_of
 from dhcli.kinematics.sweep.workspace import Workspace
 
+Place = tuple[float, ...]
 
-def _swept(name: str, *overs: str) -> tuple[Target, Sweep, Workspace]:
+
+def _swept(name: str, *overs: str) -> tuple[list[Place], Sweep, Workspace]:
+    """Every place of a grid, what a sweep finds, and what was counted on the way."""
     robot, density = load_robot(name), Density()
     target = target_of(robot)
-    found = sweep(target, plan(target, [read_over(robot, text) for text in overs]), density.take)
-    return target, found, density.workspace(target)
+    every: list[Place] = []
+
+    def take(rows: np.ndarray[Any, np.dtype[np.float64]]) -> None:
+        every.extend(map(tuple, rows[:, -3:].tolist()))
+        density.take(rows)
+
+    found = sweep(target, plan(target, [read_over(robot, text) for text in overs]), take)
+    return every, found, density.workspace(target)
 
 
 def test_every_point_is_counted_in_the_cell_where_it_is() -> None:
     """Against a count of all points in plain Python, from both sides."""
-    target, found, seen = _swept("scara", "theta1=-90°..90° n 31", "theta2 n 37", "d3=0..0.2 n 5")
+    every, found, seen = _swept("scara", "theta1=-90°..90° n 31", "theta2 n 37", "d3=0..0.2 n 5")
     size = 2 * seen.half / CELLS
     for counts, axis in ((seen.side, 2), (seen.top, 1)):
         known: dict[tuple[int, int], int] = {}
-        for _, places in walked(target, found.grid):
-            rows = places.T
-            for row in rows[:, -3:].tolist():
-                cell = int((row[axis] + seen.half) / size), int((row[0] + seen.half) / size)
-                known[cell] = known.get(cell, 0) + 1
+        for place in every:
+            cell = int((place[axis] + seen.half) / size), int((place[0] + seen.half) / size)
+            known[cell] = known.get(cell, 0) + 1
         assert {(j, i): count for j, row in enumerate(counts) for i, count in enumerate(row) if count} == known
     assert seen.count == found.grid.count
     assert all(abs(x) < seen.half for side in found.box for x in side)
@@ -42,8 +51,6 @@ def test_every_point_is_counted_in_the_cell_where_it_is() -> None:
 
 def test_a_square_grows_around_its_middle_as_points_come_from_farther_away() -> None:
     """Cells of the larger square hold what lay in four of the smaller."""
-    import numpy as np
-
     density = Density()
     points = [(0.1 * 3.0**k, -0.07 * 3.0**k, 0.02) for k in range(8)]
     for point in points:
@@ -58,10 +65,9 @@ def test_a_square_grows_around_its_middle_as_points_come_from_farther_away() -> 
 
 def test_the_points_kept_are_spread_over_the_whole_grid() -> None:
     """At least half as many as may be, each one of those of the grid."""
-    target, found, seen = _swept("planar-2r", "theta1=-180°..180° n 181", "theta2=-180°..180° n 61")
+    every, _, seen = _swept("planar-2r", "theta1=-180°..180° n 181", "theta2=-180°..180° n 61")
     assert SAMPLE / 2 <= len(seen.sample) <= SAMPLE
-    every = {tuple(row) for _, places in walked(target, found.grid) for row in places.T.tolist()}
-    assert set(seen.sample) <= every
+    assert set(seen.sample) <= set(every)
     assert {(x > 0, y > 0) for x, y, _ in seen.sample} == {(a, b) for a in (True, False) for b in (True, False)}
 
 

@@ -130,7 +130,7 @@ OTHERS = {
 """The items that no file holds, and why."""
 
 NOT_IN_DOCUMENTS = {"fanuc-like", "palletizer", "panda", "puma560-standard", "puma560-unimation", "ur5e"}
-"""From published tables, or of example dimensions; puma560-unimation is compared with puma560 in test_statements."""
+"""Robots from published tables or of example dimensions; test_statements compares puma560-unimation with puma560."""
 
 
 @cache

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar, Self, TypeAlias
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Causes, Exercise, Overlaid, Question, Reading, Shown
+from dhcli.checking.exercise import Case, Causes, Exercise, Matrices, Overlaid, Points, Question, Reading, Shown
 from dhcli.checking.frames.marking import frame_text, frames_text, mark_frames
 from dhcli.checking.frames.reading import TypedFrame, read_frames
 from dhcli.checking.frames.rows import table_of
@@ -16,7 +16,7 @@ from dhcli.checking.frames.sketch import axes_text, drawn_at, pose_of, seen_from
 from dhcli.checking.frames.slips import as_typed, causes_of, every_slip
 from dhcli.checking.frames.spelling import has_frames, rows_of
 from dhcli.checking.kinds.linked import needed
-from dhcli.checking.kinds.table import TableQuestion
+from dhcli.checking.kinds.table import TableQuestion, leads_of
 from dhcli.checking.tables.comparing import END
 from dhcli.checking.tables.typed_rows import TypedRow
 from dhcli.checking.verdicts import UNSOLVED, Mark, Verdict
@@ -100,7 +100,9 @@ class FramesQuestion(Question[Answer]):
         sketch = self._rules(case).sketch
         speaker = Speaker(sketch.walked, self.convention, sketch.robot.first, sketch.robot.writing)
         yield from map(Shown, written(speaker.drawn()))
-        yield Shown("A row for each frame: its origin, x and z")
+        rows = (frame_text(frame, case.exercise) for frame in sketch.frames)
+        lines = (f"frame {number}: {row}" for number, row in enumerate(rows, sketch.first))
+        yield Shown("Frame by frame, the origin, x and z:\n" + "\n".join(lines))
 
     def read(self, case: Case, text: str, place: Place | None = None) -> Answer:
         if not has_frames(text):
@@ -138,6 +140,11 @@ class FramesQuestion(Question[Answer]):
             return self._table.rows(case, Reading(reading.text, _rows(reading.value)))
         rules = self._rules(case)
         return () if rules.broken(frames) else table_of(rules.sketch, [one.frame for one in frames])
+
+    def leads(
+        self, case: Case, reading: Reading[Answer], span: tuple[int, int], points: Points
+    ) -> tuple[int, int, Matrices] | None:
+        return leads_of(self.rows(case, reading), self.convention, span, points)
 
     def _second_truth(self, case: Case, frames: tuple[TypedFrame, ...]) -> Mark | None:
         """EQUIVALENT if frames lie on the axes of the exercise's other robot."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
@@ -12,6 +12,7 @@ from dhcli.checking.kinds.linked import needed
 from dhcli.checking.tables.typed_rows import TypedRow, read_table
 from dhcli.checking.verdicts import Mark
 from dhcli.errors import NotationError, Place, Problem
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import names
@@ -26,7 +27,7 @@ FIRST = 1
 """Index of frame 0, behind the base."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class TableQuestion(Question[tuple[TypedRow, ...]]):
     """The DH table of the robot in one of the conventions.
 
@@ -169,14 +170,7 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
 
         A table is one drawing: its rows are never mixed with those of the right one.
         """
-        rows = self.rows(case, reading)
-        start, end = max(span[0], FIRST), min(span[1], FIRST + len(rows))
-        if start >= end:
-            return None
-        chain = tuple(move for row in rows[start - FIRST : end - FIRST] for move in moves_of(row, self.convention))
-        if not names(chain) <= points.names:
-            return None
-        return start, end, tuple(fold(chain, over) for over in points.at)
+        return leads_of(self.rows(case, reading), self.convention, span, points)
 
     def overlaid(self, case: Case, reading: Reading[tuple[TypedRow, ...]], values: Values) -> Overlaid:
         from dhcli.checking.tables.marking import robot_of
@@ -196,6 +190,19 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         own = robot_of(exercise)
         also = exercise.also[0] if exercise.also else own
         return also if own.convention is not self.convention and also.convention is self.convention else own
+
+
+def leads_of(
+    rows: tuple[Row, ...], convention: Convention, span: tuple[int, int], points: Points
+) -> tuple[int, int, Matrices] | None:
+    """From which frame to which rows lead within a span of frames, and the matrices at some points."""
+    start, end = max(span[0], FIRST), min(span[1], FIRST + len(rows))
+    if start >= end:
+        return None
+    chain = tuple(move for row in rows[start - FIRST : end - FIRST] for move in moves_of(row, convention))
+    if not names(chain) <= points.names:
+        return None
+    return start, end, tuple(fold(chain, over) for over in points.at)
 
 
 def _settled(case: Case, reading: Reading[tuple[TypedRow, ...]]) -> tuple[Row, ...]:

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
-from fractions import Fraction
+from dataclasses import replace
 from functools import lru_cache
 
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Shown
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.solving.goal import Target, of_robot
+from dhcli.checking.solving.putting import put_for
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import NAMES
 from dhcli.kinematics.frames import between
 from dhcli.kinematics.inverse.derivation import Derivation
@@ -23,12 +24,12 @@ from dhcli.kinematics.moves import names
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import ONE, ZERO, Call, Expr, Power, Product, Sum, add, multiply, negate, power
-from dhcli.notation.walk import children, substitute, symbols, walk
+from dhcli.notation.tree import ONE, ZERO, Call, Expr, Product, Sum, Symbol, add, multiply, negate, power
+from dhcli.notation.walk import substitute, symbols, walk
 from dhcli.notation.writer import write
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Slipped:
     """A derivation with a slip in it.
 
@@ -46,6 +47,8 @@ class Slipped:
 def derivation_of(case: Case, target: Target) -> Derivation | None:
     """The derivation for the robot and the frames asked about; None where no textbook form is found."""
     robot = needed(case.exercise.robot)
+    if target.along:  # the formulas are of the whole pose
+        return None
     return _derived(robot, *target.ends(robot), "position" if target.task == "position" else "pose")
 
 
@@ -164,36 +167,6 @@ def _with(step: Step, old: Expr, new: Expr) -> Step:
     return replace(step, value=put_for(step.value, {old: new}), spread=spread)
 
 
-def put_for(expr: Expr, instead: Mapping[Expr, Expr]) -> Expr:
-    """An expression with others in the place of some that stand in it."""
-    if expr in instead:
-        return instead[expr]
-    if not children(expr):
-        return expr
-    if isinstance(expr, Call):
-        return Call(expr.function, tuple(put_for(one, instead) for one in expr.arguments))
-    parts = [put_for(one, instead) for one in children(expr)]
-    if all(new is old for new, old in zip(parts, children(expr), strict=True)):
-        return expr  # as it is written
-    if isinstance(expr, Power):
-        return power(parts[0], expr.exponent)
-    return add(*parts) if isinstance(expr, Sum) else multiply(*parts)
-
-
-def with_roots(expr: Expr) -> Expr:
-    """An expression with `1/sqrt(x)` for x to the power -1/2, which nobody writes."""
-    if not children(expr):
-        return expr
-    if isinstance(expr, Call):
-        return Call(expr.function, tuple(map(with_roots, expr.arguments)))
-    parts = tuple(map(with_roots, children(expr)))
-    if isinstance(expr, Power):
-        if expr.exponent.denominator == 2 and expr.exponent < 0:  # noqa: PLR2004
-            return Power(Power(parts[0], Fraction(1, 2)), Fraction(expr.exponent.numerator))
-        return Power(parts[0], expr.exponent)
-    return Sum(parts) if isinstance(expr, Sum) else Product(parts)
-
-
 def _left_out(derivation: Derivation, robot: Robot) -> Iterator[Slipped]:
     """A length that was forgotten: that of the hand, or an offset."""
     frames = robot.frames
@@ -208,6 +181,7 @@ def _left_out(derivation: Derivation, robot: Robot) -> Iterator[Slipped]:
         if is_hand:
             words = f"the wrist centre is not moved back by {length}: p is the origin of the hand"
             slip = Slip(f"not-moved-back {length}", words, "where is the point at which the wrist axes meet?")
+            yield from _moved_wrong(derivation, length)
         else:
             slip = Slip(f"left-out {length}", f"{length} is left out", "follow the links from the base to the end")
         zero = {length: ZERO}
@@ -223,6 +197,41 @@ def _left_out(derivation: Derivation, robot: Robot) -> Iterator[Slipped]:
         except (ZeroDivisionError, ArithmeticError):
             continue
         yield Slipped(slip, replace(derivation, steps=steps))
+
+
+def _moved_wrong(derivation: Derivation, length: str) -> Iterator[Slipped]:
+    """The wrist centre moved from the hand along another axis of it than z, or away from the arm."""
+    question = "along which axis of the hand does the length stand?"
+    for column, axis in (("1", "x"), ("2", "y")):
+        steps = tuple(_along(step, length, column) for step in derivation.steps)
+        if steps != derivation.steps:
+            slip = Slip(
+                f"moved-along-{axis} {length}", f"the wrist centre is moved back by {length} along {axis}", question
+            )
+            yield Slipped(slip, replace(derivation, steps=steps))
+    other: dict[Expr, Expr] = {Symbol(length): negate(Symbol(length))}
+    steps = tuple(
+        replace(
+            step,
+            value=put_for(step.value, other),
+            spread=None if step.spread is None else put_for(step.spread, other),
+        )
+        for step in derivation.steps
+    )
+    slip = Slip(f"moved-on {length}", f"the wrist centre is moved on by {length}, not back", "which way does z point?")
+    yield Slipped(slip, replace(derivation, steps=steps))
+
+
+def _along(step: Step, length: str, column: str) -> Step:
+    """A step in which a length stands along another column of the rotation."""
+    exprs = [step.value, *([step.spread] if step.spread is not None else [])]
+    for node in {node for expr in exprs for node in walk(expr) if isinstance(node, Product)}:
+        factors = set(node.factors)
+        for row in "123":
+            old = Symbol(f"r{row}3")
+            if Symbol(length) in factors and old in factors:
+                step = _with(step, node, put_for(node, {old: Symbol(f"r{row}{column}")}))
+    return step
 
 
 def _wrist_from_whole(derivation: Derivation) -> Iterator[Slipped]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, TypeAlias, cast
 
@@ -13,6 +13,8 @@ from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.units import chain_in_metres, has_length_unit, in_metres
 from dhcli.errors import NotationError, Place, Problem, RobotError
+from dhcli.frozen import frozen
+from dhcli.geometry.facing import facing
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.frames import ends
 from dhcli.kinematics.moves import Chain, Fixed, names, read_chain
@@ -21,7 +23,7 @@ from dhcli.kinematics.values import numbers
 from dhcli.notation.matrix import parse_matrix
 from dhcli.notation.quantity import DimensionError, to_length
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import Expr, number
+from dhcli.notation.tree import ZERO, Expr, number
 from dhcli.notation.walk import symbols
 
 if TYPE_CHECKING:
@@ -30,20 +32,21 @@ if TYPE_CHECKING:
 
 Rows: TypeAlias = tuple[tuple[float, ...], ...]
 
-TASKS = ("pose", "position", "orientation")
+TASKS = ("pose", "position", "orientation", "axis", "direction")
 """What of a pose may be given."""
 
 _GOAL = re.compile(
-    r"(?:(?P<start>base|\d{1,4})\s*\.\.\s*(?P<end>tool|\d{1,4})\s+)?(?:of\s+|at\s+)?(?P<task>pose|position|orientation)"
+    r"(?:(?P<start>base|\d{1,4})\s*\.\.\s*(?P<end>tool|\d{1,4})\s+)?(?:of\s+|at\s+)?(?P<task>pose|position|orientation|pointing)"
     r"\s*(?P<rest>.*)",
     re.DOTALL,
 )
 _QUOTED = re.compile(r"(?P<mark>[\"'])(?P<text>.+?)(?P=mark)\s*(?P<rest>.*)", re.DOTALL)
 _BRACKET = re.compile(r"(?P<text>\(.*?\)|\[.*\])\s*(?P<rest>.*)", re.DOTALL)
+_POINTING = re.compile(r"pointing\s*(?P<text>\(.*?\))\s*(?P<rest>.*)", re.DOTALL)
 EXAMPLE = 'of position (0.5, 0.3, 0), or of pose "Trans(0.4, 0, 0.3) Rot(y, 90°)"'
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Target:
     """A pose that is given.
 
@@ -52,6 +55,7 @@ class Target:
         text: The moves or coordinates as the author wrote them.
         chain: The moves, or none for a position.
         point: The coordinates of a position [m]; else none.
+        along: Where the z axis of the frame points to; none where that is not asked, or all of the orientation is.
         frames: The frame it is seen from and the frame it describes, where they are named.
     """
 
@@ -59,12 +63,13 @@ class Target:
     text: str
     chain: Chain = ()
     point: tuple[Expr, ...] = ()
+    along: tuple[Expr, ...] = ()
     frames: tuple[str, str] | None = None
 
     @property
     def names(self) -> frozenset[str]:
         """The names that stand in it."""
-        return names(self.chain).union(*map(symbols, self.point))
+        return names(self.chain).union(*map(symbols, (*self.point, *self.along)))
 
     def ends(self, robot: Robot | None) -> tuple[str, str]:
         """The frame it is seen from and the frame it describes.
@@ -86,8 +91,8 @@ class Target:
         over = Floats(numbers(values))
         if self.chain:
             return tuple(tuple(float(x) for x in row) for row in fold(self.chain, over))
-        place = [float(over.length(expr)) for expr in self.point]
-        turn = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+        place = [float(over.length(expr)) for expr in self.point] or [0.0, 0.0, 0.0]
+        turn = facing([float(over.value(expr)) for expr in self.along] or [0.0, 0.0, 1.0])
         return (*((*row, x) for row, x in zip(turn, place, strict=True)), (0.0, 0.0, 0.0, 1.0))
 
     def in_unit(self, unit: Fraction, scope: Scope) -> Target:
@@ -99,6 +104,8 @@ class Target:
         """
         if self.chain:
             return replace(self, chain=chain_in_metres(self.text, unit, scope))
+        if not self.point:
+            return self
         cells = _cells(self.text, scope, None)
         return replace(self, point=_lengths(_scaled(cell, unit, scope) for cell in cells))
 
@@ -113,6 +120,10 @@ class Target:
         unit = "" if exercise.unit == "none" else f" {exercise.unit}"
         if self.task == "position":
             return f"the origin of frame {end} at ({place}){unit}, seen from frame {start}"
+        if self.along:
+            z = f"z of frame {end} along ({', '.join(_short(row[2]) for row in rows[:3])})"
+            at = f"its origin at ({place}){unit}, " if self.point else ""
+            return f"{z}, {at}seen from frame {start}"
         if self.task == "orientation":
             return f"R = [{_matrix(row[:3] for row in rows[:3])}] of {seen}"
         shown = [[*map(_short, row[:3]), _short(row[3] / per)] for row in rows[:3]]
@@ -148,8 +159,15 @@ def read_target(text: str, scope: Scope, place: Place | None) -> tuple[Target, s
         raise NotationError(Problem(f"'{text.strip():.60}' gives no pose", place, f"write {EXAMPLE}"))
     frames = (match["start"], match["end"]) if match["start"] else None
     inner = given["text"]
+    rest = given["rest"].strip()
+    if match["task"] == "pointing":
+        return Target("direction", inner, along=_direction(inner, scope, place), frames=frames), rest
     if match["task"] == "position":
-        return Target("position", inner, point=_point(inner, scope, place), frames=frames), given["rest"].strip()
+        target = Target("position", inner, point=_point(inner, scope, place), frames=frames)
+        if along := _POINTING.fullmatch(rest):
+            z = _direction(along["text"], scope, place)
+            return replace(target, task="axis", along=z), along["rest"].strip()
+        return target, rest
     return Target(match["task"], inner, read_chain(inner, scope, place), frames=frames), given["rest"].strip()
 
 
@@ -173,6 +191,15 @@ def _point(text: str, scope: Scope, place: Place | None) -> tuple[Expr, ...]:
     if len(cells) != 3:  # noqa: PLR2004
         raise NotationError(Problem(f"a position has three coordinates, not {len(cells)}", place))
     return _lengths(cells, place)
+
+
+def _direction(text: str, scope: Scope, place: Place | None) -> tuple[Expr, ...]:
+    cells = _cells(text, scope, place)
+    if len(cells) != 3:  # noqa: PLR2004
+        raise NotationError(Problem(f"a direction has three parts, not {len(cells)}", place))
+    if all(cell == ZERO for cell in cells):
+        raise NotationError(Problem("a direction has a length", place, "write pointing (0, 0, -1)"))
+    return tuple(cells)
 
 
 def _cells(text: str, scope: Scope, place: Place | None) -> list[Expr]:

@@ -146,7 +146,7 @@ def _of_pose(case: Case, field: Range) -> Iterator[tuple[Slip, list[Joints]]]:
         return [tuple(float(row[k]) for k in at) for row in answer.q]
 
     start, end = target.ends(robot)
-    if target.task != "position":
+    if target.task in {"pose", "orientation"}:
         turn = transposed([row[:3] for row in rows[:3]])
         back = tuple((*line, -sum(a * row[3] for a, row in zip(line, rows[:3], strict=True))) for line in turn)
         slip = Slip("inverse", "the pose was read the other way round, as its inverse", "seen from which frame?")

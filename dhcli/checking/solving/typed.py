@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from dhcli.checking.solving.derived import put_for, with_roots
+from dhcli.checking.solving.putting import put_for, with_roots
 from dhcli.errors import RobotError
 from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive_rules import Step

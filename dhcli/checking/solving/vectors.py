@@ -5,17 +5,17 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.entries import check_names
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.orientations import angle_between, turned
+from dhcli.checking.orientations import angle_between, angle_of, turned
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.solving.goal import Rows, Target
 from dhcli.checking.tolerance import CLOSE_FACTOR, Tolerance, without_unit
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import DhcliError, Place, UnknownNameError, plural
+from dhcli.frozen import frozen
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import Chain
 from dhcli.kinematics.robot import Robot
@@ -33,7 +33,7 @@ FAR = 0.5
 """Joint values farther than this from any solution [rad or reaches] are not taken for one of them."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Vector:
     """Joint values as typed.
 
@@ -48,7 +48,7 @@ class Vector:
     shown: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Landing:
     """Where joint values lead.
 
@@ -158,7 +158,7 @@ def apart(robot: Robot, joints: Sequence[str], one: Sequence[float], other: Sequ
     ]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Range:
     """What a vector is judged against.
 
@@ -210,7 +210,7 @@ class Range:
         """By how many tolerances the pose is missed, and in words."""
         there = fold(self.chain, Floats({**self.lengths, **q}))
         said, off = [], 0.0
-        if self.target.task in ("pose", "position"):
+        if self.target.task in ("pose", "position", "axis"):
             far = math.dist([row[3] for row in there[:3]], [row[3] for row in self.rows[:3]])
             off = far / limit
             if off > 1:
@@ -226,4 +226,10 @@ class Range:
             off = max(off, turn)
             if turn > 1:
                 said.append(turned(typed, right))
+        if self.target.along:
+            typed_z, right_z = ([row[2] for row in rows[:3]] for rows in (there, self.rows))
+            turn = angle_of(typed_z, right_z) / rotation
+            off = max(off, turn)
+            if turn > 1:
+                said.append(f"z points {math.degrees(turn * rotation):.3g}° away from where it should")
         return off, "; ".join(said)

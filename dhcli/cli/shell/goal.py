@@ -12,6 +12,7 @@ from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.given import lengths_of, point_of, split, values_of
 from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean, plural
 from dhcli.geometry.euler import EulerAngles, Order, RollPitchYaw, euler
+from dhcli.geometry.facing import facing
 from dhcli.geometry.rotations import Quaternion
 from dhcli.kinematics.forward import numeric_pose
 from dhcli.kinematics.frames import ends
@@ -180,7 +181,7 @@ def _from_parts(goal: Goal, bare: Bare) -> Rows:
         order, _, angles = goal.euler.strip().partition(" ")
         turn = EulerAngles(_order(order), _angles(angles, "--euler", bare)).rotation()
     elif goal.pointing is not None:
-        turn = _pointing(_numbers(goal.pointing, "--pointing", 3))
+        turn = facing(_numbers(goal.pointing, "--pointing", 3))
     return (*((*row, length) for row, length in zip(turn, place, strict=True)), (0.0, 0.0, 0.0, 1.0))
 
 
@@ -235,20 +236,3 @@ def _order(name: str) -> Order:
         problem = error.problems[0]
         hint = f"write --euler 'zyz 0,30°,90°', or fixed-zyz; {problem.hint}"
         raise UnknownNameError(Problem(problem.message, Place("--euler"), hint)) from None
-
-
-def _pointing(direction: tuple[float, ...]) -> Rows:
-    """A rotation whose z axis has the direction."""
-    size = sum(part * part for part in direction) ** 0.5
-    z = tuple(part / size for part in direction)
-    k = min(range(3), key=lambda i: abs(z[i]))
-    helper = tuple(float(i == k) for i in range(3))
-    x = _cross(helper, z)
-    length = sum(part * part for part in x) ** 0.5
-    x = tuple(part / length for part in x)
-    y = _cross(z, x)
-    return tuple(zip(x, y, z, strict=True))
-
-
-def _cross(a: Sequence[float], b: Sequence[float]) -> tuple[float, ...]:
-    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]

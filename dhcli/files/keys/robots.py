@@ -23,12 +23,6 @@ from dhcli.kinematics.conventions import Convention
 
 CONVENTIONS = (*(convention.value for convention in Convention), "axes", "screws")
 
-UNITS_OF_LENGTH = ("m", "cm", "mm", "in")
-"""What `units` takes for bare lengths."""
-
-CALIBRATED = (*ROW, Key("beta", "of a calibrated table: the turn about y besides, with its unit", ANGLE))
-"""The columns of a table in a file."""
-
 _OF_EVERY_ROBOT = (
     *HEAD,
     NOTES,
@@ -50,19 +44,21 @@ _OF_EVERY_ROBOT = (
         example="actuators: {motors: {m1: [-60°, 76°], m2: }, theta1: m1, theta2: m2 - m1}",
     ),
 )
+UNITS = ("m", "cm", "mm", "in")
 _BESIDE_LINKS = (
-    Key("units", "the unit of bare lengths, m by default", Scalar(UNITS_OF_LENGTH), example="units: mm"),
+    Key("units", "the unit of bare lengths; metres by default", Scalar(UNITS), example="units: mm"),
     Key("first", "number of the first link, 1 by default", WHOLE, example="first: 4"),
     Key("base", "moves in front of the first link", TEXT, example="base: Trans(0, 0, 0.5)"),
     Key("tool", "moves behind the last link", TEXT, example="tool: Trans(0, 0, 0.1) Rot(z, 45°)"),
     Key("tools", "other tools by name", Named(TEXT), example='tools: {gripper: "Trans(0, 0, 0.2)"}'),
 )
+BETA = Key("beta", "of a calibrated row: a turn about y besides", ANGLE, example="beta: 0.1°")
 TABLE = (
     *_OF_EVERY_ROBOT,
     Key(
         "links",
         "a row of the table for each link",
-        Many(Keyed(CALIBRATED), 1),
+        Many(Keyed((*ROW, BETA)), 1),
         is_required=True,
         example="links: [{a: a1, alpha: 0, d: 0, theta: theta1}]",
     ),

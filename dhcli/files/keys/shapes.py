@@ -6,11 +6,12 @@ A loader asks `names` and `required`; `dhcli schema` and the tables of the manua
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import TypeAlias
 
+from dhcli.frozen import frozen
 
-@dataclass(frozen=True, slots=True)
+
+@frozen
 class Scalar:
     """One value: a text, which may look like a number.
 
@@ -27,7 +28,7 @@ class Scalar:
     is_angle: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Many:
     """A list.
 
@@ -42,21 +43,21 @@ class Many:
     most: int | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Named:
     """Values by names that the author chooses."""
 
     of: Shape
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Keyed:
     """Values under keys that are known."""
 
     keys: tuple[Key, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Either:
     """One of several shapes."""
 
@@ -66,7 +67,7 @@ class Either:
 Shape: TypeAlias = Scalar | Many | Named | Keyed | Either
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Key:
     """A key.
 

@@ -6,9 +6,8 @@ from collections.abc import Sequence
 from os.path import isdir, isfile
 
 from dhcli.errors import FileError, UnknownNameError
-from dhcli.files.library.lookup import Kind, above, entries, similar
+from dhcli.files.library.lookup import Kind, above, entries, full_id, similar
 from dhcli.files.reading import read_text
-from dhcli.files.yaml.exercises import full_id
 
 _SIGNS = {
     "parts:": Kind.EXERCISES,

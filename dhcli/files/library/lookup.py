@@ -10,11 +10,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from enum import Enum
 from pathlib import Path
 
 from dhcli.errors import UnknownNameError, did_you_mean, nearest
+from dhcli.frozen import frozen
 
 BUILT_IN = "built-in"
 OWN = "builtin:"
@@ -51,7 +51,7 @@ class Kind(Enum):
         return self.value.removesuffix("s")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Entry:
     """One file of the library.
 
@@ -110,6 +110,14 @@ def find(kind: Kind, name: str) -> Path:
         if entry.name == name:
             return entry.path
     raise UnknownNameError(f"there is no {kind.noun} '{name}'", hint=_hint(kind, name, known))
+
+
+def full_id(name: str) -> str:
+    """An id from its last part, where only one exercise ends so."""
+    if "/" in name or name.endswith((".yaml", ".yml")) or name == "-":
+        return name
+    ends = [entry.name for entry in entries(Kind.EXERCISES) if entry.name.split("/")[-1] == name and not entry.shadowed]
+    return ends[0] if len(ends) == 1 else name
 
 
 def check_typed(kind: Kind, name: object) -> None:

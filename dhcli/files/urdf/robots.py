@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 from dhcli.algebra.floats import Floats
@@ -18,7 +18,7 @@ from dhcli.kinematics.robot import Link, Robot, Value
 from dhcli.kinematics.validity import InvalidRobotError
 from dhcli.notation import turns
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import HALF, ZERO, Expr, Number, Symbol, multiply, power
+from dhcli.notation.tree import HALF, ZERO, Expr, Number, Symbol, add, multiply, power
 
 _KEPT = re.compile(r"[A-Za-z]+_?[0-9]+")
 """Names of joints that are names of variables too."""
@@ -82,14 +82,16 @@ class _Builder:
             waiting += self.origin(joint)
             if joint.kind == "fixed":
                 continue
-            waiting += self.motion(joint, variables[joint.name])
+            leader, factor, offset = self.leader(joint)
+            waiting += self.motion(joint, variables[leader.name], factor, offset)
             links.append(Link(len(links) + 1, tuple(waiting)))
             waiting = []
         if links:
             links[-1] = Link(links[-1].number, (*links[-1].moves, *waiting))
         elif waiting:
             links.append(Link(1, tuple(waiting)))
-        limits = {variables[joint.name]: found for joint in self.moving if (found := self.limits(joint)) is not None}
+        leaders = (joint for joint in self.moving if joint.mimic is None)
+        limits = {variables[joint.name]: found for joint in leaders if (found := self.limits(joint)) is not None}
         return Robot(
             name=name,
             title=title,
@@ -105,27 +107,40 @@ class _Builder:
         )
 
     def variables(self) -> dict[str, str]:
-        """The variable of each joint: its own name where that can be one, else theta1, d2, ..."""
-        for joint in self.moving:
-            if joint.mimic is not None:
-                known = any(other.name == joint.mimic.joint for other in self.moving)
-                where = "" if known else ", which is not on this chain"
-                message = f"joint {joint.name} follows {joint.mimic.joint}{where}"
-                raise FileError(
-                    Problem(
-                        message,
-                        joint.place,
-                        "choose another tip, or take the <mimic> out: then it has a variable of its own",
-                    )
-                )
-        if all(_KEPT.fullmatch(joint.name) for joint in self.moving) and self.can_keep():
-            return {joint.name: joint.name for joint in self.moving}
-        letters = ((joint, "d" if joint.kind == "prismatic" else "theta") for joint in self.moving)
+        """The variable of each joint that follows no other: its own name where that can be one, else theta1, d2, ..."""
+        own = [joint for joint in self.moving if joint.mimic is None]
+        if all(_KEPT.fullmatch(joint.name) for joint in own) and self.can_keep(own):
+            return {joint.name: joint.name for joint in own}
+        letters = ((joint, "d" if joint.kind == "prismatic" else "theta") for joint in own)
         return {joint.name: f"{letter}{i}" for i, (joint, letter) in enumerate(letters, 1)}
 
-    def can_keep(self) -> bool:
-        """Whether the names of the joints are names of variables."""
-        names = tuple(joint.name for joint in self.moving)
+    def leader(self, joint: Joint) -> tuple[Joint, Fraction, Fraction]:
+        """The joint that another one follows in the end, itself if it follows none, by which factor and offset.
+
+        Raises:
+            FileError: It is not on this chain, the joints follow each other in a ring, or a turn follows a slide.
+        """
+        first, factor, offset = joint, Fraction(1), Fraction(0)
+        seen = {joint.name}
+        while joint.mimic is not None:
+            offset += factor * Fraction(joint.mimic.offset)
+            factor *= Fraction(joint.mimic.multiplier)
+            found = next((other for other in self.moving if other.name == joint.mimic.joint), None)
+            if found is None or found.name in seen:
+                where = "which is not on this chain" if found is None else "which follows it"
+                hint = "choose another tip, or take the <mimic> out: then it has a variable of its own"
+                raise FileError(Problem(f"joint {joint.name} follows {joint.mimic.joint}, {where}", joint.place, hint))
+            if found.kind == "prismatic" != first.kind:
+                message = f"joint {first.name} turns and follows {found.name}, which slides"
+                hint = "take the <mimic> out: then it has a variable of its own"
+                raise FileError(Problem(message, first.place, hint))
+            joint = found
+            seen.add(joint.name)
+        return joint, factor, offset
+
+    def can_keep(self, joints: Sequence[Joint]) -> bool:
+        """Whether the names of some joints are names of variables."""
+        names = tuple(joint.name for joint in joints)
         links = tuple(Link(i, (Rot("z", Angle.of(name)),), None, "") for i, name in enumerate(names, 1))
         try:
             Robot("", "", "", Convention.PRODUCT, names, links)
@@ -148,8 +163,8 @@ class _Builder:
             self.shifts.append((shift, len(self.lengths)))
         return angle
 
-    def motion(self, joint: Joint, variable: str) -> Iterator[Move]:
-        """What the joint does, about or along its axis."""
+    def motion(self, joint: Joint, variable: str, factor: Fraction, offset: Fraction) -> Iterator[Move]:
+        """What the joint does, about or along its axis, for a multiple of a variable and an offset."""
         axis = [Fraction(text) for text in joint.axis]
         square = sum((part * part for part in axis), Fraction(0))
         if not square:
@@ -158,23 +173,31 @@ class _Builder:
             )
         if joint.kind == "prismatic":
             size = power(Number(square), HALF)
-            parts: list[Expr] = [
-                multiply(Number(part), power(size, -1), Symbol(variable)) if part else ZERO for part in axis
-            ]
+            by = add(multiply(Number(factor), Symbol(variable)), Number(offset))
+            parts: list[Expr] = [multiply(Number(part), power(size, -1), by) if part else ZERO for part in axis]
             yield Trans(parts[0], parts[1], parts[2])
             return
-        for part in turns.about([Number(number) for number in axis], Angle.of(variable)):
+        turned = Angle.of(variable) * factor + (self.angle(str(float(offset))) if offset else Angle())
+        for part in turns.about([Number(number) for number in axis], turned):
             if isinstance(part, turns.Turn):
                 yield Rot(part.axis, part.angle)
             else:
                 yield Fixed(tuple((row[0], row[1], row[2], row[3]) for row in part.rows[:3]))
 
     def limits(self, joint: Joint) -> tuple[Value, Value] | None:
-        if joint.limits is None:
-            return None
-        low, high = joint.limits
-        if float(low) >= float(high):
+        """The limits of a joint, and of those that follow it, where theirs are narrower."""
+        low, high = joint.limits or (None, None)
+        if low is not None and high is not None and float(low) >= float(high):
             self.remarks.append(f"the limits of {joint.name}, {low} to {high}, are none and left out")
+            low = high = None
+        for other in self.moving:
+            leader, factor, offset = self.leader(other)
+            if other.mimic is None or leader is not joint or other.limits is None or not factor:
+                continue
+            ends = sorted((Fraction(end) - offset) / factor for end in other.limits)
+            low = low if low is not None and Fraction(low) >= ends[0] else str(float(ends[0]))
+            high = high if high is not None and Fraction(high) <= ends[1] else str(float(ends[1]))
+        if low is None or high is None:
             return None
         if joint.kind == "prismatic":
             return length(low), length(high)

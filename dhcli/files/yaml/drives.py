@@ -9,7 +9,8 @@ from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedScalar, PlacedSequence
 from dhcli.files.yaml.typed import has_unit_of_angle, read_value
-from dhcli.kinematics.actuators import Actuators, Drive, actuators, read_drive
+from dhcli.kinematics.actuators import Actuators
+from dhcli.kinematics.drives import Drive, actuators, read_drive
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import RESERVED, parse

@@ -13,7 +13,7 @@ from dhcli.checking.written import Printed, Range, Trial, answer_scope
 from dhcli.errors import DhcliError, FileError, Problem, did_you_mean
 from dhcli.files.keys.exercises import ALSO, EXERCISE, PRINTED, SOURCE, TEST
 from dhcli.files.keys.shapes import names, required
-from dhcli.files.library.lookup import Kind, check_typed, entries, find
+from dhcli.files.library.lookup import Kind, check_typed, entries, find, full_id
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.yaml.credits import read_shares
 from dhcli.files.yaml.fields import Problems
@@ -86,14 +86,6 @@ def _robots_beside(path: Path) -> Iterator[Path]:
         if folder.name == Kind.EXERCISES.value:
             yield folder.parent / Kind.ROBOTS.value
             return
-
-
-def full_id(name: str) -> str:
-    """An id from its last part, where only one exercise ends so."""
-    if "/" in name or name.endswith((".yaml", ".yml")) or name == "-":
-        return name
-    ends = [entry.name for entry in entries(Kind.EXERCISES) if entry.name.split("/")[-1] == name and not entry.shadowed]
-    return ends[0] if len(ends) == 1 else name
 
 
 class _Loader:

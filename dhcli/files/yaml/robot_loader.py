@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from dhcli.errors import FileError, NotationError, Place, Problem, did_you_mean
-from dhcli.files.keys.robots import CALIBRATED, CONVENTIONS, TABLE, UNITS_OF_LENGTH
+from dhcli.files.keys.robots import CONVENTIONS, TABLE, UNITS
 from dhcli.files.keys.shapes import Key, required
 from dhcli.files.keys.shapes import names as names_of
 from dhcli.files.yaml.drives import read_drives
@@ -14,20 +14,18 @@ from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.parameters import Parameters
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
 from dhcli.files.yaml.typed import has_unit_of_angle, read_flag, read_value, read_whole
-from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
-from dhcli.kinematics.moves import Chain, Rot, Trans, angle_names, expressions, names, read_chain
+from dhcli.kinematics.conventions import COLUMNS, Convention, Row, calibrated_moves, moves_of
+from dhcli.kinematics.moves import Chain, angle_names, expressions, names, read_chain
 from dhcli.kinematics.robot import Link, Robot, Value
 from dhcli.kinematics.sharpened import sharpened
 from dhcli.kinematics.validity import Finding, InvalidRobotError
 from dhcli.notation.angle import Angle
-from dhcli.notation.factors import AXES
 from dhcli.notation.names import canonical
 from dhcli.notation.scope import Scope
 from dhcli.notation.tokens import is_name
 from dhcli.notation.tree import ZERO, Expr, Trig
 from dhcli.notation.walk import walk
 
-STILL = (*(Rot(axis, Angle()) for axis in AXES), Trans(ZERO, ZERO, ZERO))
 """Moves that do nothing."""
 ANGLES = ("alpha", "theta", "beta")
 
@@ -155,9 +153,9 @@ class Loader:
     def read_unit(self) -> str:
         """The unit of bare lengths, empty for metres."""
         scalar = self.fields.scalar("units")
-        if scalar is None or scalar.text in UNITS_OF_LENGTH:
+        if scalar is None or scalar.text in UNITS:
             return "" if scalar is None else scalar.text
-        hint = did_you_mean(scalar.text, UNITS_OF_LENGTH) or ", ".join(UNITS_OF_LENGTH)
+        hint = did_you_mean(scalar.text, UNITS) or ", ".join(UNITS)
         self.problems.add(scalar.place, f"units: {scalar.text!r:.60} is no unit of length", hint)
         return ""
 
@@ -196,18 +194,15 @@ class Loader:
                 "write {a: a1, alpha: 90°, d: 0, theta: theta1}, or convention: product for moves",
             )
             return Link(number, ())
-        fields = self.problems.mapping(node, "links", known=names_of(CALIBRATED), required=required(CALIBRATED))
+        fields = self.problems.mapping(node, "links", known=(*COLUMNS, "beta"), required=COLUMNS)
         if len(fields.entries) == len(COLUMNS) and index == 0:
             self.columns = tuple(fields.entries)
         cells = {column: self.cell(fields, column, index) for column in COLUMNS}
         a, d = _as_length(cells["a"]), _as_length(cells["d"])
         row = Row(a=a, alpha=_as_angle(cells["alpha"]), d=d, theta=_as_angle(cells["theta"]))
-        moves = moves_of(row, self.convention)
         if not self.has_beta:
-            return Link(number, moves, row)
-        tilt = (Rot("y", _as_angle(self.cell(fields, "beta", index))),) if "beta" in fields else ()
-        whole = (*tilt, *moves) if self.convention is Convention.MODIFIED else (*moves, *tilt)
-        return Link(number, tuple(move for move in whole if move not in STILL))
+            return Link(number, moves_of(row, self.convention), row)
+        return Link(number, calibrated_moves(row, _as_angle(self.cell(fields, "beta", index)), self.convention))
 
     def cell(self, fields: Fields, column: str, index: int) -> Value:
         """A cell of a row; nothing where it cannot be read."""

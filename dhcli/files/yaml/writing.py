@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from pathlib import Path
 
+from dhcli.errors import DhcliError
 from dhcli.kinematics.conventions import ORDER, Convention
 from dhcli.kinematics.describe.description import Described
 from dhcli.kinematics.describe.drawn import Drawing
@@ -35,10 +36,8 @@ def robot_text(robot: Robot) -> str:
         else:
             cells = ", ".join(f"{column}: {cell(quantity(getattr(link.row, column)))}" for column in robot.columns)
             lines.append(f"  - {{{cells}}}")
-    return (
-        "\n".join([*lines, *_end("tool", robot.tool), *_tools(robot), *_limits(robot), *_motors(robot), *_poses(robot)])
-        + "\n"
-    )
+    lines += [*_end("tool", robot.tool), *_tools(robot), *_limits(robot), *_motors(robot), *_poses(robot)]
+    return _as_it_is(lines)
 
 
 def save_robot(robot: Robot, path: str | Path, *, overwrite: bool = False) -> None:
@@ -98,7 +97,20 @@ def product(moves: Chain) -> str:
 def _drawn_text(robot: Robot, convention: str, body: list[str]) -> str:
     poses = {name: values for name, values in robot.poses.items() if name != "drawn" or convention != "axes"}
     lines = [*_head(robot, convention), *_parameters(robot), "", *body, *_limits(robot), *_motors(robot)]
-    return "\n".join([*lines, *_poses(robot, poses)]) + "\n"
+    return _as_it_is([*lines, *_poses(robot, poses)])
+
+
+def _as_it_is(lines: list[str]) -> str:
+    """The text of a file that is read as it stands: 1.571 rad would be taken as 90°, unless the file says no."""
+    from dhcli.files.yaml.robots import robot_of
+
+    text = "\n".join(lines) + "\n"
+    try:
+        taken = robot_of(text, "text", "robot").remarks
+    except DhcliError:
+        return text  # whoever reads it says why
+    head = next(line for line in lines if line.startswith("convention: "))
+    return text.replace(f"\n{head}\n", f"\n{head}\nexact: false\n", 1) if taken else text
 
 
 def _head(robot: Robot, convention: str) -> Iterator[str]:
@@ -162,7 +174,7 @@ def _motors(robot: Robot) -> Iterator[str]:
         yield from ("  motors:", *(f"    {cell(motor)}: {limits.get(motor, '')}".rstrip() for motor in own))
     else:
         yield f"  motors: [{', '.join(map(cell, own))}]"
-    yield from (f"  {sentence.replace(' = ', ': ', 1)}" for sentence in driven.sentences())
+    yield from (f"  {sentence.replace(' = ', ': ', 1)}" for sentence in driven.sentences(exact=True))
 
 
 def _poses(robot: Robot, poses: Mapping[str, tuple[Value, ...]] | None = None) -> Iterator[str]:

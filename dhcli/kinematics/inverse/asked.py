@@ -102,7 +102,7 @@ def ask(  # noqa: PLR0913  what may be asked of a robot
     from dhcli.kinematics.validity import in_floats
 
     chain = between(robot, *ends(robot, start, end))
-    lengths = parameter_values(robot, parameters or {})
+    lengths = parameter_values(robot, parameters)
     require(robot, chain, {**lengths, **dict.fromkeys(robot.variables, Angle())})
     given = joint_values(robot, dict(hold or {}))
     known = tuple(sorted(numbers(lengths).items()))

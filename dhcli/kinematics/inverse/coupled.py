@@ -44,7 +44,7 @@ class Carried:
     @classmethod
     def of(cls, robot: Robot, parameters: Given | None) -> Carried:
         """The arm for the values of lengths."""
-        arm = uncoupled(robot, numbers(parameter_values(robot, parameters or {})))
+        arm = uncoupled(robot, numbers(parameter_values(robot, parameters)))
         slopes = np.array(arm.slopes).reshape(len(arm.slopes), len(robot.variables))
         return cls(robot, arm, slopes)
 

@@ -65,7 +65,7 @@ def singularities(
     """
     check_robot(robot)
     view = MotionView.of(robot, start=start, end=end, point=point)
-    return find(robot, view, part, given_parameters(robot, parameters or {}))
+    return find(robot, view, part, given_parameters(robot, parameters))
 
 
 def find(robot: Robot, view: MotionView, part: Which | None, values: Values) -> Singularities:

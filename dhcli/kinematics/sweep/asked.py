@@ -61,7 +61,7 @@ def sweep(  # noqa: PLR0913  as many as a sweep has sides; all but the first thr
         UnknownNameError: The robot has no such frame, joint or length.
     """
     check_robot(robot)
-    values = {**parameter_values(robot, parameters or {}), **joint_values(robot, q)}
+    values = {**parameter_values(robot, parameters), **joint_values(robot, q)}
     place = tuple(coordinates(point))
     if len(place) != 3:  # noqa: PLR2004
         raise RobotError(f"a point has three coordinates, not {len(place)}")

@@ -43,7 +43,7 @@ class Triple:
         plain = name.strip().lower()
         if plain not in TRIPLES:
             hint = did_you_mean(plain, TRIPLES) or "rpy, or three axes such as zyz, none the same as the one before it"
-            raise UnknownNameError(f"there are no angles called {name}", hint)
+            raise UnknownNameError(f"there are no angles called {name:.60}", hint)
         first, second, third = TRIPLES[plain]
         return cls(plain, (first, second, third))
 

@@ -20,7 +20,7 @@ from dhcli.kinematics.recorded import Recording, kept
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.traced import shaped, trace
 from dhcli.kinematics.values import JointInput, given_parameters, joint_values, numbers, parameter_values
-from dhcli.kinematics.velocity.analytic import TINY
+from dhcli.kinematics.velocity.analytic import TINY, Triple
 from dhcli.kinematics.velocity.form import Form, Which
 from dhcli.kinematics.velocity.jacobian import (
     Jacobian,
@@ -85,13 +85,13 @@ def jacobian(  # noqa: PLR0913  each by its name
         if played is not None:
             return played
     view = MotionView.of(robot, **viewing)
-    form = Form(checked_part(part), angular_first, analytic)
+    form = form_of(part, angular_first, analytic)
     if library:
         only = {"dtype": dtype, "threads": None if threads == 1 else threads}
-        return cast("NDArray[Any]", traced_jacobian(robot, q, view, form, parameters or {}, (library, only)))
+        return cast("NDArray[Any]", traced_jacobian(robot, q, view, form, parameters, (library, only)))
     if _is_many(q):
-        return jacobians(robot, cast("ArrayLike", q), view, form, parameters or {}, dtype=dtype, threads=threads)
-    values = {**parameter_values(robot, parameters or {}), **joint_values(robot, cast("JointInput", q))}
+        return jacobians(robot, cast("ArrayLike", q), view, form, parameters, dtype=dtype, threads=threads)
+    values = {**parameter_values(robot, parameters), **joint_values(robot, cast("JointInput", q))}
     return numeric_jacobian(robot, values, view, form).matrix
 
 
@@ -102,9 +102,9 @@ def _played(
 
     def record() -> tuple[Recording, tuple[int, int]]:
         part, angular_first, analytic = rows
-        view, form = MotionView.of(robot, **viewing), Form(checked_part(part), angular_first, analytic)
+        view, form = MotionView.of(robot, **viewing), form_of(part, angular_first, analytic)
         shape = len(form.labels), len(moving_joints(robot, view))
-        return recorded_jacobian(robot, view, form, {}), shape
+        return recorded_jacobian(robot, view, form), shape
 
     try:
         recording, shape = kept(robot, (rows, *viewing.items()), record)
@@ -146,20 +146,23 @@ def symbolic_jacobian(
     """
     check_robot(robot)
     view = MotionView.of(robot, **viewing)
-    form = Form(checked_part(part), angular_first, analytic)
-    values = {**given_parameters(robot, parameters or {}), **joint_values(robot, q)}
+    form = form_of(part, angular_first, analytic)
+    values = {**given_parameters(robot, parameters), **joint_values(robot, q)}
     return textbook_jacobian(robot, values, view, form)
 
 
-def checked_part(part: str) -> Which:
-    """The rows that are meant.
+def form_of(part: object, angular_first: bool, analytic: object) -> Form:  # noqa: FBT001  in the order of `Form`
+    """The form that is meant.
 
     Raises:
         RobotError: There is no such part.
+        UnknownNameError: There are no such angles.
     """
-    if part not in {"all", "linear", "angular"}:
-        raise RobotError(f"a Jacobian has no part {part}", "parts: all, linear, angular")
-    return cast("Which", part)
+    if str(part) not in {"all", "linear", "angular"}:
+        raise RobotError(f"a Jacobian has no part {part!s:.60}", "parts: all, linear, angular")
+    if not isinstance(analytic, str) or analytic:
+        Triple.called(str(analytic))
+    return Form(cast("Which", part), angular_first, str(analytic))
 
 
 def _is_many(q: object) -> bool:
@@ -176,7 +179,7 @@ def jacobians(  # noqa: PLR0913  each by its name
     Q: ArrayLike,  # noqa: N803
     view: MotionView,
     form: Form,
-    parameters: Given,
+    parameters: Given | None,
     *,
     dtype: DTypeLike | None = None,
     threads: int = 1,
@@ -201,7 +204,12 @@ def jacobians(  # noqa: PLR0913  each by its name
 
 
 def traced_jacobian(
-    robot: Robot, q: Array, view: MotionView, form: Form, parameters: Given, library: tuple[str, Mapping[str, object]]
+    robot: Robot,
+    q: Array,
+    view: MotionView,
+    form: Form,
+    parameters: Given | None,
+    library: tuple[str, Mapping[str, object]],
 ) -> Array:
     """The Jacobians for an array of another library, shape (..., n): shape (..., rows, joints); see `trace`."""
     shape = len(form.labels), len(moving_joints(robot, view))
@@ -213,7 +221,7 @@ def traced_jacobian(
     return shaped(xp.where(is_there[..., None], found, xp.full_like(found, xp.nan)), q, xp, shape)
 
 
-def recorded_jacobian(robot: Robot, view: MotionView, form: Form, parameters: Given) -> Recording:
+def recorded_jacobian(robot: Robot, view: MotionView, form: Form, parameters: Given | None = None) -> Recording:
     """The entries of a Jacobian, row by row, kept with the robot.
 
     For rates of angles one number follows: the square of what vanishes where there are none.
@@ -221,7 +229,7 @@ def recorded_jacobian(robot: Robot, view: MotionView, form: Form, parameters: Gi
     Raises:
         RobotError: A name has no value, or nothing moves.
     """
-    values = numbers(parameter_values(robot, parameters)) if parameters else None
+    values = None if parameters is None else numbers(parameter_values(robot, parameters))
 
     def record() -> Recording:
         known = numbers(parameter_values(robot, {})) if values is None else values

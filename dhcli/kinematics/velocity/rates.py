@@ -108,7 +108,7 @@ def joint_rates(
     """
     check_robot(robot)
     view = MotionView.of(robot, **viewing)
-    values = {**parameter_values(robot, parameters or {}), **joint_values(robot, q)}
+    values = {**parameter_values(robot, parameters), **joint_values(robot, q)}
     return rates_at(robot, values, view, velocity, angular, damping)
 
 
@@ -191,7 +191,7 @@ def velocity_of(
     """
     check_robot(robot)
     view = MotionView.of(robot, **viewing)
-    values = {**parameter_values(robot, parameters or {}), **joint_values(robot, q)}
+    values = {**parameter_values(robot, parameters), **joint_values(robot, q)}
     found = numeric_jacobian(robot, values, view)
     return moved(found.rows, found.joints, rates)
 

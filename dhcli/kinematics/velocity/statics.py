@@ -100,7 +100,7 @@ def torques(
     """
     check_robot(robot)
     view = MotionView.of(robot, **viewing)
-    values = {**parameter_values(robot, parameters or {}), **joint_values(robot, q)}
+    values = {**parameter_values(robot, parameters), **joint_values(robot, q)}
     wrench = Wrench(three_numbers(force, "a force"), three_numbers(moment, "a moment"))
     return numeric_torques(robot, values, view, wrench).values
 
@@ -121,7 +121,7 @@ def symbolic_torques(
     """
     check_robot(robot)
     view = MotionView.of(robot, **viewing)
-    values = {**given_parameters(robot, parameters or {}), **joint_values(robot, q)}
+    values = {**given_parameters(robot, parameters), **joint_values(robot, q)}
     wrench = Wrench(three_terms(force, "a force"), three_terms(moment, "a moment"))
     return textbook_torques(robot, values, view, wrench).values
 

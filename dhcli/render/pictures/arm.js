@@ -117,7 +117,7 @@ const typed = (j, v) => (D.joints[j].kind === "revolute" ? (v * Math.PI) / 180 :
 function setJoint(j, v, from) {
   q[j] = v; const s = shown(j, v), { lo, hi } = D.joints[j], r = $("s" + j), f = $("f" + j);
   if (from !== r) r.value = s; if (from !== f) f.value = +s.toFixed(3);
-  const beyond = (lo !== null && v < lo - 1e-9) || (hi !== null && v > hi + 1e-9);
+  const beyond = v < lo - 1e-9 || v > hi + 1e-9;
   f.classList.toggle("beyond", beyond); f.setAttribute("aria-invalid", beyond); $("b" + j).textContent = beyond ? "beyond its limit" : "";
 }
 function build() {

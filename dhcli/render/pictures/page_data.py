@@ -176,16 +176,8 @@ def _joint(robot: Robot, name: str, value: Value) -> dict[str, Any]:
     low, high = (map(in_floats, robot.limits[name])) if name in robot.limits else (None, None)
     at = _number(value)
     reach = math.pi if joint.kind == "revolute" else max(1.5 * abs(at), _longest(robot), 0.1)
-    return {
-        "name": name,
-        "words": _words(named(name)),
-        "kind": joint.kind,
-        "lo": low,
-        "hi": high,
-        "from": min(-reach, at),
-        "till": max(reach, at),
-        "q": at,
-    }
+    ends = {"from": min(-reach, at), "till": max(reach, at)} if low is None else {"lo": low, "hi": high}
+    return {"name": name, "words": _words(named(name)), "kind": joint.kind, **ends, "q": at}
 
 
 def _longest(robot: Robot) -> float:
@@ -255,7 +247,9 @@ def _live(robot: Robot, row: object, column: str, given: Given) -> dict[str, Any
         start, found = _offset([cell], robot.variables, given)
         value, slopes = start[0], [[number, slope[0]] for number, slope in found]
         live = bool(slopes) or not cell_is_number(cell)
-    return {"v": value, "j": slopes, "angle": isinstance(cell, Angle)} if live else {}
+    if not live:
+        return {}
+    return {"v": float(f"{value:.9g}"), "j": slopes, **({"angle": 1} if isinstance(cell, Angle) else {})}
 
 
 def cell_is_number(cell: Expr) -> bool:

@@ -59,7 +59,7 @@ def _works(driven: Actuators) -> Iterator[str]:
         if motor in driven.joints:
             continue
         pieces = [
-            (row[k], driven.factor(joint, motor, abs(row[k])) + f"tau_{joint}")
+            (row[k], driven.piece(joint, motor, abs(row[k]), called=f"tau_{joint}"))
             for joint, row in zip(driven.joints, driven.ratios, strict=True)
         ]
         yield f"tau_{motor} = {total_text(pieces)}"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from dhcli.kinematics.robot import Robot, Value
-from dhcli.kinematics.values import Values
+from dhcli.kinematics.values import Values, symbols_of
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import value_text
 from dhcli.notation.tree import Number
@@ -20,7 +20,16 @@ def in_units(value: Value) -> float | str:
 
 
 def value_lines(robot: Robot, values: Values) -> Iterator[str]:
-    """The values used, joints first: `theta1 = 30°`."""
-    for name in (*robot.variables, *robot.parameters):
-        if name in values:
-            yield f"{name} = {value_text(values[name])}"
+    """The values used, joints first: `theta1 = 30°`; behind those of motors the joints that they make."""
+    driven = _driven(robot, values)
+    for name in (*robot.variables, *driven, *robot.parameters):
+        if (value := values.get(name, driven.get(name))) is not None:
+            yield f"{name} = {value_text(value)}"
+
+
+def _driven(robot: Robot, values: Values) -> Values:
+    """Values of the joints that motors make together, where each motor has a number."""
+    motors = robot.drives.actuators if robot.drives is not None else None
+    if motors is None or any(name not in values or symbols_of(values[name]) for name in robot.variables):
+        return {}
+    return {joint: value for joint, value in motors.joint_values(values).items() if joint not in motors.motors}

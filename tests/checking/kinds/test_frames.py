@@ -98,6 +98,8 @@ def test_our_own_frames_are_right_and_give_the_robots_own_table(name: str, conve
     shown = solution(exercise, part)
     assert shown[-1].text == f"So the answer is {text}"
     assert shown[0].text.startswith("1  z axes: DH1: ")
+    *_, rows = shown[-2].text.partition("\n")
+    assert mark(exercise, part, rows).verdict is Verdict.RIGHT
 
 
 @pytest.mark.parametrize("name", ["zhou-3r", "stanford", "puma560", "scara-yim", "ur5e", "cylindrical", "scara"])
@@ -395,6 +397,22 @@ def test_a_cell_that_follows_from_other_frames_keeps_its_credit() -> None:
     assert [one.mark.verdict for one in marked.parts] == [Verdict.RIGHT, Verdict.WRONG]
     assert marked.parts[1].mark.earned == 1
     assert "right from your frames" in marked.parts[1].mark.remarks[0]
+
+
+def test_matrices_that_follow_from_other_frames_keep_their_credit() -> None:
+    """A link matrix and a pose of the exercise that walks the process, from frames whose x1 and x2 are turned over."""
+    from dhcli.files.yaml.exercises import load_exercise
+    from tests.judging import mark_sheet
+
+    frames = "0 +x +z; (a, 0, 0) -x +z; (a + b, 0, 0) +x +y; (a + b, 0, 0) +x +y"
+    link = "[-c2 0 s2 -b*c2; -s2 0 -c2 -b*s2; 0 -1 0 0; 0 0 0 1]"
+    marked = mark_sheet(load_exercise("yim/dh-process"), {"frames": frames, "step5": link})
+    found = {one.part.id: one.mark for one in marked.parts}
+    assert found["frames"].verdict is Verdict.RIGHT
+    assert found["step5"].earned == 1
+    assert "right from your frames, which has other frames" in found["step5"].remarks[0]
+    alone = mark_sheet(load_exercise("yim/dh-process"), {"step5": link})
+    assert next(one.mark for one in alone.parts if one.part.id == "step5").earned < 1
 
 
 def test_a_sheet_shows_the_axes_and_a_row_for_each_frame() -> None:

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from dhcli import forward
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.judge import Judge
 from dhcli.checking.kinds.joint_formula import JointFormulaQuestion
@@ -229,3 +230,59 @@ def test_bare_lengths_of_a_pose_are_in_the_unit_of_the_exercise(tmp_path: Path) 
         mark = Judge(exercise).check(part, answers[part.id])
         assert mark.verdict is Verdict.RIGHT, (part.id, mark)
     assert "(500, 300, 0) mm" in exercise.parts[0].question.describe(exercise)
+
+
+PAN_TILT = """\
+format: 1
+title: pan and tilt
+source: made for a test
+convention: standard
+variables: [theta1, theta2]
+links:
+  - {theta: theta1, d: 0, a: 0, alpha: -90°}
+  - {theta: theta2, d: 0, a: 0, alpha: 90°}
+"""
+
+
+@pytest.mark.parametrize(
+    ("answer", "verdict"),
+    [
+        ("45°, 54.7356°", Verdict.RIGHT),
+        ("-135°, -54.7356°", Verdict.RIGHT),
+        ("45°, -54.7356°", Verdict.WRONG),
+        ("45°, 35.2644°", Verdict.WRONG),
+    ],
+)
+def test_a_direction_is_judged_by_where_z_points(tmp_path: Path, answer: str, verdict: Verdict) -> None:
+    """Whatever the spin about it: z along (1, 1, 1), of any length."""
+    path = tmp_path / "pan-tilt.yaml"
+    path.write_text(PAN_TILT, "utf-8")
+    exercise = question_about(load_robot(str(path)), "joints of pointing (2, 2, 2)", numeric=True, given={})
+    part = exercise.parts[0]
+    mark = Judge(exercise).check(part, answer)
+    assert mark.verdict is verdict, mark
+    assert "z of frame 2 along (0.57735, 0.57735, 0.57735)" in part.question.describe(exercise)
+    counted = question_about(load_robot(str(path)), "count solutions of pointing (2, 2, 2)", numeric=True, given={})
+    assert Judge(counted).check(counted.parts[0], "2").verdict is Verdict.RIGHT
+
+
+def test_a_place_and_a_direction_are_judged_together() -> None:
+    """SCARA points the same way whatever it does, and not the other way."""
+    robot = load_robot("scara")
+    pose = forward(robot, [0.3, 0.5, 0.1])
+    x, y, z = (row[3] for row in pose.rows[:3])
+    along = [row[2] for row in pose.rows[:3]]
+    place = f"joints of position ({x!r}, {y!r}, {z!r}) pointing"
+    there = f"{place} ({', '.join(map(repr, along))})"
+    back = f"{place} ({', '.join(repr(-part) for part in along)})"
+    assert judged("0.3 rad, 0.5 rad, 0.1 m", there, "scara").verdict is Verdict.RIGHT
+    assert judged("0.3 rad, 0.6 rad, 0.1 m", there, "scara").verdict is Verdict.WRONG
+    with pytest.raises(DhcliError, match="the last z axis always"):
+        judged("0.3 rad, 0.5 rad, 0.1 m", back, "scara")
+
+
+@pytest.mark.parametrize("ask", ["joints of pointing (0, 0, 0)", "joints of pointing (1, 2)", "reach of pointing"])
+def test_what_is_no_direction_is_refused(ask: str) -> None:
+    """Three parts, not all of them 0."""
+    with pytest.raises(NotationError):
+        asked(ask)

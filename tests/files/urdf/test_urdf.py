@@ -17,6 +17,7 @@ from dhcli.files.urdf.writing import urdf_text
 from dhcli.files.yaml.robots import load_robot, read_robot
 from dhcli.kinematics.describe.description import Asked, describe
 from dhcli.kinematics.forward import forward
+from dhcli.kinematics.inverse.asked import inverse
 from dhcli.kinematics.robot import Robot
 from tests.coupled import COUPLED
 
@@ -200,7 +201,14 @@ def with_change(old: str, new: str) -> str:
         (with_change('xyz="0 0 0.3"', 'xyz="0 0 ${h}"'), "this is a xacro"),
         (with_change("<robot", "<xacro:robot"), "this is a xacro"),
         (with_change('<axis xyz="0 0 1"/>', '<axis xyz="0 0 0"/>'), "an axis of length zero"),
-        (with_change('<axis xyz="0 0 1"/>', '<axis xyz="0 0 1"/><mimic joint="elbow"/>'), "shoulder follows elbow"),
+        (
+            with_change('<axis xyz="0 0 1"/>', '<axis xyz="0 0 1"/><mimic joint="shoulder"/>'),
+            "shoulder, which follows it",
+        ),
+        (
+            with_change('<axis xyz="0 0 1"/>', '<axis xyz="0 0 1"/><mimic joint="slide"/>'),
+            "follows slide, which slides",
+        ),
         (with_change('<axis xyz="0 0 1"/>', '<axis xyz="0 0 1"/><mimic joint="x"/>'), "not on this chain"),
         (with_change('<?xml version="1.0"?>', '<!DOCTYPE r [<!ENTITY a "b">]>'), "a DOCTYPE is not read"),
         ("<svg/>", "<svg> is no URDF"),
@@ -270,3 +278,30 @@ def test_a_robot_file_has_no_links_to_choose_from() -> None:
 def test_a_robot_of_a_urdf_is_a_robot() -> None:
     """What a caller sees."""
     assert isinstance(load_robot(str(DATA / "three-joints.urdf"), tip="camera"), Robot)
+
+
+ELBOW = """rpy="1.5708 0 0"/>
+    <axis xyz="0 0 1"/>"""
+
+
+@pytest.mark.parametrize("follower", ["elbow", "slide"])
+def test_a_joint_that_follows_another_moves_with_it(follower: str) -> None:
+    """By its factor and offset, with the narrower of the two limits; ik finds the variables that are left."""
+    mimic = '<mimic joint="shoulder" multiplier="-0.5" offset="0.1"/>'
+    if follower == "elbow":
+        text = with_change(ELBOW, ELBOW + mimic + '<limit lower="-0.9" upper="1.1"/>').replace("continuous", "revolute")
+    else:
+        text = with_change('<axis xyz="0 0 -1"/>', f'<axis xyz="0 0 -1"/>{mimic}')
+    arm, plain = read_urdf(text, "a", "a", tip="tool0"), read_urdf(THREE, "a", "a", tip="tool0")
+    q = [0.15, 0.2]
+    low, high = (value.constant() for value in arm.limits["theta1"])  # type: ignore[union-attr]
+    if follower == "elbow":
+        assert (low, high) == pytest.approx((-2, 2))
+        moved = [q[0], 0.1 - 0.5 * q[0], q[1]]
+    else:
+        assert (low, high) == pytest.approx((-0.8, 0.2))
+        moved = [q[0], q[1], 0.1 - 0.5 * q[0]]
+    assert len(arm.variables) == 2
+    pose = np.asarray(forward(plain, moved))
+    assert np.asarray(forward(arm, q)) == pytest.approx(pose, abs=1e-15)
+    assert inverse(arm, pose).nearest(q) == pytest.approx(q)

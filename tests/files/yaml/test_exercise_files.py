@@ -13,8 +13,8 @@ from dhcli.checking.kinds.matrix import MatrixQuestion
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import FileError, UnknownNameError
 from dhcli.files.library.kinds import kind_of
-from dhcli.files.library.lookup import Kind
-from dhcli.files.yaml.exercises import full_id, load_exercise, read_exercise
+from dhcli.files.library.lookup import Kind, full_id
+from dhcli.files.yaml.exercises import load_exercise, read_exercise
 from dhcli.notation.angle import Angle
 
 HEAD = "format: 1\ntitle: T\nsource: S\ntask: Do it\nrobot: planar-2r\n"

@@ -54,7 +54,7 @@ def _check_silent(browser: WebDriver) -> None:
     assert all(url.startswith(("file:///", "data:")) for url in asked)
 
 
-@pytest.mark.parametrize("name", [*ROBOTS[:4], *LINKAGES[:4], "six-r-arm", "stewart-gough"])
+@pytest.mark.parametrize("name", [*ROBOTS, *LINKAGES])
 def test_a_page_names_no_address_but_those_of_namespaces(name: str) -> None:
     """Read as text, with no browser: nothing that could be fetched."""
     text = draw(_linkage(name) if name in LINKAGES else load_robot(name)).page()
@@ -71,10 +71,7 @@ def test_pages_compute_what_dhcli_computes(browser: WebDriver, tmp_path: Path) -
         robot = load_robot(name)
         _open(browser, draw(robot), tmp_path, name)
         turning = [joint.kind == "revolute" for joint in robot.joints]
-        poses = [
-            [rng.uniform(-3, 3) if turns else rng.uniform(-1, 1) for turns in turning]
-            for _ in range(50 if NIGHT else 8)
-        ]
+        poses = [[rng.uniform(-3, 3) if turns else rng.uniform(-1, 1) for turns in turning] for _ in range(50)]
         last = robot.frames[-2]
         found = browser.execute_script(
             "return arguments[0].map(q => dhcli.fk(q, arguments[1], arguments[2]))", poses, robot.frames[1], last
@@ -368,6 +365,81 @@ def test_a_page_fits_a_phone(browser: WebDriver, tmp_path: Path) -> None:
     browser.set_window_size(1280, 800)
     assert wide <= window
     assert top == 0
+
+
+def test_a_finger_turns_the_view_and_two_fingers_zoom(browser: WebDriver, tmp_path: Path) -> None:
+    """By touches as a phone sends them; the page itself does not scroll away under them."""
+    _open(browser, draw(load_robot("scara")), tmp_path)
+    x, y = browser.execute_script(
+        "const r = figure.getBoundingClientRect(); return [r.left + r.width / 2, r.top + r.height / 2]"
+    )
+    view, zoom = browser.execute_script("return [view, zoom]")
+    _touch(browser, "touchStart", [(x, y)])
+    _touch(browser, "touchMove", [(x + 40, y + 20)])
+    _touch(browser, "touchEnd", [])
+    turned = browser.execute_script("return view")
+    assert turned != view
+    _touch(browser, "touchStart", [(x - 20, y), (x + 20, y)])
+    for apart in (30, 60, 90):
+        _touch(browser, "touchMove", [(x - apart, y), (x + apart, y)])
+    _touch(browser, "touchEnd", [])
+    assert browser.execute_script("return zoom") > 1.5 * zoom
+    assert browser.execute_script("return view") == turned
+    assert browser.execute_script("return [scrollX, scrollY]") == [0, 0]
+    _check_silent(browser)
+
+
+def test_a_finger_drags_a_linkage(browser: WebDriver, tmp_path: Path) -> None:
+    """The crank follows it."""
+    _open(browser, draw(_linkage("planar-four-bar")), tmp_path)
+    script = """
+      const r = figure.getBoundingClientRect(), k = Math.min(r.width / W, r.height / H), [x, y] = flat(dhcli.at('B'));
+      return [r.left + (r.width - W * k) / 2 + x * k, r.top + (r.height - H * k) / 2 + y * k];
+    """
+    x, y = browser.execute_script(script)
+    _touch(browser, "touchStart", [(x, y)])
+    _touch(browser, "touchMove", [(x + 30, y + 10)])
+    _touch(browser, "touchEnd", [])
+    assert max(map(abs, browser.execute_script("return dhcli.state()"))) > 0.01
+    assert browser.execute_script("return dhcli.gap()") < 1e-9
+    _check_silent(browser)
+
+
+def _touch(browser: WebDriver, kind: str, points: list[tuple[float, float]]) -> None:
+    """A touch of some fingers."""
+    touches = [{"x": x, "y": y, "id": number} for number, (x, y) in enumerate(points)]
+    browser.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": kind, "touchPoints": touches})
+
+
+def _media(browser: WebDriver, scheme: str, media: str = "") -> None:
+    """What the reader prefers, and on what the page is shown."""
+    features = [{"name": "prefers-color-scheme", "value": scheme}]
+    browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": media, "features": features})
+
+
+def test_a_page_is_light_or_dark_as_the_reader_prefers_and_light_on_paper(browser: WebDriver, tmp_path: Path) -> None:
+    """Letters stand out from the ground; what cannot be pressed is not printed."""
+    script = """
+      const style = getComputedStyle(document.body), button = document.querySelector('button');
+      const light = (c) => c.match(/\\d+/g).slice(0, 3).reduce((s, v) => s + +v, 0) / 765;
+      return [light(style.backgroundColor), light(style.color), getComputedStyle(button).display];
+    """
+    pictures = (draw(load_robot("scara")), draw(_linkage("bennett")), draw(_linkage("watt")))
+    try:
+        for picture in pictures:
+            _open(browser, picture, tmp_path)
+            _media(browser, "light")
+            paper, letters, _ = browser.execute_script(script)
+            assert (paper > 0.9, letters < 0.2) == (True, True)
+            _media(browser, "dark")
+            paper, letters, button = browser.execute_script(script)
+            assert (paper < 0.2, letters > 0.8, button != "none") == (True, True, True)
+            _media(browser, "dark", "print")
+            paper, letters, button = browser.execute_script(script)
+            assert (paper > 0.9, letters < 0.2, button) == (True, True, "none")
+            assert browser.execute_script("return figure.getBoundingClientRect().height") > 200
+    finally:
+        browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "", "features": []})
 
 
 def test_a_page_plays_a_motion_there_and_back(browser: WebDriver, tmp_path: Path) -> None:
