@@ -10,7 +10,7 @@ from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
-from dhcli.checking.pasted import UnreadableError, without_label
+from dhcli.checking.pasted import UnreadableError, without_label, without_number_word
 from dhcli.checking.solving.goal import Target, read_target, solutions
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import NotationError, Place, Problem, plural
@@ -92,7 +92,7 @@ class SolutionsQuestion(Question[int]):
             yield Finding((*where, "ask"), message, "give another pose", is_warning=True)
 
     def read(self, _case: Case, text: str, _place: Place | None = None) -> int:
-        found = without_label(text).strip().rstrip(".")
+        found = without_number_word(without_label(text)).strip().rstrip(".")
         if not found.isdecimal() or int(found[:9]) > MOST_TYPED:
             raise UnreadableError("a number of solutions is a whole number")
         return int(found)
