@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from typing import TypeAlias
 
 from dhcli.algebra.tape import Cell, Column, Number, Operation, Tape
+from dhcli.frozen import frozen
 
 Register: TypeAlias = int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Instruction:
     """A step on registers.
 
@@ -24,7 +24,7 @@ class Instruction:
     operands: tuple[Register | float, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Program:
     """Instructions. The first registers end as the results, the next ones begin as the joint values.
 

@@ -10,7 +10,7 @@ import re
 import shlex
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, Protocol, Self, TypeAlias, TypeVar, cast
 
@@ -21,6 +21,7 @@ from dhcli.checking.tolerance import DEFAULT, Tolerance
 from dhcli.checking.verdicts import Mark
 from dhcli.checking.written import Printed, Range, Trial, answer_scope
 from dhcli.errors import DhcliError, Place, RobotError, UnknownNameError, did_you_mean
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import Row
 from dhcli.kinematics.derived import replaced
 from dhcli.kinematics.robot import Robot, Value
@@ -77,7 +78,7 @@ class Memo:
         return cast("R", self._known[key])
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Reading(Generic[T]):
     """An answer that has been read: the text, and what its kind of question reads in it."""
 
@@ -85,7 +86,7 @@ class Reading(Generic[T]):
     value: T
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Judged(Generic[T]):
     """A mark, with the answer as it was read; None where it cannot be, or is blank."""
 
@@ -93,7 +94,7 @@ class Judged(Generic[T]):
     reading: Reading[T] | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Shown:
     """One step of a solution.
 
@@ -353,7 +354,7 @@ class Question(ABC, Generic[T]):
         return None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Overlaid:
     """An answer as a drawing over the arm that is right.
 
@@ -368,7 +369,7 @@ class Overlaid:
     values: Values
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Points:
     """Values of some names, one set for each point at which something is evaluated."""
 
@@ -379,7 +380,7 @@ class Points:
 _FRAME = re.compile(r"\bframe \w+")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Part:
     """One question of an exercise.
 
@@ -421,7 +422,7 @@ class Part:
         return form if frames and frames <= set(_FRAME.findall(self.prompt)) else heading
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Exercise:
     """A task with its parts.
 
@@ -543,7 +544,7 @@ class Exercise:
         return self.robot.writing if self.robot else THETAS
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Case:
     """A part of an exercise, with what was worked out for the exercise so far."""
 

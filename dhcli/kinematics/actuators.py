@@ -7,11 +7,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.derived import Value
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import value_text
@@ -22,7 +23,7 @@ Row = tuple[Fraction, ...]
 ZERO = Fraction(0)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Actuators:
     """Which motors drive which joints, and how: q = ratios m + shifts.
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import StrEnum
 
-from dhcli.kinematics.moves import Chain, Rot, along
+from dhcli.frozen import frozen
+from dhcli.kinematics.moves import Chain, Rot, Trans, along
 from dhcli.notation.angle import Angle
+from dhcli.notation.factors import AXES
 from dhcli.notation.names import canonical, parts
-from dhcli.notation.tree import Expr
+from dhcli.notation.tree import ZERO, Expr
 
 
 class Convention(StrEnum):
@@ -19,7 +20,7 @@ class Convention(StrEnum):
     PRODUCT = "product"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Row:
     """One row of a DH table.
 
@@ -37,6 +38,8 @@ class Row:
 
 
 COLUMNS = ("a", "alpha", "d", "theta")
+STILL = (*(Rot(axis, Angle()) for axis in AXES), Trans(ZERO, ZERO, ZERO))
+"""Moves that do nothing."""
 
 _HEADS = {"a": "a", "r": "a", "alpha": "alpha", "d": "d", "s": "d", "theta": "theta"}
 _INDICES = {False: frozenset(("", "i", "j", "n")), True: frozenset(("i-1", "j-1", "n-1"))}
@@ -74,3 +77,13 @@ def moves_of(row: Row, convention: Convention) -> Chain:
     if convention is Convention.MODIFIED:
         return (twist, reach, slide, turn)
     return (turn, slide, reach, twist)
+
+
+def calibrated_moves(row: Row, beta: Angle, convention: Convention) -> Chain:
+    """The moves of a row of a calibrated table, which turns about y besides; those that do nothing are left out.
+
+    Source: behind the row as Hayati, in front of one of the modified convention as Khalil.
+    """
+    moves, tilt = moves_of(row, convention), (Rot("y", beta),)
+    whole = (*tilt, *moves) if convention is Convention.MODIFIED else (*moves, *tilt)
+    return tuple(move for move in whole if move not in STILL)

@@ -10,6 +10,7 @@ from types import MappingProxyType
 from typing import Literal
 
 from dhcli.errors import RobotError, did_you_mean
+from dhcli.frozen import frozen
 from dhcli.kinematics.actuators import Actuators
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row
 from dhcli.kinematics.derived import Formula, Value
@@ -24,7 +25,7 @@ from dhcli.notation.walk import walk
 Kind = Literal["revolute", "prismatic"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Joint:
     """A joint and its variable.
 
@@ -39,7 +40,7 @@ class Joint:
     link: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Link:
     """One link: the moves from the frame before it to its own.
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
 from dhcli.algebra.arithmetic import plus
 from dhcli.algebra.floats import Floats
 from dhcli.errors import NotationError, RobotError
+from dhcli.frozen import frozen
 from dhcli.geometry.motion import dot, inverse, product
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_length
@@ -34,7 +35,7 @@ DIGITS = 4
 """Decimals that a person is shown unless they ask for more."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Pose(Generic[N]):
     """A homogeneous matrix with the names of its two frames.
 

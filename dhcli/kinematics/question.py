@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import TYPE_CHECKING, Literal, TypeAlias, cast
 
 from dhcli.errors import RobotError, UnknownNameError
+from dhcli.frozen import frozen
 from dhcli.geometry.words import in_words
 from dhcli.kinematics.forward import factors, in_numbers, put_in, textbook_form
 from dhcli.kinematics.frames import Point, View, between, path
@@ -26,7 +27,7 @@ AnyPose: TypeAlias = Pose[float] | Pose[Expr]
 Listing: TypeAlias = Literal["frames", "links", "factors"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Question:
     """What is asked of a robot.
 
@@ -47,7 +48,7 @@ class Question:
     let: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class SeenPoint:
     """A point in two frames.
 
@@ -64,7 +65,7 @@ class SeenPoint:
     reference: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ForwardKinematics:
     """What a question about a robot has for an answer.
 

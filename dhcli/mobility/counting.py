@@ -12,6 +12,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 
+from dhcli.frozen import frozen
 from dhcli.mobility.linkage import Linkage
 from dhcli.mobility.pairs import LinkageError, Pair, Space
 from dhcli.notation.tree import ONE, ZERO, Expr, Number, Product, Sum, add, is_negative, multiply, negate, number
@@ -22,7 +23,7 @@ MOST_TERMS = 200
 """Terms that a product of sums may have; counts are short."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Group:
     """Joints of one kind.
 

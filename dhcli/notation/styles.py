@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import keyword
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from dhcli.frozen import frozen
 from dhcli.notation.names import GREEK_NAMES, natural_key, parts
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Style:
     """How the pieces of an expression are spelled in one notation.
 
@@ -101,7 +102,7 @@ STYLES: Mapping[str, Style] = {
 """The notations by the name the user gives them."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Joints:
     """The joint angles of a robot, for shorthand: `c12` may stand for cos(theta1 + theta2).
 

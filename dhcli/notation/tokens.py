@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Literal
 
 from dhcli.errors import NotationError, Place, Problem
+from dhcli.frozen import frozen
 from dhcli.notation.names import GREEK, GREEK_NAMES, describe, foreign_letter
 from dhcli.notation.styles import SPOKEN_FOR
 
@@ -84,7 +84,7 @@ def _index() -> re.Pattern[str]:
     return re.compile(r" ?([0-9]{1,2})(?![0-9.,])")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Token:
     """A piece of text with one meaning.
 
@@ -103,7 +103,7 @@ class Token:
     spaced: bool
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Source:
     """A text and where it comes from, for errors that point at a column.
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from dataclasses import field
 from importlib import import_module
 from typing import Any
 
 from dhcli.errors import UnknownNameError
+from dhcli.frozen import frozen
 from dhcli.kinematics.pose import DIGITS, rounded
 from dhcli.render.paper import Paper
 
@@ -169,7 +170,7 @@ _NOISE = 1e-9
 """What is smaller is taken for rounding and shown as 0."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Look:
     """How a result is to look.
 

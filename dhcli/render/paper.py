@@ -5,9 +5,9 @@ from __future__ import annotations
 import os
 import shutil
 import unicodedata
-from dataclasses import dataclass
 from typing import TextIO
 
+from dhcli.frozen import frozen
 from dhcli.notation.names import GREEK
 from dhcli.safe import one_line
 
@@ -42,7 +42,7 @@ _IN_ASCII = str.maketrans(
 )
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Paper:
     """What text is written on.
 

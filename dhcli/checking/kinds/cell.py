@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
@@ -14,6 +14,7 @@ from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.values import Quantity, TypedValue, mark_value, read_value, spelled_value
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import DhcliError, NotationError, Place, Problem, RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import COLUMNS, Row
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.notation.scope import Scope
@@ -27,7 +28,7 @@ LENGTHS = ("a", "d")
 """Columns of lengths; the others are angles."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class CellQuestion(Question[TypedValue]):
     """One cell of the robot's DH table."""
 

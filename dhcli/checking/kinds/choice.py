@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import ClassVar, Self
 
 from dhcli.checking.exercise import Besides, Case, Exercise, Question, Reading, Shown
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import Place
+from dhcli.frozen import frozen
 from dhcli.notation.scope import Scope
 
 _LABEL = re.compile(r"[(\[]?([0-9]{1,3}|[a-z])[)\].:]{0,2}(?: (.+))?")
@@ -18,7 +19,7 @@ _LABEL = re.compile(r"[(\[]?([0-9]{1,3}|[a-z])[)\].:]{0,2}(?: (.+))?")
 _MARKS = ".,;:!?\"'“”‘’()[]"  # noqa: RUF001  as they are typed
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ChoiceQuestion(Question[int]):
     """One of several statements; `right` counts from 1."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
@@ -11,6 +11,7 @@ from dhcli.checking.exercise import Besides, Case, Causes, Exercise, Question, R
 from dhcli.checking.pasted import UnreadableError, without_label, without_number_word
 from dhcli.checking.verdicts import COUNTED, Mark, Verdict
 from dhcli.errors import DhcliError, NotationError, Place, Problem
+from dhcli.frozen import frozen
 from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Number, Unit
@@ -24,7 +25,7 @@ LARGEST = 10**6
 WHAT = ("mobility", "gruebler", "links", "joints", "constraints", "freedoms")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class CountQuestion(Question[int]):
     """A count of a linkage: its mobility, links, joints or constraints.
 

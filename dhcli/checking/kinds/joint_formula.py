@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
@@ -25,6 +24,7 @@ from dhcli.checking.solving.goal import Target, of_robot
 from dhcli.checking.solving.typed import exprs_of, formula_of, typed_text, values_of
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import NotationError, Place, Problem, RobotError, UnknownNameError
+from dhcli.frozen import frozen
 from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive_levels import POSITION, ROTATION
 from dhcli.kinematics.inverse.derive_terms import name_of
@@ -42,7 +42,7 @@ EARNED_TOO_MUCH = 0.5
 """What a formula earns that has every value, and others besides."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class JointFormulaQuestion(Question[Formula]):
     """A formula for a joint, or for a sum of joints, from the entries of a pose.
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, ClassVar, Self
 
@@ -16,6 +16,7 @@ from dhcli.checking.solving.goal import Target, of_robot, read_target, solutions
 from dhcli.checking.solving.vectors import Range, Vector, in_radians, read_vectors, spelled
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean, plural
+from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.validity import Finding
 from dhcli.notation.angle import Angle
@@ -30,7 +31,7 @@ _WHICH = re.compile(
 Vectors = tuple[Vector, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class JointsQuestion(Question[Vectors]):
     """Joint values that take a frame to a pose.
 

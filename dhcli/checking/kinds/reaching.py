@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from typing import ClassVar, Self
 
@@ -14,6 +14,7 @@ from dhcli.checking.pasted import UnreadableError, without_label, without_number
 from dhcli.checking.solving.goal import Target, read_target, solutions
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import NotationError, Place, Problem, plural
+from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.validity import Finding
 from dhcli.notation.scope import Scope
@@ -31,7 +32,7 @@ def _asked(text: str, scope: Scope, place: Place | None) -> tuple[Target, bool]:
     return target, bool(rest)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class SolutionsQuestion(Question[int]):
     """How many joint vectors reach a pose.
 
@@ -135,7 +136,7 @@ class SolutionsQuestion(Question[int]):
                 yield slip, number
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ReachQuestion(Question[bool]):
     """Whether a pose is reached.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, ClassVar, Self
 
@@ -12,6 +12,7 @@ from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, S
 from dhcli.checking.values import TypedValue, mark_value, quantity_of, read_value, spelled_value
 from dhcli.checking.verdicts import Mark
 from dhcli.errors import NotationError, Place, Problem
+from dhcli.frozen import frozen
 from dhcli.notation.parser import parse_quantity
 from dhcli.notation.quantity import DimensionError, is_inverse
 from dhcli.notation.scope import Scope
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
     from dhcli.checking.diagnosis.alternatives import Alternative
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ScalarQuestion(Question[TypedValue]):
     """An angle, a length or a number, computed from an expression."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
@@ -12,6 +12,7 @@ from dhcli.checking.kinds.linked import needed
 from dhcli.checking.tables.typed_rows import TypedRow, read_table
 from dhcli.checking.verdicts import Mark
 from dhcli.errors import NotationError, Place, Problem
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import names
@@ -26,7 +27,7 @@ FIRST = 1
 """Index of frame 0, behind the base."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class TableQuestion(Question[tuple[TypedRow, ...]]):
     """The DH table of the robot in one of the conventions.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 
 from dhcli.checking.diagnosis.result import Slip
@@ -12,6 +12,7 @@ from dhcli.checking.kinds.linked import needed
 from dhcli.checking.solving.goal import Target, of_robot
 from dhcli.checking.solving.putting import put_for
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import NAMES
 from dhcli.kinematics.frames import between
 from dhcli.kinematics.inverse.derivation import Derivation
@@ -28,7 +29,7 @@ from dhcli.notation.walk import substitute, symbols, walk
 from dhcli.notation.writer import write
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Slipped:
     """A derivation with a slip in it.
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 
 from dhcli.cli.shell.console import say, tell, write_out
 from dhcli.errors import DhcliError, FileError, Place, Problem, UnknownNameError, did_you_mean
+from dhcli.frozen import frozen
 from dhcli.render.look import Look, check_format, content, render
 from dhcli.render.paper import Paper
 
@@ -25,7 +25,7 @@ SUFFIXES = {
 STYLES = ("short", "full")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Delivery:
     """How a person wants a result.
 

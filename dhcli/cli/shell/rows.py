@@ -5,12 +5,12 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, BinaryIO
 
 from dhcli.cli.shell.console import raw_out, somebody_reads, tell, write_out
 from dhcli.cli.shell.delivery import check_force, check_free, format_by_suffix
 from dhcli.errors import DhcliError, UnknownNameError, did_you_mean, plural
+from dhcli.frozen import frozen
 from dhcli.render.code.rows import FORMATS, Layout, RowText
 
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ class RowSink:
         self.count += len(block)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RowDelivery:
     """How a person wants rows.
 

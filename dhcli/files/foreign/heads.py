@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from dhcli.kinematics.conventions import COLUMNS, Convention, column_of
+from dhcli.notation.names import canonical, parts
 from dhcli.notation.quantity import ANGLE_UNITS, LENGTH_UNITS
 
 LONGEST = 4000
@@ -24,6 +25,7 @@ _WORDS = {
     "angle": "theta",
     "offset": "offset",
     "joint offset": "offset",
+    "beta": "beta",
     "type": "kind",
     "joint type": "kind",
     "kind": "kind",
@@ -108,6 +110,7 @@ def _named(head: str) -> _Named:
     else:
         name = match["name"]
     name = name.strip().strip("*").replace("−", "-")  # noqa: RUF001  a minus sign
+    name = "beta" if parts(canonical(name))[0] == "beta" else name
     if name.lower() in _WORDS:
         return _Named(_WORDS[name.lower()], unit)
     if _NUMBERING.fullmatch(name.lower()):

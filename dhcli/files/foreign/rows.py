@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from dhcli.errors import FileError, NotationError, Place, Problem
-from dhcli.kinematics.conventions import Convention, Row, moves_of
+from dhcli.kinematics.conventions import Convention, Row, calibrated_moves, moves_of
 from dhcli.kinematics.derived import Formula, circle, with_derived
 from dhcli.kinematics.description import Link
 from dhcli.kinematics.moves import Chain, angle_names, names
@@ -98,6 +98,11 @@ def robot_of_rows(reader: Reader, rows: Sequence[RowText], whole: Whole, joints:
     if reader.problems:
         raise FileError(reader.problems)
     links = tuple(Link(i, moves_of(row, whole.convention), row) for i, row in enumerate(made, 1))
+    is_calibrated = any("beta" in row.cells for row in rows)
+    if is_calibrated:
+        tilts = [reader.angle(row.cells.get("beta"), "beta") for row in rows]
+        chains = (calibrated_moves(*pair, whole.convention) for pair in zip(made, tilts, strict=True))
+        links = tuple(Link(i, chain) for i, chain in enumerate(chains, 1))
     variables = tuple(reader.variables.values())
     chain = (*whole.base, *(move for link in links for move in link.moves), *whole.tool)
     turning = angle_names(chain)
@@ -110,7 +115,7 @@ def robot_of_rows(reader: Reader, rows: Sequence[RowText], whole: Whole, joints:
         name=whole.name,
         title=whole.title,
         source=whole.source,
-        convention=whole.convention,
+        convention=Convention.PRODUCT if is_calibrated else whole.convention,
         variables=variables,
         links=links,
         parameters=parameters,

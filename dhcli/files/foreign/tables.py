@@ -14,7 +14,7 @@ from dhcli.kinematics.conventions import COLUMNS
 MOST_ROWS = 100
 _RULE = re.compile(r"[\s|:+=-]+")
 _KINDS = {"r": "R", "revolute": "R", "0": "R", "p": "P", "prismatic": "P", "1": "P", "f": "F", "fixed": "F"}
-_READ = (*COLUMNS, "offset", "kind")
+_READ = (*COLUMNS, "beta", "offset", "kind")
 
 
 def read_table(text: str, source: str, units: str = "") -> tuple[Heads, list[RowText]]:

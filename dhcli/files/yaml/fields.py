@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 
 from dhcli.errors import DhcliError, FileError, Place, Problem, did_you_mean
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
+from dhcli.frozen import frozen
 
 FORMAT = 1
 OWN = "x-"
@@ -120,7 +121,7 @@ class Problems:
         return None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Fields:
     """The entries of one mapping, by key; a key that is not there gives an empty value and no problem.
 

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, NoReturn, TypeAlias
 
 from dhcli.errors import FileError, Place, Problem
 from dhcli.files.yaml.syntax import DEEPEST, TOO_DEEP, Mark, explain_syntax
+from dhcli.frozen import frozen
 
 if TYPE_CHECKING:
     import yaml
@@ -32,7 +33,7 @@ def unreadable() -> re.Pattern[str]:
     return re.compile("[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PlacedScalar:
     """A text, with the place where it begins.
 
@@ -63,7 +64,7 @@ class PlacedScalar:
         return Place(self.place.source, self.place.line, start + offset + 1, self.place.text)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PlacedSequence:
     """A list, with the place where it begins."""
 
@@ -71,7 +72,7 @@ class PlacedSequence:
     place: Place
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PlacedMapping:
     """Keys and values in the order they are written, with the place where the first begins; no key stands twice."""
 

@@ -14,20 +14,18 @@ from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.parameters import Parameters
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
 from dhcli.files.yaml.typed import has_unit_of_angle, read_flag, read_value, read_whole
-from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
-from dhcli.kinematics.moves import Chain, Rot, Trans, angle_names, expressions, names, read_chain
+from dhcli.kinematics.conventions import COLUMNS, Convention, Row, calibrated_moves, moves_of
+from dhcli.kinematics.moves import Chain, angle_names, expressions, names, read_chain
 from dhcli.kinematics.robot import Link, Robot, Value
 from dhcli.kinematics.sharpened import sharpened
 from dhcli.kinematics.validity import Finding, InvalidRobotError
 from dhcli.notation.angle import Angle
-from dhcli.notation.factors import AXES
 from dhcli.notation.names import canonical
 from dhcli.notation.scope import Scope
 from dhcli.notation.tokens import is_name
 from dhcli.notation.tree import ZERO, Expr, Trig
 from dhcli.notation.walk import walk
 
-STILL = (*(Rot(axis, Angle()) for axis in AXES), Trans(ZERO, ZERO, ZERO))
 """Moves that do nothing."""
 ANGLES = ("alpha", "theta", "beta")
 
@@ -202,12 +200,9 @@ class Loader:
         cells = {column: self.cell(fields, column, index) for column in COLUMNS}
         a, d = _as_length(cells["a"]), _as_length(cells["d"])
         row = Row(a=a, alpha=_as_angle(cells["alpha"]), d=d, theta=_as_angle(cells["theta"]))
-        moves = moves_of(row, self.convention)
         if not self.has_beta:
-            return Link(number, moves, row)
-        tilt = (Rot("y", _as_angle(self.cell(fields, "beta", index))),) if "beta" in fields else ()
-        whole = (*tilt, *moves) if self.convention is Convention.MODIFIED else (*moves, *tilt)
-        return Link(number, tuple(move for move in whole if move not in STILL))
+            return Link(number, moves_of(row, self.convention), row)
+        return Link(number, calibrated_moves(row, _as_angle(self.cell(fields, "beta", index)), self.convention))
 
     def cell(self, fields: Fields, column: str, index: int) -> Value:
         """A cell of a row; nothing where it cannot be read."""

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from typing import Literal
 
 from dhcli.errors import NotationError, Place, Problem, RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.ranges import Piece, difference, read_count, split_range, steps_between, times, total, units_in
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.validity import in_floats
@@ -31,7 +32,7 @@ _OF_LIMITS = re.compile(r"(?P<name>\S+)\s+n\s+(?P<count>\S+)")
 """A joint over its own limits in so many values."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Over:
     """What is said of one joint.
 
@@ -48,7 +49,7 @@ class Over:
     count: int | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Piece:
     """A part of a range, without the blanks around it, and where it stands."""
 

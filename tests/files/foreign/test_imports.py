@@ -213,6 +213,20 @@ def test_tables_come_between_any_signs(text: str) -> None:
     assert gap(robot, [0.3, 0.5], standard(0.3, 0, 0.4, math.pi / 2) @ standard(0.5, 0, 0.3, 0)) < 1e-15
 
 
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+def test_a_fifth_column_makes_a_calibrated_arm(convention: str) -> None:
+    """A turn about y behind a standard row, and in front of a modified one."""
+    robot = imported("a,alpha,d,theta,β [deg]\n0.4,90deg,0,q1,0.1\n0.3,0,0,q2,0\n", convention=convention)
+    tilt = np.eye(4)
+    angle = math.radians(0.1)
+    tilt[[0, 2], [0, 2]], tilt[0, 2], tilt[2, 0] = math.cos(angle), math.sin(angle), -math.sin(angle)
+    if convention == "standard":
+        expected = standard(0.3, 0, 0.4, math.pi / 2) @ tilt @ standard(0.5, 0, 0.3, 0)
+    else:
+        expected = tilt @ modified(0.3, 0, 0.4, math.pi / 2) @ modified(0.5, 0, 0.3, 0)
+    assert gap(robot, [0.3, 0.5], expected) < 1e-15
+
+
 def test_rows_of_numbers_get_the_joints_that_are_said() -> None:
     """By an offset column and kinds, or by letters; what stands in the cell is added."""
     robot = imported("theta,d,a,alpha,offset,type\nq1,0,1,1.5708 rad,90deg,R\n0,q2,0,0,0.1,P", convention="standard")
