@@ -23,7 +23,7 @@ dhcli grade homework-3
 
 dhcli grade homework-3 --exercise planar-two-links -o grades.csv
 
-dhcli grade submission --exercise planar-two-links --format gradescope -o results.json
+dhcli grade submission --format gradescope -o results.json
 """
 _SHEETS = 12
 """Sheets that take as long as the start of a process."""

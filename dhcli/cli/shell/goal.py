@@ -156,7 +156,7 @@ def _target(text: str, typed: str) -> Rows:
         text, place = read_text(path), Place(source_of(path))
     if _POINT.fullmatch(text):
         message = f"'{text.strip()}' is a position, and a whole pose is wanted"
-        hint = f"write --position {text.strip('[]() ')}, where the turn is free"
+        hint = f"write --position {text.strip().strip('[]() ')}, where the turn is free"
         raise DhcliError(Problem(message, place, hint))
     pose = compose(read_product(text, place), {}, Wanted()).pose
     if pose.is_symbolic:
