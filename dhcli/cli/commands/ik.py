@@ -245,5 +245,5 @@ def ik(
         parameters=question.lengths,
     )
     found = only_branches(found, branch or [])
-    delivery.hand_over("inverse", question.answered(found, wish, why=why), found.remarks)
+    delivery.hand_over("inverse", question.answered(found, wish, why=why), (*question.remarks, *found.remarks))
     return ExitStatus.DONE if len(found) else ExitStatus.NOT_RIGHT
