@@ -10,7 +10,7 @@ from typing import Any
 
 from dhcli.errors import UnknownNameError
 from dhcli.frozen import frozen
-from dhcli.kinematics.pose import DIGITS, rounded
+from dhcli.kinematics.entries import DIGITS, rounded
 from dhcli.render.paper import Paper
 
 _NOUNS = {

@@ -12,13 +12,13 @@ from dhcli.cli.shell.options import (
     WHERE,
     Code,
     Digits,
-    Force,
     Format,
     Forms,
     IgnoreColumns,
     Index,
     Let,
     Output,
+    Overwrite,
     SkipBad,
     Spelling,
     Symbolic,
@@ -80,7 +80,7 @@ def fk(
     style: Spelling = None,
     digits: Digits = None,
     output: Output = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """Pose of a robot's end frame: in numbers from joint values, or in symbols as the textbook prints it."""
     from dhcli.cli.shell.given import robot_of, values_of
@@ -96,7 +96,7 @@ def fk(
         arm = robot_of(chosen)
         wanted = rows_wanted(arm, chosen, as_ or [], point, inverse=inverse, every=frames)
         asked = asked_of_rows(wanted.robot, chosen, ignores=ignore_columns)
-        fk_rows(wanted, asked, path, RowDelivery(format_, output, force), skip_bad=skip_bad, index=index)
+        fk_rows(wanted, asked, path, RowDelivery(format_, output, overwrite), skip_bad=skip_bad, index=index)
         return
     if code is not None or with_values:
         from dhcli.cli.shell.coding import code_delivery
@@ -105,7 +105,7 @@ def fk(
 
         besides: dict[str, object] = {"--frames": frames, "--links": links, "--factors": factors, "--point": point}
         besides |= {"--as": as_, "--let": let, "--style": style, "--digits": digits}
-        written = code_delivery("function", "fk", code, besides, format_, output, force=force)
+        written = code_delivery("function", "fk", code, besides, format_, output, overwrite=overwrite)
         arm = robot_of(chosen)
         values = values_of(arm, chosen, symbolic=True)
         view = View.of(arm, chosen.from_, chosen.end, inverse=inverse)
@@ -115,7 +115,7 @@ def fk(
     from dhcli.cli.shell.delivery import Delivery
     from dhcli.kinematics.question import answer
 
-    delivery = Delivery("fk", format_, digits, style, output, force)
+    delivery = Delivery("fk", format_, digits, style, output, overwrite)
     arm = robot_of(chosen)
     question = ask(
         arm,

@@ -11,7 +11,7 @@ from dhcli.cli.shell.options import (
     MANY,
     Code,
     Digits,
-    Force,
+    Overwrite,
     SkipBad,
     complete_pose,
     format_option,
@@ -180,7 +180,7 @@ def ik(
     code: Code = None,
     digits: Digits = None,
     output: Annotated[str | None, output_option(".json", ".csv", ".tex", ".md", ".txt")] = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> int:
     """Inverse kinematics: every way to hold the joints so that the end frame stands in a pose."""
     import os
@@ -207,16 +207,16 @@ def ik(
         others |= {"--all-turns": all_turns, "--derive": derive, "--digits": digits}
         others |= {"--euler": euler, "--why": why, "TARGET": goal_, "--code": code}
         rows = RowWish(in_, each, task, near, hold or [], within_limits, follow, skip_bad)
-        return solve_rows(chosen, rows, others, format_, output, force=force)
+        return solve_rows(chosen, rows, others, format_, output, overwrite=overwrite)
     kind = "inverse function" if code is not None else "derivation" if derive else "inverse"
     if code is not None:
         from dhcli.cli.shell.coding import code_delivery
 
         besides: dict[str, object] = {"--near": near, "--branch": branch, "--family": family, "--hold": hold}
         besides |= {"--why": why, "--digits": digits, "--within-limits": within_limits, "--all-turns": all_turns}
-        delivery = code_delivery(kind, "ik", code, besides, format_, output, force=force)
+        delivery = code_delivery(kind, "ik", code, besides, format_, output, overwrite=overwrite)
     else:
-        delivery = Delivery("ik", format_, digits, None, output, force)
+        delivery = Delivery("ik", format_, digits, None, output, overwrite)
         delivery.chosen(kind)
     arm = robot_of(chosen)
     if goal_ is not None and target is not None:
@@ -245,5 +245,5 @@ def ik(
         parameters=question.lengths,
     )
     found = only_branches(found, branch or [])
-    delivery.hand_over("inverse", question.answered(found, wish, why=why), found.remarks)
+    delivery.hand_over("inverse", question.answered(found, wish, why=why), (*question.remarks, *found.remarks))
     return ExitStatus.DONE if len(found) else ExitStatus.NOT_RIGHT

@@ -13,12 +13,12 @@ from dhcli.cli.shell.options import (
     Code,
     Digits,
     EndPoint,
-    Force,
     Format,
     IgnoreColumns,
     Index,
     Let,
     Output,
+    Overwrite,
     SkipBad,
     Spelling,
     Symbolic,
@@ -90,7 +90,7 @@ def jacobian(
     style: Spelling = None,
     digits: Digits = None,
     output: Output = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """Jacobian of a robot: velocity of its end for each joint's rate, in numbers or as the textbook prints it."""
     from dhcli.cli.shell.given import lengths_of, robot_of, values_of
@@ -120,14 +120,14 @@ def jacobian(
 
         wanted = JacobianRows(arm, view, form, lengths_of(arm, chosen))
         asked = asked_of_rows(arm, chosen, ignores=ignore_columns)
-        jacobian_rows(wanted, asked, rows, RowDelivery(format_, output, force), skip_bad=skip_bad, index=index)
+        jacobian_rows(wanted, asked, rows, RowDelivery(format_, output, overwrite), skip_bad=skip_bad, index=index)
         return
     if code is not None or with_values:
         from dhcli.cli.shell.coding import code_delivery
         from dhcli.kinematics.generated import jacobian_function
 
         besides: dict[str, object] = {"--let": let, "--style": style, "--digits": digits}
-        written = code_delivery("function", "jacobian", code, besides, format_, output, force=force)
+        written = code_delivery("function", "jacobian", code, besides, format_, output, overwrite=overwrite)
         values = values_of(arm, chosen, symbolic=True)
         written.hand_over("function", jacobian_function(arm, view, form, values, with_values=with_values))
         return
@@ -136,7 +136,7 @@ def jacobian(
 
     if let and not symbolic:
         raise DhcliError("--let gives names to parts of formulas, and this result is in numbers", "add --symbolic")
-    delivery = Delivery("jacobian", format_, digits, style, output, force)
+    delivery = Delivery("jacobian", format_, digits, style, output, overwrite)
     delivery.chosen("jacobian")
     values = values_of(arm, chosen, symbolic=symbolic)
     result = answer_jacobian(arm, values, view, form, symbolic=symbolic, let=let)

@@ -17,7 +17,7 @@ def code_delivery(
     format_: str | None,
     output: str | None,
     *,
-    force: bool,
+    overwrite: bool,
 ) -> Delivery:
     """Where a function goes: its code, or with `--format json` its formulas as data.
 
@@ -28,7 +28,7 @@ def code_delivery(
         others: Options that ask for something else, with what was given for them.
         format_: What was given for `--format`.
         output: The file to write.
-        force: Whether that file may be overwritten.
+        overwrite: Whether that file may be overwritten.
 
     Raises:
         DhcliError: There is no language, none of this name, or one of those options was given.
@@ -42,6 +42,6 @@ def code_delivery(
         raise DhcliError(f"--code and {' and '.join(given)} ask for different things", "leave one of the two out")
     if format_ not in {None, "json"}:
         raise DhcliError("--code says the language, and --format another", "leave --format out; json gives formulas")
-    delivery = Delivery(command, format_ or language, output=output, force=force)
+    delivery = Delivery(command, format_ or language, output=output, overwrite=overwrite)
     delivery.chosen(kind)
     return delivery

@@ -89,7 +89,9 @@ Output: TypeAlias = Annotated[str | None, output_option(".json", ".tex", ".m", "
 WHERE = "Where and what"
 """Heading of the options that choose frames and points."""
 
-Force: TypeAlias = Annotated[bool, typer.Option("--overwrite", help="Overwrite the file.", rich_help_panel="Output")]
+Overwrite: TypeAlias = Annotated[
+    bool, typer.Option("--overwrite", help="Overwrite the file.", rich_help_panel="Output")
+]
 Settings: TypeAlias = Annotated[
     list[str] | None,
     typer.Option("--set", metavar="NAME=VALUE", help="Value of a length or constant angle; repeatable."),
