@@ -15,7 +15,7 @@ from dhcli.checking.motion.grid import Grid
 from dhcli.checking.motion.linear import rank
 from dhcli.checking.motion.question import MotionQuestion, OneNumberQuestion
 from dhcli.checking.motion.task import columns_for, read_task, values_in
-from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.pasted import UnreadableError, without_number_word
 from dhcli.checking.returned import Shown
 from dhcli.errors import Place
 from dhcli.kinematics.robot import Robot
@@ -62,7 +62,7 @@ class RankQuestion(OneNumberQuestion):
         )
 
     def read(self, case: Case, text: str, place: Place | None = None) -> Entries:
-        entries = MotionQuestion.read(self, case, text, place)
+        entries = MotionQuestion.read(self, case, without_number_word(text), place)
         typed = entries[0][0].expr
         if not isinstance(typed, Number) or typed.value.denominator != 1:
             raise UnreadableError("a rank is a whole number")

@@ -8,7 +8,7 @@ from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Exercise
-from dhcli.checking.pasted import UnreadableError, without_label
+from dhcli.checking.pasted import UnreadableError, without_label, without_number_word
 from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.solving.goal import Target, read_target, solutions
 from dhcli.checking.solving.question import GoalQuestion
@@ -73,7 +73,7 @@ class SolutionsQuestion(GoalQuestion[int]):
             yield Finding((*where, "ask"), message, "give another pose", is_warning=True)
 
     def read(self, _case: Case, text: str, _place: Place | None = None) -> int:
-        found = without_label(text).strip().rstrip(".")
+        found = without_number_word(without_label(text)).strip().rstrip(".")
         if not found.isdecimal() or int(found[:9]) > MOST_TYPED:
             raise UnreadableError("a number of solutions is a whole number")
         return int(found)

@@ -23,11 +23,11 @@ EXAMPLES = """
 
 dhcli check planar-two-links planar-two-links.sheet.yaml
 
-dhcli check planar-two-links --part d02 --answer "a1*c1 + a2*c12, a1*s1 + a2*s12, 0"
+dhcli check planar-two-links --part d02 --answer "a1c1+a2c12, a1s1+a2s12, 0"
 
-dhcli check puma560 --symbolic --from 4 --to 6 --answer "c5c6 -c5s6 -s5 0; s6 c6 0 0; s5c6 -s5s6 c5 0; 0 0 0 1"
+dhcli check planar-2r --symbolic --entry 1,4 --answer "a1c1 + a2c12"
 
-dhcli check scara --pose zero --answer "1 0 0 0; 0 1 0 0.5; 0 0 1 0.4; 0 0 0 1" --tol-position 0.5mm
+dhcli check scara --pose zero --answer "0, 0.5, 0.4" --tol-position 0.5mm
 
 dhcli check scara --q 0.3,0.5,0.1 --answer "-0.2321, 0.4259, 0.3"
 

@@ -30,7 +30,7 @@ dhcli sweep scara --over 'q1=-90°..90° step 5°' --over 'd3=0..0.2 n 11'
 
 dhcli sweep puma560 --pose ready --over q2 --over q3 -o reach.csv
 
-dhcli sweep scara --over theta1 --over theta2 --over d3=0..0.2 --draw reach.svg
+dhcli sweep scara --over q1 --over q2 --over d3=0..0.2 --draw reach.svg
 """
 
 
