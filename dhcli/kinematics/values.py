@@ -129,7 +129,7 @@ def numbers(values: Values) -> dict[str, Angle | float]:
     return {name: value if isinstance(value, Angle) else in_floats(value) for name, value in values.items()}
 
 
-def read_value(robot: Description, name: str, text: str, *, bare: Bare, place: Place) -> Value:
+def read_named(robot: Description, name: str, text: str, *, bare: Bare, place: Place) -> Value:
     """Read the value of one name, an angle or a length by what the name stands for."""
     expr = parse(text, Scope(), place)
     try:
@@ -170,7 +170,7 @@ def _from_text(robot: Description, text: str, bare: Bare, place: Place) -> dict[
         raise RobotError(Problem(f"{robot.name} has no pose called {text.strip()}", place, hint))
     _check_count(robot, len(parts), place)
     return {
-        name: read_value(robot, name, part, bare=bare, place=_at(place, text, offset))
+        name: read_named(robot, name, part, bare=bare, place=_at(place, text, offset))
         for name, (offset, part) in zip(robot.variables, parts, strict=True)
     }
 
@@ -188,7 +188,7 @@ def _assignments(
         if joint in values:
             raise RobotError(Problem(f"{joint} is given twice", where))
         start, value = _stripped(value, offset + len(name) + 1)
-        values[joint] = read_value(robot, joint, value, bare=bare, place=_at(place, text, start))
+        values[joint] = read_named(robot, joint, value, bare=bare, place=_at(place, text, start))
     return values
 
 
@@ -229,7 +229,7 @@ def _value(robot: Description, name: str, value: float | str | Value, bare: Bare
     if isinstance(value, Angle | Expr):
         return value
     if isinstance(value, str):
-        return read_value(robot, name, value, bare=bare, place=place or Place(name))
+        return read_named(robot, name, value, bare=bare, place=place or Place(name))
     try:
         number = float(value)
     except (TypeError, ValueError):

@@ -125,13 +125,13 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
 
     def answer_with(self, case: Case, name: str) -> str | None:
         from dhcli.checking.diagnosis.slips import table_candidates
-        from dhcli.checking.tables.cells import table_text
+        from dhcli.checking.tables.cells import dh_table_text
 
         robot = case.exercise.robot
         for one in table_candidates(case.exercise, self.convention, name) if robot is not None else ():
             if one.slips[0].name == name and robot is not None:
                 rows = tuple(step.row for step in one.work.steps if step.row is not None)
-                return table_text(rows, robot.columns, case.exercise.writing)
+                return dh_table_text(rows, robot.columns, case.exercise.writing)
         return None
 
     def causes(self, case: Case, reading: Reading[tuple[TypedRow, ...]]) -> Causes:

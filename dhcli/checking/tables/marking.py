@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.tables.answer import TableAnswer, ends_on_axis, own_rows
-from dhcli.checking.tables.cells import table_text
+from dhcli.checking.tables.cells import dh_table_text
 from dhcli.checking.tables.comparing import LITERAL, SAME_ROBOT, gives
 from dhcli.checking.tables.motions import Outcome
 from dhcli.checking.tables.reasons import reason_of
@@ -54,7 +54,7 @@ def mark_table(
         mark = Mark(Verdict.RIGHT, cells=cells, earned=1.0)
     else:
         mark = _by_cells(answer, cells) if compare == LITERAL else _by_motion(answer, cells)
-    reading = table_text(answer.plain, answer.robot.columns, exercise.writing)
+    reading = dh_table_text(answer.plain, answer.robot.columns, exercise.writing)
     return replace(mark, reading=reading, expected=_own_table(exercise, convention))
 
 
@@ -106,7 +106,7 @@ def _own_table(exercise: Exercise, convention: Convention) -> str:
     robots = [robot for robot in (exercise.robot, exercise.also and exercise.also[0]) if robot is not None]
     for robot in robots:
         if robot.convention is convention:
-            return table_text(own_rows(robot), robots[0].columns, exercise.writing)
+            return dh_table_text(own_rows(robot), robots[0].columns, exercise.writing)
     return ""
 
 

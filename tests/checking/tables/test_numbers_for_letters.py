@@ -168,13 +168,13 @@ def test_a_number_is_right_just_where_numpy_finds_the_end_within_the_tolerance(
     name: str, share: float, off: float
 ) -> None:
     """RIGHT holds at the robot's lengths; EQUIVALENT says what was used; and nothing that is right is refused."""
-    from dhcli.checking.tables.cells import size_of, table_text
+    from dhcli.checking.tables.cells import dh_table_text, size_of
 
     arm = robot(name)
     letter = sorted(lengths(name))[int(share * len(lengths(name)))]
     other = in_part_numbers(name, letter, lengths(name)[letter] + off)
     exercise = question_about_table(arm, arm.convention)
-    text = table_text(other, arm.columns, arm.writing)
+    text = dh_table_text(other, arm.columns, arm.writing)
     mark = Judge(exercise).mark(exercise.parts[0], text)
     limit, error = 1e-3 * size_of(rows_of(name), exercise), largest_error(name, other)
     if error <= limit:
