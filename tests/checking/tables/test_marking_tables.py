@@ -16,7 +16,7 @@ from dhcli.checking.exercise import Exercise
 from dhcli.checking.kinds.made import question_about_table
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.tables.cells import dh_table_text
-from dhcli.checking.tables.marking import mark_table, write_table
+from dhcli.checking.tables.marking import answer_of, mark_table, write_table
 from dhcli.checking.tables.typed_rows import read_table
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import RobotError
@@ -63,7 +63,7 @@ def judged(
     """The judgement of a table, in the convention of the robot if no other one is asked for."""
     arm = task.robot
     rows = read_table(text, arm, task.scope, arm.columns, task.unit)
-    return mark_table(task, convention or arm.convention, rows, compare, **flags)
+    return mark_table(answer_of(task, convention or arm.convention, rows, compare, **flags))
 
 
 def changed(text: str, old: str, new: str) -> str:

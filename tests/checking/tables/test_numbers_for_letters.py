@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from dhcli.checking.judge import Judge
 from dhcli.checking.kinds.made import question_about_table
 from dhcli.checking.pasted import UnreadableError
-from dhcli.checking.tables.marking import mark_table
+from dhcli.checking.tables.marking import answer_of, mark_table
 from dhcli.checking.tables.typed_rows import read_table as rows_read
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import FileError
@@ -122,7 +122,7 @@ def test_an_answer_that_writes_its_units_is_believed() -> None:
     exercise = question_about_table(robot("puma560"), robot("puma560").convention)
 
     def marked(text: str) -> Mark:
-        return mark_table(exercise, robot("puma560").convention, rows_read(text, robot("puma560")))
+        return mark_table(answer_of(exercise, robot("puma560").convention, rows_read(text, robot("puma560"))))
 
     with pytest.raises(UnreadableError, match="right in mm; this sheet is in m"):
         marked(table.format(u=""))
