@@ -170,11 +170,12 @@ class FramesQuestion(Question[Answer]):
     def _marked_table(self, case: Case, rows: tuple[TypedRow, ...]) -> Mark:
         """A table is right when frames of it can lie on the axes, the last one anywhere if the task leaves it open."""
         from dhcli.checking.tables.comparing import compare_of
-        from dhcli.checking.tables.marking import mark_table
+        from dhcli.checking.tables.marking import answer_of, mark_table
 
         compare = compare_of(case)
         is_open = END not in self._rules(case).sketch.stated
-        mark = mark_table(case.exercise, self.convention, rows, compare, case.tolerance, end_free=is_open or None)
+        answer = answer_of(case.exercise, self.convention, rows, compare, case.tolerance, end_free=is_open or None)
+        mark = mark_table(answer)
         said = f"no frames on these axes have this table in {self.convention.value} DH"
         return replace(mark, remarks=(said, *mark.remarks)) if mark.verdict in UNSOLVED else mark
 
