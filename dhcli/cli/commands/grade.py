@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dhcli.cli.shell.options import Force, Output, complete_exercise
+from dhcli.cli.shell.options import Output, Overwrite, complete_exercise
 from dhcli.errors import ExitStatus
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ dhcli grade homework-3
 
 dhcli grade homework-3 --exercise planar-two-links -o grades.csv
 
-dhcli grade submission --exercise planar-two-links --format gradescope -o results.json
+dhcli grade submission --format gradescope -o results.json
 """
 _SHEETS = 12
 """Sheets that take as long as the start of a process."""
@@ -50,7 +50,7 @@ def grade(
         typer.Option("--format", metavar="NAME", help="table, json, csv or gradescope.", rich_help_panel="Output"),
     ] = None,
     output: Output = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> ExitStatus:
     """Grade every sheet in a folder."""
     from dhcli.classroom.folder import find_sheets
@@ -61,7 +61,7 @@ def grade(
     from dhcli.render.text.grades import summary
     from dhcli.render.text.progress import progress
 
-    delivery = Delivery("grade", format_, output=output, force=force)
+    delivery = Delivery("grade", format_, output=output, overwrite=overwrite)
     name = delivery.chosen("class")
     delivery.check_output()
     seconds = _seconds(timeout)

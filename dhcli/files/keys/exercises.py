@@ -46,7 +46,7 @@ TEST = (
     Key("verdict", "how it is judged", Scalar(tuple(verdict.word for verdict in Verdict)), is_required=True),
 )
 _OF_KINDS = {
-    "options": Key("options", "of `ask: choice` what there is to choose from", TEXTS),
+    "options": Key("options", "of `ask: choice` its statements; an answer is a number, or words of one alone", TEXTS),
     "right": Key("right", "of `ask: choice` the number of the right option", WHOLE),
     "compare": Key(
         "compare",

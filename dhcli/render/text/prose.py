@@ -23,3 +23,8 @@ def prose_lines(text: str, paper: Paper, first: str = "", rest: str = "") -> lis
         spelled = "\n".join(map(paper.spell, lines))
         return folded(spelled, max(min(paper.width, WIDEST), len(rest) + 1), first, rest)
     return [f"{rest if i else first}{paper.spell(line)}" for i, line in enumerate(lines)]
+
+
+def heading_text(text: str, paper: Paper) -> str:
+    """A heading in bold, folded to a terminal."""
+    return "\n".join(paper.ink(line, "bold") for line in prose_lines(text, paper))

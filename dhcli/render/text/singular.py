@@ -11,6 +11,7 @@ from dhcli.kinematics.velocity.asked import SingularAnswer
 from dhcli.notation.writer import write
 from dhcli.render.look import Look
 from dhcli.render.text.forward import frame_words, legend, packed
+from dhcli.render.text.prose import heading_text
 from dhcli.render.text.quantities import value_lines
 from dhcli.render.text.velocity import point_words
 
@@ -31,7 +32,7 @@ def singular_table(result: SingularAnswer, look: Look) -> str:
     found, paper, joints = result.found, look.paper, result.robot.writing
     style = look.style or "short"
     head = f"Singularities of {result.robot.name}: {frame_words(found.end)} against {frame_words(found.start)}"
-    lines = [paper.ink(paper.spell(head), "bold")]
+    lines = [heading_text(head, paper)]
     shown = [found.determinant] if found.determinant is not None else [z for f in found.factors for z in f.zeros]
     said = [f"{TASKS[found.part]} of {point_words(result.view, joints, style)}: rows {', '.join(found.rows)}"]
     said += [*value_lines(result.robot, result.values), *legend(shown, joints, look)]

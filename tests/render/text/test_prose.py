@@ -11,7 +11,7 @@ from dhcli.render.look import Look
 from dhcli.render.paper import Paper
 from dhcli.render.text.exercise import exercise_table
 from dhcli.render.text.marks import question_text
-from dhcli.render.text.prose import WIDEST, prose_lines
+from dhcli.render.text.prose import WIDEST, heading_text, prose_lines
 
 loaded = cache(load_exercise)
 TEXT = "One two three\nfour five.\nSix seven.\n\n- eight nine\n  ten\n"
@@ -49,3 +49,16 @@ def test_the_page_of_every_exercise_fits_its_window(width: int) -> None:
         text += "".join(question_text(exercise, part, paper) for part in exercise.parts)
         wide = [line for line in text.splitlines() if len(line) > min(width, WIDEST) and "dhcli " not in line]
         assert not wide
+
+
+@pytest.mark.parametrize("width", [30, 40, 80])
+def test_a_heading_is_folded_to_a_window_and_bold_in_each_line(width: int) -> None:
+    """In a pipe it stays the one line that a program looks for."""
+    text = "Jacobian of parallel-manipulator: frame 6 against frame 0, as if fixed to frame 6"
+    lines = heading_text(text, Paper(width, colour=True, terminal=True)).split("\n")
+    assert len(lines) > 1
+    assert all(line.startswith("\x1b[1m") and line.endswith("\x1b[0m") for line in lines)
+    plain = [line[4:-4] for line in lines]
+    assert max(map(len, plain)) <= width
+    assert " ".join(plain) == text
+    assert heading_text(text, Paper(width)) == text
