@@ -7,8 +7,10 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import ClassVar, Self
 
-from dhcli.checking.exercise import Besides, Case, Exercise, Question, Reading, Shown
+from dhcli.checking.asking import Besides
+from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.returned import Reading, Shown
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import Place
 from dhcli.frozen import frozen

@@ -6,9 +6,11 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING, ClassVar, Self
 
+from dhcli.checking.asking import Besides
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Besides, Case, Causes, Exercise, Question, Reading, Shown
+from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.pasted import UnreadableError, without_label, without_number_word
+from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.verdicts import COUNTED, Mark, Verdict
 from dhcli.errors import DhcliError, NotationError, Place, Problem
 from dhcli.frozen import frozen

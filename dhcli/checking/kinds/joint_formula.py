@@ -7,9 +7,10 @@ from collections.abc import Iterable, Iterator
 from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
+from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.solving import covering
 from dhcli.checking.solving.covering import Asked, Outcome
 from dhcli.checking.solving.derived import (

@@ -8,7 +8,8 @@ from functools import partial
 from typing import TYPE_CHECKING, ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
+from dhcli.checking.exercise import Case, Exercise, Question
+from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.values import TypedValue, mark_value, quantity_of, read_value, spelled_value
 from dhcli.checking.verdicts import Mark
 from dhcli.errors import NotationError, Place, Problem

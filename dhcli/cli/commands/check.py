@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import ExerciseOrRobot, Force, Format, Output, Variant
+from dhcli.cli.shell.options import ExerciseOrRobot, Format, Output, Overwrite, Variant
 from dhcli.cli.shell.spreading import But
 from dhcli.errors import ExitStatus
 
@@ -130,7 +130,7 @@ def check(
     ] = None,
     format_: Format = None,
     output: Output = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> ExitStatus:
     """Check an answer sheet, one answer, a DH table, or frames."""
     from dhcli.checking.judge import Judge
@@ -143,10 +143,10 @@ def check(
     from dhcli.files.yaml.sheets import judged_sheet, read_sheet
     from dhcli.kinematics.values import warnings
 
-    delivery = Delivery("check", format_, output=output, force=force and not (draw and output is None))
+    delivery = Delivery("check", format_, output=output, overwrite=overwrite and not (draw and output is None))
     delivery.chosen("marks")
     if draw is not None:
-        check_picture(draw, force=force, page="a page shows one table")
+        check_picture(draw, overwrite=overwrite, page="a page shows one table")
     goal = _goal(target, position) if ik else None
     if not ik and (target, position, branch) != (None, None, None):
         raise DhcliError("--target, --position and --branch belong to --ik", "add --ik")
@@ -180,7 +180,7 @@ def check(
     remember(marked)
     delivery.hand_over("marks", replace(marked, why=why), warned)
     if draw is not None:
-        draw_over(marked, answers, draw, force=force)
+        draw_over(marked, answers, draw, overwrite=overwrite)
     return exit_code(marked.verdict)
 
 

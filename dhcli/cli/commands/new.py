@@ -9,7 +9,7 @@ import typer
 
 from dhcli.cli.app import Group, One
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import Force
+from dhcli.cli.shell.options import Overwrite
 from dhcli.cli.shell.spreading import But, spread
 
 _OF_URDF = But(without=("robot", "q", "deg", "pose", "set_", "motors", "from_", "to", "tool"))
@@ -65,7 +65,7 @@ def robot(
             "-o", "--output", metavar="FILE", help="Where to write; ./robots/NAME.yaml by default, - is stdout."
         ),
     ] = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """Write a commented robot file that loads, for you to change, or one that is made of another description."""
     from dhcli.cli.shell.console import tell, write_out
@@ -93,7 +93,7 @@ def robot(
     path = Path(output or f"robots/{name}.yaml")
     if output is None:
         make_folder(path.parent)
-    write_file(path, text, force=force)
+    write_file(path, text, overwrite=overwrite)
     asked = name if output is None else path
     tell(f"wrote {path}")
     tell(f"next: dhcli show {asked}, then dhcli fk {asked} --symbolic")
@@ -112,7 +112,7 @@ def exercise(
             help="Where to write; ./exercises/COURSE/NAME.yaml by default, - is stdout.",
         ),
     ] = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """Write a commented exercise file with blanks that lint points at, for you to fill in."""
     from dhcli.cli.shell.console import tell, write_out
@@ -128,7 +128,7 @@ def exercise(
     if output is None:
         make_folder(path.parent.parent)
         make_folder(path.parent)
-    write_file(path, text, force=force)
+    write_file(path, text, overwrite=overwrite)
     tell(f"wrote {path}")
     tell(f"next: fill in what is empty, then dhcli lint {path}")
 
@@ -146,7 +146,7 @@ def linkage(
             help="Where to write; ./robots/linkages/NAME.yaml by default, - is stdout.",
         ),
     ] = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """Write a commented linkage file that loads, for you to change."""
     from dhcli.cli.shell.console import tell, write_out
@@ -161,7 +161,7 @@ def linkage(
     if output is None:
         make_folder(path.parent.parent)
         make_folder(path.parent)
-    write_file(path, text, force=force)
+    write_file(path, text, overwrite=overwrite)
     asked = name if output is None else path
     tell(f"wrote {path}")
     tell(f"next: dhcli show {asked}, then dhcli dof {asked}")

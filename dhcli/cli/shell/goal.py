@@ -76,6 +76,7 @@ class Question:
         start: The frame it is seen from.
         end: The frame that is placed.
         lengths: Values of lengths and constant angles.
+        remarks: What was taken for something else, such as a matrix of few decimals for the nearest rotation.
     """
 
     robot: Robot
@@ -84,6 +85,7 @@ class Question:
     start: str
     end: str
     lengths: Mapping[str, Value]
+    remarks: tuple[str, ...] = ()
 
     def answered(self, found: Solutions, near: Sequence[float] | None, *, why: bool) -> InverseKinematics:
         """The question with its answer, and with how that came about if it is wanted."""
@@ -112,8 +114,8 @@ def asked(
     first, last = ends(robot, chosen.from_, chosen.end)
     lengths = lengths_of(robot, chosen)
     task = task_of(goal)
-    rows = _rows(robot, goal, chosen, (first, last))
-    return Question(robot, rows, cast("TaskName", task), first, last, lengths)
+    rows, remarks = _rows(robot, goal, chosen, (first, last))
+    return Question(robot, rows, cast("TaskName", task), first, last, lengths, remarks)
 
 
 def task_of(goal: Goal) -> str:
@@ -132,8 +134,8 @@ def task_of(goal: Goal) -> str:
     return "orientation" if turned else "pose"
 
 
-def _rows(robot: Robot, goal: Goal, chosen: Chosen, frames: tuple[str, str]) -> Rows:
-    """The matrix."""
+def _rows(robot: Robot, goal: Goal, chosen: Chosen, frames: tuple[str, str]) -> tuple[Rows, tuple[str, ...]]:
+    """The matrix, and what in it was taken for something else."""
     parts = (goal.position, goal.rpy, goal.quaternion, goal.euler, goal.pointing)
     ways = [chosen.stands, goal.target is not None, any(p is not None for p in parts)]
     if sum(ways) != 1:
@@ -142,13 +144,13 @@ def _rows(robot: Robot, goal: Goal, chosen: Chosen, frames: tuple[str, str]) -> 
             said, "one of --q, --pose, --target, or --position with --rpy, --quaternion, --euler or --pointing"
         )
     if ways[0]:
-        return numeric_pose(robot, values_of(robot, chosen), *frames).rows
+        return numeric_pose(robot, values_of(robot, chosen), *frames).rows, ()
     if goal.target is not None:
         return _target(goal.target, chosen.robot)
-    return _from_parts(goal, chosen.bare)
+    return _from_parts(goal, chosen.bare), ()
 
 
-def _target(text: str, typed: str) -> Rows:
+def _target(text: str, typed: str) -> tuple[Rows, tuple[str, ...]]:
     from dhcli.files.reading import read_text, source_of
 
     place = Place("--target")
@@ -162,11 +164,12 @@ def _target(text: str, typed: str) -> Rows:
         said = ",".join(part for part in re.split(r"[\s,]+", text.strip("[]() \t\n")) if part)
         hint = f"write --position {said}, where the turn is free"
         raise DhcliError(Problem(message, place, hint))
-    pose = compose(read_product(text, place), {}, Wanted()).pose
+    product = read_product(text, place)
+    pose = compose(product, {}, Wanted()).pose
     if pose.is_symbolic:
         _known([cast("Expr", entry) for row in pose.rows for entry in row], place)
         pose = pose.in_numbers()
-    return cast("Pose[float]", pose).rows
+    return cast("Pose[float]", pose).rows, product.remarks
 
 
 def _from_parts(goal: Goal, bare: Bare) -> Rows:
