@@ -216,6 +216,10 @@ class Question(ABC, Generic[T]):
         """The linkage that it is about, if it is about one."""
         return None
 
+    def pose_drawn(self, _exercise: Exercise) -> Values:
+        """A value for every joint, in the pose in which the answer is asked; empty where it is asked in none."""
+        return {}
+
     @property
     def in_rows(self) -> bool:
         """Whether an answer has rows of several entries, between which a blank may stand."""
