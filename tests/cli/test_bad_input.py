@@ -71,6 +71,7 @@ from tests.cli.running import Run
         ("new robt x", "did you mean robot?"),
         ("transform Rot(w,90°)", "x, y or z"),
         ("transform Rot(z,90)", "write 90° or 1.5708 rad"),
+        ("ik scara --target 0.3,0.3,0", "write --position 0.3,0.3,0, where"),
         ("transform Rot(z,-1.5)", "write -1.5° or -1.5 rad"),
         ("fk scara --rows q.csv", "did you mean --in FILE?"),
         ("ik scara --rows q.csv", "did you mean --in FILE?"),
@@ -130,6 +131,14 @@ def test_all_problems_of_a_file_are_told_at_once(dhcli: Run, tmp_path: Path) -> 
     assert all(line.startswith("dhcli: bad.yaml:") for line in heads)
     assert "did you mean title?" in done.err
     assert "did you mean standard?" in done.err
+
+
+@pytest.mark.parametrize("point", ["0.3 0.3 0", "[0.3, 0.3, 0]", "(0.3  0.3 0)", "[0.3 0.3 0]"])
+def test_a_position_where_a_pose_is_wanted_is_sent_to_its_option(dhcli: Run, point: str) -> None:
+    """However its numbers are parted."""
+    done = dhcli("ik", "scara", point)
+    assert done.code == 2
+    assert "write --position 0.3,0.3,0, where the turn is free" in done.err
 
 
 def test_many_rows_behind_q_are_sent_where_rows_go(dhcli: Run, tmp_path: Path) -> None:

@@ -83,6 +83,11 @@ class FramesQuestion(Question[Answer]):
         seen = seen_from(exercise, self.convention)
         yield f"seen from {seen}, drawn with {drawn_at(sketch.pose)}: {'; '.join(axes_text(sketch))}"
 
+    def pose_drawn(self, exercise: Exercise) -> Values:
+        from dhcli.checking.frames.overlaid import joints_drawn
+
+        return joints_drawn(sketch_of(exercise, self.convention, self.pose))
+
     @property
     def in_rows(self) -> bool:
         return True

@@ -15,7 +15,7 @@ from dhcli.notation.writer import write
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
 from dhcli.render.text.matrix import matrix_lines, vector_lines
-from dhcli.render.text.prose import heading_text
+from dhcli.render.text.prose import heading_text, prose_lines
 from dhcli.render.text.quantities import value_lines
 
 AXES = ("p_x", "p_y", "p_z")
@@ -107,10 +107,15 @@ def frame_words(name: str) -> str:
 
 
 def packed(parts: Iterable[str], paper: Paper) -> Iterator[str]:
-    """Parts between middle dots, as many on a line as fit."""
+    """Parts between middle dots, as many on a line as fit; on a terminal, one that is too long by itself is folded."""
     dot = paper.spell(" · ")
     line = ""
-    for part in parts:
+    for whole in parts:
+        part = whole
+        if paper.terminal and len(whole) > paper.width:
+            *folded, part = prose_lines(whole, paper)
+            yield from (line, *folded) if line else folded
+            line = ""
         longer = f"{line}{dot}{part}" if line else part
         if line and len(longer) > paper.width:
             yield line

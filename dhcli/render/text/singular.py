@@ -11,9 +11,10 @@ from dhcli.kinematics.velocity.asked import SingularAnswer
 from dhcli.notation.writer import write
 from dhcli.render.look import Look
 from dhcli.render.text.forward import frame_words, legend, packed
-from dhcli.render.text.prose import heading_text
+from dhcli.render.text.prose import heading_text, prose_lines
 from dhcli.render.text.quantities import value_lines
 from dhcli.render.text.velocity import point_words
+from dhcli.safe import one_line
 
 if TYPE_CHECKING:  # it comes with numpy
     from dhcli.kinematics.singular.standing import Standing
@@ -70,9 +71,9 @@ def _factor(factor: Factor, result: SingularAnswer, look: Look) -> Iterator[str]
     angles = f"  ({factor.angles})" if factor.angles else ""
     yield f"{paper.ink(paper.spell(name), 'cyan')}{paper.spell(angles)}"
     if factor.words:
-        yield paper.spell(f"    {factor.words}")
+        yield from prose_lines(one_line(factor.words), paper, "    ", "    ")
     if factor.lost:
-        yield paper.spell(f"    lost: {factor.lost}")
+        yield from prose_lines(one_line(f"lost: {factor.lost}"), paper, "    ", "      ")
 
 
 def _turns(turns: object) -> str:
@@ -96,7 +97,7 @@ def standing_lines(result: SingularAnswer, standing: Standing, look: Look) -> It
         zeros = found.factors[one.factor].text(look.style or "short", result.robot.writing)
         now = ", ".join(_short(value) for value in one.values)
         kinds = {joint.kind for joint in result.robot.joints if joint.name in found.factors[one.factor].joints}
-        far = f"about {_far(one.distance, kinds)} away" if math.isfinite(one.distance) else "out of reach from here"
+        far = f"{_far(one.distance, kinds)} away" if math.isfinite(one.distance) else "out of reach from here"
         yield f"{zeros}: {now} here, {far}"
 
 

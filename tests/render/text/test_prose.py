@@ -10,6 +10,7 @@ from dhcli.files.yaml.prose import folded
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
 from dhcli.render.text.exercise import exercise_table
+from dhcli.render.text.forward import packed
 from dhcli.render.text.marks import question_text
 from dhcli.render.text.prose import WIDEST, heading_text, prose_lines
 
@@ -62,3 +63,13 @@ def test_a_heading_is_folded_to_a_window_and_bold_in_each_line(width: int) -> No
     assert max(map(len, plain)) <= width
     assert " ".join(plain) == text
     assert heading_text(text, Paper(width)) == text
+
+
+@pytest.mark.parametrize("width", [20, 40, 60])
+def test_a_part_longer_than_the_window_is_folded_between_words(width: int) -> None:
+    """Not by the terminal in the middle of one; shorter parts stand together as ever."""
+    long = "rows v of the origin of frame 3 in m/s above w in rad/s, along the axes of frame 0"
+    lines = list(packed(["short", long, "theta1 = 0", "theta2 = 0"], Paper(width, terminal=True)))
+    assert max(map(len, lines)) <= width
+    assert " ".join(lines).replace(" ·", "") == f"short {long} theta1 = 0 theta2 = 0"
+    assert long in list(packed(["short", long], Paper(width)))
