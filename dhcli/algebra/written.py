@@ -60,6 +60,7 @@ class _Writing:
         self.uses = Counter(column for step in self.steps.values() for column in step.columns) + Counter(ends)
         self.known: dict[Column, Expr] = {cell.column: Symbol(name) for name, cell in tape.variables.items()}
         self.labels = {cell.column: indices.get(name, "") for name, cell in tape.variables.items()}
+        self.variables = tape.variables.keys()
         self.taken = set(tape.variables)
         self.named = set[str]()
 
@@ -140,9 +141,13 @@ class _Writing:
         return "".join(labels) if step.ufunc in ("add", *TURNING) and all(labels) else ""
 
     def name(self, column: Column, step: Operation) -> str:
-        """A name that is not taken: `c23`, or the next of `t1`, `t2` ..."""
+        """A name that is not taken: `c23`, `c_alpha`, or the next of `t1`, `t2` ..."""
         label = self.labels[column]
         letter = step.ufunc[0] if step.ufunc in TURNING else "q" if label else "t"
+        operand = step.operands[0]
+        turned = self.known[operand] if letter in "cs" and isinstance(operand, Column) else None
+        if not label and type(turned) is Symbol and turned.name in self.variables:
+            label = f"_{turned.name}"
         name = next(name for name in self.names(letter, label) if name not in self.taken)
         self.taken.add(name)
         self.named.add(name)

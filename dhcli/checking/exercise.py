@@ -89,6 +89,10 @@ class Question(Asking, Generic[T]):
         """What a sheet says above the blanks."""
         return ()
 
+    def pose_drawn(self, _exercise: Exercise) -> Values:
+        """A value for every joint, in the pose in which the answer is asked; empty where it is asked in none."""
+        return {}
+
     # --- What is right -------------------------------------------------------------------------------------------
 
     def unvalued(self, _exercise: Exercise) -> tuple[str, ...]:

@@ -18,7 +18,7 @@ from dhcli.scene.choice import best_pose, best_view, broadside, with_examples
 from dhcli.scene.ink import Ink
 from dhcli.scene.labels import PRINT, Lettering, Rect, Wish, placed
 from dhcli.scene.overlay import dimensions, frames, joint_axes, pins, turn_wishes
-from dhcli.scene.painter import painted
+from dhcli.scene.painter import grip, painted
 from dhcli.scene.primitives import Ball, Box, Drum, Face, Scene
 from dhcli.scene.shapes import Figure, Shape, Text
 from dhcli.scene.skeleton import Skeleton
@@ -130,7 +130,7 @@ def figure_of(staged: Staged, paper: Paper | None = None, *, worksheet: bool = F
     scene = staged.scene
     shapes = [*pins(scene, camera, scene.pinned), *painted(scene, camera, turns=bool(scene.arrows) and not worksheet)]
     ink = Ink(paper.width, paper.height)
-    ink.add(shapes)
+    ink.add([*shapes, grip(scene, scene.hand, camera)] if scene.hand else shapes)
     wishes: list[Wish] = []
     over: list[Shape] = []
     if worksheet:

@@ -198,6 +198,7 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("singularities", "./motors.yaml", "--motors"),
     ("sweep", "./motors.yaml", "--motors", "--over", "J2 n 3", "--q", "theta1=0,J3=0"),
     ("check", "./motors.yaml", "--motors", "--pose", "folded", "--entry", "1,4", "--answer", "0"),
+    ("describe", "ur5e", "--as", "standard", "--straighten", "0.01°", "--format", "json"),
     ("describe", "./motors.yaml", "--as", "motors"),
     ("draw", "yim/planar-in-numbers", "--variant", "alice", "--solution", "--worksheet", "-o", "w.svg"),
     ("ik", "planar-2r", "--q", "10,20", "--deg", "--set", "a1=1", "--task", "position", "--from", "0", "--to", "2"),

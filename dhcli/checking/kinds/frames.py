@@ -83,6 +83,11 @@ class FramesQuestion(Question[Answer]):
         seen = seen_from(exercise, self.convention)
         yield f"seen from {seen}, drawn with {drawn_at(sketch.pose)}: {'; '.join(axes_text(sketch))}"
 
+    def pose_drawn(self, exercise: Exercise) -> Values:
+        from dhcli.checking.frames.overlaid import joints_drawn
+
+        return joints_drawn(sketch_of(exercise, self.convention, self.pose))
+
     @property
     def in_rows(self) -> bool:
         return True
@@ -170,11 +175,12 @@ class FramesQuestion(Question[Answer]):
     def _marked_table(self, case: Case, rows: tuple[TypedRow, ...]) -> Mark:
         """A table is right when frames of it can lie on the axes, the last one anywhere if the task leaves it open."""
         from dhcli.checking.tables.comparing import compare_of
-        from dhcli.checking.tables.marking import mark_table
+        from dhcli.checking.tables.marking import answer_of, mark_table
 
         compare = compare_of(case)
         is_open = END not in self._rules(case).sketch.stated
-        mark = mark_table(case.exercise, self.convention, rows, compare, case.tolerance, end_free=is_open or None)
+        answer = answer_of(case.exercise, self.convention, rows, compare, case.tolerance, end_free=is_open or None)
+        mark = mark_table(answer)
         said = f"no frames on these axes have this table in {self.convention.value} DH"
         return replace(mark, remarks=(said, *mark.remarks)) if mark.verdict in UNSOLVED else mark
 

@@ -109,11 +109,6 @@ def _imported(name: str) -> type[Question[Any]]:
     return found
 
 
-def keys() -> tuple[str, ...]:
-    """Keys of a part that only some kinds read."""
-    return tuple(key for kind in KINDS for key in kind.keys)
-
-
 def _unknown(text: str, place: Place | None) -> NotationError:
     if text.startswith("entry 4") and "jacobian" not in text:
         return NotationError(Problem("the bottom row of a pose is 0 0 0 1 for everybody", place, "ask for rows 1 to 3"))

@@ -141,7 +141,7 @@ def check(
     from dhcli.cli.shell.quiz import RobotOptions, exercise_of, exit_code, remember, with_tolerance
     from dhcli.errors import DhcliError
     from dhcli.files.yaml.sheets import judged_sheet, read_sheet
-    from dhcli.kinematics.values import warnings
+    from dhcli.kinematics.limits import warnings
 
     delivery = Delivery("check", format_, output=output, overwrite=overwrite and not (draw and output is None))
     delivery.chosen("marks")

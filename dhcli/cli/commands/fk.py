@@ -111,7 +111,7 @@ def fk(
         view = View.of(arm, chosen.from_, chosen.end, inverse=inverse)
         written.hand_over("function", forward_function(arm, view, values, with_values=with_values))
         return
-    from dhcli.cli.shell.asking import ask, kind_of
+    from dhcli.cli.shell.asking import ask, result_kind
     from dhcli.cli.shell.delivery import Delivery
     from dhcli.kinematics.question import answer
 
@@ -129,6 +129,6 @@ def fk(
         forms=as_,
         let=let,
     )
-    delivery.chosen(kind_of(question))
+    delivery.chosen(result_kind(question))
     result = answer(arm, values_of(arm, chosen, symbolic=symbolic), question)
-    delivery.hand_over(kind_of(question), result, result.warnings)
+    delivery.hand_over(result_kind(question), result, result.warnings)

@@ -67,6 +67,8 @@ def of_exercise(name: str, variant: str | None, *, solution: bool) -> list[dict[
         arm = replace(exercise.robot, title=exercise.title)
         lengths = {name: value for name, value in exercise.given.items() if name in arm.parameters}
         joints = {name: value for name, value in exercise.given.items() if name in arm.variables}
+        drawn = (part.question.pose_drawn(exercise) for part in exercise.asked)
+        joints = next((dict(pose) for pose in drawn if pose), joints)
         found.append({"what": arm, "parameters": lengths, "worksheet": level == "axes" and not solution})
         if arm.variables and len(joints) == len(arm.variables):
             found[0]["q"] = joints

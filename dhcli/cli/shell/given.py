@@ -14,7 +14,7 @@ from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import given_parameters, joint_values, parameter_values
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
-from dhcli.notation.quantity import DimensionError, to_length
+from dhcli.notation.quantity import DimensionError, to_angle, to_length
 from dhcli.notation.scope import OPEN, Scope
 from dhcli.notation.tree import Expr
 
@@ -129,6 +129,18 @@ def point_of(text: str, option: str, scope: Scope = OPEN) -> Point:
         )
     x, y, z = (_length(piece, scope, replace(place, column=offset + 1)) for offset, piece in pieces)
     return x, y, z
+
+
+def angle_of(text: str, option: str) -> float:
+    """An angle without names, in radians where no unit stands [rad]."""
+    place = Place(option, text=text)
+    try:
+        angle = to_angle(parse(text, OPEN, place))
+    except DimensionError as error:
+        raise DhcliError(Problem(error.message, place, error.hint)) from None
+    if angle.names:
+        raise DhcliError(Problem(f"{', '.join(sorted(angle.names))} is no number", place, f"write {option} 0.01°"))
+    return angle.constant()
 
 
 def open_scope(robot: Robot) -> Scope:

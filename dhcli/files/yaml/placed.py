@@ -84,7 +84,9 @@ class PlacedMapping:
 PlacedNode: TypeAlias = PlacedScalar | PlacedSequence | PlacedMapping
 
 
-def read_yaml(text: str, source: str, refused: list[Problem] | None = None, *, is_foreign: bool = False) -> PlacedNode:
+def read_yaml(
+    text: str, source: str, refused: list[Problem] | None = None, *, spelled: str = "", is_foreign: bool = False
+) -> PlacedNode:
     """Read one YAML document into a tree with places.
 
     Args:
@@ -92,6 +94,7 @@ def read_yaml(text: str, source: str, refused: list[Problem] | None = None, *, i
         source: What to call it in messages, usually the file name.
         refused: Where to note what is refused but does not stop the reading, such as a key given twice, for a loader
             that tells everything at once; by default it is raised.
+        spelled: What stands in the file, where letters of it were replaced to make `text`; values and messages show it.
         is_foreign: Whether it is known to be no file of dhcli's; else one that is of another form is told apart.
 
     Raises:
@@ -101,8 +104,8 @@ def read_yaml(text: str, source: str, refused: list[Problem] | None = None, *, i
     import_yaml()
     import yaml.error
 
-    text = text.lstrip("\ufeff")
-    builder = _Builder([*_LINE_BREAK.split(text), ""], source)  # one line more: a mark may stand after the last
+    text, spelled = text.lstrip("\ufeff"), (spelled or text).lstrip("\ufeff")
+    builder = _Builder([*_LINE_BREAK.split(spelled), ""], source)  # one line more: a mark may stand after the last
     builder.refuse_unreadable()
     try:
         root = builder.document(events(text))
@@ -212,7 +215,16 @@ class _Builder:
         if event.style == '"' and (found := _MADE_BY_ESCAPE.search(event.value)):
             message = f"this text in double quotes holds the control character U+{ord(found[0]):04X}"
             self.refuse(place, message, "a backslash that is meant as one needs single quotes")
-        return PlacedScalar(event.value, place, quoted=bool(event.style))
+        return PlacedScalar(self.spelled(event, place), place, quoted=bool(event.style))
+
+    @staticmethod
+    def spelled(event: yaml.ScalarEvent, place: Place) -> str:
+        """A text as the file has it, where it stands plain on one line; there what was replaced comes back."""
+        text: str = event.value
+        start = (place.column or 1) - 1
+        there = place.text[start : start + len(text)] if place.text else ""
+        is_it = not event.style and len(there) == len(text) and there.replace(",", ";") == text.replace(",", ";")
+        return there if is_it else text
 
     def refuse(self, place: Place, message: str, hint: str = "") -> None:
         """Note a problem and go on."""

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from dhcli.errors import FileError, Place, Problem
 from dhcli.files.library.lookup import Kind, check_typed, find
-from dhcli.files.reading import LIMIT, read_text, source_of
+from dhcli.files.reading import LIMIT, is_xml, read_text, source_of
 from dhcli.files.yaml.placed import read_yaml
 from dhcli.files.yaml.robot_loader import Loader
 from dhcli.kinematics.robot import Robot
@@ -58,11 +58,6 @@ def robot_of(
     return read_robot(text, source, name)
 
 
-def is_xml(text: str) -> bool:
-    """Whether a text is XML."""
-    return text.lstrip().startswith("<")
-
-
 def read_robot(text: str, source: str, name: str) -> Robot:
     """Read a robot from the text of a file.
 
@@ -78,6 +73,6 @@ def read_robot(text: str, source: str, name: str) -> Robot:
     if drawn := DRAWN.search(text):
         from dhcli.files.yaml.drawn import DrawnLoader, with_semicolons  # few robots are drawn
 
-        root = read_yaml(with_semicolons(text), source, refused)
+        root = read_yaml(with_semicolons(text), source, refused, spelled=text)
         return DrawnLoader(root, name, refused, drawn[1]).robot()
     return Loader(read_yaml(text, source, refused), name, refused).robot()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from dhcli.kinematics.conventions import NAMES
@@ -51,10 +51,7 @@ def _said(result: Function, spelling: Spelling) -> Iterator[str]:
     units = [f"{names[j]} [{'m' if kinds.get(j) == 'prismatic' else 'rad'}]" for j in result.joints]
     if units:
         yield f"Joint values: {', '.join(units)}."
-    sizes = [f"{names[n]} [{'rad' if n in robot.angles else 'm'}]" for n in result.lengths]
-    if sizes:
-        kind = "Lengths" if robot.angles.isdisjoint(result.lengths) else "Lengths and constant angles"
-        yield f"{kind}: {', '.join(sizes)}."
+    yield from lengths_words(robot, {name: names[name] for name in result.lengths})
     yield f"Source: {robot.source}"
 
 
@@ -62,6 +59,19 @@ def robot_words(robot: Robot) -> str:
     """What a robot is called, and its convention."""
     convention = NAMES[robot.convention]
     return robot.title if convention in robot.title else f"{robot.title}, {convention}"
+
+
+def lengths_words(robot: Robot, names: Mapping[str, str]) -> Iterator[str]:
+    """Lengths and constant angles that a function takes, in their units.
+
+    Args:
+        robot: The robot.
+        names: The spelling of each.
+    """
+    if names:
+        kind = "Lengths" if robot.angles.isdisjoint(names) else "Lengths and constant angles"
+        units = (f"{spelled} [{'rad' if name in robot.angles else 'm'}]" for name, spelled in names.items())
+        yield f"{kind}: {', '.join(units)}."
 
 
 def _answer(result: Function) -> JacobianAnswer:

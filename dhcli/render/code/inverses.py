@@ -17,7 +17,7 @@ from dhcli.kinematics.validity import in_floats
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO, Call, Expr, Product, Sum, Symbol, Trig
 from dhcli.notation.walk import rebuild, symbols, walk
-from dhcli.render.code.functions import robot_words
+from dhcli.render.code.functions import lengths_words, robot_words
 from dhcli.render.code.language import Heading, Spelling
 from dhcli.render.code.languages import LANGUAGES
 from dhcli.render.look import Look
@@ -61,7 +61,7 @@ def inverse_code(result: Derivation, look: Look) -> str:
     spelling = language.spelling(names)
     joints = [spelling.names[name] for name in result.robot.variables if name in unknown]
     own = {name: None if (v := result.robot.parameters[name]) is None else in_floats(v) for name in lengths}
-    heading = Heading("inverse", list(_said(result, joints, language.name)), (), own, ("T",), gives="solutions")
+    heading = Heading("inverse", list(_said(result, joints, spelling)), (), own, ("T",), gives="solutions")
     if language.name == "c":
         given, filled = ("const double T[4][4]",), (f"double solutions[][{len(joints)}]",)
         heading = Heading("inverse", heading.said, (), own, given, filled, "int")
@@ -73,15 +73,16 @@ def inverse_code(result: Derivation, look: Look) -> str:
     return language.function(heading, spelling, [line for line in body if line])
 
 
-def _said(result: Derivation, joints: Sequence[str], language: str) -> Iterator[str]:
+def _said(result: Derivation, joints: Sequence[str], spelling: Spelling) -> Iterator[str]:
     """What the function takes and gives."""
     robot = result.robot
     of = "the position in the pose T" if result.place_only else "the pose T"
     yield f"Every solution of {robot.name} for {of} of {frame_words(result.end)} seen from {frame_words(result.start)}."
     yield f"{robot_words(robot)}; radians and metres."
     yield f"Joint values of each, in this order: {', '.join(joints)}; at most {result.branches} solutions."
-    if language == "c":
+    if spelling.language.name == "c":
         yield f"Returns how many there are; solutions has room for {result.branches} rows."
+    yield from lengths_words(robot, {name: spelling.names[name] for name in lengths_used(result)})
     yield f"Source: {robot.source}"
 
 

@@ -97,7 +97,7 @@ def standing_lines(result: SingularAnswer, standing: Standing, look: Look) -> It
         zeros = found.factors[one.factor].text(look.style or "short", result.robot.writing)
         now = ", ".join(_short(value) for value in one.values)
         kinds = {joint.kind for joint in result.robot.joints if joint.name in found.factors[one.factor].joints}
-        far = f"about {_far(one.distance, kinds)} away" if math.isfinite(one.distance) else "out of reach from here"
+        far = f"{_far(one.distance, kinds)} away" if math.isfinite(one.distance) else "out of reach from here"
         yield f"{zeros}: {now} here, {far}"
 
 

@@ -276,3 +276,14 @@ def test_a_point_that_few_values_of_the_joints_held_reach_is_reached_all_the_sam
     for q in found:
         assert np.allclose(forward(robot, list(q)).position, 0, atol=1e-12)
     assert {name for name, _ in found.held} == {"theta4", "theta5", "theta6"}
+
+
+def test_a_family_says_at_how_many_of_its_values_there_are_solutions() -> None:
+    """A coarse family of the Panda's may hold few or none."""
+    q = [0, 0.2, 0.3, -1, 0.2, 1, 0.3]
+    for family in (2, 3, 6, 24):
+        found = solved("panda", q, family=family)
+        held = {round(value, 9) for value in found.q[:, 6].tolist()}
+        count = str(len(held)) if held else "none"
+        assert f"theta7 sampled at {family} values, {count} of them with solutions" in found.remarks[0]
+        assert len(found) or "other values of theta7 reach it" in found.why
