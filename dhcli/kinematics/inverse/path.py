@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhcli.errors import RobotError
+from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.inverse.asked import Question, ask, inverse
 from dhcli.kinematics.inverse.batch import BLOCK, solved_block
@@ -97,6 +98,11 @@ def follow(  # noqa: PLR0913  what may be asked of a path
     """
     if near is None:
         raise RobotError("a path needs joint values to begin near to", "give near=")
+    if is_coupled(robot):
+        from dhcli.kinematics.inverse.coupled import along  # few robots are
+
+        asked: dict[str, object] = {"task": task, "hold": hold, "start": start, "end": end, "parameters": parameters}
+        return along(follow, robot, T, near=near, tolerance=tolerance, **asked)
     question, held = ask(robot, task, near=near, hold=hold, start=start, end=end, parameters=parameters)
     poses, _ = read_targets(T, question.ready.task)
     turning = turning_joints(robot)
