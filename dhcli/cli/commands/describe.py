@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import Force, format_option, output_option
+from dhcli.cli.shell.options import Overwrite, format_option, output_option
 from dhcli.cli.shell.spreading import But
 
 EXAMPLES = """
@@ -84,7 +84,7 @@ def describe(
     numbers: Annotated[bool, typer.Option("--numbers", help="Put the values of lengths in.")] = False,
     format_: Annotated[str | None, format_option("table", "json", "yaml", "urdf")] = None,
     output: Annotated[str | None, output_option(".yaml", ".urdf", ".json", ".txt")] = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """Describe a robot anew: DH tables of either convention, drawn axes, screws, products; each result is proved.
 
@@ -101,7 +101,7 @@ def describe(
     from dhcli.kinematics.motors import driven
 
     format_ = format_ or ("urdf" if as_ == "urdf" else _by_suffix(output))
-    delivery = Delivery("describe", format_, output=output, force=force)
+    delivery = Delivery("describe", format_, output=output, overwrite=overwrite)
     if as_ == "motors":
         if steps or choose or numbers or straighten is not None or chosen.pose is not None:
             raise DhcliError("--as motors has no steps, choices, numbers, pose or straightening", "leave them out")

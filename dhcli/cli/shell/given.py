@@ -71,7 +71,18 @@ def values_of(robot: Robot, chosen: Chosen, *, symbolic: bool = False) -> dict[s
     lengths = lengths_of(robot, chosen, symbolic=symbolic)
     posed = {} if pose is None else named_pose(robot, pose)
     text, where = (q, Place("--q")) if q is None or not q.startswith("@") else text_of_file(q[1:])
+    if q is not None and q.startswith("@"):
+        _refuse_rows(robot, text or "", where, q[1:])
     return {**lengths, **posed, **joint_values(robot, text, bare=chosen.bare, place=where)}
+
+
+def _refuse_rows(robot: Robot, text: str, where: Place, path: str) -> None:
+    """Refuse a file of many rows where the values of one pose are wanted."""
+    count, joints = sum(1 for _ in split(text)), len(robot.variables)
+    if joints and count > joints and count % joints == 0 and "=" not in text:
+        message = f"{count // joints} rows of {plural(joints, 'value')}, and one pose is wanted"
+        hint = f"many rows: fk --in {path}, draw --in {path} or jacobian --rows {path}; else leave one"
+        raise DhcliError(Problem(message, where, hint))
 
 
 def named_pose(robot: Robot, name: str) -> dict[str, Value]:

@@ -22,6 +22,7 @@ from dhcli.notation.tree import Expr
 from dhcli.notation.writer import write
 from dhcli.render.look import Look
 from dhcli.render.text.matrix import matrix_lines
+from dhcli.render.text.prose import heading_text
 from dhcli.render.text.robot import links_table, robot_content
 from dhcli.render.text.table import table_text
 
@@ -47,7 +48,7 @@ def description_table(result: Described, look: Look) -> str:
     paper = look.paper
     origin = " from its axes" if result.steps else ""
     head = f"{result.given.title}{origin} · {NAMES[result.form]} · {_AXIS[result.form]}"
-    blocks = [paper.ink(paper.spell(head), "bold") + "\n"]
+    blocks = [heading_text(head, paper) + "\n"]
     if result.told and result.steps:
         blocks.append("".join(_steps(result, look)))
     return "".join([*blocks, *_body(result, look), *(f"{paper.spell(line)}\n" for line in _facts(result))])
