@@ -23,7 +23,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from dhcli.kinematics.inverse.arm import Array
-    from dhcli.kinematics.inverse.path import Path
 
 SAME = 1e-6
 """Moves that differ by less than this from what the variables give are those that they give [rad, m]."""
@@ -122,29 +121,6 @@ class Carried:
             if np.abs(gap).max(initial=0.0) < SAME:
                 return np.asarray(q)
         return None
-
-
-def along(take: Callable[..., Path], robot: Robot, T: object, **asked: Any) -> Path:  # noqa: ANN401, N803
-    """Follow a path with the arm that has a variable for each move, and carry it back: its turns are counted there.
-
-    Args:
-        take: What follows a path with an arm whose variables each make one move; see `follow`.
-        robot: The robot.
-        T: The poses.
-        **asked: What else `follow` takes.
-
-    Raises:
-        RobotError: As `follow`; or a joint is held that moves with others, or the robot has more moves than variables.
-    """
-    carried = Carried.of(robot, asked["parameters"])
-    if not carried.is_whole:
-        moves = f"{plural(len(carried.slopes), 'move')} by {plural(len(robot.variables), 'variable')}"
-        message = f"{robot.name} has {moves}: on the way from pose to pose its coupling could break"
-        raise RobotError(message, "ask for each pose by itself, without following: each by the joint values near to it")
-    ways = {"near": carried.there(asked["near"]), "hold": carried.held(asked["hold"])}
-    path = take(carried.arm.robot, T, **{**asked, **ways})
-    goal = path.q - np.array(carried.arm.offsets)
-    return replace(path, q=np.linalg.solve(carried.slopes, goal.T).T)
 
 
 def through(solve: Callable[..., Solutions], robot: Robot, T: object, **asked: Any) -> Solutions:  # noqa: ANN401, N803
