@@ -52,7 +52,7 @@ OF_KINDS = (
         "`literal`, cell by cell. `lint` asks for one of them by name",
         Scalar(COMPARED),
     ),
-    Key("options", "of `ask: choice` what there is to choose from", TEXTS),
+    Key("options", "of `ask: choice` its statements; an answer is a number, or words of one alone", TEXTS),
     Key("right", "of `ask: choice` the number of the right option", WHOLE),
 )
 """Keys that only some kinds of question read; a test compares them with what the kinds say."""

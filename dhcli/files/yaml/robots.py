@@ -49,6 +49,9 @@ def robot_of(
         from dhcli.files.urdf.robots import read_urdf  # most robots are YAML
 
         return read_urdf(text, source, name, base=base, tip=tip, as_typed=as_typed)
+    if source.lower().endswith((".urdf", ".xacro")):
+        hint = "a URDF begins with <robot name=...>; a robot file of dhcli is YAML and ends in .yaml"
+        raise FileError(Problem("is no XML, which the end of its name promises", Place(source, 1), hint))
     if base is not None or tip is not None or as_typed:
         hint = "frames of a robot file are named with --from and --to"
         raise FileError(Problem("only a URDF has links to choose from", Place(source), hint))
