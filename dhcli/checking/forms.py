@@ -11,7 +11,7 @@ from dhcli.checking.tolerance import ZERO
 from dhcli.frozen import frozen
 from dhcli.geometry.euler import EulerAngles, Order, euler
 from dhcli.geometry.rotations import AxisAngle, Quaternion, RotationVector
-from dhcli.kinematics.pose import rounded
+from dhcli.kinematics.entries import rounded
 
 if TYPE_CHECKING:
     from dhcli.geometry.rotations import Rotation

@@ -9,8 +9,9 @@ from typing import Any
 
 from dhcli.checking.diagnosis.result import Diagnosis, Slip
 from dhcli.checking.earning import earned
-from dhcli.checking.exercise import MISPRINTED, Case, Causes, Exercise, Judged, Memo, Part, Reading, Shown
+from dhcli.checking.exercise import MISPRINTED, Case, Exercise, Memo, Part
 from dhcli.checking.pasted import UnreadableError, WrongUnitError, refuse_blanks
+from dhcli.checking.returned import Causes, Judged, Reading, Shown
 from dhcli.checking.verdicts import COUNTED, INVERSE, TOO_FEW, TRANSPOSED, UNSOLVED, Mark, Verdict, worst
 from dhcli.errors import DhcliError, NotationError, Place, UnknownNameError, did_you_mean
 from dhcli.frozen import frozen

@@ -47,7 +47,7 @@ class Quantity:
     is_angle: bool = False
 
 
-def read_value(exercise: Exercise, text: str, place: Place | None) -> TypedValue:
+def read_typed_value(exercise: Exercise, text: str, place: Place | None) -> TypedValue:
     """Read a single value.
 
     Raises:

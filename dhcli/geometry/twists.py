@@ -49,11 +49,12 @@ def displacements(twists: Array, q: Array) -> Array:
     return found
 
 
-def inverse(pose: Array) -> Array:
-    """The inverse of a displacement, shape (4, 4)."""
-    found = np.eye(4)
-    found[:3, :3] = pose[:3, :3].T
-    found[:3, 3] = -pose[:3, :3].T @ pose[:3, 3]
+def inverse(poses: Array) -> Array:
+    """The inverses of displacements, shape (..., 4, 4)."""
+    found = np.zeros_like(poses)
+    found[..., :3, :3] = np.swapaxes(poses[..., :3, :3], -1, -2)
+    found[..., :3, 3:] = -found[..., :3, :3] @ poses[..., :3, 3:]
+    found[..., 3, 3] = 1
     return found
 
 
@@ -71,11 +72,7 @@ def brackets(first: Array, second: Array) -> Array:
     return np.concatenate([omega, velocity], axis=-1)
 
 
-def deviation(pose: Array) -> Array:
-    """How far a displacement is from none, as a twist, shape (6,); exact to first order."""
-    rotation = pose[:3, :3]
-    turn = (
-        np.array([rotation[2, 1] - rotation[1, 2], rotation[0, 2] - rotation[2, 0], rotation[1, 0] - rotation[0, 1]])
-        / 2
-    )
-    return np.concatenate([turn, pose[:3, 3]])
+def deviations(poses: Array) -> Array:
+    """How far displacements are from none, as twists, (n, 4, 4) to (n, 6); exact to first order."""
+    turns = (poses[:, [2, 0, 1], [1, 2, 0]] - poses[:, [1, 2, 0], [2, 0, 1]]) / 2
+    return np.concatenate([turns, poses[:, :3, 3]], axis=1)

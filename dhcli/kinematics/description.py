@@ -48,13 +48,13 @@ class Link:
         number: Number of the link and of its frame.
         moves: The moves, four for a DH row.
         row: The DH row, or None in a product.
-        text: The product as somebody wrote it, empty where nobody has.
+        text: The product as somebody wrote it, empty where nobody has; links of the same moves are equal all the same.
     """
 
     number: int
     moves: Chain
     row: Row | None = None
-    text: str = ""
+    text: str = field(default="", compare=False)
 
     @property
     def product(self) -> str:

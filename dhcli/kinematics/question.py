@@ -11,10 +11,11 @@ from dhcli.frozen import frozen
 from dhcli.geometry.words import in_words
 from dhcli.kinematics.forward import factors, in_numbers, put_in, textbook_form
 from dhcli.kinematics.frames import Point, View, between, path
+from dhcli.kinematics.limits import warnings
 from dhcli.kinematics.moves import Chain, Trans, inverse, spelled
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.robot import Link, Robot
-from dhcli.kinematics.values import Values, require, warnings
+from dhcli.kinematics.values import Values, require
 from dhcli.notation.quarters import right_angles_among
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols

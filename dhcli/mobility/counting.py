@@ -198,7 +198,8 @@ def _shown(expr: Expr, *, inside: bool = False) -> str:
 
 def _sum_text(parts: list[tuple[Expr, int]]) -> str:
     """`4·1`, or `(6·2 + 6·1 + 6·3)`."""
-    texts = [f"{_shown(count, inside=True)}·{each}" for count, each in parts]
+    counts = [(_shown(count, inside=True), each) for count, each in parts]
+    texts = [f"({count})·{each}" if "/" in count else f"{count}·{each}" for count, each in counts]
     if not texts:
         return "0"
     return texts[0] if len(texts) == 1 else f"({' + '.join(texts)})"

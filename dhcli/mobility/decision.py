@@ -13,6 +13,7 @@ from dhcli.mobility.idle import Idle
 from dhcli.mobility.landing import Path, Trial
 from dhcli.mobility.model import Model
 from dhcli.mobility.outputs import freedoms_of, motion_type
+from dhcli.mobility.pebbles import generic_freedoms
 
 
 @dataclass(frozen=True)
@@ -113,13 +114,15 @@ class Landed:
 
 
 def certain(model: Model, rank: Rank, equations: int, instantaneous: int) -> str:
-    """A certificate that needs no more than the rank; empty if there is none."""
+    """A certificate that needs no more than the rank and the joint graph; empty if there is none."""
     if not model.chords and not len(model.ties):
         return "exact: there is no loop, so every joint moves freely"
     if instantaneous == 0:
         return "exact: nothing can move, not even for an instant"
     if rank.rank == equations:
         return "exact: the loop equations are independent here, so every instantaneous motion goes on"
+    if generic_freedoms(model) == instantaneous:
+        return "exact: no other places of these pins leave fewer motions, so every instantaneous motion goes on"
     return ""
 
 

@@ -10,6 +10,7 @@ Source: George and Heath 1980, sparse orthogonal factorisation; inverse iteratio
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import accumulate
 
 import numpy as np
 
@@ -27,6 +28,12 @@ WIDEST = 1200
 
 FEW = 240
 """With as many equations of loops, and no more, a plain singular value decomposition does."""
+
+WIDE = 100
+"""Links in a front; a wider one is left to a plain decomposition, too, as long as that takes seconds ..."""
+
+MOST = 2500
+"""... which it does up to so many equations of loops."""
 
 SMALLEST = 12
 """Singular values that are looked for; with more freedoms than this they are looked for in larger numbers."""
@@ -58,10 +65,12 @@ class Block:
 def large_mobility(model: Model, tolerance: float = 0.0) -> Truth:
     """The mobility of a linkage with many links, where the rank alone settles it; undecided otherwise.
 
-    Few loops have few equations, however long they are: then the loop form is the smaller one.
+    Few loops have few equations, however long they are: then the loop form is the smaller one. It is so, too, where
+    the links hang together like a net: their loops are short, and their fronts wide.
     """
     equations = len(model.basis) * len(model.chords) + len(model.ties)
-    rank = rank_of(model.jacobian(), max(TIGHT, tolerance)) if equations <= FEW else _rank_of_links(model, tolerance)
+    by_loops = equations <= FEW or (equations <= MOST and _widest(model) > WIDE)
+    rank = rank_of(model.jacobian(), max(TIGHT, tolerance)) if by_loops else _rank_of_links(model, tolerance)
     zeros, loops = model.motions - rank.rank, _lambdas(model)
     certificate = certain(model, rank, sum(loops) + len(model.ties), zeros)
     if certificate:
@@ -87,6 +96,29 @@ def _rank_of_links(model: Model, tolerance: float) -> Rank:
     return Rank(model.motions - zeros, kept, dropped, tuple(map(float, values[::-1])))
 
 
+def _widest(model: Model) -> int:
+    """The most links that wait in a front at once, where they are eliminated in the order in which they hang together.
+
+    A link waits from when the first of its neighbours is eliminated; a link of a gear's carrier may wait longer.
+    """
+    order = {0: -1} | {link: i for i, link in enumerate(_order(model))}
+    first = {link: place for link, place in order.items() if link}
+    for step in model.steps:
+        for link, other in ((step.tail, step.head), (step.head, step.tail)):
+            if link and other:
+                first[link] = min(first[link], order[other])
+    change = [0] * len(order)
+    for link, place in first.items():
+        change[place] += 1
+        change[order[link]] -= 1
+    return max(accumulate(change))
+
+
+def _order(model: Model) -> list[int]:
+    """The links but the ground in the order in which they hang together."""
+    return [step.tail if backwards else step.head for step, backwards in model.tree]
+
+
 def _lambdas(model: Model) -> tuple[int, ...]:
     """λ of each loop; in the plane one with two pins in different places has 3, which needs no computing."""
     turning = model.twists[:, 2] != 0
@@ -101,7 +133,7 @@ def _lambdas(model: Model) -> tuple[int, ...]:
 
 def _placed(model: Model) -> tuple[list[Rows], float]:
     """The constraints and their largest singular value; links are numbered in the order in which they hang together."""
-    order = [step.tail if backwards else step.head for step, backwards in model.tree]
+    order = _order(model)
     place = {link: i for i, link in enumerate(order)}
     found = [Rows(tuple(place[link] for link in r.links), r.block) for r in constraints(model) if r.block.size]
     return found, _largest_value(found, len(model.basis), len(order))

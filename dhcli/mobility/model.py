@@ -74,6 +74,17 @@ class Model:
         return len(self.twists)
 
     @cached_property
+    def places(self) -> dict[int, int]:
+        """The place among the steps of each joint that is one."""
+        return {step.joint: place for place, step in enumerate(self.steps)}
+
+    @cached_property
+    def ends(self) -> NDArray[np.intp]:
+        """First link, second link, first motion and number of motions of each step, shape (steps, 4)."""
+        found = [(step.tail, step.head, step.first, step.last - step.first) for step in self.steps]
+        return np.array(found, dtype=np.intp).reshape(-1, 4)
+
+    @cached_property
     def paths(self) -> Signs:
         """Which motions lead from the ground to each link, with their sense: 1, -1 or 0; shape (links, m)."""
         found = np.zeros((len(self.linkage.links), self.motions), dtype=np.int8)
@@ -114,11 +125,10 @@ class Model:
         loops = (self.signs[:, None, :] * seen.T[None, :, :]).reshape(-1, self.motions)
         return np.concatenate([loops, self.ties])
 
-    def link_twists(self, rates: Array, twists: Array | None = None) -> Array:
-        """Twists of all links for given rates of the motions, (m, k) to (links, 6, k)."""
+    def link_twists(self, rates: Array, twists: Array | None = None, links: slice = slice(None)) -> Array:
+        """Twists of links, of all by default, for given rates of the motions, (m, k) to (links, 6, k)."""
         seen = self.twists if twists is None else twists
-        found: Array = np.einsum("lm,mi,mk->lik", self.paths, seen, rates)
-        return found
+        return np.asarray((self.paths[links, None, :] * seen.T) @ rates)
 
 
 def model_of(linkage: Linkage) -> Model:

@@ -39,7 +39,8 @@ def motion_type(
         return ""
     if not motions.shape[1]:
         return "0T0R"
-    moving = model.link_twists(motions, twists)[links.index(model.linkage.output)]
+    output = links.index(model.linkage.output)
+    moving = model.link_twists(motions, twists, slice(output, output + 1))[0]
     least = max(LOOSE, blur, min(DRAWN * tolerance, MOST_DRAWN))
     values = np.linalg.svd(moving, compute_uv=False)
     whole = int(np.count_nonzero(values > max(least * values[0], LOOSE)))

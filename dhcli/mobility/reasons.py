@@ -14,6 +14,7 @@ import numpy as np
 from dhcli.geometry.rank import TIGHT, Rank, rank_of, spaces
 from dhcli.mobility.copies import disturbed, generic, twisted
 from dhcli.mobility.decision import Truth
+from dhcli.mobility.groups import Groups
 from dhcli.mobility.linkage import Linkage
 from dhcli.mobility.loops import shortest_lambdas
 from dhcli.mobility.model import Model, model_of
@@ -112,20 +113,14 @@ def _over_braced(linkage: Linkage, mobility: int) -> str:
 
 def rigid_groups(model: Model, motions: np.typing.NDArray[np.float64]) -> list[tuple[str, ...]]:
     """Sets of links that do not move against each other in any of the given motions."""
-    parent = list(range(len(model.linkage.links)))
-
-    def root(link: int) -> int:
-        while parent[link] != link:
-            link = parent[link]
-        return link
-
-    moving = model.link_twists(motions) if motions.shape[1] else np.zeros((len(parent), 6, 1))
+    rigid = Groups()
+    moving = model.link_twists(motions) if motions.shape[1] else np.zeros((len(model.linkage.links), 6, 1))
     for step in model.steps:
         if float(np.abs(moving[step.tail] - moving[step.head]).max()) < 1e-7:  # noqa: PLR2004  rounding, of unit motions
-            parent[root(step.head)] = root(step.tail)
+            rigid.join(step.head, step.tail)
     groups: dict[int, list[str]] = {}
     for link, name in enumerate(model.linkage.links):
-        groups.setdefault(root(link), []).append(name)
+        groups.setdefault(rigid.of(link), []).append(name)
     return [tuple(group) for group in groups.values()]
 
 

@@ -230,4 +230,7 @@ def _strange(source: Source, position: int) -> NotationError:
         return source.error(
             position, f"the letter {describe(letter)} looks like a Latin {latin} but is another", f"write {latin}"
         )
-    return source.error(position, f"{describe(letter)} means nothing here")
+    if not "\udc80" <= letter <= "\udcff":  # a byte that Python could not read as a letter
+        return source.error(position, f"{describe(letter)} means nothing here")
+    message = "this letter did not arrive: the locale of the terminal is not UTF-8"
+    return source.error(position, message, "write deg, pi, sqrt, theta1; or begin the line with LC_ALL=C.UTF-8")

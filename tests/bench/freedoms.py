@@ -1,8 +1,9 @@
-"""Mobility of long scissors: elimination link by link beside one dense singular value decomposition."""
+"""Mobility of long scissors and of nets of pinned links, beside one dense singular value decomposition."""
 
 from __future__ import annotations
 
 import math
+import random
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -16,11 +17,15 @@ from dhcli.mobility.pairs import LETTERS, PLANAR
 from dhcli.mobility.truth import true_mobility
 
 BARS = (20, 50, 100, 200, 400, 800)
+NETS = (50, 100, 200, 400, 800)
+SURPLUS = 1.45
+"""Pins for each link of a net: more than it takes to make parts of it rigid, so that equations repeat others."""
+
 ANGLE = 0.6
 
 
-def rows(rounds: int, bars: tuple[int, ...] = BARS) -> Iterator[Row]:
-    """A row for each length."""
+def rows(rounds: int, bars: tuple[int, ...] = BARS, nets: tuple[int, ...] = NETS) -> Iterator[Row]:
+    """A row for each length, and for each size of a net."""
     for count in bars:
         linkage = scissor(count // 2)
         model = model_of(linkage)
@@ -34,6 +39,31 @@ def rows(rounds: int, bars: tuple[int, ...] = BARS) -> Iterator[Row]:
             rounds=rounds,
         )
         yield replace(row, note=f"smallest singular value kept {true_mobility(linkage).rank.kept:.1e}")
+
+    for count in nets:
+        linkage = net(count)
+        model = model_of(linkage)
+        motions = true_mobility(linkage).mobility
+        if motions is None:
+            raise SystemExit(f"a net of {count} links is undecided")
+        yield side_by_side(
+            f"net of {count} links",
+            Task("true_mobility", lambda linkage=linkage: true_mobility(linkage)),
+            Task("dense constraint form", lambda model=model: constraint_rank(model, 1e-12)),
+            lambda ours, theirs: ours.mobility == theirs[1],
+            rounds=rounds,
+        )
+
+
+def net(links: int) -> Linkage:
+    """Links pinned together at random in the plane, each to one before it and then any two."""
+    draw = random.Random(links)  # noqa: S311  no secret
+    names = [f"link{i}" for i in range(links)]
+    pairs = [(draw.choice(names[:i]), names[i]) for i in range(1, links)]
+    while len(pairs) < SURPLUS * links:
+        first, second = draw.sample(names, 2)
+        pairs.append((first, second))
+    return Linkage("net", PLANAR, tuple(pin(*pair, draw.gauss(0, 1), draw.gauss(0, 1)) for pair in pairs), names[0])
 
 
 def scissor(stages: int) -> Linkage:

@@ -1,5 +1,8 @@
 """`dhcli dof`: the formula, whether to believe it, and the truth."""
 
+import json
+from pathlib import Path
+
 import pytest
 
 from tests.cli.running import Run
@@ -116,3 +119,27 @@ def test_one_constraint_repeats_and_three_repeat(dhcli: Run) -> None:
     """The verb follows the number."""
     assert "1 constraint repeats others" in dhcli("dof", "sarrus").out
     assert "3 constraints repeat others" in dhcli("dof", "bennett").out
+
+
+def test_a_urdf_is_counted_as_the_chain_that_it_holds(dhcli: Run, tmp_path: Path) -> None:
+    """As a robot file is."""
+    joint = '<joint name="j{0}" type="{1}"><parent link="l{0}"/><child link="l{2}"/><axis xyz="0 0 1"/></joint>'
+    links = "".join(f'<link name="l{i}"/>' for i in range(3))
+    joints = joint.format(0, "continuous", 1) + joint.format(1, "continuous", 2)
+    path = tmp_path / "arm.urdf"
+    path.write_text(f'<robot name="arm">{links}{joints}</robot>', "utf-8")
+    done = dhcli("dof", str(path))
+    assert done.code == 0
+    assert "n = 3 links with the ground · j = 2 joints" in done.out
+
+
+def test_a_urdf_is_counted_along_one_chain_of_it(dhcli: Run) -> None:
+    """A tree is asked for its tip; a tip that is none, and options for what is no URDF, are told so."""
+    urdf = str(Path(__file__).parents[1] / "data" / "urdf" / "three-joints.urdf")
+    assert "which one?" in dhcli("dof", urdf).err
+    done = dhcli("dof", urdf, "--tip", "tool0", "--format", "json")
+    assert json.loads(done.out)["data"]["mobility"] == 3
+    assert "did you mean tool0" in dhcli("dof", urdf, "--tip", "tol").err
+    assert "only a URDF has links" in dhcli("dof", "puma560", "--tip", "tool0").err
+    done = dhcli("dof", "--planar", "--links", "4", "--joints", "4R", "--base", "x")
+    assert (done.code, "links of a URDF" in done.err) == (2, True)

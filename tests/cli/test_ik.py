@@ -202,8 +202,8 @@ def test_a_derivation_is_written_for_papers_and_programs(dhcli: Run) -> None:
     assert dhcli("ik", "planar-2r", "--derive", "--format", "latex").out.startswith(
         "\\begin{aligned}\n\\theta_{2} &= \\pm "
     )
-    assert "def inverse(T, a1=0.4, a2=0.3):" in dhcli("ik", "planar-2r", "--derive", "--format", "numpy").out
-    assert "function solutions = inverse(T, a1, a2)" in dhcli("ik", "planar-2r", "--derive", "--format", "matlab").out
+    assert "def inverse(T, a1=0.4, a2=0.3):" in dhcli("ik", "planar-2r", "--code", "numpy").out
+    assert "function solutions = inverse(T, a1, a2)" in dhcli("ik", "planar-2r", "--derive", "--code", "matlab").out
 
 
 @pytest.mark.parametrize(

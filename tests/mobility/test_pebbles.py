@@ -1,4 +1,4 @@
-"""Random bars pinned together in the plane, against the (2,3) pebble game: another method, without any geometry.
+"""Random bars and bodies pinned together in the plane, and the (2,3) pebble game, which counts without any geometry.
 
 Source: Jacobs and Hendrickson 1997; Laman 1970 for the count 2|V| - 3 of every part.
 """
@@ -7,62 +7,49 @@ from __future__ import annotations
 
 import random
 
+import numpy as np
 import pytest
 
+from dhcli.geometry.rank import rank_of
+from dhcli.mobility import decision
+from dhcli.mobility.constraints import constraint_rank
+from dhcli.mobility.copies import mapped
 from dhcli.mobility.counting import Counts
-from dhcli.mobility.linkage import Joint, Linkage
-from dhcli.mobility.pairs import LETTERS, PLANAR
+from dhcli.mobility.large import _placed, _widest, eliminate, large_mobility
+from dhcli.mobility.linkage import Joint, Linkage, Vector
+from dhcli.mobility.model import model_of
+from dhcli.mobility.pairs import LETTERS, PLANAR, pair_of
+from dhcli.mobility.pebbles import generic_freedoms, independent
 from dhcli.mobility.truth import true_mobility
+from tests.mobility.mechanisms import MECHANISMS
+from tests.mobility.mechanisms import linkage as mechanism
 
 Edge = tuple[int, int]
 
 
-def independent_edges(vertices: int, edges: list[Edge]) -> int:
-    """The number of bars that the pebble game accepts: the rank of the generic framework."""
-    pebbles = [2] * vertices
-    out: list[list[int]] = [[] for _ in range(vertices)]
-
-    def gather(start: int, kept: int) -> bool:
-        """Free one more pebble at a vertex by turning a path round, without taking from `kept`."""
-        came: dict[int, int] = {start: start, kept: kept}
-        waiting = [start]
-        while waiting:
-            here = waiting.pop()
-            for there in out[here]:
-                if there in came:
-                    continue
-                came[there] = here
-                if pebbles[there]:
-                    pebbles[there] -= 1
-                    end = there
-                    while end != start:
-                        back = came[end]
-                        out[back].remove(end)
-                        out[end].append(back)
-                        end = back
-                    pebbles[start] += 1
-                    return True
-                waiting.append(there)
-        return False
-
-    accepted = 0
-    for a, b in edges:
-        while pebbles[a] < 2 and gather(a, b):
-            pass
-        while pebbles[b] < 2 and gather(b, a):
-            pass
-        if pebbles[a] + pebbles[b] == 4:
-            pebbles[a] -= 1
-            out[a].append(b)
-            accepted += 1
-    return accepted
+def placed_rank(edges: list[Edge], points: list[Vector]) -> int:
+    """The rank of the bars' equations at some places: (p - q)·(p' - q') = 0 for each."""
+    matrix = np.zeros((len(edges), len(points), 2))
+    for row, (a, b) in enumerate(edges):
+        matrix[row, a] = np.subtract(points[a], points[b])[:2]
+        matrix[row, b] = -matrix[row, a]
+    return int(np.linalg.matrix_rank(matrix.reshape(len(edges), -1), 1e-9))
 
 
-def test_the_oracle_knows_a_triangle_and_a_braced_square() -> None:
+def test_the_game_knows_a_triangle_and_a_braced_square() -> None:
     """K4 has one bar too many."""
-    assert independent_edges(3, [(0, 1), (1, 2), (2, 0)]) == 3
-    assert independent_edges(4, [(a, b) for a in range(4) for b in range(a)]) == 5
-    assert independent_edges(4, [(0, 1), (1, 2), (2, 3), (3, 0)]) == 4
+    assert independent(3, [(0, 1), (1, 2), (2, 0)]) == 3
+    assert independent(4, [(a, b) for a in range(4) for b in range(a)]) == 5
+    assert independent(4, [(0, 1), (1, 2), (2, 3), (3, 0)]) == 4
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_the_game_counts_the_rank_of_random_places(seed: int) -> None:
+    """Which is that of almost all."""
+    vertices, edges = framework(seed)
+    assert independent(vertices, edges) == placed_rank(edges, places(vertices, seed))
+    order = random.Random(seed).sample(edges, len(edges))  # noqa: S311  labels, no secret
+    assert independent(vertices, [(b, a) for a, b in order]) == independent(vertices, edges)
 
 
 def framework(seed: int) -> tuple[int, list[Edge]]:
@@ -76,27 +63,106 @@ def framework(seed: int) -> tuple[int, list[Edge]]:
     return vertices, sorted(edges)
 
 
-def linkage_of(vertices: int, edges: list[Edge], seed: int) -> Linkage | None:
-    """Bars as links and pins as joints, the first bar the ground; None if no pin holds two bars."""
+def places(vertices: int, seed: int) -> list[Vector]:
+    """Random points of the plane."""
     draw = random.Random(seed)  # noqa: S311  labels, no secret
-    points = [(draw.uniform(-1, 1), draw.uniform(-1, 1), 0.0) for _ in range(vertices)]
+    return [(draw.uniform(-1, 1), draw.uniform(-1, 1), 0.0) for _ in range(vertices)]
+
+
+def linkage_of(points: list[Vector], edges: list[Edge]) -> Linkage:
+    """Bars as links and pins as joints, the first bar the ground."""
     joints = []
-    for vertex in range(vertices):
+    for vertex, point in enumerate(points):
         held = [f"bar{i}" for i, edge in enumerate(edges) if vertex in edge]
-        joints += [
-            Joint(LETTERS["R"], (held[0], other), f"{vertex}.{k}", points[vertex]) for k, other in enumerate(held[1:])
-        ]
-    return Linkage("random", PLANAR, tuple(joints), joints[0].links[0]) if joints else None
+        joints += [Joint(LETTERS["R"], (held[0], other), f"{vertex}.{k}", point) for k, other in enumerate(held[1:])]
+    return Linkage("random", PLANAR, tuple(joints), joints[0].links[0], joints[-1].links[1])
 
 
 @pytest.mark.parametrize("seed", range(120))
-def test_random_bars_have_the_mobility_of_the_pebble_game(seed: int) -> None:
+def test_random_bars_have_the_mobility_of_their_equations(seed: int) -> None:
     """2|V| - 3 less the independent bars, against one bar that stands still."""
     vertices, edges = framework(seed)
-    linkage = linkage_of(vertices, edges, seed)
-    assert linkage is not None
-    expected = 2 * vertices - 3 - independent_edges(vertices, edges)
+    points = places(vertices, seed)
+    expected = 2 * vertices - 3 - placed_rank(edges, points)
+    linkage = linkage_of(points, edges)
     found = true_mobility(linkage)
     assert (found.instantaneous, found.mobility) == (expected, expected)
     counted = 2 * vertices - 3 - len(edges)
     assert Counts.of(linkage).gruebler == counted
+
+
+def net(links: int, joints: int, seed: int, kinds: str = "pin") -> Linkage:
+    """Links tied at random: by pins, pins through three links, bars, or welds."""
+    draw = random.Random(seed)  # noqa: S311  labels, no secret
+    names, found = [f"b{i}" for i in range(links)], list[Joint]()
+    while len(found) < joints:
+        first = len(found) + 1
+        a, b = (names[draw.randrange(first)], names[first]) if first < links else draw.sample(names, 2)
+        kind = draw.choice(kinds.split())
+        at, far = places(2, draw.randrange(1 << 30))
+        found.append(Joint(pair_of(kind), (a, b), str(len(found)), at, other=far if kind == "bar" else None))
+        if kind == "pin" and not draw.randrange(6) and len(found) >= links:
+            found.append(Joint(pair_of(kind), (b, draw.choice([n for n in names if n not in (a, b)])), "more", at))
+    return Linkage("net", PLANAR, tuple(found), names[0], names[-1])
+
+
+@pytest.mark.parametrize("kinds", ["pin", "pin pin bar", "pin pin bar weld"])
+@pytest.mark.parametrize("seed", range(12))
+def test_no_placement_has_fewer_motions_than_the_game_says(seed: int, kinds: str) -> None:
+    """Random ones have as many, and those in which all pins lie on one line as many or more."""
+    draw = random.Random(seed)  # noqa: S311  labels, no secret
+    links = draw.randint(3, 14)
+    linkage = net(links, links + draw.randint(0, links), seed, kinds)
+    model = model_of(linkage)
+    game = generic_freedoms(model)
+    assert game == model.motions - rank_of(model.jacobian()).rank
+    special = model_of(mapped(linkage, lambda p: p * [1, 0, 0], lambda d: d))
+    coarse = generic_freedoms(special)
+    assert coarse is not None
+    assert coarse <= special.motions - rank_of(special.jacobian()).rank
+
+
+@pytest.mark.parametrize("name", MECHANISMS)
+def test_the_game_never_counts_more_than_the_truth(name: str) -> None:
+    """Of the mechanisms of the literature, most of which are special."""
+    game = generic_freedoms(model_of(mechanism(name)))
+    assert game is None or game <= MECHANISMS[name]["truth"]["dof"]
+
+
+def test_the_game_leaves_sliders_and_space_alone() -> None:
+    """It knows pins with parallel axes."""
+    assert generic_freedoms(model_of(mechanism("bennett"))) is None
+    assert generic_freedoms(model_of(mechanism("spherical4r"))) is None
+    assert generic_freedoms(model_of(mechanism("fourbar_spatial"))) == 1  # all of its axes are parallel
+    slides = Joint(LETTERS["P"], ("g", "a"), axis=(1.0, 0.0, 0.0))
+    assert generic_freedoms(model_of(Linkage("slider", PLANAR, (slides,), "g"))) is None
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_what_the_game_certifies_is_found_by_moving_too(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Amplitudes imposed on over-braced nets close, with as many freedoms and the same motion of the output."""
+    linkage = net(10, 14, seed)
+    certified = true_mobility(linkage)
+    monkeypatch.setattr(decision, "generic_freedoms", lambda model: None)
+    moved = true_mobility(linkage)
+    assert (certified.mobility, certified.motion) == (moved.mobility, moved.motion)
+
+
+def test_over_braced_nets_of_four_hundred_links_are_decided() -> None:
+    """Though they have more equations than are independent."""
+    found = true_mobility(net(400, 580, 1))
+    assert found.mobility == found.instantaneous
+    assert found.mobility is not None
+    assert found.mobility > Counts.of(found.model.linkage).gruebler  # type: ignore[operator]
+    assert found.certificate.startswith("exact")
+
+
+@pytest.mark.parametrize(("links", "joints"), [(30, 40), (60, 90)])
+@pytest.mark.parametrize("seed", range(2))
+def test_a_front_is_never_wider_than_foreseen(links: int, joints: int, seed: int) -> None:
+    """And both forms of the equations leave as many motions."""
+    model = model_of(net(links, joints, seed))
+    equations, largest = _placed(model)
+    blocks = eliminate(equations, len(model.tree), 3, 1e-10 * largest)
+    assert max(len(block.others) for block in blocks) <= _widest(model)
+    assert constraint_rank(model)[1] == large_mobility(model).instantaneous == generic_freedoms(model)

@@ -10,14 +10,14 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from operator import itemgetter
 
+from dhcli.checking.diagnosis.bench import terms
 from dhcli.checking.diagnosis.mistakes import BY_ID
 from dhcli.checking.diagnosis.mistakes.in_terms import TERM_MAKERS, Among, among_of, place_in
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.diagnosis.search import Search
 from dhcli.checking.diagnosis.slips import slip_of
 from dhcli.checking.diagnosis.typed import TypedMatrix
-from dhcli.checking.diagnosis.work import terms
-from dhcli.checking.exercise import Causes
+from dhcli.checking.returned import Causes
 from dhcli.frozen import frozen
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import operations

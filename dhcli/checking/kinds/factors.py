@@ -8,9 +8,10 @@ from functools import partial
 from typing import TYPE_CHECKING, ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
+from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.kinds.linked import found_link, link_of, place_of, read_number
 from dhcli.checking.pasted import without_label
+from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.tolerance import NOT_EXACT, Tolerance
 from dhcli.checking.units import chain_in_metres, move_in_metres
 from dhcli.checking.verdicts import Mark, Verdict

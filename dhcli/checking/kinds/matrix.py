@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.entries import Entries, entries_text, read_entries
-from dhcli.checking.exercise import Case, Causes, Exercise, Judged, Matrices, Overlaid, Points, Question, Reading, Shown
+from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.returned import Causes, Judged, Matrices, Overlaid, Points, Reading, Shown
 from dhcli.checking.truth import is_length, names_in, truth_of, unvalued
 from dhcli.checking.verdicts import IN_OTHER_UNIT, UNSOLVED, Mark, Verdict
 from dhcli.checking.wanted import Composed, Wanted, read_wanted

@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING, ClassVar, Self
 from dhcli.algebra.floats import Floats
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.entries import check_names
-from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
+from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.forms import Form, form_of
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.orientations import angle_between, transposed, turned
 from dhcli.checking.pasted import UnreadableError, WrongUnitError
+from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.tolerance import judge
 from dhcli.checking.truth import names_in, truth_of, unvalued
 from dhcli.checking.verdicts import Mark, Verdict

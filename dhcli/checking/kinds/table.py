@@ -7,13 +7,15 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Causes, Exercise, Judged, Matrices, Overlaid, Points, Question, Reading, Shown
+from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.kinds.linked import needed
+from dhcli.checking.returned import Causes, Judged, Matrices, Overlaid, Points, Reading, Shown
 from dhcli.checking.tables.typed_rows import TypedRow, read_table
 from dhcli.checking.verdicts import Mark
-from dhcli.errors import NotationError, Place, Problem
+from dhcli.errors import NotationError, Place, Problem, RobotError
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
+from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import names
 from dhcli.kinematics.robot import Robot
@@ -21,6 +23,7 @@ from dhcli.kinematics.validity import Finding
 from dhcli.notation.scope import Scope
 
 if TYPE_CHECKING:
+    from dhcli.checking.tables.answer import TableAnswer
     from dhcli.kinematics.values import Values
 
 FIRST = 1
@@ -56,7 +59,9 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         return cls(Convention(rest))
 
     def check(self, robot: Robot | None) -> None:
-        needed(robot)
+        if is_coupled(needed(robot)):
+            message = "its rows share a joint, and in an answer each joint has one cell: its table cannot be asked for"
+            raise RobotError(message, "ask for a cell, or for a matrix")
 
     def describe(self, _exercise: Exercise) -> str:
         return f"the {self.convention.value} DH table"
@@ -111,11 +116,17 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         return read_table(text, robot, exercise.scope, robot.columns, exercise.unit, place)
 
     def mark(self, case: Case, reading: Reading[tuple[TypedRow, ...]]) -> Mark:
-        from dhcli.checking.tables.comparing import compare_of
         from dhcli.checking.tables.marking import mark_table
 
-        mark = mark_table(case.exercise, self.convention, reading.value, compare_of(case), case.tolerance)
+        mark = mark_table(self._answer(case, reading))
         return replace(mark, remarks=(*mark.remarks, self.note)) if self.note else mark
+
+    def _answer(self, case: Case, reading: Reading[tuple[TypedRow, ...]]) -> TableAnswer:
+        """The table with all that it is judged by."""
+        from dhcli.checking.tables.comparing import compare_of
+        from dhcli.checking.tables.marking import answer_of
+
+        return answer_of(case.exercise, self.convention, reading.value, compare_of(case), case.tolerance)
 
     def slips(self, case: Case) -> Iterable[Slip]:
         from dhcli.checking.diagnosis.slips import table_candidates
@@ -124,22 +135,21 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
 
     def answer_with(self, case: Case, name: str) -> str | None:
         from dhcli.checking.diagnosis.slips import table_candidates
-        from dhcli.checking.tables.cells import table_text
+        from dhcli.checking.tables.cells import dh_table_text
 
         robot = case.exercise.robot
         for one in table_candidates(case.exercise, self.convention, name) if robot is not None else ():
             if one.slips[0].name == name and robot is not None:
                 rows = tuple(step.row for step in one.work.steps if step.row is not None)
-                return table_text(rows, robot.columns, case.exercise.writing)
+                return dh_table_text(rows, robot.columns, case.exercise.writing)
         return None
 
     def causes(self, case: Case, reading: Reading[tuple[TypedRow, ...]]) -> Causes:
         from dhcli.checking.diagnosis.table_causes import table_causes
-        from dhcli.checking.tables.comparing import LITERAL, compare_of
-        from dhcli.checking.tables.marking import answer_of
+        from dhcli.checking.tables.comparing import LITERAL
         from dhcli.checking.tables.reasons import is_of_other_convention, reason_of
 
-        answer = answer_of(case.exercise, self.convention, reading.value, compare_of(case), case.tolerance)
+        answer = self._answer(case, reading)
         if not is_of_other_convention(answer):
             causes = table_causes(case, self.convention, _settled(case, reading))
             if causes or answer.misfit or answer.compare == LITERAL:

@@ -7,8 +7,9 @@ from dataclasses import replace
 from functools import lru_cache
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Shown
+from dhcli.checking.exercise import Case
 from dhcli.checking.kinds.linked import needed
+from dhcli.checking.returned import Shown
 from dhcli.checking.solving.goal import Target, of_robot
 from dhcli.checking.solving.putting import put_for
 from dhcli.errors import RobotError

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import Force, format_option, output_option
+from dhcli.cli.shell.options import Overwrite, format_option, output_option
 from dhcli.cli.shell.spreading import But
 
 EXAMPLES = """
@@ -21,6 +21,8 @@ dhcli dof 6R
 dhcli dof bennett
 
 dhcli dof puma560 --pose stretch
+
+dhcli dof arm.urdf --tip tool0
 
 dhcli dof --planar --links 4 --joints 4R
 """
@@ -42,7 +44,7 @@ def dof(
         list[str] | None,
         typer.Argument(
             metavar="WHAT",
-            help="A linkage or robot of the library, a YAML file, - for stdin, or a pattern: 6R, loop 6R, 6-UPS.",
+            help="A linkage or robot of the library, a YAML or URDF file, - or a pattern: 6R, loop 6R, 6-UPS.",
             autocompletion=complete_linkage,
         ),
     ] = None,
@@ -59,7 +61,7 @@ def dof(
     ] = None,
     *,
     chosen: Annotated[
-        Chosen, But(without=("robot", "set_", "motors", "from_", "to", "tool", "base", "tip", "as_typed"), panel=_ROBOT)
+        Chosen, But(without=("robot", "set_", "motors", "from_", "to", "tool", "as_typed"), panel=_ROBOT)
     ],
     tol: Annotated[
         float | None,
@@ -67,26 +69,32 @@ def dof(
     ] = None,
     format_: Annotated[str | None, format_option("table", "json")] = None,
     output: Annotated[str | None, output_option(".json", ".txt")] = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """Count the freedoms of a linkage, say whether the formula can be trusted, and find the true mobility."""
     import os
 
     # two threads make a small singular value decomposition much slower than one
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-    from dhcli.cli.shell.counted import asked
+    from dhcli.cli.shell.counted import Ends, asked
     from dhcli.cli.shell.delivery import Delivery
     from dhcli.errors import DhcliError
     from dhcli.mobility.finding import analyse
 
-    delivery = Delivery("dof", format_, output=output, force=force)
+    delivery = Delivery("dof", format_, output=output, overwrite=overwrite)
     if chosen.stands and not what:
         raise DhcliError("joint values are those of a robot", "dhcli dof puma560 --pose zero")
     kind = "mobility at joint values" if chosen.stands else "mobility"
     delivery.chosen(kind)
     tolerance = 0.0 if tol is None else tol
     linkage = asked(
-        " ".join(what or []), planar=planar, lambda_=lambda_, links=links, joints=joints, tolerance=tolerance
+        " ".join(what or []),
+        Ends(chosen.base, chosen.tip),
+        planar=planar,
+        lambda_=lambda_,
+        links=links,
+        joints=joints,
+        tolerance=tolerance,
     )
     mobility = analyse(linkage, tolerance)
     if not chosen.stands:

@@ -31,8 +31,11 @@ if TYPE_CHECKING:
     from dhcli.kinematics.inverse.solutions import Solutions
     from dhcli.kinematics.inverse.tasks import TaskName
 
-_POINT = re.compile(r"\s*[\[(]?[^][(),;]+(?:,[^][(),;]+){2}[\])]?\s*")
-"""Three values with commas: no move and no matrix."""
+_POINT = re.compile(
+    r"\s*[\[(]?[^][(),;]+(?:,[^][(),;]+){2}[\])]?\s*"
+    r"|\s*[\[(]?\s*[-+]?[.\d][^][(),;\s]*(?:\s+[-+]?[.\d][^][(),;\s]*){2}\s*[\])]?\s*"
+)
+"""Three values with commas, or three numbers with blanks: no move and no matrix."""
 
 Rows = tuple[tuple[float, ...], ...]
 
@@ -158,7 +161,8 @@ def _target(text: str, typed: str) -> tuple[Rows, tuple[str, ...]]:
         text, place = read_text(path), Place(source_of(path))
     if _POINT.fullmatch(text):
         message = f"'{text.strip()}' is a position, and a whole pose is wanted"
-        hint = f"write --position {text.strip('[]() ')}, where the turn is free"
+        said = ",".join(part for part in re.split(r"[\s,]+", text.strip("[]() \t\n")) if part)
+        hint = f"write --position {said}, where the turn is free"
         raise DhcliError(Problem(message, place, hint))
     product = read_product(text, place)
     pose = compose(product, {}, Wanted()).pose

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from dhcli.errors import DhcliError, FileError, Place, Problem
 from dhcli.files.keys.linkages import FORMS, LINKAGE
 from dhcli.files.keys.shapes import names, required
 from dhcli.files.library.lookup import Kind, check_typed, entries, find, is_path
-from dhcli.files.reading import read_text, source_of
+from dhcli.files.reading import is_xml, read_text, source_of
 from dhcli.files.yaml.coordinates import Coordinates
 from dhcli.files.yaml.fields import Problems
 from dhcli.files.yaml.joints import JointReader
@@ -17,6 +18,9 @@ from dhcli.mobility.counting import Counts, counts
 from dhcli.mobility.linkage import InvalidLinkageError, Linkage, NamedPoint, serial
 from dhcli.mobility.pairs import LETTERS, SPATIAL, LinkageError, Space, space_of
 from dhcli.mobility.patterns import EXAMPLES, count_of, joint_counts, looks_like_pattern, read_pattern
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.robot import Robot
 
 
 def find_linkage(what: str, space: Space = SPATIAL, tolerance: float = 0.0) -> Linkage | Counts:
@@ -72,17 +76,36 @@ def read_linkage(text: str, source: str, name: str, tolerance: float = 0.0) -> L
     Raises:
         FileError: With all problems.
     """
+    if is_xml(text):
+        return _serial(text, source, name)
     refused: list[Problem] = []
     root = read_yaml(text, source, refused)
     if isinstance(root, PlacedMapping) and "variables" in {key.text for key, _ in root.entries}:
-        from dhcli.files.yaml.robots import read_robot
-
-        robot = read_robot(text, source, name)  # what was refused stands in its own error
-        pairs = tuple(LETTERS[letter] for letter in robot.pattern)
-        if not pairs:
-            raise FileError(Problem(f"{name} has no joint, so there is nothing to count", Place(source)))
-        return serial(name, pairs, title=robot.title, source=robot.source)
+        return _serial(text, source, name)  # what was refused stands in its own error
     return _Loader(root, name, tolerance, refused).linkage()
+
+
+def _serial(text: str, source: str, name: str) -> Linkage:
+    """The robot in a file, YAML or URDF, as an open chain."""
+    from dhcli.files.yaml.robots import robot_of
+
+    return open_chain(robot_of(text, source, name), source)
+
+
+def open_chain(robot: Robot, source: str) -> Linkage:
+    """A robot as a linkage.
+
+    Args:
+        robot: The robot.
+        source: What it is called in errors.
+
+    Raises:
+        FileError: It has no joint.
+    """
+    pairs = tuple(LETTERS[letter] for letter in robot.pattern)
+    if not pairs:
+        raise FileError(Problem(f"{robot.name} has no joint, so there is nothing to count", Place(source)))
+    return serial(robot.name, pairs, title=robot.title, source=robot.source)
 
 
 class _Loader:

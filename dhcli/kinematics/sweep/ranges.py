@@ -14,7 +14,7 @@ from dhcli.frozen import frozen
 from dhcli.kinematics.ranges import Piece, difference, read_count, split_range, steps_between, times, total, units_in
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.validity import in_floats
-from dhcli.kinematics.values import joint_called, read_value
+from dhcli.kinematics.values import joint_called, read_named
 from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import Bare
@@ -123,7 +123,7 @@ def _value(robot: Robot, joint: str, piece: _Piece, bare: Bare) -> Value:
         raise NotationError(
             replace(problem, hint=f"a range looks like {example}") for problem in error.problems
         ) from None
-    value = read_value(robot, joint, piece.text, bare=bare, place=piece.place)
+    value = read_named(robot, joint, piece.text, bare=bare, place=piece.place)
     try:
         is_number = math.isfinite(in_floats(value))
     except OverflowError:

@@ -12,10 +12,11 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import TypeAlias
 
+from dhcli.checking.diagnosis.bench import terms
 from dhcli.checking.diagnosis.mistakes.record import Level, Made, Mistake
 from dhcli.checking.diagnosis.result import Rank
 from dhcli.checking.diagnosis.terms import Piece, exchanged, flipped, functions, lengths, pieces, products, shown
-from dhcli.checking.diagnosis.work import Matrix, Setting, Work, terms
+from dhcli.checking.diagnosis.work import Matrix, Setting, Work
 from dhcli.checking.wanted import Wanted
 from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
