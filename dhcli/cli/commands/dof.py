@@ -42,7 +42,7 @@ def dof(
         list[str] | None,
         typer.Argument(
             metavar="WHAT",
-            help="A linkage or robot of the library, a YAML file, - for stdin, or a pattern: 6R, loop 6R, 6-UPS.",
+            help="A linkage or robot of the library, a YAML or URDF file, - or a pattern: 6R, loop 6R, 6-UPS.",
             autocompletion=complete_linkage,
         ),
     ] = None,
