@@ -7,9 +7,10 @@ raises one error with five problems. The command line maps the class to an exit 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from enum import IntEnum
 from itertools import islice
+
+from dhcli.frozen import frozen
 
 MOST_CANDIDATES = 200
 """Names that a mistyped one is compared with; a file may hold more of both than time allows."""
@@ -27,7 +28,7 @@ class ExitStatus(IntEnum):
     TERMINATED = 143
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Place:
     """A position in something a person wrote.
 
@@ -48,7 +49,7 @@ class Place:
         return ":".join(str(part) for part in (self.source, self.line, self.column) if part is not None)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Problem:
     """One thing that is wrong: where, what, and what would be right.
 

@@ -40,10 +40,10 @@ def comment(text: str, mark: str) -> str:
     return f"{mark} {one_line(text)}".rstrip() + "\n"
 
 
-def docstring(text: str) -> str:
-    """A docstring of Python on one line, which nothing in the text can end."""
-    said = one_line(text).replace("\\", "/").replace('"', "'")
-    return f'"""{said}"""'
+def docstring(*lines: str) -> str:
+    """A docstring of Python, which nothing in its lines can end: a summary, and what stands below it."""
+    first, *more = (one_line(text).replace("\\", "/").replace('"', "'") for text in lines)
+    return "\n".join([f'"""{first}', "", *more, '"""']) if more else f'"""{first}"""'
 
 
 def csv_cell(text: str) -> str:

@@ -6,8 +6,9 @@ from collections.abc import Mapping
 from functools import lru_cache
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Exercise, Part, Shown
+from dhcli.checking.exercise import Case, Exercise, Part
 from dhcli.checking.judge import Judge, SheetMark
+from dhcli.checking.returned import Shown
 from dhcli.checking.variants import vary as judge_of_variant
 from dhcli.checking.verdicts import Mark
 from dhcli.errors import Place

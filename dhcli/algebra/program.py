@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from typing import TypeAlias
 
 from dhcli.algebra.tape import Cell, Column, Number, Operation, Tape
+from dhcli.frozen import frozen
 
 Register: TypeAlias = int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Instruction:
     """A step on registers.
 
@@ -24,7 +24,7 @@ class Instruction:
     operands: tuple[Register | float, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Program:
     """Instructions. The first registers end as the results, the next ones begin as the joint values.
 
@@ -53,7 +53,7 @@ def assemble(tape: Tape, results: Sequence[Number]) -> Program:
     inputs = slice(len(results), len(results) + len(tape.variables))
     homes = {cell.column: inputs.start + k for k, cell in enumerate(tape.variables.values())}
     homes.update((column, k) for k, column in wanted.items() if column not in homes)
-    kept = _needed(tape, wanted.values())
+    kept = needed(tape, wanted.values())
     last_use = {operand: column for column, step in kept.items() for operand in step.columns}
     top, free = inputs.stop, set[Register]()
     instructions = []
@@ -70,7 +70,7 @@ def assemble(tape: Tape, results: Sequence[Number]) -> Program:
     return Program(top, inputs, constants, tuple(instructions))
 
 
-def _needed(tape: Tape, columns: Iterable[Column]) -> dict[Column, Operation]:
+def needed(tape: Tape, columns: Iterable[Column]) -> dict[Column, Operation]:
     """The steps that lead to some columns, in their order."""
     needed = set(columns)
     kept = {}

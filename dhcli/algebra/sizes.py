@@ -6,15 +6,14 @@ the one fold tells the length of a result in no time, and a result that nobody c
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dhcli.algebra.arithmetic import right_angle
+from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr, Number
 from dhcli.notation.walk import walk
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Size:
     """A count that adds up under every operation."""
 

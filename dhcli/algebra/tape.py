@@ -15,6 +15,7 @@ from typing import TypeAlias
 
 from dhcli.algebra.arithmetic import evaluate, plus, times
 from dhcli.algebra.floats import Floats
+from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr
 
@@ -29,7 +30,7 @@ class Column:
     place: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Operation:
     """One operation on whole columns.
 
@@ -47,7 +48,7 @@ class Operation:
         return [operand for operand in self.operands if isinstance(operand, Column)]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Cell:
     """A number that depends on the joint values: a column of the tape, perhaps with its sign turned."""
 

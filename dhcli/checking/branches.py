@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from itertools import chain, islice
 from typing import TypeAlias
 
 from dhcli.algebra.equality import CLOSE, agree
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.points import Reach, all_round, general
+from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
 from dhcli.notation.styles import THETAS, Joints
 from dhcli.notation.tree import Call, Expr, Power, Symbol, Trig
@@ -36,7 +36,7 @@ _LOSSES = {
 }
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Sample:
     """Both answers at one point.
 

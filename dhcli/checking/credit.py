@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import fields
 
 from dhcli.checking.verdicts import Verdict
+from dhcli.frozen import frozen
 
 _BY = {"cells": "cell by cell", "rows": "row by row", "whole": "as a whole"}
 UNITS = tuple(_BY)
 """What earns credit in a table: each cell that is right, each row, or the table alone."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Shares:
     """What an answer earns of the credit of its part, each from 0 to 1.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
@@ -15,6 +15,7 @@ from dhcli.checking.units import in_metres
 from dhcli.checking.vectors import as_column
 from dhcli.checking.wanted import Wanted
 from dhcli.errors import NotationError, Place
+from dhcli.frozen import frozen
 from dhcli.notation.matrix import Cell, bracketed, parse_matrix
 from dhcli.notation.names import suggestion
 from dhcli.notation.parser import parse
@@ -27,7 +28,7 @@ LEAST = 1e-12
 """What floating point leaves where an exact 0 or 1 was meant."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Entry:
     """One entry of an answer: as typed, and as read in metres."""
 

@@ -1,55 +1,44 @@
 """An exercise, its parts, and what every kind of question can do; a kind is one class in `kinds`.
 
 An exercise is data. What is worked out for it is kept in a `Memo`, which a `Judge` owns, and handed to a question as a
-`Case`: the exercise, the part and the memo.
+`Case`: the exercise, the part and the memo. They name one another, and so stand in one file; what a question says of
+itself stands in `asking`, what it returns in `returned`.
 """
 
 from __future__ import annotations
 
 import re
 import shlex
-from abc import ABC, abstractmethod
+from abc import abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, ClassVar, Generic, Protocol, Self, TypeAlias, TypeVar, cast
+from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
-from dhcli.algebra.floats import Floats
+from dhcli.checking.asking import Asking
 from dhcli.checking.credit import USUAL, Shares
 from dhcli.checking.diagnosis.result import Slip
+from dhcli.checking.returned import Causes, Judged, Matrices, Overlaid, Points, Reading, Shown
 from dhcli.checking.tolerance import DEFAULT, Tolerance
 from dhcli.checking.verdicts import Mark
 from dhcli.checking.written import Printed, Range, Trial, answer_scope
 from dhcli.errors import DhcliError, Place, RobotError, UnknownNameError, did_you_mean
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import Row
 from dhcli.kinematics.derived import replaced
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.validity import Finding
-from dhcli.notation.operators import OPENING
 from dhcli.notation.quantity import LENGTH_UNITS, value_text
 from dhcli.notation.scope import Scope
 from dhcli.notation.styles import THETAS, Joints
-from dhcli.notation.tree import Expr
 
 if TYPE_CHECKING:
     from dhcli.kinematics.values import Values
-    from dhcli.mobility.linkage import Linkage
-    from dhcli.scene.traced import Traced
 
 T = TypeVar("T")
 R = TypeVar("R")
 
-Causes: TypeAlias = tuple[tuple[Slip, ...], ...]
-"""Slips that give just an answer, one or two together; each cause is enough by itself."""
-
-Rows: TypeAlias = tuple[tuple[Expr | float, ...], ...]
-Matrices: TypeAlias = tuple[tuple[tuple[float, ...], ...], ...]
-"""A homogeneous matrix at each of some points."""
-
 MISPRINTED = "this is what the document prints; it is a misprint"
-
-_GOES_ON = ("+", "-", "*", "/", "^", "=", ",", ";", "·", "...")
-"""What the line of an unfinished answer ends in."""
 
 
 class Memo:
@@ -77,115 +66,10 @@ class Memo:
         return cast("R", self._known[key])
 
 
-@dataclass(frozen=True, slots=True)
-class Reading(Generic[T]):
-    """An answer that has been read: the text, and what its kind of question reads in it."""
-
-    text: str
-    value: T
-
-
-@dataclass(frozen=True, slots=True)
-class Judged(Generic[T]):
-    """A mark, with the answer as it was read; None where it cannot be, or is blank."""
-
-    mark: Mark
-    reading: Reading[T] | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class Shown:
-    """One step of a solution.
-
-    Attributes:
-        text: What is done, in words; each line on its own.
-        rows: The matrix it gives, if it gives one; lengths of numbers in the unit of the sheet.
-    """
-
-    text: str
-    rows: Rows = ()
-
-
-class Besides(Protocol):
-    """What an exercise file says of a part besides `ask:`, for the kinds that need more."""
-
-    def texts(self, key: str) -> tuple[str, ...]:
-        """A list of texts."""
-        ...
-
-    def whole(self, key: str) -> int | None:
-        """A whole number."""
-        ...
-
-    def linkage(self, name: str) -> Any:  # noqa: ANN401  a linkage or its counts, of a room that few exercises need
-        """The linkage of a name or a pattern; None if there is none, which is told."""
-        ...
-
-    def refuse(self, message: str, hint: str = "") -> None:
-        """Note what is wrong with the part."""
-        ...
-
-
-class Question(ABC, Generic[T]):
-    """A kind of question: how it is asked, what is right, and how an answer is read, judged and explained.
-
-    Attributes:
-        words: First words of `ask:` that mean this kind.
-        examples: How it is asked, for messages and for people who write exercises.
-        keys: Keys of a part that only this kind reads.
-        is_explained: Whether a slip is looked for behind a wrong answer.
-        is_in_table: Whether the robot's table would give the answer away.
-        is_plain: Whether an answer is neither a formula nor a measure, so that a sheet need not say how to write them.
-        may_show_frames: Whether frames and lengths in a picture would not give the answer away.
-        earns_by_row: Whether the entries of an answer belong together row by row, as those of a table do.
-        is_overlaid: Whether an answer can be drawn over the arm; see `overlaid`.
-    """
+class Question(Asking, Generic[T]):
+    """A kind of question: how it is asked, what is right, and how an answer is read, judged and explained."""
 
     __slots__ = ()
-
-    words: ClassVar[tuple[str, ...]] = ()
-    examples: ClassVar[tuple[str, ...]] = ()
-    keys: ClassVar[tuple[str, ...]] = ()
-    is_explained: ClassVar[bool] = True
-    is_in_table: ClassVar[bool] = False
-    is_plain: ClassVar[bool] = False
-    may_show_frames: ClassVar[bool] = False
-    earns_by_row: ClassVar[bool] = False
-    is_overlaid: ClassVar[bool] = False
-
-    @classmethod
-    @abstractmethod
-    def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
-        """Read the text that asks it, its first word with it.
-
-        Raises:
-            NotationError: It cannot be read.
-        """
-
-    def completed(self, _besides: Besides) -> Self:
-        """The question with what a file says of it besides `ask:`."""
-        return self
-
-    def in_unit(self, _unit: Fraction, _scope: Scope) -> Self:
-        """The question with the bare lengths in it in metres, where a sheet is in another unit.
-
-        Args:
-            _unit: Metres in a bare length of the sheet.
-            _scope: The names that it may use.
-        """
-        return self
-
-    def check(self, _robot: Robot | None) -> None:
-        """Make sure that a robot has what is asked about.
-
-        Raises:
-            DhcliError: There is no robot, or it has no such link, frame or table.
-        """
-
-    @property
-    def needs_table(self) -> bool:
-        """Whether a student looks at the robot's table for it."""
-        return False
 
     # --- What it says to people ----------------------------------------------------------------------------------
 
@@ -197,11 +81,6 @@ class Question(ABC, Generic[T]):
         """The same where a task says in its own words what is asked for, and how it is found would give it away."""
         return self.describe(exercise)
 
-    @property
-    def statements(self) -> tuple[str, ...]:
-        """The statements to choose from."""
-        return ()
-
     def blank(self, _exercise: Exercise) -> tuple[int, int]:
         """Rows and columns of blanks on a sheet."""
         return 1, 1
@@ -210,38 +89,11 @@ class Question(ABC, Generic[T]):
         """What a sheet says above the blanks."""
         return ()
 
-    @property
-    def linkage_counted(self) -> Linkage | None:
-        """The linkage that it is about, if it is about one."""
-        return None
-
-    @property
-    def in_rows(self) -> bool:
-        """Whether an answer has rows of several entries, between which a blank may stand."""
-        return False
-
-    @property
-    def has_cosines(self) -> bool:
-        """Whether an answer in symbols may have cosines and sines in it."""
-        return False
-
-    def is_length(self, _row: int, _column: int) -> bool:
-        """Whether an entry of an answer stands for itself; those for which it does not are a direction together."""
-        return True
-
-    def is_whole(self, text: str) -> bool:
-        """Whether what was typed so far is plainly complete: its brackets close, and no operand is still to come."""
-        depth = sum((letter in OPENING) - (letter in OPENING.values()) for letter in text)
-        if "\\begin" in text:
-            return depth <= 0 and text.count("\\end") >= text.count("\\begin")
-        return depth <= 0 and not text.strip().endswith(_GOES_ON)
+    def pose_drawn(self, _exercise: Exercise) -> Values:
+        """A value for every joint, in the pose in which the answer is asked; empty where it is asked in none."""
+        return {}
 
     # --- What is right -------------------------------------------------------------------------------------------
-
-    @property
-    def names(self) -> frozenset[str]:
-        """Names that it brings along, besides those of the robot."""
-        return frozenset()
 
     def unvalued(self, _exercise: Exercise) -> tuple[str, ...]:
         """Names without which an answer in numbers cannot be computed, and that have no value."""
@@ -353,33 +205,10 @@ class Question(ABC, Generic[T]):
         return None
 
 
-@dataclass(frozen=True, slots=True)
-class Overlaid:
-    """An answer as a drawing over the arm that is right.
-
-    Attributes:
-        robot: The arm, with the table whose frames are compared.
-        traced: The frames of the answer.
-        values: The values of all names at which they stand so.
-    """
-
-    robot: Robot
-    traced: Traced
-    values: Values
-
-
-@dataclass(frozen=True, slots=True)
-class Points:
-    """Values of some names, one set for each point at which something is evaluated."""
-
-    names: frozenset[str]
-    at: tuple[Floats, ...]
-
-
 _FRAME = re.compile(r"\bframe \w+")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Part:
     """One question of an exercise.
 
@@ -421,7 +250,7 @@ class Part:
         return form if frames and frames <= set(_FRAME.findall(self.prompt)) else heading
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Exercise:
     """A task with its parts.
 
@@ -543,7 +372,7 @@ class Exercise:
         return self.robot.writing if self.robot else THETAS
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Case:
     """A part of an exercise, with what was worked out for the exercise so far."""
 

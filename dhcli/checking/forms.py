@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.tolerance import ZERO
+from dhcli.frozen import frozen
 from dhcli.geometry.euler import EulerAngles, Order, euler
 from dhcli.geometry.rotations import AxisAngle, Quaternion, RotationVector
-from dhcli.kinematics.pose import rounded
+from dhcli.kinematics.entries import rounded
 
 if TYPE_CHECKING:
     from dhcli.geometry.rotations import Rotation
@@ -20,7 +20,7 @@ SLACK = 5e-3
 """What the length of a quaternion or an axis may be off by its rounded digits."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Form:
     """A way to say an orientation.
 

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from dhcli.checking.diagnosis.result import Diagnosis, Slip
 from dhcli.checking.earning import earned
-from dhcli.checking.exercise import MISPRINTED, Case, Causes, Exercise, Judged, Memo, Part, Reading, Shown
+from dhcli.checking.exercise import MISPRINTED, Case, Exercise, Memo, Part
 from dhcli.checking.pasted import UnreadableError, WrongUnitError, refuse_blanks
+from dhcli.checking.returned import Causes, Judged, Reading, Shown
 from dhcli.checking.verdicts import COUNTED, INVERSE, TOO_FEW, TRANSPOSED, UNSOLVED, Mark, Verdict, worst
 from dhcli.errors import DhcliError, NotationError, Place, UnknownNameError, did_you_mean
+from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Value
 from dhcli.kinematics.validity import Finding
 
@@ -20,7 +22,7 @@ BLANK = re.compile(r"[\s\[\](){},;.…_?–-]*")  # noqa: RUF001
 MISPRINT = Slip("misprint", MISPRINTED, "the document may be wrong: work it out yourself")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PartMark:
     """The judgement of one part."""
 
@@ -28,7 +30,7 @@ class PartMark:
     mark: Mark
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class SheetMark:
     """The judgement of a sheet.
 

@@ -42,7 +42,7 @@ from dhcli.checking.verdicts import (
     worst,
 )
 from dhcli.checking.wanted import Wanted
-from dhcli.kinematics.pose import rounded
+from dhcli.kinematics.entries import rounded
 from dhcli.kinematics.values import numbers
 from dhcli.notation.walk import symbols
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import TypeAlias
 
-from dhcli.kinematics.pose import rounded
+from dhcli.kinematics.entries import rounded
 
 Matrix: TypeAlias = Sequence[Sequence[float]]
 

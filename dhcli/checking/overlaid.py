@@ -6,7 +6,8 @@ import math
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.entries import Entries
-from dhcli.checking.exercise import Exercise, Overlaid
+from dhcli.checking.exercise import Exercise
+from dhcli.checking.returned import Overlaid
 from dhcli.checking.wanted import Wanted
 from dhcli.kinematics.frames import View
 from dhcli.kinematics.values import Values, numbers

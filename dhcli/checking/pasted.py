@@ -7,10 +7,15 @@ import re
 from dhcli.notation.pasted import EntriesError, rows_of
 from dhcli.notation.pasted import without_label as _without_label
 
-__all__ = ["UnreadableError", "WrongUnitError", "as_matrix", "refuse_blanks", "without_label"]
+__all__ = ["UnreadableError", "WrongUnitError", "as_matrix", "refuse_blanks", "without_label", "without_number_word"]
 
 _EQUATION = re.compile(r"[\s\d.,+*/^()·×−-]{1,60}=")  # noqa: RUF001
 _UNFILLED = re.compile(r"(?<![\w}])_(?![\w{])")
+
+_NUMBER_WORDS = (
+    *("zero", "one", "two", "three", "four", "five", "six"),
+    *("seven", "eight", "nine", "ten", "eleven", "twelve"),
+)
 
 
 class UnreadableError(Exception):
@@ -49,6 +54,12 @@ def without_label(text: str) -> str:
     if equation:
         raise UnreadableError(f"{equation[0].strip()} ... is an equation between numbers; write the answer alone")
     return _without_label(text)
+
+
+def without_number_word(text: str) -> str:
+    """A text, or the figure for a small number that is written as a word: `six` is 6."""
+    word = text.strip().rstrip(".").casefold()
+    return str(_NUMBER_WORDS.index(word)) if word in _NUMBER_WORDS else text
 
 
 def refuse_blanks(text: str) -> None:

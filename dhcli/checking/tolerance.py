@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 
 from dhcli.checking.verdicts import Verdict
+from dhcli.frozen import frozen
 from dhcli.notation.quantity import LENGTH_UNITS
 from dhcli.notation.tree import Expr, Number, Product, Unit, negate
 
@@ -18,7 +18,7 @@ NOT_EXACT = "this task wants exact values, such as sqrt(2)/2 for 0.7071"
 """What is said of a value that is only near the right one where exact ones are asked for."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Tolerance:
     """Largest errors that count as right.
 

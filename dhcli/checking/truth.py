@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from itertools import islice
 from typing import TypeVar
 
@@ -14,6 +13,7 @@ from dhcli.algebra.terms import TERMS
 from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.wanted import Composed, Wanted
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.forward import put_in, textbook_form
 from dhcli.kinematics.frames import View, between, frame
@@ -31,7 +31,7 @@ SAMPLES = 3
 """Points at which an entry that is always 0 or 1 is told from the others."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Truth:
     """The right answer to a question about a matrix.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.entries import check_names
@@ -13,6 +13,7 @@ from dhcli.checking.tolerance import NOT_EXACT, Tolerance, is_rounding_of, judge
 from dhcli.checking.units import in_metres, is_measure, on_sheet
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
 from dhcli.errors import Place
+from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Value
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import FULL_TURN, Angle
@@ -23,7 +24,7 @@ from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write, write_angle
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class TypedValue:
     """A value as typed: its text without a label, and the expression."""
 
@@ -31,7 +32,7 @@ class TypedValue:
     expr: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Quantity:
     """A right value, and what it is.
 
@@ -46,7 +47,7 @@ class Quantity:
     is_angle: bool = False
 
 
-def read_value(exercise: Exercise, text: str, place: Place | None) -> TypedValue:
+def read_typed_value(exercise: Exercise, text: str, place: Place | None) -> TypedValue:
     """Read a single value.
 
     Raises:

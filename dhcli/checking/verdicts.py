@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from enum import Enum
 
 from dhcli.checking.diagnosis.result import Diagnosis
+from dhcli.frozen import frozen
 
 
 class Verdict(Enum):
@@ -68,7 +68,7 @@ def worst(verdicts: Iterable[Verdict]) -> Verdict:
     return min(verdicts, key=WORST_FIRST.index, default=Verdict.SKIPPED)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class CellMark:
     """The judgement of one entry.
 
@@ -91,7 +91,7 @@ class CellMark:
     counted: bool = True
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Mark:
     """The judgement of an answer.
 

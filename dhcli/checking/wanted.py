@@ -8,11 +8,12 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Literal, TypeAlias
 
 from dhcli.checking.units import has_length_unit
 from dhcli.errors import NotationError, Place, Problem
+from dhcli.frozen import frozen
 from dhcli.kinematics.frames import View
 from dhcli.kinematics.moves import Chain, Trans, read_chain
 from dhcli.notation.matrix import parse_matrix
@@ -34,7 +35,7 @@ class NotAskedError(Exception):
         self.text = text
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Composed:
     """A product of moves, without a robot."""
 
@@ -48,7 +49,7 @@ Piece = Literal["pose", "rotation", "position", "entry", "axis", "point", "vecto
 """What is asked of a matrix."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Wanted:
     """A matrix, or a piece of one, that is asked for.
 

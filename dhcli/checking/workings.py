@@ -9,17 +9,18 @@ from typing import TypeAlias
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.terms import TERMS
 from dhcli.checking.entries import entries_text
-from dhcli.checking.exercise import Case, Exercise, Rows, Shown
+from dhcli.checking.exercise import Case, Exercise
+from dhcli.checking.returned import Rows, Shown
 from dhcli.checking.tolerance import ZERO as NOTHING
 from dhcli.checking.truth import chain_of, is_length, truth_of
 from dhcli.checking.units import on_sheet
 from dhcli.checking.wanted import Composed, Wanted
 from dhcli.kinematics.conventions import ORDER
+from dhcli.kinematics.entries import DIGITS, rounded
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.forward import in_numbers, put_in, textbook_form
 from dhcli.kinematics.frames import View, between, frame
 from dhcli.kinematics.moves import Chain, names, spelled
-from dhcli.kinematics.pose import DIGITS, rounded
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import numbers
 from dhcli.notation.matrix import bracketed

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.notation.names import GREEK_NAMES, parts
 from dhcli.notation.scope import Scope
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Printed:
     """What a document prints where it answers a part.
 
@@ -22,7 +21,7 @@ class Printed:
     note: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Trial:
     """A submission that an exercise tests itself with.
 
@@ -39,7 +38,7 @@ class Trial:
     mistake: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Range:
     """The values that a name may take.
 

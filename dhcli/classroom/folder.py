@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 
 from dhcli.errors import FileError, Place, Problem
 from dhcli.files.reading import instead_of
+from dhcli.frozen import frozen
 
 _SUFFIXES = (".yaml", ".yml")
 _SHEET = ".sheet"
 _PACKED_BY_MACOS = "__MACOSX"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Submission:
     """One sheet that was handed in.
 
@@ -32,7 +32,7 @@ class Submission:
     problem: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Folder:
     """What a class has handed in.
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 from contextlib import closing
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache, partial
 
 from dhcli.checking.judge import Judge, PartMark
@@ -16,6 +16,7 @@ from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_m
 from dhcli.files.library.lookup import Kind, entries, full_id
 from dhcli.files.yaml.exercises import load_exercise
 from dhcli.files.yaml.sheets import Sheet, judged_sheet, read_sheet
+from dhcli.frozen import frozen
 
 TIMEOUT = 10.0
 """Seconds that one sheet may take; an honest one takes a hundredth of one."""
@@ -27,7 +28,7 @@ _HINTS = 2
 """Places to look that a student is told of."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PartGrade:
     """What a student got for one part.
 
@@ -52,7 +53,7 @@ class PartGrade:
     other_unit: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Graded:
     """A sheet with its grades, or with what kept it from being graded.
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from statistics import fmean
 
 from dhcli.checking.verdicts import Verdict
 from dhcli.classroom.folder import Folder
 from dhcli.classroom.grading import Graded, PartGrade
 from dhcli.errors import plural
+from dhcli.frozen import frozen
 
 STEPS = (0, 20, 40, 60, 80, 100)
 """Where the classes of the distribution begin [%]; the last one is full credit alone."""
@@ -20,7 +20,7 @@ MOST_NAMED = 5
 """Students that a notice names."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PartFigures:
     """What a class did with one part.
 
@@ -41,7 +41,7 @@ class PartFigures:
     slips: tuple[tuple[str, int], ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ClassReport:
     """The grades of a class and what they add up to.
 

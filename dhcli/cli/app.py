@@ -5,7 +5,8 @@ from __future__ import annotations
 import os
 import sys
 from importlib import import_module
-from typing import TYPE_CHECKING, Annotated
+from inspect import cleandoc
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from typer.core import TyperCommand, TyperGroup, TyperOption
@@ -97,27 +98,55 @@ class One(_PlainHelp, TyperCommand):
 class Commands(Group):
     """A group that imports a command when it is asked for."""
 
+    is_listing = False
+
     def list_commands(self, ctx: Context) -> list[str]:
         """The names in the order of the help."""
         return list(COMMANDS)
 
     def get_command(self, ctx: Context, cmd_name: str) -> Command | None:
         """A command by its name, None if there is none."""
-        return load(cmd_name) if cmd_name in COMMANDS else None
+        if cmd_name not in COMMANDS:
+            return None
+        return _listed(cmd_name) if self.is_listing else load(cmd_name)
+
+    def format_help(self, ctx: Context, formatter: HelpFormatter) -> None:
+        """Write the help, which names every command without its options."""
+        self.is_listing = True
+        super().format_help(ctx, formatter)
+        self.is_listing = False
+
+
+def _listed(name: str) -> Command:
+    """A command as the help of all names it."""
+    found = _found(name)
+    if isinstance(found, typer.Typer):
+        return load(name)
+    return One(name, help=cleandoc(found.__doc__ or ""), rich_markup_mode="rich", rich_help_panel=_panel(name))
+
+
+def _found(name: str) -> Any:  # noqa: ANN401  a function or a group of them
+    """What the file of a command defines."""
+    module = import_module(f"dhcli.cli.commands.{name}")
+    return getattr(module, name, None) or getattr(module, f"{name}_")  # of `list_` and `help_` Python has the name
+
+
+def _panel(name: str) -> str:
+    """The heading that a command stands under."""
+    return next(panel for panel, names in PANELS.items() if name in names)
 
 
 def load(name: str) -> Command:
     """Import a command and make it one of typer's."""
-    module = import_module(f"dhcli.cli.commands.{name}")
-    found = getattr(module, name, None) or getattr(module, f"{name}_")  # of `list_` and `help_` Python has the name
+    found = _found(name)
     if isinstance(found, typer.Typer):
         command = typer.main.get_command(found)
     else:
         single = typer.Typer(add_completion=False, rich_markup_mode="rich")
-        single.command(name, cls=One, epilog=module.EXAMPLES)(spread(found))
+        single.command(name, cls=One, epilog=sys.modules[found.__module__].EXAMPLES)(spread(found))
         command = typer.main.get_command(single)
     command.name = name
-    command.rich_help_panel = next(panel for panel, names in PANELS.items() if name in names)  # type: ignore[attr-defined]
+    command.rich_help_panel = _panel(name)  # type: ignore[attr-defined]
     return command
 
 

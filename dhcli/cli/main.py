@@ -10,7 +10,7 @@ from dhcli.cli.shell.console import GuardedStream, complain, finish
 from dhcli.cli.shell.signals import ending_in_order
 from dhcli.errors import DhcliError, ExitStatus, Place, Problem
 
-INSTEAD = {"--force": "--overwrite", "--symbolic": "--derive", "-s": "--derive"}
+INSTEAD = {"--force": "--overwrite", "--symbolic": "--derive", "-s": "--derive", "--rows": "--in FILE"}
 """What some commands have instead of an option that is typed in vain."""
 
 BUGS = "please report it with the command you typed; DHCLI_DEBUG=1 shows where it happened"
@@ -78,13 +78,15 @@ def usage_problem(error: Exception) -> Problem:
     path = context.command_path if context else "dhcli"
     message: str = error.format_message().rstrip(".")  # type: ignore[attr-defined]
     hint = f"{path} --help shows what can be typed"
-    known = [name for param in context.command.get_params(context) for name in param.opts] if context else []
+    params = context.command.get_params(context) if context else []
+    known = [name for param in params for name in param.opts]
+    takes = {*known, *(f"{name} {param.metavar}" for param in params for name in param.opts)}
     if option := getattr(error, "option_name", ""):
         if "No such" in message:
             message = f"there is no option {option}"
             words = [name.removeprefix("--") for name in known if name.startswith("--")]
             similar = [f"--{word}" for word in nearest(option.lstrip("-"), words, cutoff=0.7)]
-            if (instead := INSTEAD.get(option)) in known:
+            if (instead := INSTEAD.get(option)) in takes:
                 similar = [str(instead)]
             hint = f"did you mean {' or '.join(similar)}?; {hint}" if similar else hint
     elif message.startswith("No such command"):

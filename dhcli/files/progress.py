@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 
@@ -17,6 +17,7 @@ from dhcli.checking.verdicts import WORST_FIRST, Verdict
 from dhcli.errors import FileError
 from dhcli.files.holding import held
 from dhcli.files.reading import read_text
+from dhcli.frozen import frozen
 from dhcli.storage.atomic import write_whole
 from dhcli.storage.home import user_folder
 
@@ -25,7 +26,7 @@ ORDER = (Verdict.SKIPPED.word, *(verdict.word for verdict in WORST_FIRST if verd
 """Verdicts from worst to best; what was never tried is worst."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Try:
     """What was reached at a part.
 

@@ -51,6 +51,11 @@ def read_text(path: Path | str, *, limit: int = LIMIT) -> str:
     return decode(content, source)
 
 
+def is_xml(text: str) -> bool:
+    """Whether a text is XML, such as a URDF."""
+    return text.lstrip().startswith("<")
+
+
 def _opened(path: Path | str) -> BinaryIO:
     """A file, opened without waiting for somebody to open the other end of a pipe; reading it waits as ever."""
     descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))

@@ -6,10 +6,10 @@ Each is one class for one rotation, whose angles are floats, and for many, whose
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Generic, Literal, TypeAlias, cast
 
 from dhcli.errors import UnknownNameError
+from dhcli.frozen import frozen
 from dhcli.geometry.motion import identity, rotate
 from dhcli.geometry.reals import R, reals_of
 
@@ -31,7 +31,7 @@ AXES = ("xyx", "xyz", "xzx", "xzy", "yxy", "yxz", "yzx", "yzy", "zxy", "zxz", "z
 Side: TypeAlias = Literal["left", "right"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Order:
     """About which axes one turns, in which order.
 
@@ -112,7 +112,7 @@ def euler(axes: str, *, fixed: bool = False) -> Order:
     return order
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class EulerAngles(Generic[R]):
     """Three turns.
 
@@ -156,7 +156,7 @@ class EulerAngles(Generic[R]):
         return cast("Rotation[R]", [row[:3] for row in rows])  # three turns leave no entry structural
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RollPitchYaw(Generic[R]):
     """R = Rz(yaw) Ry(pitch) Rx(roll) [rad], pitch in [-π/2, π/2].
 

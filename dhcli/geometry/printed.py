@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
+from dhcli.errors import plural
 from dhcli.notation.tree import Expr, Number, number
 from dhcli.notation.walk import symbols, walk
 
@@ -57,7 +58,9 @@ def nearest_rotation(rows: Rows) -> tuple[Rows, str]:
         for row, near, whole in zip(typed, found, rows, strict=True)
     )
     decimals = round(-math.log10(2 * slack))
-    return sharp, f"a matrix with {decimals} decimals is a rotation to its digits; the nearest rotation is taken"
+    apart = max(abs(x - y) for row, near in zip(values, found, strict=True) for x, y in zip(row, near, strict=True))
+    kind = f"a matrix with {plural(decimals, 'decimal')} is a rotation to its digits"
+    return sharp, f"{kind}; the nearest rotation is taken, an entry of it {apart:.2g} away"
 
 
 def _entry(typed: Expr, value: float) -> Expr:

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from dhcli.frozen import frozen
 from dhcli.geometry.twists import Array
 
 TIGHT = 1e-9
 """Relative to the largest, below this a singular value counts as zero in exact geometry."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Rank:
     """A rank and what it was decided by.
 

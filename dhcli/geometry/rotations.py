@@ -6,9 +6,9 @@ Each is one class for one rotation, whose numbers are floats, and for many, whos
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Generic, TypeAlias
 
+from dhcli.frozen import frozen
 from dhcli.geometry.reals import R, reals_of
 
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ HALF_TURN = 1e-13
 """Below this w counts as zero: roundings of a product."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Quaternion(Generic[R]):
     """A unit quaternion with w >= 0; of the two of half a turn, the first part that is not zero is positive."""
 
@@ -69,7 +69,7 @@ class Quaternion(Generic[R]):
         )
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class AxisAngle(Generic[R]):
     """Rotation by an angle in [0, π] [rad] about a unit vector; the axis of no rotation is z."""
 
@@ -109,7 +109,7 @@ class AxisAngle(Generic[R]):
         )
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RotationVector(Generic[R]):
     """The unit axis times the angle in [0, π] [rad]: the exponential coordinates of a rotation."""
 

@@ -7,22 +7,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.derived import Value
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import value_text
 from dhcli.notation.tree import PI, Expr, Number, Symbol, add, multiply, number, power
 from dhcli.notation.writer import write
 
-Row = tuple[Fraction, ...]
+Fractions = tuple[Fraction, ...]
 ZERO = Fraction(0)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Actuators:
     """Which motors drive which joints, and how: q = ratios m + shifts.
 
@@ -38,8 +39,8 @@ class Actuators:
     joints: tuple[str, ...]
     motors: tuple[str, ...]
     turning: frozenset[str]
-    ratios: tuple[Row, ...]
-    shifts: Row
+    ratios: tuple[Fractions, ...]
+    shifts: Fractions
     limits: Mapping[str, tuple[Value, Value]] = field(default_factory=dict, hash=False)
 
     @property
@@ -48,7 +49,7 @@ class Actuators:
         return {joint: self._formula(joint, *self._ratios_of(k)) for k, joint in enumerate(self.joints)}
 
     @property
-    def back(self) -> tuple[tuple[Row, ...], Row]:
+    def back(self) -> tuple[tuple[Fractions, ...], Fractions]:
         """The way back, m = ratios q + shifts, exactly."""
         rows = inverse(self.ratios, self.joints)
         return rows, tuple(-sum((a * b for a, b in zip(row, self.shifts, strict=True)), ZERO) for row in rows)
@@ -105,7 +106,11 @@ class Actuators:
         return add(*terms, number(shift))
 
     def _values(
-        self, of: Sequence[str], by: Sequence[str], how: tuple[Sequence[Row], Row], given: Mapping[str, Value]
+        self,
+        of: Sequence[str],
+        by: Sequence[str],
+        how: tuple[Sequence[Fractions], Fractions],
+        given: Mapping[str, Value],
     ) -> dict[str, Value]:
         """Exact where an angle is in degrees, and where it stays an angle."""
         found: dict[str, Value] = {}
@@ -168,7 +173,7 @@ def exact_text(value: Fraction, *, exact: bool) -> str:
     return short(value) or (str(value) if exact else f"{float(value):.6g}")
 
 
-def inverse(rows: Sequence[Row], names: Sequence[str]) -> tuple[Row, ...]:
+def inverse(rows: Sequence[Fractions], names: Sequence[str]) -> tuple[Fractions, ...]:
     """The inverse of a square matrix of fractions.
 
     Args:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import StrEnum
 
+from dhcli.frozen import frozen
 from dhcli.kinematics.moves import Chain, Rot, Trans, along
 from dhcli.notation.angle import Angle
 from dhcli.notation.factors import AXES
@@ -20,7 +20,7 @@ class Convention(StrEnum):
     PRODUCT = "product"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Row:
     """One row of a DH table.
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import TypeAlias
 
+from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import DimensionError, to_angle, to_plain_length
 from dhcli.notation.tree import Expr
@@ -15,7 +15,7 @@ Value: TypeAlias = Angle | Expr
 """The value of a name: an exact angle, or an expression of lengths in metres."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Formula:
     """What a parameter is in terms of others.
 

@@ -10,6 +10,7 @@ from types import MappingProxyType
 from typing import Literal
 
 from dhcli.errors import RobotError, did_you_mean
+from dhcli.frozen import frozen
 from dhcli.kinematics.actuators import Actuators
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row
 from dhcli.kinematics.derived import Formula, Value
@@ -24,7 +25,7 @@ from dhcli.notation.walk import walk
 Kind = Literal["revolute", "prismatic"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Joint:
     """A joint and its variable.
 
@@ -39,7 +40,7 @@ class Joint:
     link: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Link:
     """One link: the moves from the frame before it to its own.
 
@@ -47,13 +48,13 @@ class Link:
         number: Number of the link and of its frame.
         moves: The moves, four for a DH row.
         row: The DH row, or None in a product.
-        text: The product as somebody wrote it, empty where nobody has.
+        text: The product as somebody wrote it, empty where nobody has; links of the same moves are equal all the same.
     """
 
     number: int
     moves: Chain
     row: Row | None = None
-    text: str = ""
+    text: str = field(default="", compare=False)
 
     @property
     def product(self) -> str:

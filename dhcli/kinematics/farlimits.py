@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
+from dhcli.frozen import frozen
 from dhcli.kinematics.description import Description
 from dhcli.kinematics.validity import in_floats
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class FarLimits:
     """Limits on the other side of a drive: of the motors for joint values, of the joints for motor values.
 

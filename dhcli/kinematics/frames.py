@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TypeAlias
 
 from dhcli.errors import UnknownNameError
+from dhcli.frozen import frozen
 from dhcli.kinematics.moves import Chain, Trans, inverse
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.tree import ZERO, Expr
@@ -16,7 +17,7 @@ Point: TypeAlias = tuple[Expr, Expr, Expr]
 ORIGIN: Point = (ZERO, ZERO, ZERO)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class View:
     """Which frame of a robot is described, seen from where.
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.geometry.euler import Order
 from dhcli.geometry.many import rotations, table
 from dhcli.kinematics.batch import forward_batch
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PoseRows:
     """What is wanted of each row of joint values.
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from typing import TypeAlias
 
 from dhcli.errors import Place
+from dhcli.frozen import frozen
 from dhcli.geometry.motion import inverse as undone
 from dhcli.notation.angle import Angle
 from dhcli.notation.factors import AXES, Axis, Factor, in_order_of_motion, parse_factors
@@ -17,7 +17,7 @@ from dhcli.notation.walk import substitute, symbols
 from dhcli.notation.writer import write, write_angle
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Rot:
     """Rotation about an axis of the current frame, positive by the right-hand rule."""
 
@@ -25,7 +25,7 @@ class Rot:
     angle: Angle
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Trans:
     """Translation along the axes of the current frame [m]."""
 
@@ -39,7 +39,7 @@ class Trans:
         return self.x, self.y, self.z
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Fixed:
     """A pose given as a matrix: three rows of three direction cosines and a length [m]."""
 

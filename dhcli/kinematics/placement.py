@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any, TypeAlias, cast
 
 from dhcli.errors import RobotError, UnknownNameError, did_you_mean
+from dhcli.frozen import frozen
 from dhcli.geometry.euler import AXES, ORDERS, EulerAngles, Order, RollPitchYaw
 from dhcli.geometry.rotations import AxisAngle, Quaternion, RotationVector
 from dhcli.kinematics.pose import Pose
 from dhcli.notation.tree import Expr
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Position:
     """Where the origin of a frame is.
 
@@ -24,7 +24,7 @@ class Position:
     coordinates: tuple[float, ...] | tuple[Expr, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Matrix:
     """The homogeneous matrix itself.
 

@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
 from dhcli.algebra.arithmetic import plus
 from dhcli.algebra.floats import Floats
 from dhcli.errors import NotationError, RobotError
+from dhcli.frozen import frozen
 from dhcli.geometry.motion import dot, inverse, product
+from dhcli.kinematics.entries import DIGITS, cells_of, in_columns, latex_of
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_length
 from dhcli.notation.scope import OPEN
 from dhcli.notation.styles import THETAS, Joints, identifier
 from dhcli.notation.tree import Expr, number
 from dhcli.notation.walk import symbols
-from dhcli.notation.writer import write
 
 if TYPE_CHECKING:
     import numpy as np
@@ -30,11 +31,8 @@ if TYPE_CHECKING:
 
 N = TypeVar("N")
 
-DIGITS = 4
-"""Decimals that a person is shown unless they ask for more."""
 
-
-@dataclass(frozen=True, slots=True)
+@frozen
 class Pose(Generic[N]):
     """A homogeneous matrix with the names of its two frames.
 
@@ -246,21 +244,15 @@ class Pose(Generic[N]):
 
     def cells(self, style: str = "short", digits: int = DIGITS) -> tuple[tuple[str, ...], ...]:
         """The entries as text, shape (4, 4): expressions in a notation, numbers rounded for people."""
-        return tuple(
-            tuple(write(e, style, self.joints) if isinstance(e, Expr) else rounded(float(e), digits) for e in row)  # type: ignore[arg-type]
-            for row in self.rows
-        )
+        return cells_of(self.rows, self.joints, style, digits)
 
     def latex(self, digits: int = DIGITS) -> str:
         """The matrix for a paper, without dollar signs."""
-        body = " \\\\ ".join(" & ".join(row) for row in self.cells("latex", digits))
-        return f"\\begin{{bmatrix}} {body} \\end{{bmatrix}}"
+        return latex_of(self.cells("latex", digits))
 
     def __str__(self) -> str:
         """The matrix in columns, without a heading."""
-        cells = self.cells()
-        widths = [max(len(row[k]) for row in cells) for k in range(4)]
-        return "\n".join("  ".join(c.rjust(w) for c, w in zip(row, widths, strict=True)) for row in cells)
+        return in_columns(self.cells())
 
     def __repr__(self) -> str:
         """The name and the matrix, as a notebook or the prompt shows it."""
@@ -294,16 +286,6 @@ def coordinates(point: Iterable[Any]) -> list[Expr]:
             except (TypeError, ValueError):
                 raise RobotError(f"{coordinate!r} is no coordinate", 'write 0.1 or "a6"') from None
     return found
-
-
-def rounded(value: float, digits: int = DIGITS) -> str:
-    """A number for people: rounded, no trailing zeros, no minus zero."""
-    if value != value or value in (float("inf"), float("-inf")):  # noqa: PLR0124  NaN
-        return str(value)
-    text = f"{value:.{digits}f}"
-    if "." in text:
-        text = text.rstrip("0").rstrip(".")
-    return "0" if text in ("-0", "") else text
 
 
 def _in_floats(point: Iterable[Any]) -> list[float]:

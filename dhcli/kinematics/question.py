@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import TYPE_CHECKING, Literal, TypeAlias, cast
 
 from dhcli.errors import RobotError, UnknownNameError
+from dhcli.frozen import frozen
 from dhcli.geometry.words import in_words
 from dhcli.kinematics.forward import factors, in_numbers, put_in, textbook_form
 from dhcli.kinematics.frames import Point, View, between, path
+from dhcli.kinematics.limits import warnings
 from dhcli.kinematics.moves import Chain, Trans, inverse, spelled
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.robot import Link, Robot
-from dhcli.kinematics.values import Values, require, warnings
+from dhcli.kinematics.values import Values, require
 from dhcli.notation.quarters import right_angles_among
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
@@ -26,7 +28,7 @@ AnyPose: TypeAlias = Pose[float] | Pose[Expr]
 Listing: TypeAlias = Literal["frames", "links", "factors"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Question:
     """What is asked of a robot.
 
@@ -47,7 +49,7 @@ class Question:
     let: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class SeenPoint:
     """A point in two frames.
 
@@ -64,7 +66,7 @@ class SeenPoint:
     reference: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ForwardKinematics:
     """What a question about a robot has for an answer.
 

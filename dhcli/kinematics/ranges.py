@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Literal, TypeAlias
 
 from dhcli.errors import NotationError, Place, Problem, RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Value
 from dhcli.kinematics.validity import in_floats
 from dhcli.notation.angle import Angle
@@ -24,7 +24,7 @@ _MOST_PLACES = 10
 Word: TypeAlias = Literal["step", "n", ""]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Piece:
     """A part of a range without the blanks around it.
 
@@ -37,7 +37,7 @@ class Piece:
     start: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Written:
     """A range as it is written.
 

@@ -155,6 +155,8 @@ class Robot(Description):
         """
         read = _above("files.urdf.robots", "read_urdf")
         given, called = text_of(text, "text"), text_of(name, "name")
+        if "<" not in given:
+            raise RobotError(f"{given!r:.60} is no XML", f"a file is read by load_robot({given.strip()!r:.60})")
         found: Robot = read(given, "text", called, base=base, tip=tip, as_typed=as_typed)
         return found
 

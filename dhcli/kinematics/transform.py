@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -30,6 +31,7 @@ from dhcli.notation.walk import symbols, walk
 
 MOST_IN_LETTERS = 80
 """Moves whose frames are all computed in letters; the formula of each may be as long as there are moves before it."""
+_JSON = re.compile(r"\s*\{\s*\"")
 _SHORT = 60
 """Characters of a matrix that stands in a heading as it was typed."""
 
@@ -180,6 +182,9 @@ def _factors(text: str, place: Place, scope: Scope, remarks: list[str]) -> tuple
         return parse_factors(text, scope, place, remarks)
     except NotationError:
         matrix = pose_matrix(text)
+        if matrix is None and _JSON.match(text):
+            hint = 'wanted: a "matrix" of four rows of four, as dhcli fk ROBOT --q ... --format json writes it'
+            raise NotationError(Problem("this JSON holds no 4x4 matrix", place, hint)) from None
         if matrix is None:
             raise
     return parse_factors(matrix, scope, place, remarks)

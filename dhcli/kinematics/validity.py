@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import Problem, RobotError, did_you_mean
+from dhcli.frozen import frozen
 from dhcli.kinematics.derived import Value
 from dhcli.kinematics.description import Description, Link
 from dhcli.kinematics.moves import Chain, Fixed, Trans, angle_names, expressions, names
@@ -22,7 +22,7 @@ from dhcli.notation.tree import Expr, Number, Trig
 from dhcli.notation.walk import symbols, walk
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Finding:
     """One broken rule.
 

@@ -1,4 +1,4 @@
-"""Values of joints and lengths: what people type, what a robot knows, and what is missing or out of reach."""
+"""Values of joints and lengths: what people type, what a robot knows, and what is missing."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean, plural
 from dhcli.kinematics.derived import Value, replaced
 from dhcli.kinematics.description import Description
-from dhcli.kinematics.farlimits import far_limits
 from dhcli.kinematics.given import mapping_of
 from dhcli.kinematics.moves import Chain, names
 from dhcli.kinematics.validity import in_floats
@@ -31,9 +30,6 @@ Values: TypeAlias = Mapping[str, Value]
 
 JointInput: TypeAlias = "str | Sequence[float | str | Angle] | NDArray[Any] | Mapping[str, float | str | Angle] | None"
 """What a caller may give for the joints: text, a list or an array in joint order, a mapping by name, or nothing."""
-
-SLACK = 1e-9
-"""By how much a value may be beyond a limit and still be at it [rad or m]: limits in degrees are no floats."""
 
 _ONE_VALUE = re.compile(r"([^\s=,;]+=)?[-+−–]?(\d|\.|√|π|pi|\()[^\s;]*(?<!,)")  # noqa: RUF001
 """A value without a blank in it, or a name with one."""
@@ -123,47 +119,6 @@ def require(robot: Description, chain: Chain, values: Mapping[str, object]) -> N
         raise RobotError(problems)
 
 
-def warnings(robot: Description, values: Values) -> Iterator[str]:
-    """What a person should know of a robot and of joint values that can be computed all the same."""
-    yield from robot.remarks
-    for joint in robot.joints:
-        value = values.get(joint.name)
-        if value is None:
-            continue
-        if joint.kind == "revolute" and isinstance(value, Angle) and abs(float(value.radians)) > math.tau:
-            typed = float(value.radians)
-            yield f"{joint.name} = {typed:g} rad is more than a turn; did you mean {typed:g}°, or --deg?"
-        if joint.name in robot.limits and not symbols_of(value):
-            low, high = (in_floats(limit) for limit in robot.limits[joint.name])
-            number = in_floats(value)
-            if not is_within_limits(robot, joint.name, number):
-                shown, bounds = _shown(number, joint.kind), f"{_shown(low, joint.kind)} to {_shown(high, joint.kind)}"
-                yield f"{joint.name} = {shown} is outside its limits, {bounds}"
-    yield from _far(robot, values)
-
-
-def _far(robot: Description, values: Values) -> Iterator[str]:
-    """What is outside its limits on the other side of the drives: motors at joint values, joints at motor values."""
-    far = far_limits(robot)
-    given = [values.get(name) for name in robot.variables]
-    q = [in_floats(value) for value in given if value is not None and not symbols_of(value)]
-    if far is None or len(q) < len(given):
-        return
-    bounds = dict(zip(far.names, far.bounds, strict=True))
-    for name, at, _ in far.beyond(q, SLACK):
-        kind = "revolute" if name in far.turning else "prismatic"
-        low, high = (_shown(bound, kind) for bound in bounds[name])
-        yield f"{name} is then {_shown(at, kind)}, outside its limits, {low} to {high}"
-
-
-def is_within_limits(robot: Description, name: str, number: float) -> bool:
-    """Whether a joint can stand at a value [rad or m]; where it has no limits, at any."""
-    if name not in robot.limits:
-        return True
-    low, high = map(in_floats, robot.limits[name])
-    return low - SLACK <= number <= high + SLACK
-
-
 def symbols_of(value: Value) -> frozenset[str]:
     """Names that a value still holds."""
     return value.names if isinstance(value, Angle) else symbols(value)
@@ -174,7 +129,7 @@ def numbers(values: Values) -> dict[str, Angle | float]:
     return {name: value if isinstance(value, Angle) else in_floats(value) for name, value in values.items()}
 
 
-def read_value(robot: Description, name: str, text: str, *, bare: Bare, place: Place) -> Value:
+def read_named(robot: Description, name: str, text: str, *, bare: Bare, place: Place) -> Value:
     """Read the value of one name, an angle or a length by what the name stands for."""
     expr = parse(text, Scope(), place)
     try:
@@ -215,7 +170,7 @@ def _from_text(robot: Description, text: str, bare: Bare, place: Place) -> dict[
         raise RobotError(Problem(f"{robot.name} has no pose called {text.strip()}", place, hint))
     _check_count(robot, len(parts), place)
     return {
-        name: read_value(robot, name, part, bare=bare, place=_at(place, text, offset))
+        name: read_named(robot, name, part, bare=bare, place=_at(place, text, offset))
         for name, (offset, part) in zip(robot.variables, parts, strict=True)
     }
 
@@ -233,7 +188,7 @@ def _assignments(
         if joint in values:
             raise RobotError(Problem(f"{joint} is given twice", where))
         start, value = _stripped(value, offset + len(name) + 1)
-        values[joint] = read_value(robot, joint, value, bare=bare, place=_at(place, text, start))
+        values[joint] = read_named(robot, joint, value, bare=bare, place=_at(place, text, start))
     return values
 
 
@@ -274,7 +229,7 @@ def _value(robot: Description, name: str, value: float | str | Value, bare: Bare
     if isinstance(value, Angle | Expr):
         return value
     if isinstance(value, str):
-        return read_value(robot, name, value, bare=bare, place=place or Place(name))
+        return read_named(robot, name, value, bare=bare, place=place or Place(name))
     try:
         number = float(value)
     except (TypeError, ValueError):
@@ -320,7 +275,3 @@ def _joints_hint(robot: Description, place: Place | None) -> str:
     kinds = {joint.name: "rad" if joint.kind == "revolute" else "m" for joint in robot.joints}
     listed = ", ".join(f"{name} [{kinds.get(name, '')}]" for name in robot.variables)
     return f"--q takes {listed}" if is_typed else f"wanted: {listed}"
-
-
-def _shown(number: float, kind: str) -> str:
-    return f"{math.degrees(number):.4g}°" if kind == "revolute" else f"{number:.4g} m"

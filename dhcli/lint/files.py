@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,6 +13,7 @@ from dhcli.files.library.kinds import kind_of
 from dhcli.files.library.lookup import Kind
 from dhcli.files.reading import read_text
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
+from dhcli.frozen import frozen
 from dhcli.kinematics.validity import Finding
 from dhcli.lint.names import Names
 from dhcli.lint.places import path_to, place_in
@@ -31,7 +32,7 @@ BESIDE_JUDGING = frozenset(
 USUAL = ("robots", "exercises")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Told:
     """A finding at its place.
 
@@ -44,7 +45,7 @@ class Told:
     is_warning: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Linted:
     """What was found in files.
 

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
 from dhcli.files.library.kinds import kind_of
 from dhcli.files.library.lookup import BUILT_IN, Kind, entries
+from dhcli.frozen import frozen
 from dhcli.kinematics.validity import Finding
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Named:
     """Something with a name.
 
@@ -28,7 +28,7 @@ class Named:
     is_built_in: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Names:
     """Everything that has a name, by the real path of its file."""
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from dhcli.kinematics.limits import warnings
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.singular.finding import find
 from dhcli.kinematics.singular.result import Factor, Singularities
 from dhcli.kinematics.singular.standing import Standing, standing_at
-from dhcli.kinematics.values import Values, warnings
+from dhcli.kinematics.values import Values
 from dhcli.kinematics.velocity.view import MotionView
 from dhcli.mobility.result import Mobility
 

@@ -8,16 +8,16 @@ loop form as N^-3; and a row touches two links only, so that the links can be el
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
+from dhcli.frozen import frozen
 from dhcli.geometry.rank import TIGHT, Rank, rank_of
 from dhcli.geometry.twists import Array, hats
 from dhcli.mobility.model import Model
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Rows:
     """Equations between the twists of a few links.
 

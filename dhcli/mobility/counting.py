@@ -12,6 +12,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 
+from dhcli.frozen import frozen
 from dhcli.mobility.linkage import Linkage
 from dhcli.mobility.pairs import LinkageError, Pair, Space
 from dhcli.notation.tree import ONE, ZERO, Expr, Number, Product, Sum, add, is_negative, multiply, negate, number
@@ -22,7 +23,7 @@ MOST_TERMS = 200
 """Terms that a product of sums may have; counts are short."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Group:
     """Joints of one kind.
 
@@ -197,7 +198,8 @@ def _shown(expr: Expr, *, inside: bool = False) -> str:
 
 def _sum_text(parts: list[tuple[Expr, int]]) -> str:
     """`4·1`, or `(6·2 + 6·1 + 6·3)`."""
-    texts = [f"{_shown(count, inside=True)}·{each}" for count, each in parts]
+    counts = [(_shown(count, inside=True), each) for count, each in parts]
+    texts = [f"({count})·{each}" if "/" in count else f"{count}·{each}" for count, each in counts]
     if not texts:
         return "0"
     return texts[0] if len(texts) == 1 else f"({' + '.join(texts)})"

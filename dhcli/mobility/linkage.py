@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import TypeAlias
 
 from dhcli.errors import Problem, did_you_mean
+from dhcli.frozen import frozen
 from dhcli.kinematics.validity import Finding
 from dhcli.mobility.pairs import SPATIAL, LinkageError, Pair, Space
 
@@ -21,7 +22,7 @@ SQUARE = 0.01
 """Cosine of two directions that are at right angles as far as a rounded drawing tells."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Joint:
     """What ties two links, in world coordinates of the assembled position.
 
@@ -62,7 +63,7 @@ class Joint:
         return all(getattr(self, name) is not None for name in self.needs(space))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class NamedPoint:
     """A point that the description gives a name.
 

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 
 from dhcli.errors import DhcliError, did_you_mean
+from dhcli.frozen import frozen
 
 
 class LinkageError(DhcliError):
     """A linkage that cannot exist, a count that makes no sense, or a question that a linkage cannot answer."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Pair:
     """A kind of joint.
 
@@ -125,7 +125,7 @@ def pair_of(word: str) -> Pair:
     return found
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Space:
     """Where a linkage moves.
 

@@ -8,10 +8,10 @@ or refused at once.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import pairwise
 
 from dhcli.errors import Place, Problem, did_you_mean
+from dhcli.frozen import frozen
 from dhcli.mobility.pairs import LETTERS, WORDS, LinkageError, Pair
 from dhcli.notation.names import GREEK_NAMES
 
@@ -24,7 +24,7 @@ FILLERS = frozenset({"and", "joint", "joints", "pair", "pairs"})
 _MOST_WORDS = max(len(words.split()) for words in WORDS)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Token:
     """A word, a number, or a sign.
 

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 
+from dhcli.frozen import frozen
 from dhcli.notation.names import natural_key
 
 ZERO = Fraction(0)
@@ -22,7 +22,7 @@ FINEST = 1 << 1000
 """Largest denominator in a sum of angles; fractions beyond it make every step of the work a long one."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Angle:
     """An affine sum of named angles, with exact coefficients.
 

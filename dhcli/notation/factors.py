@@ -7,11 +7,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import groupby
 from typing import Literal
 
 from dhcli.errors import Place
+from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
 from dhcli.notation.cells import matching
 from dhcli.notation.matrix import read_matrix
@@ -38,7 +39,7 @@ _TURNS = {"rpy": 3, "euler": 4, "quaternion": 4, "quat": 4, "rotvec": 3, "rotati
 EXAMPLE = "write Trans(1, 2, 3) Rot(z, 90°), or a matrix [1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1]"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Factor:
     """One factor of a product, in the spelling's own terms.
 
@@ -79,7 +80,7 @@ def in_order_of_motion(factors: Sequence[Factor]) -> list[Factor]:
     return ordered
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Reading:
     """What the readers of one product share: its text, the names it may use, and where to say what was taken for what.
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TypeAlias
 
+from dhcli.frozen import frozen
 from dhcli.notation.tree import Expr, Power, Product, Sum, Symbol, negate
 from dhcli.notation.walk import children, operations, symbols
 
@@ -15,7 +15,7 @@ LONG = 12
 Rows: TypeAlias = Sequence[Sequence[Expr]]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Definition:
     """An intermediate result.
 

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
 from dhcli.errors import Place
+from dhcli.frozen import frozen
 from dhcli.notation.cells import cells_in, matching, rows_in, with_depths
 from dhcli.notation.parser import Parser
 from dhcli.notation.scaled import times, without_factor
@@ -34,7 +34,7 @@ _COMMENT = re.compile(r"^[ \t]*[%#].*$", re.MULTILINE)
 """A line that MATLAB or numpy would skip, such as the heading of dhcli's own output."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Cell:
     """One entry of a matrix as it was typed and as it was read."""
 

@@ -3,9 +3,9 @@ r"""A factor before or behind a matrix, `\frac{1}{\sqrt{2}} \begin{bmatrix} ... 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 
+from dhcli.frozen import frozen
 from dhcli.notation.parser import Parser
 from dhcli.notation.scope import Scope
 from dhcli.notation.tokens import Source, Token
@@ -17,7 +17,7 @@ _LARGEST_POWER = 9
 _SEPARATORS = frozenset(",;&|=")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Scaled:
     """A matrix with its factor taken off.
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
 from dhcli.notation.names import GREEK_NAMES, canonical, parts
 from dhcli.notation.tree import Expr, Symbol, Trig
@@ -16,7 +17,7 @@ MOST_READ = 10_000
 """Words whose readings are remembered: a scope may live as long as the answers of a whole class are marked."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Scope:
     """The names that mean something in a text.
 

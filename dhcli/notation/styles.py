@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import keyword
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from dhcli.frozen import frozen
 from dhcli.notation.names import GREEK_NAMES, natural_key, parts
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Style:
     """How the pieces of an expression are spelled in one notation.
 
@@ -23,6 +24,10 @@ class Style:
         trig: Format of cosine and sine: function name and angle.
         degrees: Format of an angle in degrees, or None to write multiples of π.
         latex: Whether brackets grow and fractions are stacked.
+        prefix: What stands before the names of functions.
+        functions: Names of functions that the language calls otherwise.
+        decimal: Whether numbers that are not whole are decimals, as programs compute them.
+        power: Format of a power, base and exponent, where the language has no sign for it.
     """
 
     name: str
@@ -35,6 +40,9 @@ class Style:
     degrees: str | None = "{}°"
     latex: bool = False
     prefix: str = ""
+    functions: Mapping[str, str] = field(default_factory=dict)
+    decimal: bool = False
+    power: str = ""
 
 
 _PYTHON = frozenset(keyword.kwlist)
@@ -56,8 +64,13 @@ SPOKEN_FOR = frozenset().union(*RESERVED.values())
 
 def identifier(name: str, language: str = "sympy") -> str:
     """A name that a programming language accepts: `alpha_{i-1}` is `alpha_im1`, `lambda` is `lambda_`, `E` is `E_`."""
-    plain = name.replace("{", "").replace("}", "").replace("-", "m").replace("+", "p").replace(",", "_")
+    plain = plain_name(name)
     return plain + "_" if plain in RESERVED[language] else plain
+
+
+def plain_name(name: str) -> str:
+    """A name in letters, digits and underscores, as all languages spell names."""
+    return name.replace("{", "").replace("}", "").replace("-", "m").replace("+", "p").replace(",", "_")
 
 
 def _in_matlab(name: str) -> str:
@@ -101,7 +114,7 @@ STYLES: Mapping[str, Style] = {
 """The notations by the name the user gives them."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Joints:
     """The joint angles of a robot, for shorthand: `c12` may stand for cos(theta1 + theta2).
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Literal
 
 from dhcli.errors import NotationError, Place, Problem
+from dhcli.frozen import frozen
 from dhcli.notation.names import GREEK, GREEK_NAMES, describe, foreign_letter
 from dhcli.notation.styles import SPOKEN_FOR
 
@@ -84,7 +84,7 @@ def _index() -> re.Pattern[str]:
     return re.compile(r" ?([0-9]{1,2})(?![0-9.,])")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Token:
     """A piece of text with one meaning.
 
@@ -103,7 +103,7 @@ class Token:
     spaced: bool
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Source:
     """A text and where it comes from, for errors that point at a column.
 
@@ -230,4 +230,7 @@ def _strange(source: Source, position: int) -> NotationError:
         return source.error(
             position, f"the letter {describe(letter)} looks like a Latin {latin} but is another", f"write {latin}"
         )
-    return source.error(position, f"{describe(letter)} means nothing here")
+    if not "\udc80" <= letter <= "\udcff":  # a byte that Python could not read as a letter
+        return source.error(position, f"{describe(letter)} means nothing here")
+    message = "this letter did not arrive: the locale of the terminal is not UTF-8"
+    return source.error(position, message, "write deg, pi, sqrt, theta1; or begin the line with LC_ALL=C.UTF-8")

@@ -9,10 +9,11 @@ contracted: a factor times a sum stays a factor times a sum, and the sine of a s
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from typing import Literal
 
+from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
 from dhcli.notation.names import natural_key
 from dhcli.notation.roots import square_root
@@ -67,7 +68,7 @@ class Expr:
         return f"$\\displaystyle {write(self, 'latex')}$"
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@frozen
 class Number(Expr):
     """An exact rational number.
 
@@ -84,28 +85,28 @@ class Number(Expr):
         return hash((self.value.numerator, self.value.denominator))
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@frozen
 class Symbol(Expr):
     """A length, or any other number known by its name."""
 
     name: str
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@frozen
 class Constant(Expr):
     """The number π; its value is known to every arithmetic."""
 
     name: Literal["pi"] = "pi"
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@frozen
 class Unit(Expr):
     """A unit behind a number, `mm` or `deg`; `quantity` turns it into metres or an angle."""
 
     name: str
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@frozen
 class Trig(Expr):
     """Cosine or sine of an exact angle; built by `cosine` and `sine`, which normalise the angle."""
 
@@ -113,21 +114,21 @@ class Trig(Expr):
     angle: Angle
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@frozen
 class Sum(Expr):
     """Two or more terms."""
 
     terms: tuple[Expr, ...]
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@frozen
 class Product(Expr):
     """Two or more factors; a number, if any, comes first."""
 
     factors: tuple[Expr, ...]
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@frozen
 class Power(Expr):
     """A base to a rational exponent that is not 1; square roots are powers of one half."""
 
@@ -139,7 +140,7 @@ class Power(Expr):
         return hash((self.base, self.exponent.numerator))
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@frozen
 class Call(Expr):
     """A function of expressions that is not a cosine or sine of an exact angle, such as atan2."""
 

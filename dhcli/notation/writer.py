@@ -15,19 +15,23 @@ from dhcli.notation.styles import STYLES, THETAS, Joints, Style
 from dhcli.notation.tree import HALF, Call, Constant, Expr, Number, Power, Product, Sum, Symbol, Trig, Unit, split
 
 SUM, PRODUCT, ATOM = 1, 2, 3
+SQUARE = 2
+LARGEST_IN_FRACTION = 1000
+"""Above it a fraction is a decimal in programs."""
+
 MOST_BITS_WRITTEN = 14_000
 """Some 4,200 digits; Python refuses to write more than 4,300."""
 
 
-def write(expr: Expr, style: str = "short", joints: Joints = THETAS) -> str:
+def write(expr: Expr, style: str | Style = "short", joints: Joints = THETAS) -> str:
     """Write an expression.
 
     Args:
         expr: The tree.
-        style: One of `STYLES`: short, full, latex, matlab, numpy, sympy.
+        style: One of `STYLES`, short, full, latex, matlab, numpy, sympy; or one of a language that nobody types.
         joints: The robot's joint angles, for shorthand and for the order of factors.
     """
-    return _Writer(STYLES[style], joints).expression(expr)
+    return _Writer(STYLES[style] if isinstance(style, str) else style, joints).expression(expr)
 
 
 def write_angle(angle: Angle, style: str = "short", joints: Joints = THETAS) -> str:
@@ -87,12 +91,21 @@ class _Writer:
             case Power(base, exponent):
                 return self.power(base, exponent)
             case Call(function, arguments):
-                name = rf"\operatorname{{{function}}}" if self.style.latex else self.style.prefix + function
+                name = self.style.functions.get(function, function)
+                name = rf"\operatorname{{{name}}}" if self.style.latex else self.style.prefix + name
                 return f"{name}({', '.join(self.expression(argument) for argument in arguments)})", ATOM
         raise TypeError(expr)
 
+    def plain(self, value: Fraction, places: int | None = None) -> str:
+        """A number; for programs a decimal, unless it is a fraction of small numbers."""
+        if self.style.decimal and max(abs(value.numerator), value.denominator) > LARGEST_IN_FRACTION:
+            return repr(float(value))
+        return write_number(value, places)
+
     def number(self, value: Fraction, places: int | None) -> tuple[str, int]:
-        text = write_number(value, places)
+        text = self.plain(value, places)
+        if self.style.decimal and "/" in text:
+            text = repr(float(value))  # 1/2 is 0 in C
         if "/" not in text:
             return text, ATOM
         if self.style.latex:
@@ -122,7 +135,7 @@ class _Writer:
         """What stands above and below the fraction bar."""
         above: list[str] = []
         below: list[str] = []
-        text = write_number(value, places)
+        text = self.plain(value, places)
         if "/" in text:
             upper, lower = text.split("/")
             below.append(lower)
@@ -156,9 +169,17 @@ class _Writer:
             return self.style.prefix + self.style.root.format(self.expression(base)), ATOM
         if exponent < 0 and exponent.denominator == 1:
             return self.product(Product((Number(Fraction(1)), Power(base, exponent))))
+        if self.style.power:
+            return self.in_power(base, exponent)
         text = write_number(exponent)
         text = f"{{{text}}}" if self.style.latex else f"({text})" if "/" in text or exponent < 0 else text
         return f"{self.bracketed(base, ATOM)}{self.style.caret}{text}", ATOM
+
+    def in_power(self, base: Expr, exponent: Fraction) -> tuple[str, int]:
+        """A power in a language that has no sign for it: squares as products."""
+        if exponent == SQUARE and type(base) is Symbol:
+            return self.style.times.join([self.style.symbol(base.name)] * SQUARE), PRODUCT
+        return self.style.power.format(self.expression(base), self.number(exponent, None)[0]), ATOM
 
     def trig(self, function: str, angle: Angle) -> str:
         if self.style.name in ("short", "latex") and angle.terms:
@@ -185,7 +206,8 @@ class _Writer:
         if angle.radians:
             must = spaced or (angle.terms and abs(angle.radians) > FULL_TURN_IN_RADIANS)  # 90 would be a question
             unit = " rad" if must and self.style.degrees is not None and not self.style.latex else ""
-            pieces.append(write_number(angle.radians, 20) + unit)
+            radians = repr(float(angle.radians)) if self.style.decimal else write_number(angle.radians, 20)
+            pieces.append(radians + unit)
         if not pieces:
             return "0"
         minus, plus = (" - ", " + ") if spaced else ("-", "+")

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from dataclasses import field
 from importlib import import_module
 from typing import Any
 
 from dhcli.errors import UnknownNameError
-from dhcli.kinematics.pose import DIGITS, rounded
+from dhcli.frozen import frozen
+from dhcli.kinematics.entries import DIGITS, rounded
 from dhcli.render.paper import Paper
 
 _NOUNS = {
@@ -38,6 +39,8 @@ _NOUNS = {
     "velocity": "rates and velocities",
     "description": "a description",
     "motors": "motors",
+    "function": "a function",
+    "inverse function": "a function",
 }
 """What each kind of result is called in messages."""
 
@@ -99,11 +102,7 @@ _RENDERERS = {
     ("inverse", "latex"): "dhcli.render.text.inverse:inverse_latex",
     ("derivation", "table"): "dhcli.render.text.derivation:derivation_table",
     ("derivation", "latex"): "dhcli.render.code.derivation:derivation_latex",
-    ("derivation", "matlab"): "dhcli.render.code.derivation:derivation_code",
-    ("derivation", "c"): "dhcli.render.code.derivation_c:derivation_c",
     ("derivation", "md"): "dhcli.render.code.derivation:derivation_markdown",
-    ("derivation", "python"): "dhcli.render.code.derivation:derivation_code",
-    ("derivation", "numpy"): "dhcli.render.code.derivation:derivation_code",
     ("jacobian", "table"): "dhcli.render.text.velocity:jacobian_table",
     ("jacobian", "latex"): "dhcli.render.code.velocity:jacobian_code",
     ("jacobian", "matlab"): "dhcli.render.code.velocity:jacobian_code",
@@ -131,9 +130,24 @@ _RENDERERS = {
     ("description", "table"): "dhcli.render.text.describe:description_table",
     ("motors", "table"): "dhcli.render.text.motors:motors_table",
     ("description", "yaml"): "dhcli.render.code.robots:description_yaml",
+    ("function", "python"): "dhcli.render.code.functions:function_code",
+    ("function", "numpy"): "dhcli.render.code.functions:function_code",
+    ("function", "c"): "dhcli.render.code.functions:function_code",
+    ("function", "matlab"): "dhcli.render.code.functions:function_code",
+    ("function", "julia"): "dhcli.render.code.functions:function_code",
+    ("function", "javascript"): "dhcli.render.code.functions:function_code",
+    ("inverse function", "python"): "dhcli.render.code.inverses:inverse_code",
+    ("inverse function", "numpy"): "dhcli.render.code.inverses:inverse_code",
+    ("inverse function", "c"): "dhcli.render.code.inverses:inverse_code",
+    ("inverse function", "matlab"): "dhcli.render.code.inverses:inverse_code",
+    ("inverse function", "julia"): "dhcli.render.code.inverses:inverse_code",
+    ("inverse function", "javascript"): "dhcli.render.code.inverses:inverse_code",
     ("description", "urdf"): "dhcli.render.code.robots:description_urdf",
 }
 """Where the renderer of each kind of result and format stands; it is imported when it is needed."""
+
+_FUNCTIONS = ("pose", "let", "jacobian", "inverse", "derivation")
+"""Kinds of results whose commands write functions too."""
 
 _CONTENTS = {
     "pose": "dhcli.render.json.contents:forward_content",
@@ -161,6 +175,8 @@ _CONTENTS = {
     "velocity": "dhcli.render.json.velocity:velocity_content",
     "description": "dhcli.render.text.describe:description_content",
     "motors": "dhcli.render.text.motors:motors_content",
+    "function": "dhcli.render.code.functions:function_content",
+    "inverse function": "dhcli.render.text.derivation:derivation_content",
 }
 """Where each kind of result becomes what stands under `data` in JSON."""
 
@@ -169,7 +185,7 @@ _NOISE = 1e-9
 """What is smaller is taken for rounding and shown as 0."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Look:
     """How a result is to look.
 
@@ -233,6 +249,8 @@ def check_format(kind: str, name: str) -> None:
         hint = f"formats: {', '.join(formats(kind))}"
         known = {format_ for _, format_ in _RENDERERS} | {"json"}
         of = f" for {_NOUNS[kind]}" if name in known else ""
+        if ("function", name) in _RENDERERS and kind in _FUNCTIONS:
+            hint = f"a function that runs is --code {name}; {hint}"
         raise UnknownNameError(f"there is no format {name}{of}", hint)
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import os
 import shutil
 import unicodedata
-from dataclasses import dataclass
 from typing import TextIO
 
+from dhcli.frozen import frozen
 from dhcli.notation.names import GREEK
 from dhcli.safe import one_line
 
@@ -42,7 +42,7 @@ _IN_ASCII = str.maketrans(
 )
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Paper:
     """What text is written on.
 
@@ -79,7 +79,12 @@ class Paper:
 
     def aside(self, text: str) -> list[str]:
         """A line that leads on, for who looks at a window; none for a file or a pipe."""
-        return [self.ink(self.spell(text), "dim")] if self.terminal else []
+        if not self.terminal:
+            return []
+        from textwrap import wrap
+
+        lines = wrap(self.spell(text), self.width, break_on_hyphens=False)
+        return [self.ink(line, "dim") for line in lines]
 
 
 def is_colour_wanted() -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
@@ -14,7 +15,7 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Number
 from dhcli.scene.bodies import body_of
 from dhcli.scene.camera import Camera
-from dhcli.scene.primitives import Arrow, Scene
+from dhcli.scene.primitives import Arrow, Hand, Scene
 from dhcli.scene.skeleton import Skeleton
 from dhcli.scene.vectors import Frame, along, cross, dot, norm, sub, unit
 
@@ -187,3 +188,20 @@ def _extent(skeleton: Skeleton) -> float:
 
 def _mean(numbers: list[float]) -> float:
     return sum(numbers) / len(numbers) if numbers else 0.0
+
+
+EDGE_ON = 0.25
+"""Of a hand's width, what must be seen: a fork seen less wide passes for a stick."""
+
+
+def broadside(scene: Scene, camera: Camera) -> Hand | None:
+    """The hand, opening along its other axis where a reader would see it as one line."""
+    hand = scene.hand
+    if hand is None:
+        return None
+    other = cross(hand.forward, hand.across)
+    seen, turned = (
+        abs(dot(cross(*(scene.direction(hand.wrist.state, d) for d in (hand.forward, side))), camera.towards))
+        for side in (hand.across, other)
+    )
+    return replace(hand, across=other) if seen < EDGE_ON < turned else hand

@@ -34,7 +34,7 @@ class Ink:
             if shape.look in _LIGHT:
                 continue
             if shape.closed:
-                self._area(shape.points)
+                self._area(shape.points, LINE if shape.look == "grip" else AREA)
             if shape.look not in ("link", "ground-link"):
                 self._line((*shape.points, shape.points[0]) if shape.closed else shape.points)
 
@@ -67,7 +67,7 @@ class Ink:
                 if 0 <= i < columns and 0 <= j < rows:
                     cells[j * columns + i] = LINE
 
-    def _area(self, points: tuple[Flat, ...]) -> None:
+    def _area(self, points: tuple[Flat, ...], weight: int) -> None:
         """Cells whose middle is inside, row by row."""
         edges = list(zip(points, (*points[1:], points[0]), strict=True))
         top, bottom = min(y for _, y in points), max(y for _, y in points)
@@ -79,7 +79,7 @@ class Ink:
             for left, right in zip(cuts[::2], cuts[1::2], strict=False):
                 start, stop = max(0, round(left / CELL)), min(self.columns, round(right / CELL))
                 for at in range(j * self.columns + start, j * self.columns + stop):
-                    self.cells[at] = max(self.cells[at], AREA)
+                    self.cells[at] = max(self.cells[at], weight)
 
     def _sums(self) -> list[int]:
         """The summed-area table, made when it is first asked for."""

@@ -19,7 +19,7 @@ from dhcli.scene.painter import painted
 from dhcli.scene.primitives import Scene
 from dhcli.scene.shapes import Figure, Shape
 from dhcli.scene.skeleton import Skeleton
-from dhcli.scene.staging import LARGEST_DRUM, MARGIN, Paper, extent, foot, posed, stage_arm, values_at
+from dhcli.scene.staging import LARGEST_DRUM, MARGIN, Paper, extent, foot, posed, stage_arm, value_words, values_at
 from dhcli.scene.vectors import Flat, Vec
 
 if TYPE_CHECKING:
@@ -49,6 +49,7 @@ class Motion:
         steps: The step at which each moment is.
         view: Azimuth and elevation [deg].
         caption: What is shown.
+        values: The joint values of each moment, in joint order.
     """
 
     robot: Robot
@@ -57,6 +58,7 @@ class Motion:
     steps: tuple[int, ...]
     view: tuple[float, float]
     caption: str
+    values: tuple[str, ...] = ()
 
     def shapes(self, moment: int, camera: Camera) -> list[Shape]:
         """The arm at a moment, with the way of its end so far."""
@@ -111,10 +113,13 @@ def motion_of(  # noqa: PLR0913  what a figure of a robot takes, and where it go
     count = min(len(path), MOST_SCENES + 1)
     steps = tuple(round(k * (len(path) - 1) / max(count - 1, 1)) for k in range(count))
     scenes = [arm_scene(robot, {**full, **path[step]}, first.scene.unit) for step in steps]
+    if (hand := first.scene.hand) is not None:  # one way for all moments
+        scenes = [replace(one, hand=replace(one.hand, across=hand.across)) if one.hand else one for one in scenes]
     places = [scene.states[-1].origin for scene in scenes]
     if count < len(path):
         places = [_end(robot, {**full, **row}) for row in path]
-    return Motion(robot, tuple(scenes), tuple(places), steps, first.view, f"{first.caption} to {told}")
+    values = tuple(", ".join(value_words(path[step][name]) for name in robot.variables) for step in steps)
+    return Motion(robot, tuple(scenes), tuple(places), steps, first.view, f"{first.caption} to {told}", values)
 
 
 def moments(motion: Motion) -> list[Figure]:

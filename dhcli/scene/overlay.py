@@ -12,7 +12,7 @@ from dhcli.scene.labels import Wish
 from dhcli.scene.painter import turn_arc
 from dhcli.scene.primitives import Anchor, Arrow, Box, Dimension, Drum, Scene
 from dhcli.scene.shapes import Shape, arrowhead, ring
-from dhcli.scene.vectors import Flat, along
+from dhcli.scene.vectors import Flat, Vec, along, dot, norm, sub
 from dhcli.scene.words import Run, spelled
 
 END_ON = 0.13
@@ -24,8 +24,8 @@ OFFSETS = (24.0, 31.0, 38.0, 46.0, 58.0)
 SHORT, NOTHING = 22.0, 4.0
 """Dimensions shorter than this have their arrows outside; shorter than that only a label [px]."""
 
-BY_THE_HAND = 0.5
-"""The number of an axis goes to its other end where the hand is so much nearer to the first one."""
+PAST_THE_HAND = 0.6
+"""How far an axis that runs through the hand goes on behind the fingers, in its sizes, so that its number is free."""
 
 HEAD = 10.0
 
@@ -88,23 +88,31 @@ def joint_axes(scene: Scene, camera: Camera, first: int | None) -> tuple[list[Sh
     shapes: list[Shape] = []
     wishes: list[Wish] = []
     bodies = [solid for solid in scene.solids if isinstance(solid, Drum | Box)]
-    hand = camera.flat(scene.point(scene.hand.wrist)) if scene.hand else None
     for number, solid in enumerate(bodies, first or 1):
         centre = scene.point(solid.centre)
         axis = scene.direction(solid.centre.state, solid.axis)
-        reach = 3.2 * scene.unit
-        ends = [camera.flat(along(centre, axis, sign * reach)) for sign in (1, -1)]
+        ends = [camera.flat(along(centre, axis, sign * _reach(scene, centre, axis, sign))) for sign in (1, -1)]
         words = (Run(str(number)),)
-        if math.dist(*ends) < END_ON * 2 * reach * camera.scale:
+        if math.hypot(*camera.flat_direction(axis)) < END_ON:
             middle = camera.flat(centre)
             shapes.append(Shape(ring(middle, 2.0, 8), "axis-dot", closed=True))
             wishes.append(Wish((middle,), words, "number", (1.0, -1.0)))
             continue
         shapes.append(Shape(tuple(ends), "axis"))
-        if hand and math.dist(ends[0], hand) < BY_THE_HAND * math.dist(ends[1], hand):
-            ends.reverse()
         wishes.append(Wish(tuple(ends), words, "number", (ends[0][0] - ends[1][0], ends[0][1] - ends[1][1])))
     return shapes, wishes if first is not None else []
+
+
+def _reach(scene: Scene, centre: Vec, axis: Vec, sign: int) -> float:
+    """How far the axis of a joint is drawn on one side of its middle; where the hand is on it, past the hand."""
+    reach, hand = 3.2 * scene.unit, scene.hand
+    if hand is None:
+        return reach
+    tip = along(scene.point(hand.wrist), scene.direction(hand.wrist.state, hand.forward), hand.size)
+    far = sign * dot(sub(tip, centre), axis)
+    aside = norm(sub(tip, along(centre, axis, sign * far)))
+    is_through = aside < 0.5 * hand.size and reach - 2 * hand.size < far < reach + hand.size
+    return max(reach, far + PAST_THE_HAND * hand.size) if is_through else reach
 
 
 def pins(scene: Scene, camera: Camera, anchors: tuple[Anchor, ...]) -> list[Shape]:

@@ -141,14 +141,24 @@ def _is_inside(point: Vec, bodies: list[Body], camera: Camera) -> bool:
     return any(span and span[0] < 0 < span[1] for span in (body.span(point, camera.towards) for body in bodies))
 
 
-def _hand_pieces(scene: Scene, hand: Hand, camera: Camera) -> Iterator[Piece]:
-    state = hand.wrist.state
-    wrist = scene.point(hand.wrist)
+def grip(scene: Scene, hand: Hand, camera: Camera) -> Shape:
+    """What is between the fingers of the hand, where no label may stand."""
+    _, sides, tips = _fork(scene, hand)
+    return Shape(tuple(map(camera.flat, (*sides, *reversed(tips)))), "grip", closed=True)
+
+
+def _fork(scene: Scene, hand: Hand) -> tuple[Vec, tuple[Vec, Vec], tuple[Vec, Vec]]:
+    """The middle of the hand's bar, its ends, and the tips of the fingers."""
+    wrist, state = scene.point(hand.wrist), hand.wrist.state
     forward, across = (scaled(scene.direction(state, d), hand.size) for d in (hand.forward, hand.across))
     palm = along(wrist, forward, 0.3)
-    sides = [along(palm, across, sign * 0.38) for sign in (-1, 1)]
-    tips = [along(side, forward, 0.7) for side in sides]
-    for a, b in ((wrist, palm), (sides[0], sides[1]), (sides[0], tips[0]), (sides[1], tips[1])):
+    sides = along(palm, across, -0.38), along(palm, across, 0.38)
+    return palm, sides, (along(sides[0], forward, 0.7), along(sides[1], forward, 0.7))
+
+
+def _hand_pieces(scene: Scene, hand: Hand, camera: Camera) -> Iterator[Piece]:
+    palm, sides, tips = _fork(scene, hand)
+    for a, b in ((scene.point(hand.wrist), palm), (sides[0], sides[1]), (sides[0], tips[0]), (sides[1], tips[1])):
         yield Piece(middle(a, b), (camera.flat(a), camera.flat(b)), "hand", -1000)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from dhcli.errors import RobotError
 from dhcli.kinematics.conventions import NAMES
@@ -14,11 +14,11 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import Bare
 from dhcli.scene.arm import arm_scene, is_planar
 from dhcli.scene.camera import VIEWS, Camera
-from dhcli.scene.choice import best_pose, best_view, with_examples
+from dhcli.scene.choice import best_pose, best_view, broadside, with_examples
 from dhcli.scene.ink import Ink
 from dhcli.scene.labels import PRINT, Lettering, Rect, Wish, placed
 from dhcli.scene.overlay import dimensions, frames, joint_axes, pins, turn_wishes
-from dhcli.scene.painter import painted
+from dhcli.scene.painter import grip, painted
 from dhcli.scene.primitives import Ball, Box, Drum, Face, Scene
 from dhcli.scene.shapes import Figure, Shape, Text
 from dhcli.scene.skeleton import Skeleton
@@ -101,7 +101,8 @@ def stage_arm(
     scene = arm_scene(robot, every)
     if view is None:
         view = VIEWS["top"] if is_planar(Skeleton.of(robot, every)) else best_view(scene)
-    examples = ", ".join(f"{plain(named(name))} = {_shown(every[name])}" for name in made)
+    scene = replace(scene, hand=broadside(scene, Camera.at(*view)))
+    examples = ", ".join(f"{plain(named(name))} = {value_words(every[name])}" for name in made)
     caption = " · ".join(
         part for part in (robot.name, NAMES[robot.convention], shown, f"example: {examples}" * bool(made)) if part
     )
@@ -129,7 +130,7 @@ def figure_of(staged: Staged, paper: Paper | None = None, *, worksheet: bool = F
     scene = staged.scene
     shapes = [*pins(scene, camera, scene.pinned), *painted(scene, camera, turns=bool(scene.arrows) and not worksheet)]
     ink = Ink(paper.width, paper.height)
-    ink.add(shapes)
+    ink.add([*shapes, grip(scene, scene.hand, camera)] if scene.hand else shapes)
     wishes: list[Wish] = []
     over: list[Shape] = []
     if worksheet:
@@ -216,10 +217,11 @@ def posed(robot: Robot, q: JointInput, pose: str | None, full: Values, bare: Bar
 
 
 def _listed(values: Mapping[str, Value]) -> str:
-    return ", ".join(f"{plain(named(name))} = {_shown(value)}" for name, value in values.items())
+    return ", ".join(f"{plain(named(name))} = {value_words(value)}" for name, value in values.items())
 
 
-def _shown(value: Value) -> str:
+def value_words(value: Value) -> str:
+    """A joint value under a figure: degrees or metres, four digits."""
     if isinstance(value, Angle):
         return f"{value.constant() * 57.29577951308232:.4g}°"
     return f"{in_floats(value):.4g} m"

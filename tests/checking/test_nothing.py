@@ -133,3 +133,13 @@ def test_digits_count_in_the_unit_of_the_sheet(answer: str, verdict: Verdict) ->
     """Ten millimetres are not ten to half a millimetre, but two decimals are two decimals."""
     exercise, part = exercise_of('entry 1 4 of product "Rot(z, theta1) Trans(10.346, 20, 0)"', unit="mm")
     assert mark(exercise, part, answer).verdict is verdict
+
+
+@pytest.mark.parametrize(
+    ("answer", "verdict"),
+    [("six", Verdict.RIGHT), ("F = Six.", Verdict.RIGHT), ("seven", Verdict.WRONG), ("many", Verdict.CANNOT_READ)],
+)
+def test_a_count_may_be_a_number_word(answer: str, verdict: Verdict) -> None:
+    """Up to twelve, as a sentence has it."""
+    exercise, part = exercise_of("count mobility 6R", robot=None)
+    assert mark(exercise, part, answer).verdict is verdict

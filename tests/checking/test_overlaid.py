@@ -7,9 +7,10 @@ from dataclasses import replace
 import pytest
 
 from dhcli import load_robot
-from dhcli.checking.exercise import Case, Exercise, Overlaid
+from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.judge import Judge
 from dhcli.checking.kinds.made import question_about
+from dhcli.checking.returned import Overlaid
 from dhcli.cli.shell.overlaid import values_of
 from dhcli.files.library.lookup import Kind, entries
 from dhcli.files.yaml.exercises import load_exercise

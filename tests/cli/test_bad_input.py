@@ -70,7 +70,13 @@ from tests.cli.running import Run
         ("new robot x --convention modifed", "did you mean modified?"),
         ("new robt x", "did you mean robot?"),
         ("transform Rot(w,90°)", "x, y or z"),
-        ("transform Rot(z,90)", "write 90° or 90 rad"),
+        ("transform Rot(z,90)", "write 90° or 1.5708 rad"),
+        ("ik scara --target 0.3,0.3,0", "write --position 0.3,0.3,0, where"),
+        ("transform Rot(z,-1.5)", "write -1.5° or -1.5 rad"),
+        ("fk scara --rows q.csv", "did you mean --in FILE?"),
+        ("ik scara --rows q.csv", "did you mean --in FILE?"),
+        ("jacobian scara --in q.csv", "dhcli jacobian scara --rows q.csv"),
+        ("fk scara --q 30\udcc2\udcb0,0,0", "write deg, pi, sqrt, theta1"),
         ("transform Trans(1,2)", "Trans"),
         ("transform Rot(z,a)Trans(1,2,3) --set b=1", "b does not stand in the product"),
         ("transform Rot(z,a) --set a=3m", "m is a unit of length"),
@@ -125,6 +131,47 @@ def test_all_problems_of_a_file_are_told_at_once(dhcli: Run, tmp_path: Path) -> 
     assert all(line.startswith("dhcli: bad.yaml:") for line in heads)
     assert "did you mean title?" in done.err
     assert "did you mean standard?" in done.err
+
+
+@pytest.mark.parametrize("point", ["0.3 0.3 0", "[0.3, 0.3, 0]", "(0.3  0.3 0)", "[0.3 0.3 0]"])
+def test_a_position_where_a_pose_is_wanted_is_sent_to_its_option(dhcli: Run, point: str) -> None:
+    """However its numbers are parted."""
+    done = dhcli("ik", "scara", point)
+    assert done.code == 2
+    assert "write --position 0.3,0.3,0, where the turn is free" in done.err
+
+
+def test_many_rows_behind_q_are_sent_where_rows_go(dhcli: Run, tmp_path: Path) -> None:
+    """A file of one pose is read; of ten it is not said that scara has thirty joints."""
+    rows = tmp_path / "q.csv"
+    rows.write_text("0.1, 0.2, 0.3\n", "utf-8")
+    assert dhcli("fk", "scara", "--q", f"@{rows}").code == 0
+    rows.write_text("0.1, 0.2, 0.3\n" * 10, "utf-8")
+    done = dhcli("fk", "scara", "--q", f"@{rows}")
+    assert done.code == 2
+    assert "10 rows of 3 values, and one pose is wanted" in done.err
+    assert f"fk --in {rows}" in done.err
+
+
+@pytest.mark.parametrize("name", ["arm.urdf", "arm.xacro"])
+@pytest.mark.parametrize("text", ["format: 1\n", "robot = 3\n"])
+def test_a_urdf_that_is_no_xml_is_not_read_as_yaml(dhcli: Run, tmp_path: Path, name: str, text: str) -> None:
+    """Its name says what it should be."""
+    (tmp_path / name).write_text(text, "utf-8")
+    done = dhcli("fk", str(tmp_path / name), "--q", "0")
+    assert done.code == 2
+    assert f"{name}:1: is no XML" in done.err
+    assert "unknown key" not in done.err
+
+
+@pytest.mark.parametrize("text", ['{"data": {"x": 1}}', '{"matrix": [[1, 2]]}', '{ "matrix": "none"}'])
+def test_json_without_a_pose_is_told_as_json(dhcli: Run, tmp_path: Path, text: str) -> None:
+    """By every command that reads a pose."""
+    (tmp_path / "pose.json").write_text(text, "utf-8")
+    for words in (("ik", "puma560", "--target", f"@{tmp_path / 'pose.json'}"), ("transform", text)):
+        done = dhcli(*words)
+        assert done.code == 2
+        assert "this JSON holds no 4x4 matrix" in done.err
 
 
 @pytest.mark.parametrize("steering", ["\x1b[31mred", "\x9b31mred", "a\rb", "\u202eevil", "[bold]x[/bold]", ":smile:"])

@@ -84,3 +84,45 @@ def test_every_description_is_told_to_whoever_asks_for_another() -> None:
     """URDF among them, which is a file besides."""
     hint = run("describe", "puma560", "--as", "foo").err.splitlines()[-1]
     assert all(form in hint for form in ("standard", "modified", "axes", "screws", "body-screws", "product", "urdf"))
+
+
+MEASURED = """
+format: 1
+title: An arm as it was measured
+source: made up
+convention: standard
+variables: [theta1, theta2]
+links:
+  - {a: 0.42, alpha: 0.00005 rad, d: 574.3, theta: theta1}
+  - {a: 0.39, alpha: 0, d: -574.3, theta: theta2}
+"""
+
+
+def test_axes_are_straightened_on_request_and_it_is_said(tmp_path: Path) -> None:
+    """On the screen, in JSON, and in and beside a file that is written."""
+    path = tmp_path / "measured.yaml"
+    path.write_text(MEASURED, encoding="utf-8")
+    assert "574.3" in run("describe", str(path), "--as", "standard").out
+    out = run("describe", str(path), "--straighten", "0.01°").out
+    assert "574.3" not in out
+    assert "straightened within 0.000174533 rad, so not the same robot" in out
+    assert "theta2 is turned by 0.0029°: parallel to theta1" in out
+    assert "the same motion as the straightened robot" in out
+    data = json.loads(run("describe", str(path), "--straighten", "1e-4", "--format", "json").out)["data"]
+    assert set(data["straightened"]) == {"within", "exact", "tip", "turn", "strokes", "changes"}
+    assert data["straightened"]["exact"] is False
+    assert [change["joint"] for change in data["straightened"]["changes"]] == ["theta2", "end"]
+    written = run("describe", str(path), "--straighten", "1e-4", "-o", str(tmp_path / "s.yaml"))
+    assert "not the same robot" in written.err
+    assert "not the same robot" in (tmp_path / "s.yaml").read_text("utf-8")
+
+
+@pytest.mark.parametrize(
+    ("angle", "message"),
+    [("10", "up to 5°"), ("0", "above 0"), ("1 mm", "angle is wanted"), ("a", "a is no number"), ("1e-4 +", "")],
+)
+def test_an_angle_to_straighten_within_is_read_with_care(angle: str, message: str) -> None:
+    """Exit 2, and what would be right."""
+    result = run("describe", "ur5e", "--straighten", angle)
+    assert result.code == 2
+    assert message in result.err

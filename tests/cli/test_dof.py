@@ -1,5 +1,7 @@
 """`dhcli dof`: the formula, whether to believe it, and the truth."""
 
+from pathlib import Path
+
 import pytest
 
 from tests.cli.running import Run
@@ -116,3 +118,15 @@ def test_one_constraint_repeats_and_three_repeat(dhcli: Run) -> None:
     """The verb follows the number."""
     assert "1 constraint repeats others" in dhcli("dof", "sarrus").out
     assert "3 constraints repeat others" in dhcli("dof", "bennett").out
+
+
+def test_a_urdf_is_counted_as_the_chain_that_it_holds(dhcli: Run, tmp_path: Path) -> None:
+    """As a robot file is."""
+    joint = '<joint name="j{0}" type="{1}"><parent link="l{0}"/><child link="l{2}"/><axis xyz="0 0 1"/></joint>'
+    links = "".join(f'<link name="l{i}"/>' for i in range(3))
+    joints = joint.format(0, "continuous", 1) + joint.format(1, "continuous", 2)
+    path = tmp_path / "arm.urdf"
+    path.write_text(f'<robot name="arm">{links}{joints}</robot>', "utf-8")
+    done = dhcli("dof", str(path))
+    assert done.code == 0
+    assert "n = 3 links with the ground · j = 2 joints" in done.out

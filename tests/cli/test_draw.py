@@ -184,6 +184,14 @@ def test_an_exercise_about_a_table_is_drawn_without_what_the_table_says(dhcli: R
     assert "dhcli draw yim/stanford-arm draws" in dhcli("start", "yim/stanford-arm", "-o", str(tmp_path / "s.yaml")).err
 
 
+@pytest.mark.parametrize(
+    ("exercise", "pose"), [("yim/dh-process", "zero"), ("zhou/puma200-table", "zero"), ("yim/stanford-arm", "zero")]
+)
+def test_frames_are_asked_in_the_pose_in_which_the_arm_is_drawn(dhcli: Run, exercise: str, pose: str) -> None:
+    """Though another would show it better."""
+    assert f"pose {pose} " in " ".join(dhcli("draw", exercise).out.split())
+
+
 def test_an_exercise_in_numbers_is_drawn_at_its_own_values_with_frames(dhcli: Run, tmp_path: Path) -> None:
     """Where the arm stands is given there; where the frames lead is asked."""
     path = tmp_path / "task.svg"

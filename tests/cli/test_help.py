@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import re
 from pathlib import Path
 
@@ -93,3 +94,14 @@ def test_a_long_page_goes_to_the_pager(tmp_path: Path, monkeypatch: pytest.Monke
     with Terminal(tmp_path, "help", "conventions", own_process=True) as terminal:
         assert "the pager has" in terminal.until(r"lines")
         assert terminal.end() == 0
+
+
+@pytest.mark.parametrize("name", app.COMMANDS)
+def test_examples_of_help_fit_a_usual_window(dhcli: Run, name: str) -> None:
+    """At 80 columns none of them is folded, so that it can be copied in one go."""
+    lines = dhcli(name, "--help").out.split("\n")
+    examples = [line.strip() for line in lines if line.startswith(" dhcli ")]
+    module = importlib.import_module(f"dhcli.cli.commands.{name}")
+    typed = [line for line in getattr(module, "EXAMPLES", "").split("\n") if line.startswith("dhcli ")]
+    assert all(len(line) <= 78 for line in typed), max(typed, key=len)
+    assert set(typed) <= set(examples)

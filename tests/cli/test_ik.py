@@ -202,8 +202,8 @@ def test_a_derivation_is_written_for_papers_and_programs(dhcli: Run) -> None:
     assert dhcli("ik", "planar-2r", "--derive", "--format", "latex").out.startswith(
         "\\begin{aligned}\n\\theta_{2} &= \\pm "
     )
-    assert "def inverse(T, a1=0.4, a2=0.3):" in dhcli("ik", "planar-2r", "--derive", "--format", "numpy").out
-    assert "function solutions = inverse(T, a1, a2)" in dhcli("ik", "planar-2r", "--derive", "--format", "matlab").out
+    assert "def inverse(T, a1=0.4, a2=0.3):" in dhcli("ik", "planar-2r", "--code", "numpy").out
+    assert "function solutions = inverse(T, a1, a2)" in dhcli("ik", "planar-2r", "--derive", "--code", "matlab").out
 
 
 @pytest.mark.parametrize(
@@ -393,3 +393,35 @@ def test_letters_in_a_pose_lead_to_the_derivation(dhcli: Run, pose: tuple[str, s
     done = dhcli("ik", "puma560", *pose)
     hint = "a pose to reach is in numbers; --derive gives the formulas in letters"
     assert (done.code, done.err) == (2, f"dhcli: {pose[0]}: x has no value\n  hint: {hint}\n")
+
+
+def test_a_matrix_of_few_decimals_is_told_to_be_taken_for_the_nearest_rotation(dhcli: Run) -> None:
+    """One decimal lets an entry be 0.05 off; one that is a rotation to the last digit needs no word."""
+    done = dhcli("ik", "puma560", "--target", "[1 0.1 0 0.4; 0 1 0 0.1; 0 0 1 0.2; 0 0 0 1]")
+    left, _, right = np.linalg.svd([[1, 0.1, 0], [0, 1, 0], [0, 0, 1]])
+    apart = np.abs(left @ right - [[1, 0.1, 0], [0, 1, 0], [0, 0, 1]]).max()
+    said = "a matrix with 1 decimal is a rotation to its digits; the nearest rotation is taken"
+    assert (done.code, done.err) == (0, f"dhcli: warning: {said}, an entry of it {apart:.2g} away\n")
+    assert dhcli("ik", "puma560", "--target", "[0.6 -0.8 0 0.4; 0.8 0.6 0 0.1; 0 0 1 0.2; 0 0 0 1]").err == ""
+
+
+def test_the_column_of_distances_ascends_and_is_what_the_joints_have_to_move(dhcli: Run) -> None:
+    """Panda's fourth joint has no turn to spare: the short way round is barred to it."""
+    done = dhcli("ik", "panda", "--pose", "ready", "--near", "ready")
+    head, *rows = [line.split() for line in done.out.splitlines() if line.strip().startswith(("#", *"12345678"))][1:]
+    distances = [float(row[head.index("distance")]) for row in rows]
+    assert len(distances) == 8
+    assert distances == sorted(distances)
+    robot = load_robot("panda")
+    found = inverse(robot, forward(robot, "ready"), near="ready")
+    there = np.asarray([0, -45, 0, -135, 0, 90, 45])
+    for row, q, distance in zip(rows, found, distances, strict=True):
+        assert [float(cell.rstrip("°")) for cell in row[1:8]] == pytest.approx(np.degrees(q), abs=1e-3)
+        assert math.hypot(*np.radians(np.degrees(q) - there)) == pytest.approx(distance, abs=1e-4)
+
+
+def test_noise_is_no_part_of_the_name_of_a_branch(dhcli: Run) -> None:
+    """A joint at 0 is called 0°, not a hundred-thousandth of a millionth of a degree."""
+    done = dhcli("ik", "panda", "--pose", "ready", "--hold", "theta1=0", "--within-limits")
+    assert "theta1 = 0°" in done.out
+    assert "e-" not in done.out

@@ -146,7 +146,7 @@ def test_singularities_at_joint_values_say_how_far_they_are(dhcli: Run) -> None:
     """Rank, singular values, manipulability; the nearest factor first."""
     out = dhcli("singularities", "articulated", "--q", "30,60,-75", "--deg").out
     assert "here: rank 3 (full); singular values 0.6044, 0.4898, 0.1918\n" in out
-    assert "s3 = 0: -0.9659 here, about 1.309 rad (75.0°) away\n" in out
+    assert "s3 = 0: -0.9659 here, 1.309 rad (75.0°) away\n" in out
     stretched = dhcli("singularities", "articulated", "--q", "30,60,0", "--deg").out
     assert "here: rank 2: 1 less than elsewhere" in stretched
     assert "condition without bound" in stretched
@@ -168,12 +168,29 @@ def test_singularities_have_exactly_these_keys(dhcli: Run) -> None:
     assert set(there["factors"][0]) == {"factor", "values", "distance"}
 
 
-def test_a_pose_from_which_no_small_motion_leads_is_told(dhcli: Run) -> None:
-    """The arm stretched out level: no joint changes the distance from axis 1 at first; JSON has no infinity."""
+def test_a_stretched_arm_is_as_far_from_its_singular_pose_as_its_joints_have_to_move(dhcli: Run) -> None:
+    """Level, no joint changes the distance from axis 1 at first; a grid of both joints finds no shorter way."""
     words = ("singularities", "articulated", "--q", "0,0,0")
-    assert "a2*c2 + a3*c23 = 0: 0.7 here, out of reach from here\n" in dhcli(*words).out
-    there = dhcli(*words, "--format", "json").data["at"]["factors"]
-    assert [one["distance"] for one in there] == [0.0, None]
+    two, three = np.meshgrid(np.linspace(-2, 2, 2001), np.linspace(-2, 2, 2001))
+    there = 0.4 * np.cos(two) + 0.3 * np.cos(two + three) <= 0
+    least = np.hypot(two, three)[there].min()
+    factors = dhcli(*words, "--format", "json").data["at"]["factors"]
+    assert [one["distance"] for one in factors] == [0.0, pytest.approx(least, abs=3e-3)]
+    assert f"a2*c2 + a3*c23 = 0: 0.7 here, {factors[1]['distance']:.4g} rad" in dhcli(*words).out
+
+
+def test_a_factor_that_no_joint_makes_zero_has_no_distance(dhcli: Run, tmp_path: Path) -> None:
+    """The lower arm is too short to bring the end back to axis 1; JSON has no infinity."""
+    robot = tmp_path / "long.yaml"
+    robot.write_text(
+        "format: 1\ntitle: Long shoulder\nsource: made for a test\nconvention: standard\n"
+        "variables: [t1, t2]\nparameters: {a1: 0.5, a2: 0.3}\n"
+        "links:\n  - {alpha: 90°, a: a1, d: 0, theta: t1}\n  - {alpha: 0, a: a2, d: 0, theta: t2}\n"
+    )
+    words = ("singularities", str(robot), "--q", "0.2,0.3")
+    done = dhcli(*words, "--format", "json").data
+    assert [one["distance"] for one in done["at"]["factors"] if one["values"][0] > 0.5] == [None]
+    assert "out of reach from here" in dhcli(*words).out
 
 
 @pytest.mark.parametrize(

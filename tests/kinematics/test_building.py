@@ -170,6 +170,26 @@ def test_what_is_saved_is_loaded(name: str, tmp_path: Path) -> None:
         robot.save(path)
 
 
+def test_what_was_spelled_in_another_way_is_equal_when_it_is_loaded_again(tmp_path: Path) -> None:
+    """A product keeps its author's spelling, which makes no other robot."""
+    head = "{format: 1, title: t, source: s, convention: product, variables: [q1], links: "
+    made = {
+        "text": Robot.from_text(head + "['Rot(z, q1)   Trans(400 mm, 0, 0)']}", name="text"),
+        "screws": Robot.from_screws([(0, 0, 1, 0, 0, 0)], "Trans(0.7, 0, 0)", name="screws"),
+    }
+    for name, robot in made.items():
+        robot.save(tmp_path / f"{name}.yaml")
+        assert load_robot(tmp_path / f"{name}.yaml") == robot, name
+    assert made["text"] != made["screws"]
+
+
+def test_the_name_of_a_file_is_no_urdf() -> None:
+    """What reads it is named."""
+    with pytest.raises(DhcliError, match="no XML") as caught:
+        Robot.from_urdf("arm.urdf")
+    assert "load_robot('arm.urdf')" in str(caught.value.problems[0].hint)
+
+
 def test_the_library_is_listed_and_its_own_robot_found_behind_one_of_the_same_name(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -26,8 +26,9 @@ from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
 from dhcli.kinematics.actuators import inverse as undone
 from dhcli.kinematics.drives import actuators, read_drive
+from dhcli.kinematics.limits import warnings
 from dhcli.kinematics.motors import in_motors
-from dhcli.kinematics.values import joint_values, numbers, parameter_values, warnings
+from dhcli.kinematics.values import joint_values, numbers, parameter_values
 from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
 

@@ -7,9 +7,10 @@ import pytest
 
 from dhcli.errors import NotationError, RobotError
 from dhcli.files.yaml.robots import load_robot
+from dhcli.kinematics.entries import rounded
 from dhcli.kinematics.forward import factors, forward, symbolic, textbook_form
 from dhcli.kinematics.moves import read_chain, spelled
-from dhcli.kinematics.pose import Pose, rounded
+from dhcli.kinematics.pose import Pose
 
 
 def test_the_inner_frames_of_a_product_must_be_the_same() -> None:

@@ -73,7 +73,10 @@ def test_a_transform_takes_a_printed_matrix_and_says_so() -> None:
     assert np.array(result.pose.rows, float)[:2, :2] == pytest.approx(
         np.array([[0.87, -0.5], [0.5, 0.87]]) / math.hypot(0.87, 0.5), abs=1e-12
     )
-    assert result.warnings == ("a matrix with 2 decimals is a rotation to its digits; the nearest rotation is taken",)
+    said = (
+        "a matrix with 2 decimals is a rotation to its digits; the nearest rotation is taken, an entry of it 0.003 away"
+    )
+    assert result.warnings == (said,)
     with pytest.raises(NotationError, match="this matrix is no pose: column 1 is not a unit vector"):
         read_product("[0.9 -0.5 0 1; 0.5 0.87 0 2; 0 0 1 3; 0 0 0 1]", Place("product"))
     assert (

@@ -11,8 +11,9 @@ import pytest
 from dhcli.errors import DhcliError, NotationError, Place, RobotError
 from dhcli.files.yaml.robots import load_robot
 from dhcli.kinematics.forward import forward, symbolic
+from dhcli.kinematics.limits import warnings
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.values import Value, given_parameters, joint_values, numbers, parameter_values, warnings
+from dhcli.kinematics.values import Value, given_parameters, joint_values, numbers, parameter_values
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import number
 

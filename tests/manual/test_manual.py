@@ -177,11 +177,33 @@ def test_the_exercise_file_in_the_reference_has_nothing_to_mend(tmp_path: Path) 
     assert [str(told.problem) for told in lint([str(path)]).told] == []
 
 
-def test_the_site_is_made_of_the_same_pages(tmp_path: Path) -> None:
-    """MkDocs takes them with no warning, and refuses a link that leads nowhere."""
+def site(config: Path, into: Path) -> subprocess.CompletedProcess[str]:
+    """The manual as a site, as the README has it made."""
     if importlib.util.find_spec("mkdocs") is None:
         pytest.skip("mkdocs is not installed: pip install -e '.[docs]'")
-    words = [sys.executable, "-m", "mkdocs", "build", "--strict", "-f", ".ci/mkdocs.yml", "-d", str(tmp_path)]
-    done = subprocess.run(words, cwd=ROOT, capture_output=True, encoding="utf-8", check=False)
+    words = [sys.executable, "-m", "mkdocs", "build", "--strict", "-f", str(config), "-d", str(into)]
+    return subprocess.run(words, cwd=ROOT, capture_output=True, encoding="utf-8", check=False)
+
+
+def test_the_site_is_made_of_the_same_pages(tmp_path: Path) -> None:
+    """MkDocs takes them with no warning."""
+    done = site(Path(".ci/mkdocs.yml"), tmp_path)
     assert done.returncode == 0, done.stderr
     assert (tmp_path / "tutorial" / "student" / "index.html").is_file()
+
+
+@pytest.mark.parametrize("link", ["nowhere.md", "page.md#nowhere"])
+def test_the_site_is_refused_with_a_broken_link(tmp_path: Path, link: str) -> None:
+    """To a page that is not there, or to a heading that is not; the same page without it is taken."""
+    settings = (ROOT / ".ci" / "mkdocs.yml").read_text("utf-8").replace("../dhcli/manual", "docs")
+    config, page = tmp_path / "mkdocs.yml", tmp_path / "docs" / "page.md"
+    config.write_text(settings, "utf-8")
+    page.parent.mkdir()
+    (page.parent / "index.md").write_text("# A manual\n\nIt has [a page](page.md).\n", "utf-8")
+    page.write_text("# A page\n", "utf-8")
+    done = site(config, tmp_path / "site")
+    assert done.returncode == 0, done.stderr
+    page.write_text(f"# A page\n\n[This]({link}) leads nowhere.\n", "utf-8")
+    done = site(config, tmp_path / "site")
+    assert done.returncode != 0
+    assert "nowhere" in done.stderr

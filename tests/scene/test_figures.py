@@ -18,7 +18,7 @@ from dhcli.scene.linkages import linkage_figure
 from dhcli.scene.primitives import Drum
 from dhcli.scene.shapes import Figure, Text
 from dhcli.scene.staging import Paper, figure_of, foot, stage_arm
-from dhcli.scene.words import Run, spelled
+from dhcli.scene.words import spelled
 from tests.nightly import NIGHT
 from tests.scene.examples import LINKAGES, ROBOTS, long_robot, odd_robots
 
@@ -219,15 +219,19 @@ def test_a_long_caption_stands_on_two_lines_and_loses_nothing() -> None:
     assert "".join(run.text for run in foot("word " * 200, "", Paper())[-1].words).endswith("…")
 
 
-def test_the_number_of_an_axis_is_not_in_the_hand() -> None:
-    """Of the two ends of an axis it stands at the one without fingers."""
-    staged = stage_arm(load_robot("scara"))
-    assert staged.scene.hand
-    figure = figure_of(staged, worksheet=True)
-    (three,) = [text for text in figure.texts if text.look == "number" and text.words == (Run("3"),)]
-    fingers = [shape for shape in figure.shapes if shape.look.startswith("hand")]
+@pytest.mark.parametrize("name", [name for name in ROBOTS if load_robot(name).variables])
+def test_no_number_of_an_axis_stands_in_the_hand(name: str) -> None:
+    """Neither between the fingers nor on them: the axis goes on behind them."""
+    figure = figure_of(stage_arm(load_robot(name)), worksheet=True)
+    fingers = [point for shape in figure.shapes if shape.look == "hand" for point in shape.points]
     assert fingers
-    assert three.at[1] < min(y for shape in fingers for _, y in shape.points) - 100
+    xs, ys = zip(*fingers, strict=True)
+    hand = Rect(min(xs), min(ys), max(xs), max(ys))
+    for text in figure.texts:
+        if text.look == "number":
+            x, y = text.at[0], text.at[1] - 0.26 * text.size
+            half = 0.3 * text.size  # of the digit itself
+            assert not hand.meets(Rect(x - half, y - half, x + half, y + half)), text
 
 
 def test_an_open_chain_without_points_goes_there_and_back_along_straight_lines() -> None:

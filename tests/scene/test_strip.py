@@ -6,6 +6,8 @@ import pytest
 
 from dhcli import forward, load_robot
 from dhcli.kinematics.values import joint_values
+from dhcli.scene.camera import Camera
+from dhcli.scene.choice import EDGE_ON
 from dhcli.scene.motion import MOST_SCENES, between, moments, motion_of
 from dhcli.scene.strip import CELL, MOMENTS, strip_figure
 
@@ -65,3 +67,31 @@ def test_what_stands_still_does_so_in_every_moment_of_an_animation() -> None:
     plates = {shape.points for figure in figures for shape in figure.shapes if shape.look == "plate"}
     assert len(plates) == 1
     assert len(figures) == 25
+
+
+@pytest.mark.parametrize(("name", "start", "end"), [("scara", "zero", "pick"), ("panda", "ready", "square")])
+def test_each_moment_of_a_strip_has_its_joint_values_below(name: str, start: str, end: str) -> None:
+    """In joint order, those of both poses at the ends, and never wider than its cell."""
+    robot = load_robot(name)
+    figure = strip_figure(motion_of(robot, pose=start, to=end))
+    told = [text for text in figure.texts if text.at[1] > CELL and text.look == "number"]
+    assert len(told) == MOMENTS
+    for text, pose in ((told[0], start), (told[-1], end)):
+        typed = "".join(run.text for run in text.words)
+        assert joint_values(robot, typed) == dict(zip(robot.variables, robot.poses[pose], strict=True))
+    assert all(0.53 * text.size * sum(len(run.text) for run in text.words) <= CELL for text in told)
+
+
+@pytest.mark.parametrize(("name", "start", "end"), [("panda", "ready", "square"), ("puma560", "ready", "nominal")])
+def test_a_hand_is_seen_as_a_fork_and_opens_one_way_in_all_moments(name: str, start: str, end: str) -> None:
+    """Edge-on it would pass for a stick; and it may not turn from picture to picture but with its joint."""
+    motion = motion_of(load_robot(name), pose=start, to=end)
+    first = motion.scenes[0]
+    assert first.hand is not None
+    camera = Camera.at(*motion.view)
+    state = first.hand.wrist.state
+    (ax, ay), (bx, by) = (
+        camera.flat_direction(first.direction(state, side)) for side in (first.hand.forward, first.hand.across)
+    )
+    assert abs(ax * by - ay * bx) > EDGE_ON
+    assert {scene.hand.across for scene in motion.scenes if scene.hand} == {first.hand.across}

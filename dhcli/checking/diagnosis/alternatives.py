@@ -11,8 +11,9 @@ from dataclasses import dataclass
 from typing import Generic, TypeVar
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Reading
+from dhcli.checking.exercise import Case
 from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.returned import Reading
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import NotationError
 

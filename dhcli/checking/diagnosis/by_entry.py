@@ -7,18 +7,18 @@ in a single entry.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from functools import partial
 from operator import itemgetter
 
+from dhcli.checking.diagnosis.bench import terms
 from dhcli.checking.diagnosis.mistakes import BY_ID
 from dhcli.checking.diagnosis.mistakes.in_terms import TERM_MAKERS, Among, among_of, place_in
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.diagnosis.search import Search
 from dhcli.checking.diagnosis.slips import slip_of
 from dhcli.checking.diagnosis.typed import TypedMatrix
-from dhcli.checking.diagnosis.work import terms
-from dhcli.checking.exercise import Causes
+from dhcli.checking.returned import Causes
+from dhcli.frozen import frozen
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import operations
 
@@ -31,7 +31,7 @@ Found = dict[tuple[str, str], None]
 """Slips that give an entry, each by its name and what it is about, in the order in which they are named."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class EntryCauses:
     """What slips in the terms of wrong entries explain an answer.
 
@@ -44,7 +44,7 @@ class EntryCauses:
     more: Causes = ()
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class WrongEntry:
     """An entry that is wrong.
 

@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
 from dhcli.checking.diagnosis.work import Matrix
 from dhcli.checking.truth import is_length
 from dhcli.checking.wanted import Wanted
+from dhcli.frozen import frozen
 
 MOST = {"singles": 0.05, "pairs": 0.01}
 """How many candidates may be met by chance. One slip is likely in itself; two at once have to show more."""
@@ -27,7 +27,7 @@ OUTER = 8
 """A part of so many is left out of a range at either end."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Evidence:
     """The entries of an answer at one point, in a row.
 

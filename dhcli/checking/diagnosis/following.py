@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from dhcli.checking.diagnosis.bench import inverse, product
 from dhcli.checking.diagnosis.search import matches, search_of
 from dhcli.checking.diagnosis.typed import typed_answer
-from dhcli.checking.diagnosis.work import inverse, product
 from dhcli.checking.entries import Entries
-from dhcli.checking.exercise import Case, Matrices, Points, Reading
+from dhcli.checking.exercise import Case
 from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.returned import Matrices, Points, Reading
 from dhcli.checking.truth import piece_of
 from dhcli.checking.wanted import Wanted
 from dhcli.errors import DhcliError

@@ -17,10 +17,10 @@ from dhcli.checking.orientations import not_orthonormal
 from dhcli.checking.wanted import Wanted
 from dhcli.geometry.rigid import Rigid
 from dhcli.geometry.vectors import UNITS, Vector, dot, length, plus, scaled
+from dhcli.kinematics.entries import rounded
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.frames import View, between, frame
 from dhcli.kinematics.moves import Chain
-from dhcli.kinematics.pose import rounded
 from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Symbol
 from dhcli.notation.writer import write

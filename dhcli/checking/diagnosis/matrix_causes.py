@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from dhcli.checking.diagnosis.bench import terms
 from dhcli.checking.diagnosis.by_entry import matrix_entry_causes
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.diagnosis.search import search_of
 from dhcli.checking.diagnosis.slips import candidates, setting_of
 from dhcli.checking.diagnosis.typed import TypedMatrix, typed_answer
-from dhcli.checking.diagnosis.work import Work, right_work, terms
+from dhcli.checking.diagnosis.work import Work, right_work
 from dhcli.checking.entries import Entries, entries_text
-from dhcli.checking.exercise import Case, Causes, Exercise
+from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.other_unit import plain_unit
+from dhcli.checking.returned import Causes
 from dhcli.checking.truth import is_length, truth_of
 from dhcli.checking.units import on_sheet
 from dhcli.checking.wanted import Wanted

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import IntEnum
+
+from dhcli.frozen import frozen
 
 
 class Rank(IntEnum):
@@ -14,7 +15,7 @@ class Rank(IntEnum):
     SYMPTOM = 2
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Slip:
     """A mistake in its place.
 
@@ -31,7 +32,7 @@ class Slip:
     rank: Rank = Rank.PLACE
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Diagnosis:
     """Why an answer is wrong.
 

@@ -10,12 +10,13 @@ import re
 from collections.abc import Sequence
 from itertools import product
 
+from dhcli.checking.diagnosis.bench import Bench
 from dhcli.checking.diagnosis.mistakes import BY_ID
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.diagnosis.search import Numbers, matches
 from dhcli.checking.diagnosis.slips import Candidate
-from dhcli.checking.diagnosis.work import Bench, Work
-from dhcli.checking.exercise import Causes
+from dhcli.checking.diagnosis.work import Work
+from dhcli.checking.returned import Causes
 
 PAIR = 2
 

@@ -15,10 +15,11 @@ from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.points import general
+from dhcli.checking.diagnosis.bench import Bench, Folds
 from dhcli.checking.diagnosis.chance import Evidence, is_chance, lengths_of
 from dhcli.checking.diagnosis.mistakes import MISTAKES
 from dhcli.checking.diagnosis.slips import Candidate, candidates, setting_of
-from dhcli.checking.diagnosis.work import Bench, Folds, Matrix, Multiplied, Work, right_work
+from dhcli.checking.diagnosis.work import Matrix, Multiplied, Work, right_work
 from dhcli.checking.exercise import Memo
 from dhcli.checking.truth import chain_of, is_length
 from dhcli.checking.wanted import Wanted

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from dhcli.checking.diagnosis.mistakes import BY_ID, MISTAKES, Level, Mistake
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.diagnosis.work import Factor, Setting, Work
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.wanted import Wanted
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import Convention, Row
 from dhcli.kinematics.frames import View
 from dhcli.kinematics.robot import Robot
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Candidate:
     """Slips, and the work that holds them.
 

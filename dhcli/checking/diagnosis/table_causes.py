@@ -9,11 +9,12 @@ from __future__ import annotations
 
 from functools import reduce
 
+from dhcli.checking.diagnosis.bench import Bench, product
 from dhcli.checking.diagnosis.row_by_row import each_in_a_row, same_in_rows, slips_by_row
 from dhcli.checking.diagnosis.search import Numbers, matches, point
 from dhcli.checking.diagnosis.slips import Candidate, table_candidates, table_work
-from dhcli.checking.diagnosis.work import Bench, product
-from dhcli.checking.exercise import Case, Causes, Exercise
+from dhcli.checking.exercise import Case, Exercise
+from dhcli.checking.returned import Causes
 from dhcli.checking.tables.answer import ends_on_axis
 from dhcli.checking.tables.cells import given_values, own_values
 from dhcli.checking.tables.comparing import SAME_ROBOT, compare_of

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 
+from dhcli.frozen import frozen
 from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Expr, Product, Sum, Symbol, Trig, add, is_negative, multiply, negate
 from dhcli.notation.walk import rebuild, walk
 from dhcli.notation.writer import write
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Piece:
     """A term of a sum that stands somewhere in an expression.
 

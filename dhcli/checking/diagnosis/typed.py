@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dhcli.checking.diagnosis.search import SAME, Numbers, Search, search_of
 from dhcli.checking.entries import Entries, Entry
 from dhcli.checking.exercise import Case
@@ -11,13 +9,14 @@ from dhcli.checking.symbolic import has_decimals
 from dhcli.checking.tolerance import typed_decimals, without_unit
 from dhcli.checking.truth import is_length
 from dhcli.checking.wanted import Wanted
+from dhcli.frozen import frozen
 from dhcli.notation.walk import symbols
 
 ROUGH = 1e-3
 """What decimals in the place of exact values may be off, as a share."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class TypedMatrix:
     """An answer in numbers.
 

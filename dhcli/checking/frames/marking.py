@@ -9,7 +9,7 @@ from dhcli.checking.frames.reading import TypedFrame
 from dhcli.checking.frames.rows import table_of
 from dhcli.checking.frames.rules import ORIGIN_CELL, X_CELL, Z_CELL, Broken, Rules
 from dhcli.checking.frames.sketch import Sketch
-from dhcli.checking.tables.cells import table_text
+from dhcli.checking.tables.cells import dh_table_text
 from dhcli.checking.units import on_sheet
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
 from dhcli.geometry.vectors import dot
@@ -39,7 +39,7 @@ def mark_frames(exercise: Exercise, rules: Rules, typed: Sequence[TypedFrame]) -
     expected = frames_text(sketch.frames, exercise)
     if not broken:
         remarks = tuple(_freedoms(rules, typed))
-        rows = table_text(table_of(sketch, [one.frame for one in typed]), sketch.robot.columns, exercise.writing)
+        rows = dh_table_text(table_of(sketch, [one.frame for one in typed]), sketch.robot.columns, exercise.writing)
         told = (*remarks, f"your frames give the table {rows}") if remarks else ()
         return Mark(Verdict.RIGHT, reading, remarks=told, earned=1.0, expected=expected)
     cells = tuple(_cells(exercise, sketch, typed, broken))

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from dhcli.algebra.floats import Floats
-from dhcli.checking.exercise import Overlaid
 from dhcli.checking.frames.reading import TypedFrame
 from dhcli.checking.frames.rules import Rules
 from dhcli.checking.frames.sketch import Sketch, at_values
+from dhcli.checking.returned import Overlaid
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import Values, numbers
 from dhcli.notation.angle import Angle

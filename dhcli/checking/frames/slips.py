@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Causes
 from dhcli.checking.frames.reading import TypedFrame
 from dhcli.checking.frames.rules import DH1, FRAME, TASK, X_CELL, Z_CELL, Broken, Rules
+from dhcli.checking.returned import Causes
 from dhcli.checking.tables.reasons import OTHERS
 from dhcli.geometry.vectors import Vector, cross, dot, length, scaled
 from dhcli.kinematics.conventions import NAMES

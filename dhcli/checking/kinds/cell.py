@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
+from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.kinds.linked import found_link, link_of, place_of, read_number
 from dhcli.checking.pasted import UnreadableError
-from dhcli.checking.values import Quantity, TypedValue, mark_value, read_value, spelled_value
+from dhcli.checking.returned import Causes, Reading, Shown
+from dhcli.checking.values import Quantity, TypedValue, mark_value, read_typed_value, spelled_value
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import DhcliError, NotationError, Place, Problem, RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import COLUMNS, Row
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.notation.scope import Scope
@@ -27,7 +29,7 @@ LENGTHS = ("a", "d")
 """Columns of lengths; the others are angles."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class CellQuestion(Question[TypedValue]):
     """One cell of the robot's DH table."""
 
@@ -66,7 +68,7 @@ class CellQuestion(Question[TypedValue]):
             yield from cell_lines(robot, self.column, int(self.link))
 
     def read(self, case: Case, text: str, place: Place | None = None) -> TypedValue:
-        return read_value(case.exercise, text.strip().removesuffix("*"), place)
+        return read_typed_value(case.exercise, text.strip().removesuffix("*"), place)
 
     def mark(self, case: Case, reading: Reading[TypedValue]) -> Mark:
         row = link_of(case.exercise, self.link).row

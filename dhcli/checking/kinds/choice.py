@@ -4,19 +4,24 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import ClassVar, Self
 
-from dhcli.checking.exercise import Besides, Case, Exercise, Question, Reading, Shown
+from dhcli.checking.asking import Besides
+from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.returned import Reading, Shown
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import Place
+from dhcli.frozen import frozen
 from dhcli.notation.scope import Scope
 
 _LABEL = re.compile(r"[(\[]?([0-9]{1,3}|[a-z])[)\].:]{0,2}(?: (.+))?")
 
+_MARKS = ".,;:!?\"'“”‘’()[]"  # noqa: RUF001  as they are typed
 
-@dataclass(frozen=True, slots=True)
+
+@frozen
 class ChoiceQuestion(Question[int]):
     """One of several statements; `right` counts from 1."""
 
@@ -54,18 +59,26 @@ class ChoiceQuestion(Question[int]):
         yield Shown(f"The answer is {self.right}: {self.options[self.right - 1]}")
 
     def read(self, _case: Case, text: str, _place: Place | None = None) -> int:
-        plain = [" ".join(option.split()).casefold() for option in self.options]
         answer = " ".join(text.split()).casefold()
         label = _LABEL.fullmatch(answer)
-        chosen = 0
-        if answer in plain:
-            chosen = plain.index(answer) + 1
-        elif label is not None:
+        found = self._worded(answer, whole=label is not None and not label[2])
+        if label is not None and not found:
             number = int(label[1]) if label[1].isdigit() else ord(label[1]) - ord("a") + 1
-            chosen = number if not label[2] or plain[number - 1 : number] == [label[2]] else 0
-        if not 1 <= chosen <= len(self.options):
-            raise UnreadableError(f"choose a number from 1 to {len(self.options)}")
-        return chosen
+            found = [number] if not label[2] or number in self._worded(label[2]) else []
+        wanted = f"choose a number from 1 to {len(self.options)}, or write the words of one statement alone"
+        if len(found) > 1:
+            raise UnreadableError(f"these words stand in {' and '.join(map(str, found))}: {wanted}")
+        if not found or not 1 <= found[0] <= len(self.options):
+            raise UnreadableError(wanted)
+        return found[0]
+
+    def _worded(self, answer: str, *, whole: bool = False) -> list[int]:
+        """The numbers of the statements that these words are; else, but for `whole`, of those in which they stand."""
+        typed, options = _words_of(answer), [_words_of(option) for option in self.options]
+        found = [number for number, words in enumerate(options, 1) if words == typed]
+        if found or whole or not typed:
+            return found
+        return [number for number, words in enumerate(options, 1) if _holds(words, typed)]
 
     def mark(self, _case: Case, reading: Reading[int]) -> Mark:
         verdict = Verdict.RIGHT if reading.value == self.right else Verdict.WRONG
@@ -74,3 +87,14 @@ class ChoiceQuestion(Question[int]):
 
     def _told(self, number: int) -> str:
         return f"{number}: {self.options[number - 1]}"
+
+
+def _words_of(text: str) -> list[str]:
+    """The words of a statement, without the marks of a sentence around them; signs of formulas stay."""
+    words = (word.strip(_MARKS) for word in text.casefold().split())
+    return [word for word in words if word]
+
+
+def _holds(words: list[str], typed: list[str]) -> bool:
+    """Whether words follow one another in a statement."""
+    return any(words[k : k + len(typed)] == typed for k in range(len(words) - len(typed) + 1))

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, ClassVar, Self
 
+from dhcli.checking.asking import Besides
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Besides, Case, Causes, Exercise, Question, Reading, Shown
-from dhcli.checking.pasted import UnreadableError, without_label
+from dhcli.checking.exercise import Case, Exercise, Question
+from dhcli.checking.pasted import UnreadableError, without_label, without_number_word
+from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.verdicts import COUNTED, Mark, Verdict
 from dhcli.errors import DhcliError, NotationError, Place, Problem
+from dhcli.frozen import frozen
 from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Number, Unit
@@ -24,7 +27,7 @@ LARGEST = 10**6
 WHAT = ("mobility", "gruebler", "links", "joints", "constraints", "freedoms")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class CountQuestion(Question[int]):
     """A count of a linkage: its mobility, links, joints or constraints.
 
@@ -90,7 +93,7 @@ class CountQuestion(Question[int]):
 
     def read(self, _case: Case, text: str, place: Place | None = None) -> int:
         self._right()
-        expr = parse(without_label(text), Scope(), place or Place("answer"))
+        expr = parse(without_number_word(without_label(text)), Scope(), place or Place("answer"))
         if any(isinstance(node, Unit) for node in walk(expr)):
             raise UnreadableError("a count is a whole number and has no unit")
         if not isinstance(expr, Number) or expr.value.denominator != 1 or abs(expr.value) > LARGEST:

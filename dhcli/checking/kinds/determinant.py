@@ -8,7 +8,7 @@ from typing import ClassVar, Self
 
 from dhcli.algebra.equality import equal
 from dhcli.checking.diagnosis.result import Rank, Slip
-from dhcli.checking.exercise import Case, Exercise, Shown
+from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.motion.asked import Motion
 from dhcli.checking.motion.columns import Columns, jacobian_grid
 from dhcli.checking.motion.from_columns import ColumnsQuestion
@@ -16,6 +16,7 @@ from dhcli.checking.motion.grid import Grid, exact
 from dhcli.checking.motion.linear import determinant_of
 from dhcli.checking.motion.question import OneNumberQuestion
 from dhcli.checking.motion.task import columns_for, found_for, kept_rows, read_task, square, values_in
+from dhcli.checking.returned import Shown
 from dhcli.errors import Place, RobotError
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.velocity.cramer import LARGEST, determinant

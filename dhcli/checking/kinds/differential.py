@@ -8,12 +8,13 @@ from dataclasses import dataclass
 from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Rank, Slip
-from dhcli.checking.exercise import Case, Exercise, Shown
+from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.motion.asked import Motion, read_motion, three
 from dhcli.checking.motion.columns import combined
 from dhcli.checking.motion.grid import Grid, Rows
 from dhcli.checking.motion.question import MotionQuestion
+from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
 from dhcli.kinematics.forward import textbook_form

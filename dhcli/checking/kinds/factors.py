@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
+from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.kinds.linked import found_link, link_of, place_of, read_number
 from dhcli.checking.pasted import without_label
+from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.tolerance import NOT_EXACT, Tolerance
 from dhcli.checking.units import chain_in_metres, move_in_metres
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.checking.wanted import Wanted
 from dhcli.errors import Place
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import ORDER, moves_of
 from dhcli.kinematics.frames import View
 from dhcli.kinematics.moves import Chain, spelled
@@ -26,7 +28,7 @@ if TYPE_CHECKING:
     from dhcli.checking.diagnosis.alternatives import Alternative
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class FactorsQuestion(Question[Chain]):
     """The elementary moves of a link, in order."""
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar, Self, TypeAlias
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Causes, Exercise, Matrices, Overlaid, Points, Question, Reading, Shown
+from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.frames.marking import frame_text, frames_text, mark_frames
 from dhcli.checking.frames.reading import TypedFrame, read_frames
 from dhcli.checking.frames.rows import table_of
@@ -17,6 +17,7 @@ from dhcli.checking.frames.slips import as_typed, causes_of, every_slip
 from dhcli.checking.frames.spelling import has_frames, rows_of
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.kinds.table import TableQuestion, leads_of
+from dhcli.checking.returned import Causes, Matrices, Overlaid, Points, Reading, Shown
 from dhcli.checking.tables.comparing import END
 from dhcli.checking.tables.typed_rows import TypedRow
 from dhcli.checking.verdicts import UNSOLVED, Mark, Verdict
@@ -81,6 +82,11 @@ class FramesQuestion(Question[Answer]):
         yield "a row for each frame: the coordinates of its origin, then x and z, such as a, 0, 0, +x, +z; or the table"
         seen = seen_from(exercise, self.convention)
         yield f"seen from {seen}, drawn with {drawn_at(sketch.pose)}: {'; '.join(axes_text(sketch))}"
+
+    def pose_drawn(self, exercise: Exercise) -> Values:
+        from dhcli.checking.frames.overlaid import joints_drawn
+
+        return joints_drawn(sketch_of(exercise, self.convention, self.pose))
 
     @property
     def in_rows(self) -> bool:
@@ -169,11 +175,12 @@ class FramesQuestion(Question[Answer]):
     def _marked_table(self, case: Case, rows: tuple[TypedRow, ...]) -> Mark:
         """A table is right when frames of it can lie on the axes, the last one anywhere if the task leaves it open."""
         from dhcli.checking.tables.comparing import compare_of
-        from dhcli.checking.tables.marking import mark_table
+        from dhcli.checking.tables.marking import answer_of, mark_table
 
         compare = compare_of(case)
         is_open = END not in self._rules(case).sketch.stated
-        mark = mark_table(case.exercise, self.convention, rows, compare, case.tolerance, end_free=is_open or None)
+        answer = answer_of(case.exercise, self.convention, rows, compare, case.tolerance, end_free=is_open or None)
+        mark = mark_table(answer)
         said = f"no frames on these axes have this table in {self.convention.value} DH"
         return replace(mark, remarks=(said, *mark.remarks)) if mark.verdict in UNSOLVED else mark
 

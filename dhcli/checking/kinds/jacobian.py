@@ -9,11 +9,12 @@ from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.entries import Entries
-from dhcli.checking.exercise import Case, Exercise, Reading, Shown
+from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.motion.asked import Motion, form_of, read_motion
 from dhcli.checking.motion.columns import Columns, columns_in, jacobian_grid
 from dhcli.checking.motion.from_columns import ColumnsQuestion, Typed, axes_step
 from dhcli.checking.motion.grid import Grid
+from dhcli.checking.returned import Reading, Shown
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
 from dhcli.kinematics.robot import Robot

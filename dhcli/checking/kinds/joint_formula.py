@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
+from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.solving import covering
 from dhcli.checking.solving.covering import Asked, Outcome
 from dhcli.checking.solving.derived import (
@@ -25,6 +25,7 @@ from dhcli.checking.solving.goal import Target, of_robot
 from dhcli.checking.solving.typed import exprs_of, formula_of, typed_text, values_of
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import NotationError, Place, Problem, RobotError, UnknownNameError
+from dhcli.frozen import frozen
 from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive_levels import POSITION, ROTATION
 from dhcli.kinematics.inverse.derive_terms import name_of
@@ -42,7 +43,7 @@ EARNED_TOO_MUCH = 0.5
 """What a formula earns that has every value, and others besides."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class JointFormulaQuestion(Question[Formula]):
     """A formula for a joint, or for a sum of joints, from the entries of a pose.
 
@@ -144,8 +145,13 @@ class JointFormulaQuestion(Question[Formula]):
         return next((text for slip, text, _ in self._showing(case) if slip.name == name), None)
 
     def causes(self, case: Case, reading: Reading[Formula]) -> Causes:
-        typed = [reading.value.at(one.known) for one in self._cases(case)]
-        return tuple((slip,) for slip, _, values in self._showing(case) if self._agree(typed, values))
+        cases = self._cases(case)
+        typed = [reading.value.at(one.known) for one in cases]
+        found = tuple((slip,) for slip, _, values in self._showing(case) if self._agree(typed, values))
+        if found or any(covering.tried(reading.value, cases, self._asked, self._derivation(case).robot).hits):
+            return found
+        # a slip, and of its values not all: `atan2(px, py)` where two angles are asked for
+        return tuple((slip,) for slip, _, values in self._showing(case) if self._agree(typed, values, partly=True))
 
     # --- Its parts -------------------------------------------------------------------------------------------------
 
@@ -235,11 +241,11 @@ class JointFormulaQuestion(Question[Formula]):
     def _slipped_text(self, one: Slipped) -> str:
         return typed_text(one.derivation, self.joints)
 
-    def _agree(self, typed: list[list[float]], values: list[list[float]]) -> bool:
-        """Whether two formulas have the same values everywhere."""
+    def _agree(self, typed: list[list[float]], values: list[list[float]], *, partly: bool = False) -> bool:
+        """Whether two formulas have the same values everywhere; for `partly`, the first some of those of the second."""
 
         def within(first: list[float], second: list[float]) -> bool:
             return all(any(self._asked.same(a, b) for b in second) for a in first)
 
         pairs = list(zip(typed, values, strict=True))
-        return any(a for a, _ in pairs) and all(within(a, b) and within(b, a) for a, b in pairs)
+        return any(a for a, _ in pairs) and all(within(a, b) and (partly or within(b, a)) for a, b in pairs)

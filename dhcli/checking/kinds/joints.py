@@ -4,19 +4,19 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
-from fractions import Fraction
 from typing import TYPE_CHECKING, ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
+from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.pasted import UnreadableError
-from dhcli.checking.solving.goal import Target, of_robot, read_target, solutions
+from dhcli.checking.returned import Causes, Reading, Shown
+from dhcli.checking.solving.goal import of_robot, read_target, solutions
+from dhcli.checking.solving.question import GoalQuestion
 from dhcli.checking.solving.vectors import Range, Vector, in_radians, read_vectors, spelled
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean, plural
-from dhcli.kinematics.robot import Robot
+from dhcli.frozen import frozen
 from dhcli.kinematics.validity import Finding
 from dhcli.notation.angle import Angle
 from dhcli.notation.scope import Scope
@@ -30,18 +30,16 @@ _WHICH = re.compile(
 Vectors = tuple[Vector, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class JointsQuestion(Question[Vectors]):
+@frozen
+class JointsQuestion(GoalQuestion[Vectors]):
     """Joint values that take a frame to a pose.
 
     Attributes:
-        target: The pose.
         which: Whether all solutions are asked for, or one: any, or that of a branch.
         branch: The words of the branch asked for.
         within_limits: Whether they must be inside the limits of the joints.
     """
 
-    target: Target
     which: str = "any"
     branch: tuple[str, ...] = ()
     within_limits: bool = False
@@ -68,16 +66,6 @@ class JointsQuestion(Question[Vectors]):
         which = "all" if match["all"] else "branch" if words else "any"
         return cls(target, which, words, bool(match["limits"]))
 
-    def in_unit(self, unit: Fraction, scope: Scope) -> Self:
-        return replace(self, target=self.target.in_unit(unit, scope))
-
-    def check(self, robot: Robot | None) -> None:
-        self.target.ends(robot)
-
-    @property
-    def needs_table(self) -> bool:
-        return True
-
     @property
     def in_rows(self) -> bool:
         return True
@@ -97,10 +85,6 @@ class JointsQuestion(Question[Vectors]):
         yield "Angles in degrees unless a unit stands with them."
         if self.which == "all":
             yield "A row for each solution; whole turns more or less are the same."
-
-    @property
-    def names(self) -> frozenset[str]:
-        return self.target.names
 
     def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
         robot = needed(exercise.robot)

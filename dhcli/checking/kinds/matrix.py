@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.entries import Entries, entries_text, read_entries
-from dhcli.checking.exercise import Case, Causes, Exercise, Judged, Matrices, Overlaid, Points, Question, Reading, Shown
+from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.returned import Causes, Judged, Matrices, Overlaid, Points, Reading, Shown
 from dhcli.checking.truth import is_length, names_in, truth_of, unvalued
 from dhcli.checking.verdicts import IN_OTHER_UNIT, UNSOLVED, Mark, Verdict
 from dhcli.checking.wanted import Composed, Wanted, read_wanted
 from dhcli.errors import DhcliError, NotationError, Place, Problem
+from dhcli.frozen import frozen
 from dhcli.kinematics.frames import View, frame
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.operators import OPENING
@@ -27,7 +29,7 @@ if TYPE_CHECKING:
     from dhcli.kinematics.values import Values
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class MatrixQuestion(Wanted, Question[Entries]):
     """A matrix, or a piece of one."""
 

@@ -5,22 +5,23 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar, Self
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.entries import check_names
-from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
+from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.forms import Form, form_of
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.orientations import angle_between, transposed, turned
 from dhcli.checking.pasted import UnreadableError, WrongUnitError
+from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.tolerance import judge
 from dhcli.checking.truth import names_in, truth_of, unvalued
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.checking.wanted import NotAskedError, Wanted, read_wanted
 from dhcli.errors import Place, RobotError, plural
+from dhcli.frozen import frozen
 from dhcli.geometry.euler import Order
 from dhcli.kinematics.frames import View, frame
 from dhcli.kinematics.robot import Robot
@@ -44,7 +45,7 @@ LEAST_TURN = 1e-6
 """Turns that differ by less than this are one [rad]."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Turn:
     """An orientation as typed.
 
@@ -59,7 +60,7 @@ class Turn:
     bare: bool
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class OrientationQuestion(Question[Turn]):
     """An orientation in numbers, in one of the forms."""
 

@@ -8,14 +8,15 @@ from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.entries import Entries
-from dhcli.checking.exercise import Case, Exercise, Shown
+from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.motion.asked import Motion
 from dhcli.checking.motion.columns import jacobian_grid
 from dhcli.checking.motion.grid import Grid
 from dhcli.checking.motion.linear import rank
 from dhcli.checking.motion.question import MotionQuestion, OneNumberQuestion
 from dhcli.checking.motion.task import columns_for, read_task, values_in
-from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.pasted import UnreadableError, without_number_word
+from dhcli.checking.returned import Shown
 from dhcli.errors import Place
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.velocity.form import GEOMETRIC, Form
@@ -61,7 +62,7 @@ class RankQuestion(OneNumberQuestion):
         )
 
     def read(self, case: Case, text: str, place: Place | None = None) -> Entries:
-        entries = MotionQuestion.read(self, case, text, place)
+        entries = MotionQuestion.read(self, case, without_number_word(text), place)
         typed = entries[0][0].expr
         if not isinstance(typed, Number) or typed.value.denominator != 1:
             raise UnreadableError("a rank is a whole number")

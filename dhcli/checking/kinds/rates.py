@@ -9,13 +9,14 @@ from typing import ClassVar, Self
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.diagnosis.result import Rank, Slip
-from dhcli.checking.exercise import Case, Exercise, Shown
+from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.motion.asked import Motion, read_motion, three
 from dhcli.checking.motion.columns import Columns, columns_of, combined, jacobian_grid, plain
 from dhcli.checking.motion.from_columns import ColumnsQuestion, axes_step
 from dhcli.checking.motion.grid import Grid, over
 from dhcli.checking.motion.linear import solution
 from dhcli.checking.motion.task import columns_for
+from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
 from dhcli.kinematics.robot import Robot

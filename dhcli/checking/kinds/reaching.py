@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
-from fractions import Fraction
 from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
-from dhcli.checking.pasted import UnreadableError, without_label
+from dhcli.checking.exercise import Case, Exercise
+from dhcli.checking.pasted import UnreadableError, without_label, without_number_word
+from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.solving.goal import Target, read_target, solutions
+from dhcli.checking.solving.question import GoalQuestion
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import NotationError, Place, Problem, plural
-from dhcli.kinematics.robot import Robot
+from dhcli.frozen import frozen
 from dhcli.kinematics.validity import Finding
 from dhcli.notation.scope import Scope
 
@@ -31,16 +31,14 @@ def _asked(text: str, scope: Scope, place: Place | None) -> tuple[Target, bool]:
     return target, bool(rest)
 
 
-@dataclass(frozen=True, slots=True)
-class SolutionsQuestion(Question[int]):
+@frozen
+class SolutionsQuestion(GoalQuestion[int]):
     """How many joint vectors reach a pose.
 
     Attributes:
-        target: The pose.
         within_limits: Whether only those inside the limits of the joints count.
     """
 
-    target: Target
     within_limits: bool = False
 
     words: ClassVar = ("count solutions",)
@@ -52,26 +50,9 @@ class SolutionsQuestion(Question[int]):
         """`count solutions of position (0.5, 0.3, 0) within limits`."""
         return cls(*_asked(re.sub(r"^count\s+solutions", "", text), scope, place))
 
-    def in_unit(self, unit: Fraction, scope: Scope) -> Self:
-        return replace(self, target=self.target.in_unit(unit, scope))
-
-    def check(self, robot: Robot | None) -> None:
-        self.target.ends(robot)
-
-    @property
-    def needs_table(self) -> bool:
-        return True
-
     def describe(self, exercise: Exercise) -> str:
         limits = " within the limits of the joints" if self.within_limits else ""
         return f"how many solutions there are{limits} for {self.target.words(exercise)}, a whole number"
-
-    @property
-    def names(self) -> frozenset[str]:
-        return self.target.names
-
-    def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
-        return tuple(sorted(self.target.names - exercise.values.keys()))
 
     def expected(self, case: Case, _style: str = "short") -> str:
         return str(self._right(case))
@@ -92,7 +73,7 @@ class SolutionsQuestion(Question[int]):
             yield Finding((*where, "ask"), message, "give another pose", is_warning=True)
 
     def read(self, _case: Case, text: str, _place: Place | None = None) -> int:
-        found = without_label(text).strip().rstrip(".")
+        found = without_number_word(without_label(text)).strip().rstrip(".")
         if not found.isdecimal() or int(found[:9]) > MOST_TYPED:
             raise UnreadableError("a number of solutions is a whole number")
         return int(found)
@@ -135,16 +116,14 @@ class SolutionsQuestion(Question[int]):
                 yield slip, number
 
 
-@dataclass(frozen=True, slots=True)
-class ReachQuestion(Question[bool]):
+@frozen
+class ReachQuestion(GoalQuestion[bool]):
     """Whether a pose is reached.
 
     Attributes:
-        target: The pose.
         within_limits: Whether the limits of the joints count.
     """
 
-    target: Target
     within_limits: bool = False
 
     words: ClassVar = ("reach",)
@@ -157,26 +136,9 @@ class ReachQuestion(Question[bool]):
         """`reach of position (0.5, 0.3, 0) within limits`."""
         return cls(*_asked(text.removeprefix("reach"), scope, place))
 
-    def in_unit(self, unit: Fraction, scope: Scope) -> Self:
-        return replace(self, target=self.target.in_unit(unit, scope))
-
-    def check(self, robot: Robot | None) -> None:
-        self.target.ends(robot)
-
-    @property
-    def needs_table(self) -> bool:
-        return True
-
     def describe(self, exercise: Exercise) -> str:
         limits = " within the limits of the joints" if self.within_limits else ""
         return f"whether the arm reaches this{limits}, yes or no: {self.target.words(exercise)}"
-
-    @property
-    def names(self) -> frozenset[str]:
-        return self.target.names
-
-    def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
-        return tuple(sorted(self.target.names - exercise.values.keys()))
 
     def is_whole(self, text: str) -> bool:
         return text.strip().lower() in WORDS

@@ -10,11 +10,7 @@ from dhcli.checking.kinds.cell import CellQuestion
 from dhcli.checking.kinds.choice import ChoiceQuestion
 from dhcli.checking.kinds.count import CountQuestion
 from dhcli.checking.kinds.factors import FactorsQuestion
-from dhcli.checking.kinds.joint_formula import JointFormulaQuestion
-from dhcli.checking.kinds.joints import JointsQuestion
 from dhcli.checking.kinds.matrix import MatrixQuestion
-from dhcli.checking.kinds.orientation import OrientationQuestion
-from dhcli.checking.kinds.reaching import ReachQuestion, SolutionsQuestion
 from dhcli.checking.kinds.scalar import ScalarQuestion
 from dhcli.checking.kinds.table import TableQuestion
 from dhcli.checking.wanted import NotAskedError
@@ -30,17 +26,23 @@ KINDS: list[type[Question[Any]]] = [
     CellQuestion,
     FactorsQuestion,
     ScalarQuestion,
-    OrientationQuestion,
     CountQuestion,
     ChoiceQuestion,
-    JointsQuestion,
-    JointFormulaQuestion,
-    SolutionsQuestion,
-    ReachQuestion,
 ]
 """A new kind is a file beside these, and a line here."""
 
 LATER = {
+    "rpy": "orientation.OrientationQuestion",
+    "euler": "orientation.OrientationQuestion",
+    "fixed": "orientation.OrientationQuestion",
+    "quaternion": "orientation.OrientationQuestion",
+    "axis-angle": "orientation.OrientationQuestion",
+    "rotation-vector": "orientation.OrientationQuestion",
+    "joints": "joints.JointsQuestion",
+    "angle": "joint_formula.JointFormulaQuestion",
+    "joint": "joint_formula.JointFormulaQuestion",
+    "count solutions": "reaching.SolutionsQuestion",
+    "reach": "reaching.ReachQuestion",
     "jacobian": "jacobian.JacobianQuestion",
     "column": "jacobian.JacobianQuestion",
     "entry": "jacobian.JacobianQuestion",
@@ -105,11 +107,6 @@ def _imported(name: str) -> type[Question[Any]]:
     module, _, kind = name.partition(".")
     found: type[Question[Any]] = getattr(import_module(f"dhcli.checking.kinds.{module}"), kind)
     return found
-
-
-def keys() -> tuple[str, ...]:
-    """Keys of a part that only some kinds read."""
-    return tuple(key for kind in KINDS for key in kind.keys)
 
 
 def _unknown(text: str, place: Place | None) -> NotationError:

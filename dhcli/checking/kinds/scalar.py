@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
-from dhcli.checking.values import TypedValue, mark_value, quantity_of, read_value, spelled_value
+from dhcli.checking.exercise import Case, Exercise, Question
+from dhcli.checking.returned import Causes, Reading, Shown
+from dhcli.checking.values import TypedValue, mark_value, quantity_of, read_typed_value, spelled_value
 from dhcli.checking.verdicts import Mark
 from dhcli.errors import NotationError, Place, Problem
+from dhcli.frozen import frozen
 from dhcli.notation.parser import parse_quantity
 from dhcli.notation.quantity import DimensionError, is_inverse
 from dhcli.notation.scope import Scope
@@ -22,7 +24,7 @@ if TYPE_CHECKING:
     from dhcli.checking.diagnosis.alternatives import Alternative
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ScalarQuestion(Question[TypedValue]):
     """An angle, a length or a number, computed from an expression."""
 
@@ -63,7 +65,7 @@ class ScalarQuestion(Question[TypedValue]):
             yield Shown(f"What is asked for is {self.text}")
 
     def read(self, case: Case, text: str, place: Place | None = None) -> TypedValue:
-        return read_value(case.exercise, text, place)
+        return read_typed_value(case.exercise, text, place)
 
     def mark(self, case: Case, reading: Reading[TypedValue]) -> Mark:
         return mark_value(case.exercise, quantity_of(self.expr, case.exercise), reading.value, case.tolerance)

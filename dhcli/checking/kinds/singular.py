@@ -8,13 +8,14 @@ from fractions import Fraction
 from typing import Any, ClassVar, Self, TypeAlias
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
+from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.kinds.determinant import DeterminantQuestion
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.motion.asked import Motion
 from dhcli.checking.motion.conditions import Condition, Zero, apart, covers, read_conditions
 from dhcli.checking.motion.task import found_for, listed, read_task
 from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import Place
 from dhcli.kinematics.robot import Robot

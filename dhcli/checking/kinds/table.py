@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Causes, Exercise, Judged, Matrices, Overlaid, Points, Question, Reading, Shown
+from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.kinds.linked import needed
+from dhcli.checking.returned import Causes, Judged, Matrices, Overlaid, Points, Reading, Shown
 from dhcli.checking.tables.typed_rows import TypedRow, read_table
 from dhcli.checking.verdicts import Mark
 from dhcli.errors import NotationError, Place, Problem
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import names
@@ -20,13 +22,14 @@ from dhcli.kinematics.validity import Finding
 from dhcli.notation.scope import Scope
 
 if TYPE_CHECKING:
+    from dhcli.checking.tables.answer import TableAnswer
     from dhcli.kinematics.values import Values
 
 FIRST = 1
 """Index of frame 0, behind the base."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class TableQuestion(Question[tuple[TypedRow, ...]]):
     """The DH table of the robot in one of the conventions.
 
@@ -110,11 +113,17 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         return read_table(text, robot, exercise.scope, robot.columns, exercise.unit, place)
 
     def mark(self, case: Case, reading: Reading[tuple[TypedRow, ...]]) -> Mark:
-        from dhcli.checking.tables.comparing import compare_of
         from dhcli.checking.tables.marking import mark_table
 
-        mark = mark_table(case.exercise, self.convention, reading.value, compare_of(case), case.tolerance)
+        mark = mark_table(self._answer(case, reading))
         return replace(mark, remarks=(*mark.remarks, self.note)) if self.note else mark
+
+    def _answer(self, case: Case, reading: Reading[tuple[TypedRow, ...]]) -> TableAnswer:
+        """The table with all that it is judged by."""
+        from dhcli.checking.tables.comparing import compare_of
+        from dhcli.checking.tables.marking import answer_of
+
+        return answer_of(case.exercise, self.convention, reading.value, compare_of(case), case.tolerance)
 
     def slips(self, case: Case) -> Iterable[Slip]:
         from dhcli.checking.diagnosis.slips import table_candidates
@@ -123,22 +132,21 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
 
     def answer_with(self, case: Case, name: str) -> str | None:
         from dhcli.checking.diagnosis.slips import table_candidates
-        from dhcli.checking.tables.cells import table_text
+        from dhcli.checking.tables.cells import dh_table_text
 
         robot = case.exercise.robot
         for one in table_candidates(case.exercise, self.convention, name) if robot is not None else ():
             if one.slips[0].name == name and robot is not None:
                 rows = tuple(step.row for step in one.work.steps if step.row is not None)
-                return table_text(rows, robot.columns, case.exercise.writing)
+                return dh_table_text(rows, robot.columns, case.exercise.writing)
         return None
 
     def causes(self, case: Case, reading: Reading[tuple[TypedRow, ...]]) -> Causes:
         from dhcli.checking.diagnosis.table_causes import table_causes
-        from dhcli.checking.tables.comparing import LITERAL, compare_of
-        from dhcli.checking.tables.marking import answer_of
+        from dhcli.checking.tables.comparing import LITERAL
         from dhcli.checking.tables.reasons import is_of_other_convention, reason_of
 
-        answer = answer_of(case.exercise, self.convention, reading.value, compare_of(case), case.tolerance)
+        answer = self._answer(case, reading)
         if not is_of_other_convention(answer):
             causes = table_causes(case, self.convention, _settled(case, reading))
             if causes or answer.misfit or answer.compare == LITERAL:

@@ -9,11 +9,12 @@ from fractions import Fraction
 from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Rank, Slip
-from dhcli.checking.exercise import Case, Exercise, Shown
+from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.motion.asked import Motion, read_motion, three
 from dhcli.checking.motion.columns import Columns, columns_in, combined, jacobian_grid
 from dhcli.checking.motion.from_columns import ColumnsQuestion, axes_step
 from dhcli.checking.motion.grid import Grid
+from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
 from dhcli.kinematics.robot import Robot

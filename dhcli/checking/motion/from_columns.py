@@ -14,15 +14,16 @@ from dhcli.checking.diagnosis.chance import Evidence, is_chance
 from dhcli.checking.diagnosis.plausible import HALF, at_a_point, has_name, is_trivial
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.entries import Entries
-from dhcli.checking.exercise import Case, Causes, Judged, Reading, Shown
+from dhcli.checking.exercise import Case
 from dhcli.checking.motion.columns import Columns
 from dhcli.checking.motion.grid import Grid, Numbers, alike, scale_of, within
 from dhcli.checking.motion.marking import values_of
 from dhcli.checking.motion.mistakes import made, then
 from dhcli.checking.motion.question import MotionQuestion
 from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.returned import Causes, Judged, Reading, Shown
 from dhcli.errors import DhcliError
-from dhcli.kinematics.pose import rounded
+from dhcli.kinematics.entries import rounded
 from dhcli.kinematics.values import numbers
 from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.tree import Expr

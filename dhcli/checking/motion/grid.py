@@ -9,7 +9,7 @@ from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Exercise
-from dhcli.kinematics.pose import rounded
+from dhcli.kinematics.entries import rounded
 from dhcli.kinematics.values import numbers
 from dhcli.notation.tree import Expr, Number
 from dhcli.notation.walk import symbols

@@ -12,8 +12,9 @@ from dhcli.checking.diagnosis.by_entry import EntryCauses, WrongEntry, entry_cau
 from dhcli.checking.diagnosis.mistakes.in_terms import among_of
 from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.diagnosis.slips import setting_of
-from dhcli.checking.exercise import Causes, Exercise
+from dhcli.checking.exercise import Exercise
 from dhcli.checking.motion.grid import Grid, Numbers, alike
+from dhcli.checking.returned import Causes
 from dhcli.notation.tree import ZERO, Expr, negate
 
 MOST_TOLD = 4

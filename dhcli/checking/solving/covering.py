@@ -8,11 +8,11 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.solving.derived import values_at
 from dhcli.checking.solving.formulas import Formula
+from dhcli.frozen import frozen
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.frames import between
 from dhcli.kinematics.inverse.derivation import Derivation
@@ -34,7 +34,7 @@ FULL_TURN = 2 * math.pi
 Known = dict[str, Angle | float]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Case:
     """One true solution at one pose.
 
@@ -49,7 +49,7 @@ class Case:
     others: tuple[tuple[Known, float], ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Asked:
     """What is asked: a joint, or a sum of joints.
 
@@ -120,7 +120,7 @@ def _reaches(chain: Sequence[object], q: Known, entries: Mapping[str, float], *,
     return off <= CONFIRMED
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Outcome:
     """How a formula does at all points.
 

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Shown
+from dhcli.checking.exercise import Case
 from dhcli.checking.kinds.linked import needed
+from dhcli.checking.returned import Shown
 from dhcli.checking.solving.goal import Target, of_robot
 from dhcli.checking.solving.putting import put_for
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import NAMES
 from dhcli.kinematics.frames import between
 from dhcli.kinematics.inverse.derivation import Derivation
@@ -28,7 +30,7 @@ from dhcli.notation.walk import substitute, symbols, walk
 from dhcli.notation.writer import write
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Slipped:
     """A derivation with a slip in it.
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import product
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.solving.putting import put_for
 from dhcli.errors import DhcliError, Place
+from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
 from dhcli.notation.dimensions import ANGLE_UNITS, LENGTH_UNITS
 from dhcli.notation.names import canonical
@@ -33,7 +33,7 @@ _STATEMENT = re.compile(r"\s*(?P<name>[^\W\d][\w{}\\()+ ]*?)\s*=(?!=)\s*(?P<rest
 _RIGHT_ANGLES = frozenset((90, 180, 270, 360))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Formula:
     """A formula as typed.
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, TypeAlias, cast
 
@@ -13,6 +13,7 @@ from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.units import chain_in_metres, has_length_unit, in_metres
 from dhcli.errors import NotationError, Place, Problem, RobotError
+from dhcli.frozen import frozen
 from dhcli.geometry.facing import facing
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.frames import ends
@@ -45,7 +46,7 @@ _POINTING = re.compile(r"pointing\s*(?P<text>\(.*?\))\s*(?P<rest>.*)", re.DOTALL
 EXAMPLE = 'of position (0.5, 0.3, 0), or of pose "Trans(0.4, 0, 0.3) Rot(y, 90°)"'
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Target:
     """A pose that is given.
 

@@ -8,8 +8,9 @@ from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Reading
+from dhcli.checking.exercise import Case
 from dhcli.checking.orientations import transposed
+from dhcli.checking.returned import Reading
 from dhcli.checking.solving.derived import derivation_of, slipped, values_at
 from dhcli.checking.solving.goal import Rows, solve
 from dhcli.checking.solving.vectors import FULL_TURN, Range, Vector, apart

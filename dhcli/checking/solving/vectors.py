@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.entries import check_names
@@ -16,6 +15,7 @@ from dhcli.checking.solving.goal import Rows, Target
 from dhcli.checking.tolerance import CLOSE_FACTOR, Tolerance, without_unit
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import DhcliError, Place, UnknownNameError, plural
+from dhcli.frozen import frozen
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import Chain
 from dhcli.kinematics.robot import Robot
@@ -33,7 +33,7 @@ FAR = 0.5
 """Joint values farther than this from any solution [rad or reaches] are not taken for one of them."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Vector:
     """Joint values as typed.
 
@@ -48,7 +48,7 @@ class Vector:
     shown: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Landing:
     """Where joint values lead.
 
@@ -158,7 +158,7 @@ def apart(robot: Robot, joints: Sequence[str], one: Sequence[float], other: Sequ
     ]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Range:
     """What a vector is judged against.
 

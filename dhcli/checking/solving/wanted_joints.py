@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Protocol
 
-from dhcli.checking.exercise import Case, Reading
+from dhcli.checking.exercise import Case
+from dhcli.checking.returned import Reading
 from dhcli.checking.solving.goal import Target
 from dhcli.checking.solving.vectors import Range, Vector
 from dhcli.checking.verdicts import Mark

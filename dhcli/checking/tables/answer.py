@@ -10,7 +10,7 @@ from dhcli.checking.pasted import WrongUnitError
 from dhcli.checking.tables.cells import given_values, mark_cells, own_values, settled
 from dhcli.checking.tables.comparing import LITERAL, SAME_MOTION
 from dhcli.checking.tables.freedoms import Drawn, Slack, end_freedoms, frame_freedoms, joint_freedoms
-from dhcli.checking.tables.motions import LARGEST, Outcome, is_but_for_end, same_motion, same_robot
+from dhcli.checking.tables.motions import LARGEST, Outcome, agreeing, is_but_for_end, same_motion, same_robot
 from dhcli.checking.tables.samples import Values, size_of_arm
 from dhcli.checking.tables.typed_rows import TypedRow, misplaced, variable_of
 from dhcli.checking.tolerance import Tolerance
@@ -111,6 +111,10 @@ class TableAnswer:
             ended = same_robot(self.truth, other, values, self.tolerance, end_free=True)
             return ended if ended.match is not None and is_but_for_end(ended.match) else same
         return same_robot(self.truth, other, values, self.tolerance, end_free=self.end_free or end_free)
+
+    def agreeing(self, rows: Iterable[Row], outcome: Outcome) -> int:
+        """How many joints agree from the first one with other rows in their place, where an outcome was decided."""
+        return agreeing(self.truth, self.arm(rows, self.convention), outcome, self.tolerance)
 
     def is_oversized(self, outcome: Outcome) -> bool:
         """Whether lengths were typed that no robot of this size has."""

@@ -44,7 +44,7 @@ def spelled(value: Value, joints: Joints) -> str:
     return write_angle(value, "short", joints) if isinstance(value, Angle) else write(value, "short", joints)
 
 
-def table_text(rows: Sequence[Row], columns: Sequence[str], joints: Joints) -> str:
+def dh_table_text(rows: Sequence[Row], columns: Sequence[str], joints: Joints) -> str:
     """A table as a matrix that can be read again."""
     return bracketed((spelled(getattr(row, column), joints) for column in columns) for row in rows)
 

@@ -119,7 +119,8 @@ def _mending_signs(answer: TableAnswer, outcome: Outcome, here: int) -> list[int
         changed = (replace(row, alpha=-row.alpha), replace(row, a=negate(row.a)), replace(row, d=negate(row.d)))
         moved = variable_of(row, answer.robot.variables) in symbols(row.d)
         for other in changed[: 2 if moved else 3]:
-            if other != row and answer.judged((*rows[:index], other, *rows[index + 1 :])).joints > outcome.joints:
+            mended = (*rows[:index], other, *rows[index + 1 :])
+            if other != row and answer.agreeing(mended, outcome) > outcome.joints:
                 found.append(index)
                 break
     return found

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.tables.answer import TableAnswer, ends_on_axis, own_rows
-from dhcli.checking.tables.cells import table_text
+from dhcli.checking.tables.cells import dh_table_text
 from dhcli.checking.tables.comparing import LITERAL, SAME_ROBOT, gives
 from dhcli.checking.tables.motions import Outcome
 from dhcli.checking.tables.reasons import reason_of
@@ -19,25 +19,8 @@ from dhcli.kinematics.conventions import NAMES, Convention
 from dhcli.kinematics.robot import Robot
 
 
-def mark_table(
-    exercise: Exercise,
-    convention: Convention,
-    rows: tuple[TypedRow, ...],
-    compare: str = SAME_ROBOT,
-    tolerance: Tolerance | None = None,
-    *,
-    end_free: bool | None = None,
-) -> Mark:
+def mark_table(answer: TableAnswer) -> Mark:
     """Judge a DH table.
-
-    Args:
-        exercise: The exercise, with its robot and what it gives.
-        convention: Which convention was asked.
-        rows: The rows as read.
-        compare: `literal`, `same-motion` or `same-robot`.
-        tolerance: How near numbers must be; the exercise's own by default.
-        end_free: Whether the task leaves the end frame free; by default only where no table of this convention
-            reaches the robot's own end frame.
 
     Returns:
         RIGHT for the robot's own cells, and for other frames of the same robot where the task leaves them open;
@@ -46,16 +29,15 @@ def mark_table(
 
     Raises:
         UnreadableError: Only the unit of the table is wrong.
-        RobotError: There is no robot, or nothing to compare the cells with.
+        RobotError: There is nothing to compare the cells with.
     """
-    answer = answer_of(exercise, convention, rows, compare, tolerance, end_free=end_free)
     cells = answer.cells
     if cells and worst(cell.verdict for cell in cells) is Verdict.RIGHT:
         mark = Mark(Verdict.RIGHT, cells=cells, earned=1.0)
     else:
-        mark = _by_cells(answer, cells) if compare == LITERAL else _by_motion(answer, cells)
-    reading = table_text(answer.plain, answer.robot.columns, exercise.writing)
-    return replace(mark, reading=reading, expected=_own_table(exercise, convention))
+        mark = _by_cells(answer, cells) if answer.compare == LITERAL else _by_motion(answer, cells)
+    reading = dh_table_text(answer.plain, answer.robot.columns, answer.exercise.writing)
+    return replace(mark, reading=reading, expected=_own_table(answer.exercise, answer.convention))
 
 
 def answer_of(
@@ -67,7 +49,16 @@ def answer_of(
     *,
     end_free: bool | None = None,
 ) -> TableAnswer:
-    """The table with all that it is judged by; arguments as of `mark_table`.
+    """The table with all that it is judged by.
+
+    Args:
+        exercise: The exercise, with its robot and what it gives.
+        convention: Which convention was asked.
+        rows: The rows as read.
+        compare: `literal`, `same-motion` or `same-robot`.
+        tolerance: How near numbers must be; the exercise's own by default.
+        end_free: Whether the task leaves the end frame free; by default only where no table of this convention
+            reaches the robot's own end frame.
 
     Raises:
         RobotError: There is no robot.
@@ -106,7 +97,7 @@ def _own_table(exercise: Exercise, convention: Convention) -> str:
     robots = [robot for robot in (exercise.robot, exercise.also and exercise.also[0]) if robot is not None]
     for robot in robots:
         if robot.convention is convention:
-            return table_text(own_rows(robot), robots[0].columns, exercise.writing)
+            return dh_table_text(own_rows(robot), robots[0].columns, exercise.writing)
     return ""
 
 

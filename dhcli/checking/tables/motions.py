@@ -115,6 +115,14 @@ def may_be_same(truth: Arm, other: Arm, values: Values, tolerance: Tolerance, *,
     return next(Registration(truth, other, point, limits, end_free=end_free).matches(), None) is not None
 
 
+def agreeing(truth: Arm, other: Arm, outcome: Outcome, tolerance: Tolerance) -> int:
+    """How many joints agree from the first one, where an outcome was decided; what else must agree is not asked."""
+    limits = _rounded(tolerance, outcome.size, NEAR) if outcome.rounded else Limits.exact(outcome.size)
+    search = Registration(truth, other, outcome.point, limits, end_free=True)
+    next(search.matches(), None)
+    return search.deepest
+
+
 def _rounded(tolerance: Tolerance, size: float, times: float) -> Limits:
     shift = tolerance.position if tolerance.position is not None else tolerance.rotation * size
     return Limits.rounded(tolerance.rotation, shift, times)

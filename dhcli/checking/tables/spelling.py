@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import COLUMNS, column_of
 from dhcli.notation.cells import matching
 from dhcli.notation.names import canonical
@@ -30,7 +31,7 @@ LONGEST_ROW = 400
 _ORDER = re.compile(r"^.*\bRot\(.*$", re.MULTILINE)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Heads:
     """What is known of the columns.
 

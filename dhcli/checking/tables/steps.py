@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from dhcli.checking.exercise import Exercise, Shown
+from dhcli.checking.exercise import Exercise
+from dhcli.checking.returned import Shown
 from dhcli.checking.tables.cells import spelled
 from dhcli.errors import RobotError
 from dhcli.kinematics.conventions import Convention, Row

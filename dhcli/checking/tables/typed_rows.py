@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import islice
 
 from dhcli.algebra.floats import Floats
@@ -13,6 +13,7 @@ from dhcli.checking.entries import LARGEST
 from dhcli.checking.pasted import UnreadableError, without_label
 from dhcli.checking.tables.spelling import ANGLES, Heads, in_order, plain_text, without_heads, without_stars
 from dhcli.errors import NotationError, Place
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import COLUMNS, Row
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import numbers
@@ -34,7 +35,7 @@ from dhcli.notation.walk import symbols, walk
 SEED, TRIES = 29, 4
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class TypedRow:
     """A row as it was read, with what was typed.
 

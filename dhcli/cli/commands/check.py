@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import ExerciseOrRobot, Force, Format, Output, Variant
+from dhcli.cli.shell.options import ExerciseOrRobot, Format, Output, Overwrite, Variant
 from dhcli.cli.shell.spreading import But
 from dhcli.errors import ExitStatus
 
@@ -23,11 +23,11 @@ EXAMPLES = """
 
 dhcli check planar-two-links planar-two-links.sheet.yaml
 
-dhcli check planar-two-links --part d02 --answer "a1*c1 + a2*c12, a1*s1 + a2*s12, 0"
+dhcli check planar-two-links --part d02 --answer "a1c1+a2c12, a1s1+a2s12, 0"
 
-dhcli check puma560 --symbolic --from 4 --to 6 --answer "c5c6 -c5s6 -s5 0; s6 c6 0 0; s5c6 -s5s6 c5 0; 0 0 0 1"
+dhcli check planar-2r --symbolic --entry 1,4 --answer "a1c1 + a2c12"
 
-dhcli check scara --pose zero --answer "1 0 0 0; 0 1 0 0.5; 0 0 1 0.4; 0 0 0 1" --tol-position 0.5mm
+dhcli check scara --pose zero --answer "0, 0.5, 0.4" --tol-position 0.5mm
 
 dhcli check scara --q 0.3,0.5,0.1 --answer "-0.2321, 0.4259, 0.3"
 
@@ -130,7 +130,7 @@ def check(
     ] = None,
     format_: Format = None,
     output: Output = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> ExitStatus:
     """Check an answer sheet, one answer, a DH table, or frames."""
     from dhcli.checking.judge import Judge
@@ -141,12 +141,12 @@ def check(
     from dhcli.cli.shell.quiz import RobotOptions, exercise_of, exit_code, remember, with_tolerance
     from dhcli.errors import DhcliError
     from dhcli.files.yaml.sheets import judged_sheet, read_sheet
-    from dhcli.kinematics.values import warnings
+    from dhcli.kinematics.limits import warnings
 
-    delivery = Delivery("check", format_, output=output, force=force and not (draw and output is None))
+    delivery = Delivery("check", format_, output=output, overwrite=overwrite and not (draw and output is None))
     delivery.chosen("marks")
     if draw is not None:
-        check_picture(draw, force=force, page="a page shows one table")
+        check_picture(draw, overwrite=overwrite, page="a page shows one table")
     goal = _goal(target, position) if ik else None
     if not ik and (target, position, branch) != (None, None, None):
         raise DhcliError("--target, --position and --branch belong to --ik", "add --ik")
@@ -180,7 +180,7 @@ def check(
     remember(marked)
     delivery.hand_over("marks", replace(marked, why=why), warned)
     if draw is not None:
-        draw_over(marked, answers, draw, force=force)
+        draw_over(marked, answers, draw, overwrite=overwrite)
     return exit_code(marked.verdict)
 
 

@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import Force, format_option, output_option
+from dhcli.cli.shell.options import Overwrite, format_option, output_option
 from dhcli.cli.shell.spreading import But
 
 EXAMPLES = """
@@ -24,6 +24,8 @@ dhcli describe panda --as screws
 dhcli describe scara --as axes -o drawn.yaml
 
 dhcli describe ur5e -o ur5e.urdf
+
+dhcli describe calibrated.urdf --as standard --straighten 1e-4
 
 dhcli describe fanuc-like --as motors
 """
@@ -72,10 +74,17 @@ def describe(
             autocompletion=complete_choice,
         ),
     ] = None,
+    straighten: Annotated[
+        str | None,
+        typer.Option(
+            metavar="ANGLE",
+            help="Take axes as parallel, or meeting, that are so within an angle: 1e-4, 0.01°; says what changes.",
+        ),
+    ] = None,
     numbers: Annotated[bool, typer.Option("--numbers", help="Put the values of lengths in.")] = False,
     format_: Annotated[str | None, format_option("table", "json", "yaml", "urdf")] = None,
     output: Annotated[str | None, output_option(".yaml", ".urdf", ".json", ".txt")] = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """Describe a robot anew: DH tables of either convention, drawn axes, screws, products; each result is proved.
 
@@ -84,7 +93,7 @@ def describe(
     from dataclasses import replace
 
     from dhcli.cli.shell.delivery import Delivery
-    from dhcli.cli.shell.given import lengths_of, named_pose, robot_of
+    from dhcli.cli.shell.given import angle_of, lengths_of, named_pose, robot_of
     from dhcli.errors import DhcliError
     from dhcli.kinematics.describe.choices import read_choices
     from dhcli.kinematics.describe.description import Asked, check_form
@@ -92,10 +101,10 @@ def describe(
     from dhcli.kinematics.motors import driven
 
     format_ = format_ or ("urdf" if as_ == "urdf" else _by_suffix(output))
-    delivery = Delivery("describe", format_, output=output, force=force)
+    delivery = Delivery("describe", format_, output=output, overwrite=overwrite)
     if as_ == "motors":
-        if steps or choose or numbers or chosen.pose is not None:
-            raise DhcliError("--as motors has no steps, choices, numbers or pose", "leave them out")
+        if steps or choose or numbers or straighten is not None or chosen.pose is not None:
+            raise DhcliError("--as motors has no steps, choices, numbers, pose or straightening", "leave them out")
         delivery.chosen("motors")
         delivery.hand_over("motors", driven(robot_of(chosen)))
         return
@@ -106,5 +115,8 @@ def describe(
     arm = robot_of(chosen)
     arm = replace(arm, parameters={**arm.parameters, **lengths_of(arm, chosen, symbolic=True)})
     drawn = None if chosen.pose is None else named_pose(arm, chosen.pose)
-    result = described(arm, Asked(form, steps, numbers, drawn, read_choices(choose or "")))
-    delivery.hand_over("description", result, (*arm.remarks, *result.warnings))
+    within = None if straighten is None else angle_of(straighten, "--straighten")
+    result = described(arm, Asked(form, steps, numbers, drawn, read_choices(choose or ""), within))
+    # a file says nothing of itself where it is written
+    said = result.straightened.lines()[:1] if result.straightened and format_ in ("yaml", "urdf") else ()
+    delivery.hand_over("description", result, (*arm.remarks, *said, *result.warnings))

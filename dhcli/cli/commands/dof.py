@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import Force, format_option, output_option
+from dhcli.cli.shell.options import Overwrite, format_option, output_option
 from dhcli.cli.shell.spreading import But
 
 EXAMPLES = """
@@ -67,7 +67,7 @@ def dof(
     ] = None,
     format_: Annotated[str | None, format_option("table", "json")] = None,
     output: Annotated[str | None, output_option(".json", ".txt")] = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """Count the freedoms of a linkage, say whether the formula can be trusted, and find the true mobility."""
     import os
@@ -79,7 +79,7 @@ def dof(
     from dhcli.errors import DhcliError
     from dhcli.mobility.finding import analyse
 
-    delivery = Delivery("dof", format_, output=output, force=force)
+    delivery = Delivery("dof", format_, output=output, overwrite=overwrite)
     if chosen.stands and not what:
         raise DhcliError("joint values are those of a robot", "dhcli dof puma560 --pose zero")
     kind = "mobility at joint values" if chosen.stands else "mobility"

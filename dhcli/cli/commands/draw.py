@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import Force, Variant, complete_pose, complete_robot
+from dhcli.cli.shell.options import Overwrite, Variant, complete_pose, complete_robot
 from dhcli.cli.shell.spreading import But
 from dhcli.errors import DhcliError
 
@@ -119,19 +119,19 @@ def draw(
     open_: Annotated[
         bool, typer.Option("--open", help="Open it in the browser; without -o as a page.", rich_help_panel="Output")
     ] = False,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """Draw a robot at a pose, a linkage, or the arm of an exercise, in the terminal or in a file.
 
     Without --q and --pose the robot stands as shows it best.
     """
-    from dhcli.cli.shell.delivery import check_force
+    from dhcli.cli.shell.delivery import check_overwrite
     from dhcli.cli.shell.drawn import find, of_exercise, posed, refuse_table, sides
     from dhcli.files.library.kinds import kind_of
     from dhcli.render.pictures.picture import Picture, format_of
     from dhcli.scene.camera import read_view
 
-    check_force(output, force=force)
+    check_overwrite(output, overwrite=overwrite)
     name = None if output in (None, "-") else format_of(output or "")
     look = {"view": None if view is None else read_view(view), "dark": dark}
     robot = chosen.robot
@@ -160,14 +160,14 @@ def draw(
         _in_letters(picture, pixels)
         return
     if name == "terminal":
-        path = _written(picture.terminal(None, *(pixels or ())), output or "", force=force)
+        path = _written(picture.terminal(None, *(pixels or ())), output or "", overwrite=overwrite)
     else:
         picture = picture if pixels is None else _sized(picture, pixels)
         if name is None:
             path = _opened_page(picture, what.name or "linkage")
         else:
             content = picture.animated() if animate else picture.rendered(name)
-            path = _written(content, output or "", force=force)
+            path = _written(content, output or "", overwrite=overwrite)
     if open_:
         import webbrowser
         from pathlib import Path
@@ -196,7 +196,7 @@ def _in_letters(picture: Picture, sides: tuple[int, int] | None) -> None:
     write_out(picture.terminal(paper, columns, rows))
 
 
-def _written(content: str | bytes, output: str, *, force: bool) -> str:
+def _written(content: str | bytes, output: str, *, overwrite: bool) -> str:
     """Write the file.
 
     Raises:
@@ -206,8 +206,8 @@ def _written(content: str | bytes, output: str, *, force: bool) -> str:
     from dhcli.cli.shell.delivery import check_free
     from dhcli.storage.atomic import write_whole
 
-    check_free(output, force=force)
-    write_whole(output, content, overwrite=force)
+    check_free(output, overwrite=overwrite)
+    write_whole(output, content, overwrite=overwrite)
     tell(f"wrote {output}")
     return output
 

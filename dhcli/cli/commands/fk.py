@@ -10,17 +10,19 @@ from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.options import (
     MANY,
     WHERE,
+    Code,
     Digits,
-    Force,
     Format,
     Forms,
     IgnoreColumns,
     Index,
     Let,
     Output,
+    Overwrite,
     SkipBad,
     Spelling,
     Symbolic,
+    WithValues,
 )
 
 EXAMPLES = """
@@ -35,6 +37,8 @@ dhcli fk stanford --q 90,0,0.3,0,45,0 --deg --as rpy,position
 dhcli fk puma560 --symbolic --from 3 --to 6
 
 dhcli fk panda --symbolic --let -o panda.tex
+
+dhcli fk puma560 --code c -o puma560.c
 
 dhcli fk puma560 --in q.csv --as position -o points.csv
 """
@@ -71,10 +75,12 @@ def fk(
     index: Index = False,
     as_: Forms = None,
     format_: Format = None,
+    code: Code = None,
+    with_values: WithValues = False,
     style: Spelling = None,
     digits: Digits = None,
     output: Output = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """Pose of a robot's end frame: in numbers from joint values, or in symbols as the textbook prints it."""
     from dhcli.cli.shell.given import robot_of, values_of
@@ -85,17 +91,31 @@ def fk(
 
         others: dict[str, object] = {"--pose": chosen.pose, "--symbolic": symbolic, "--let": let, "--links": links}
         others |= {"--factors": factors, "--style": style, "--digits": digits}
+        others |= {"--code": code, "--with-values": with_values}
         path = check_options(in_, chosen.robot, others)
         arm = robot_of(chosen)
         wanted = rows_wanted(arm, chosen, as_ or [], point, inverse=inverse, every=frames)
         asked = asked_of_rows(wanted.robot, chosen, ignores=ignore_columns)
-        fk_rows(wanted, asked, path, RowDelivery(format_, output, force), skip_bad=skip_bad, index=index)
+        fk_rows(wanted, asked, path, RowDelivery(format_, output, overwrite), skip_bad=skip_bad, index=index)
         return
-    from dhcli.cli.shell.asking import ask, kind_of
+    if code is not None or with_values:
+        from dhcli.cli.shell.coding import code_delivery
+        from dhcli.kinematics.frames import View
+        from dhcli.kinematics.generated import forward_function
+
+        besides: dict[str, object] = {"--frames": frames, "--links": links, "--factors": factors, "--point": point}
+        besides |= {"--as": as_, "--let": let, "--style": style, "--digits": digits}
+        written = code_delivery("function", "fk", code, besides, format_, output, overwrite=overwrite)
+        arm = robot_of(chosen)
+        values = values_of(arm, chosen, symbolic=True)
+        view = View.of(arm, chosen.from_, chosen.end, inverse=inverse)
+        written.hand_over("function", forward_function(arm, view, values, with_values=with_values))
+        return
+    from dhcli.cli.shell.asking import ask, result_kind
     from dhcli.cli.shell.delivery import Delivery
     from dhcli.kinematics.question import answer
 
-    delivery = Delivery("fk", format_, digits, style, output, force)
+    delivery = Delivery("fk", format_, digits, style, output, overwrite)
     arm = robot_of(chosen)
     question = ask(
         arm,
@@ -109,6 +129,6 @@ def fk(
         forms=as_,
         let=let,
     )
-    delivery.chosen(kind_of(question))
+    delivery.chosen(result_kind(question))
     result = answer(arm, values_of(arm, chosen, symbolic=symbolic), question)
-    delivery.hand_over(kind_of(question), result, result.warnings)
+    delivery.hand_over(result_kind(question), result, result.warnings)

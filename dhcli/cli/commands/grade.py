@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dhcli.cli.shell.options import Force, Output, complete_exercise
+from dhcli.cli.shell.options import Output, Overwrite, complete_exercise
 from dhcli.errors import ExitStatus
 
 if TYPE_CHECKING:
@@ -23,8 +23,10 @@ dhcli grade homework-3
 
 dhcli grade homework-3 --exercise planar-two-links -o grades.csv
 
-dhcli grade submission --exercise planar-two-links --format gradescope -o results.json
+dhcli grade submission --format gradescope -o results.json
 """
+_SHEETS = 12
+"""Sheets that take as long as the start of a process."""
 _SECONDS = {"ms": 0.001, "s": 1.0, "min": 60.0, "": 1.0}
 
 
@@ -40,14 +42,15 @@ def grade(
     ] = None,
     timeout: Annotated[str, typer.Option(metavar="TIME", help="Longest that one sheet may take.")] = "10s",
     jobs: Annotated[
-        int | None, typer.Option(min=1, metavar="N", help="Processes; by default one for each processor.")
+        int | None,
+        typer.Option(min=1, metavar="N", help="Processes; by default one a processor, fewer for few sheets."),
     ] = None,
     format_: Annotated[
         str | None,
         typer.Option("--format", metavar="NAME", help="table, json, csv or gradescope.", rich_help_panel="Output"),
     ] = None,
     output: Output = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> ExitStatus:
     """Grade every sheet in a folder."""
     from dhcli.classroom.folder import find_sheets
@@ -58,7 +61,7 @@ def grade(
     from dhcli.render.text.grades import summary
     from dhcli.render.text.progress import progress
 
-    delivery = Delivery("grade", format_, output=output, force=force)
+    delivery = Delivery("grade", format_, output=output, overwrite=overwrite)
     name = delivery.chosen("class")
     delivery.check_output()
     seconds = _seconds(timeout)
@@ -69,8 +72,9 @@ def grade(
         report = report_on(found, [_no_single(found)])
         delivery.hand_over("class", report)
         return ExitStatus.NOT_RIGHT
+    jobs = jobs or _processes(len(found.submissions))
     with progress("grading", len(found.submissions), sys.stderr) as count:
-        rows = grade_all(found.submissions, exercise, jobs=jobs or _processors(), timeout=seconds, tell=count)
+        rows = grade_all(found.submissions, exercise, jobs=jobs, timeout=seconds, tell=count)
     report = report_on(found, rows)
     delivery.hand_over("class", report)
     if output:
@@ -113,6 +117,11 @@ def _seconds(text: str) -> float:
     if seconds == 0.0:
         raise DhcliError(Problem(f"{text} is no time", Place("--timeout"), "write 10s, 500ms or 2min"))
     return seconds
+
+
+def _processes(sheets: int) -> int:
+    """How many processes are worth their start."""
+    return min(_processors(), 1 + sheets // _SHEETS)
 
 
 def _processors() -> int:

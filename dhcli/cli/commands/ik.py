@@ -9,8 +9,9 @@ import typer
 from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.options import (
     MANY,
+    Code,
     Digits,
-    Force,
+    Overwrite,
     SkipBad,
     complete_pose,
     format_option,
@@ -33,6 +34,8 @@ dhcli ik planar-2r --position 0.5,0.3,0
 dhcli ik panda --pose ready --hold theta7=30°
 
 dhcli ik planar-2r --derive
+
+dhcli ik puma560 --code c -o inverse.c
 
 dhcli ik puma560 --q 0.3,-0.5,0.7,1,0.8,-2 --branch "elbow up" --within-limits
 """
@@ -173,12 +176,11 @@ def ik(
     derive: Annotated[
         bool, typer.Option("--derive", help="The formulas, step by step as a book derives them; no pose is needed.")
     ] = False,
-    format_: Annotated[
-        str | None, format_option("table", "json", "csv", "latex", "md", "python", "numpy", "matlab", "c")
-    ] = None,
+    format_: Annotated[str | None, format_option("table", "json", "csv", "latex", "md")] = None,
+    code: Code = None,
     digits: Digits = None,
-    output: Annotated[str | None, output_option(".json", ".csv", ".tex", ".md", ".py", ".m", ".c", ".txt")] = None,
-    force: Force = False,
+    output: Annotated[str | None, output_option(".json", ".csv", ".tex", ".md", ".txt")] = None,
+    overwrite: Overwrite = False,
 ) -> int:
     """Inverse kinematics: every way to hold the joints so that the end frame stands in a pose."""
     import os
@@ -203,17 +205,25 @@ def ik(
         }
         others |= {"--quaternion": quaternion, "--pointing": pointing, "--branch": branch, "--family": family}
         others |= {"--all-turns": all_turns, "--derive": derive, "--digits": digits}
-        others |= {"--euler": euler, "--why": why, "TARGET": goal_}
+        others |= {"--euler": euler, "--why": why, "TARGET": goal_, "--code": code}
         rows = RowWish(in_, each, task, near, hold or [], within_limits, follow, skip_bad)
-        return solve_rows(chosen, rows, others, format_, output, force=force)
-    delivery = Delivery("ik", format_, digits, None, output, force)
-    delivery.chosen("derivation" if derive else "inverse")
+        return solve_rows(chosen, rows, others, format_, output, overwrite=overwrite)
+    kind = "inverse function" if code is not None else "derivation" if derive else "inverse"
+    if code is not None:
+        from dhcli.cli.shell.coding import code_delivery
+
+        besides: dict[str, object] = {"--near": near, "--branch": branch, "--family": family, "--hold": hold}
+        besides |= {"--why": why, "--digits": digits, "--within-limits": within_limits, "--all-turns": all_turns}
+        delivery = code_delivery(kind, "ik", code, besides, format_, output, overwrite=overwrite)
+    else:
+        delivery = Delivery("ik", format_, digits, None, output, overwrite)
+        delivery.chosen(kind)
     arm = robot_of(chosen)
     if goal_ is not None and target is not None:
         raise DhcliError("the pose is given in two ways", "leave --target out, it is the same as the second word")
     goal = Goal(goal_ if target is None else target, position, rpy, quaternion, euler, pointing, task)
-    if derive:
-        delivery.hand_over("derivation", derived(arm, goal, chosen))
+    if derive or code is not None:
+        delivery.hand_over(kind, derived(arm, goal, chosen))
         return ExitStatus.DONE
     question = asked(arm, goal, chosen)
     wish = near_of(arm, near, chosen.bare)
@@ -235,5 +245,5 @@ def ik(
         parameters=question.lengths,
     )
     found = only_branches(found, branch or [])
-    delivery.hand_over("inverse", question.answered(found, wish, why=why), found.remarks)
+    delivery.hand_over("inverse", question.answered(found, wish, why=why), (*question.remarks, *found.remarks))
     return ExitStatus.DONE if len(found) else ExitStatus.NOT_RIGHT

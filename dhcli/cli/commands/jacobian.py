@@ -10,17 +10,19 @@ from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.options import (
     MANY,
     Axes,
+    Code,
     Digits,
     EndPoint,
-    Force,
     Format,
     IgnoreColumns,
     Index,
     Let,
     Output,
+    Overwrite,
     SkipBad,
     Spelling,
     Symbolic,
+    WithValues,
 )
 
 ROWS = "Rows"
@@ -37,6 +39,8 @@ dhcli jacobian ur5e --q 0,-90,90,0,45,0 --deg
 dhcli jacobian scara --pose pick --point 0,0,0.1
 
 dhcli jacobian stanford --pose grasp --body
+
+dhcli jacobian ur5e --code python --with-values
 
 dhcli jacobian puma560 --rows q.csv -o jacobians.npy
 """
@@ -81,10 +85,12 @@ def jacobian(
     ignore_columns: IgnoreColumns = False,
     index: Index = False,
     format_: Format = None,
+    code: Code = None,
+    with_values: WithValues = False,
     style: Spelling = None,
     digits: Digits = None,
     output: Output = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """Jacobian of a robot: velocity of its end for each joint's rate, in numbers or as the textbook prints it."""
     from dhcli.cli.shell.given import lengths_of, robot_of, values_of
@@ -97,7 +103,8 @@ def jacobian(
         from dhcli.cli.shell.jacobian_rows import check_options
 
         others: dict[str, object] = {"--pose": chosen.pose, "--symbolic": symbolic, "--let": let}
-        check_options(rows, chosen.robot, others | {"--style": style, "--digits": digits})
+        others |= {"--style": style, "--digits": digits, "--code": code, "--with-values": with_values}
+        check_options(rows, chosen.robot, others)
     arm = robot_of(chosen)
     view = view_of(arm, chosen, in_, point, "--point")
     form = form_of(part, order, analytic)
@@ -113,14 +120,23 @@ def jacobian(
 
         wanted = JacobianRows(arm, view, form, lengths_of(arm, chosen))
         asked = asked_of_rows(arm, chosen, ignores=ignore_columns)
-        jacobian_rows(wanted, asked, rows, RowDelivery(format_, output, force), skip_bad=skip_bad, index=index)
+        jacobian_rows(wanted, asked, rows, RowDelivery(format_, output, overwrite), skip_bad=skip_bad, index=index)
+        return
+    if code is not None or with_values:
+        from dhcli.cli.shell.coding import code_delivery
+        from dhcli.kinematics.generated import jacobian_function
+
+        besides: dict[str, object] = {"--let": let, "--style": style, "--digits": digits}
+        written = code_delivery("function", "jacobian", code, besides, format_, output, overwrite=overwrite)
+        values = values_of(arm, chosen, symbolic=True)
+        written.hand_over("function", jacobian_function(arm, view, form, values, with_values=with_values))
         return
     from dhcli.cli.shell.delivery import Delivery
     from dhcli.kinematics.velocity.asked import answer_jacobian
 
     if let and not symbolic:
         raise DhcliError("--let gives names to parts of formulas, and this result is in numbers", "add --symbolic")
-    delivery = Delivery("jacobian", format_, digits, style, output, force)
+    delivery = Delivery("jacobian", format_, digits, style, output, overwrite)
     delivery.chosen("jacobian")
     values = values_of(arm, chosen, symbolic=symbolic)
     result = answer_jacobian(arm, values, view, form, symbolic=symbolic, let=let)

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from dhcli.cli.shell.options import Force, Format, Output
+from dhcli.cli.shell.options import Format, Output, Overwrite
 from dhcli.errors import ExitStatus
 
 EXAMPLES = """
@@ -25,13 +25,13 @@ def lint(
     ] = None,
     format_: Format = None,
     output: Output = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> ExitStatus:
     """Look for mistakes in exercises, robots and linkages before students do; ends with 1 on an error."""
     from dhcli.cli.shell.delivery import Delivery
     from dhcli.lint.files import lint as lint_files
 
-    delivery = Delivery("lint", format_, output=output, force=force)
+    delivery = Delivery("lint", format_, output=output, overwrite=overwrite)
     delivery.chosen("lint")
     linted = lint_files(paths or ())
     delivery.hand_over("lint", linted)

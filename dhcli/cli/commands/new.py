@@ -9,7 +9,7 @@ import typer
 
 from dhcli.cli.app import Group, One
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import Force
+from dhcli.cli.shell.options import Overwrite
 from dhcli.cli.shell.spreading import But, spread
 
 _OF_URDF = But(without=("robot", "q", "deg", "pose", "set_", "motors", "from_", "to", "tool"))
@@ -65,11 +65,9 @@ def robot(
             "-o", "--output", metavar="FILE", help="Where to write; ./robots/NAME.yaml by default, - is stdout."
         ),
     ] = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """Write a commented robot file that loads, for you to change, or one that is made of another description."""
-    from dhcli.cli.shell.console import tell, write_out
-    from dhcli.cli.shell.delivery import make_folder, write_file
     from dhcli.errors import DhcliError
     from dhcli.files.yaml.templates import check_name, robot_template
 
@@ -87,16 +85,9 @@ def robot(
         raise DhcliError("--units, --base, --tip and --as-typed say how a file is read", "name one: --from arm.urdf")
     else:
         text = robot_template(name, convention or "standard", joints or "RRP")
-    if output == "-":
-        write_out(text)
-        return
     path = Path(output or f"robots/{name}.yaml")
-    if output is None:
-        make_folder(path.parent)
-    write_file(path, text, force=force)
     asked = name if output is None else path
-    tell(f"wrote {path}")
-    tell(f"next: dhcli show {asked}, then dhcli fk {asked} --symbolic")
+    _write(text, output, path, f"dhcli show {asked}, then dhcli fk {asked} --symbolic", overwrite=overwrite)
 
 
 @new.command(cls=One, epilog="dhcli new exercise my-course/first --robot planar-2r")
@@ -112,25 +103,15 @@ def exercise(
             help="Where to write; ./exercises/COURSE/NAME.yaml by default, - is stdout.",
         ),
     ] = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """Write a commented exercise file with blanks that lint points at, for you to fill in."""
-    from dhcli.cli.shell.console import tell, write_out
-    from dhcli.cli.shell.delivery import make_folder, write_file
     from dhcli.files.yaml.exercise_template import exercise_template
     from dhcli.files.yaml.robots import load_robot
 
     text = exercise_template(name, load_robot(robot_name))
-    if output == "-":
-        write_out(text)
-        return
     path = Path(output or f"exercises/{name}.yaml")
-    if output is None:
-        make_folder(path.parent.parent)
-        make_folder(path.parent)
-    write_file(path, text, force=force)
-    tell(f"wrote {path}")
-    tell(f"next: fill in what is empty, then dhcli lint {path}")
+    _write(text, output, path, f"fill in what is empty, then dhcli lint {path}", overwrite=overwrite)
 
 
 @new.command(cls=One, epilog="dhcli new linkage my-press --form joints")
@@ -146,22 +127,36 @@ def linkage(
             help="Where to write; ./robots/linkages/NAME.yaml by default, - is stdout.",
         ),
     ] = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """Write a commented linkage file that loads, for you to change."""
-    from dhcli.cli.shell.console import tell, write_out
-    from dhcli.cli.shell.delivery import make_folder, write_file
     from dhcli.files.yaml.linkage_template import linkage_template
 
     text = linkage_template(name, form)
+    path = Path(output or f"robots/linkages/{name}.yaml")
+    asked = name if output is None else path
+    _write(text, output, path, f"dhcli show {asked}, then dhcli dof {asked}", overwrite=overwrite)
+
+
+def _write(text: str, output: str | None, path: Path, then: str, *, overwrite: bool) -> None:
+    """Write a new file, and tell what to do next.
+
+    Args:
+        text: What is in it.
+        output: What was typed: `-` is stdout, and None the usual place, whose folders are made.
+        path: Where to write it.
+        then: What to do next.
+        overwrite: Whether it may be overwritten.
+    """
+    from dhcli.cli.shell.console import tell, write_out
+    from dhcli.cli.shell.delivery import make_folder, write_file
+
     if output == "-":
         write_out(text)
         return
-    path = Path(output or f"robots/linkages/{name}.yaml")
     if output is None:
-        make_folder(path.parent.parent)
-        make_folder(path.parent)
-    write_file(path, text, force=force)
-    asked = name if output is None else path
+        for folder in reversed(path.parents):
+            make_folder(folder)
+    write_file(path, text, overwrite=overwrite)
     tell(f"wrote {path}")
-    tell(f"next: dhcli show {asked}, then dhcli dof {asked}")
+    tell(f"next: {then}")

@@ -11,9 +11,9 @@ from dhcli.cli.shell.options import (
     AtPoint,
     Axes,
     Digits,
-    Force,
     Format,
     Output,
+    Overwrite,
     Spelling,
     Symbolic,
 )
@@ -56,7 +56,7 @@ def rates(
     style: Spelling = None,
     digits: Digits = None,
     output: Output = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """Joint rates for a velocity of a robot's end, or with --rates the velocity that they give."""
     from dhcli.cli.shell.delivery import Delivery
@@ -74,7 +74,7 @@ def rates(
         raise DhcliError("--symbolic does not go with --damped", "damped rates are numbers: leave one out")
     if damped is not None and not wanted:
         raise DhcliError("--damped is about joint rates for a velocity", "give --velocity VX,VY,VZ")
-    delivery = Delivery("rates", format_, digits, style, output, force)
+    delivery = Delivery("rates", format_, digits, style, output, overwrite)
     delivery.chosen("velocity")
     arm = robot_of(chosen)
     view = view_of(arm, chosen, in_, at, "--at")

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from dhcli.cli.shell.options import Force
+from dhcli.cli.shell.options import Overwrite
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -33,7 +33,7 @@ def schema(
         str | None,
         typer.Option("-o", "--output", metavar="FILE", help="Write to a file; - is stdout.", rich_help_panel="Output"),
     ] = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """Print the JSON schema of a kind of file, for an editor that completes keys and marks mistakes."""
     import json
@@ -46,6 +46,6 @@ def schema(
     if output in (None, "-"):
         write_out(text)
         return
-    write_file(output, text, force=force)
+    write_file(output, text, overwrite=overwrite)
     tell(f"wrote {output}")
     tell(f"next: begin a file with # yaml-language-server: $schema={output}")

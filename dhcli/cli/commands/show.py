@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, cast
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import Force, Variant, format_option, output_option
+from dhcli.cli.shell.options import Overwrite, Variant, format_option, output_option
 from dhcli.cli.shell.spreading import But
 from dhcli.errors import DhcliError
 
@@ -31,14 +31,14 @@ def show(
     variant: Variant = None,
     format_: Annotated[str | None, format_option("table", "json", "latex", "csv")] = None,
     output: Annotated[str | None, output_option(".json", ".tex", ".csv", ".txt")] = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
     draw: Annotated[bool, typer.Option("--draw", help="With a picture under it, in letters.")] = False,
 ) -> None:
     """Show a robot's table, a linkage's joints or an exercise's task, and where it comes from."""
     from dhcli.cli.shell.delivery import Delivery
     from dhcli.files.library.kinds import kind_of
 
-    delivery = Delivery("show", format_, output=output, force=force)
+    delivery = Delivery("show", format_, output=output, overwrite=overwrite)
     name = chosen.robot
     kind = kind_of(name).noun
     delivery.chosen(kind)

@@ -10,9 +10,9 @@ from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.options import (
     WHERE,
     EndPoint,
-    Force,
     Format,
     Output,
+    Overwrite,
     Spelling,
 )
 
@@ -43,7 +43,7 @@ def singularities(
     format_: Format = None,
     style: Spelling = None,
     output: Output = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """Singular poses of a robot: the determinant in factors, what each means, and with --q how far they are."""
     from dhcli.cli.shell.delivery import Delivery
@@ -52,7 +52,7 @@ def singularities(
     from dhcli.kinematics.singular.finding import find
     from dhcli.kinematics.velocity.asked import answer_singularities
 
-    delivery = Delivery("singularities", format_, None, style, output, force)
+    delivery = Delivery("singularities", format_, None, style, output, overwrite)
     delivery.chosen("singularities")
     arm = robot_of(chosen)
     view = view_of(arm, chosen, None, point, "--point")

@@ -26,7 +26,7 @@ def start(
     output: Annotated[
         str | None, typer.Option("-o", "--output", metavar="FILE", help="Where to write it; - is stdout.")
     ] = None,
-    force: Annotated[bool, typer.Option("--overwrite", help="Overwrite the file.")] = False,
+    overwrite: Annotated[bool, typer.Option("--overwrite", help="Overwrite the file.")] = False,
 ) -> None:
     """Write an answer sheet for an exercise."""
     from dhcli.checking.figures import subject
@@ -44,7 +44,7 @@ def start(
         return
     named = name if name.endswith((".yaml", ".yml")) else exercise.id
     path = output or f"{exercise.id.split('/')[-1]}.sheet.yaml"
-    write_file(path, text, force=force)
+    write_file(path, text, overwrite=overwrite)
     tell(f"wrote {path}")
     if pictured := subject(exercise):
         drawn = f" --variant {shlex.quote(variant)}" if variant else ""

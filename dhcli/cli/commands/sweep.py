@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import Digits, EndPoint, Force, complete_joint
+from dhcli.cli.shell.options import Digits, EndPoint, Overwrite, complete_joint
 
 if TYPE_CHECKING:
     import numpy as np
@@ -30,7 +30,7 @@ dhcli sweep scara --over 'q1=-90°..90° step 5°' --over 'd3=0..0.2 n 11'
 
 dhcli sweep puma560 --pose ready --over q2 --over q3 -o reach.csv
 
-dhcli sweep scara --over theta1 --over theta2 --over d3=0..0.2 --draw reach.svg
+dhcli sweep scara --over q1 --over q2 --over d3=0..0.2 --draw reach.svg
 """
 
 
@@ -69,7 +69,7 @@ def sweep(
             rich_help_panel="Output",
         ),
     ] = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """Sweep joints over a grid: how far a robot reaches, the box it stays in, and the poses at its sides.
 
@@ -86,9 +86,9 @@ def sweep(
 
     delivery = Delivery("sweep", format_, digits)
     delivery.chosen("sweep")
-    points = _points(output, force=force and not (draw and output is None))
+    points = _points(output, overwrite=overwrite and not (draw and output is None))
     if draw is not None:
-        check_picture(draw, force=force)
+        check_picture(draw, overwrite=overwrite)
     arm = robot_of(chosen)
     values = values_of(arm, chosen)
     seen = None if point is None else point_of(point, "--point", open_scope(arm))
@@ -104,19 +104,19 @@ def sweep(
         result = go_through(target, grid, take)
     delivery.hand_over("sweep", result, result.warnings)
     if draw is not None and density is not None:
-        draw_workspace(target, density.workspace(target), draw, force=force)
+        draw_workspace(target, density.workspace(target), draw, overwrite=overwrite)
 
 
-def _points(output: str | None, *, force: bool) -> RowDelivery | None:
+def _points(output: str | None, *, overwrite: bool) -> RowDelivery | None:
     """Where the points go, once it is known that they can; None if nobody wants them."""
-    if output is None and not force:
+    if output is None and not overwrite:
         return None
     from dhcli.cli.shell.delivery import format_by_suffix
     from dhcli.cli.shell.rows import SUFFIXES, RowDelivery
 
     if output is not None:
         format_by_suffix(output, SUFFIXES, " of points", "the summary is on standard output, see --format")
-    delivery = RowDelivery(None, output, force)
+    delivery = RowDelivery(None, output, overwrite)
     delivery.chosen()
     return delivery
 

@@ -11,9 +11,9 @@ from dhcli.cli.shell.options import (
     AtPoint,
     Axes,
     Digits,
-    Force,
     Format,
     Output,
+    Overwrite,
     Spelling,
     Symbolic,
 )
@@ -44,7 +44,7 @@ def torques(
     style: Spelling = None,
     digits: Digits = None,
     output: Output = None,
-    overwrite: Force = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """Joint torques with which a robot presses with a force: tau = Jᵀ F, in numbers or in symbols."""
     from dhcli.cli.shell.delivery import Delivery

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from dhcli.cli.shell.options import Digits, Force, Format, Forms, Output, Settings, Spelling
+from dhcli.cli.shell.options import Digits, Format, Forms, Output, Overwrite, Settings, Spelling
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -44,7 +44,7 @@ def transform(
     style: Spelling = None,
     digits: Digits = None,
     output: Output = None,
-    force: Force = False,
+    overwrite: Overwrite = False,
 ) -> None:
     """Compose moves and matrices, in numbers or in symbols, and see where points go."""
     from dhcli.cli.shell.delivery import Delivery
@@ -54,7 +54,7 @@ def transform(
     from dhcli.notation.scope import usual
 
     kind = "steps" if steps else "transform"
-    delivery = Delivery("transform", format_, digits, style, output, force)
+    delivery = Delivery("transform", format_, digits, style, output, overwrite)
     delivery.chosen(kind)
     names = names_of(symbols or "", "--symbols")
     moves = read_product(*product_of(product), names)

@@ -8,12 +8,13 @@ import sys
 import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from dhcli.cli.shell.options import ExerciseName, Variant
+from dhcli.frozen import frozen
 
 if TYPE_CHECKING:
     from dhcli.checking.judge import Judge, SheetMark
@@ -32,7 +33,7 @@ CLEAR = "\x1b[2J\x1b[H"
 KEYS = "h hint · w names · r check again · q quit"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Seen:
     """What was found in the sheet.
 

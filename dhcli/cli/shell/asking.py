@@ -58,7 +58,7 @@ def ask(
     )
 
 
-def kind_of(question: Question) -> str:
+def result_kind(question: Question) -> str:
     """The kind of result that a question has, which decides the formats."""
     if question.listing:
         return "poses"

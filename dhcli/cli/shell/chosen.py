@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import Annotated, Literal
 
 import typer
 
 from dhcli.cli.shell.options import WHERE, RobotName, Settings, complete_frame, complete_pose
 from dhcli.cli.shell.spreading import REQUIRED
+from dhcli.frozen import frozen
 
 _URDF = "URDF"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Chosen:
     """The options of every command about a robot, as they were typed; `spread` makes them options of a command.
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 
 from dhcli.cli.shell.console import say, tell, write_out
 from dhcli.errors import DhcliError, FileError, Place, Problem, UnknownNameError, did_you_mean
+from dhcli.frozen import frozen
 from dhcli.render.look import Look, check_format, content, render
 from dhcli.render.paper import Paper
 
@@ -25,7 +25,7 @@ SUFFIXES = {
 STYLES = ("short", "full")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Delivery:
     """How a person wants a result.
 
@@ -35,7 +35,7 @@ class Delivery:
         digits: Decimals asked for.
         style: Spelling of formulas asked for.
         output: The file to write.
-        force: Whether that file may be overwritten.
+        overwrite: Whether that file may be overwritten.
     """
 
     command: str
@@ -43,7 +43,7 @@ class Delivery:
     digits: int | None = None
     style: str | None = None
     output: str | None = None
-    force: bool = False
+    overwrite: bool = False
 
     def hand_over(self, kind: str, result: object, warnings: Iterable[str] = ()) -> None:
         """Render a result and write it.
@@ -73,7 +73,7 @@ class Delivery:
         """
         if self.style is not None and self.style not in STYLES:
             raise UnknownNameError(f"there is no style {self.style}", did_you_mean(self.style, STYLES) or "short, full")
-        check_force(self.output, force=self.force)
+        check_overwrite(self.output, overwrite=self.overwrite)
         name = self.format
         if name is None and self.output is not None:
             name = format_by_suffix(self.output, SUFFIXES)
@@ -89,13 +89,13 @@ class Delivery:
             FileError: It exists already.
         """
         if self.output is not None:
-            check_free(self.output, force=self.force)
+            check_free(self.output, overwrite=self.overwrite)
 
     def _write(self, text: str) -> None:
         if self.output is None:
             write_out(text)
             return
-        write_file(self.output, text, force=self.force)
+        write_file(self.output, text, overwrite=self.overwrite)
         tell(f"wrote {self.output}")
 
     def warn(self, warnings: Iterable[str]) -> None:
@@ -107,13 +107,13 @@ class Delivery:
             say("".join(warning_line(message, paper) for message in warned))
 
 
-def check_force(output: str | None, *, force: bool) -> None:
+def check_overwrite(output: str | None, *, overwrite: bool) -> None:
     """Make sure that there is a file where one may be overwritten.
 
     Raises:
         DhcliError: `--overwrite` has none.
     """
-    if force and not output:
+    if overwrite and not output:
         raise DhcliError("--overwrite needs a file to overwrite", "name it with -o FILE")
 
 
@@ -150,17 +150,17 @@ def make_folder(path: Path) -> None:
         raise FileError(Problem(f"no folder can be made here: {error.strerror}", Place(str(path)))) from None
 
 
-def check_free(path: Path | str, *, force: bool) -> None:
+def check_free(path: Path | str, *, overwrite: bool) -> None:
     """Make sure that no file of this name stands there, unless it may be overwritten.
 
     Raises:
         FileError: It exists already.
     """
-    if Path(path).is_file() and not force:
+    if Path(path).is_file() and not overwrite:
         raise FileError(Problem("exists already", Place(str(path)), "--overwrite overwrites it"))
 
 
-def write_file(path: Path | str, text: str, *, force: bool) -> None:
+def write_file(path: Path | str, text: str, *, overwrite: bool) -> None:
     """Write a file whole or not at all.
 
     Raises:
@@ -168,5 +168,5 @@ def write_file(path: Path | str, text: str, *, force: bool) -> None:
     """
     from dhcli.storage.atomic import write_whole
 
-    check_free(path, force=force)
-    write_whole(path, text, overwrite=force)
+    check_free(path, overwrite=overwrite)
+    write_whole(path, text, overwrite=overwrite)

@@ -67,6 +67,8 @@ def of_exercise(name: str, variant: str | None, *, solution: bool) -> list[dict[
         arm = replace(exercise.robot, title=exercise.title)
         lengths = {name: value for name, value in exercise.given.items() if name in arm.parameters}
         joints = {name: value for name, value in exercise.given.items() if name in arm.variables}
+        drawn = (part.question.pose_drawn(exercise) for part in exercise.asked)
+        joints = next((dict(pose) for pose in drawn if pose), joints)
         found.append({"what": arm, "parameters": lengths, "worksheet": level == "axes" and not solution})
         if arm.variables and len(joints) == len(arm.variables):
             found[0]["q"] = joints
@@ -131,12 +133,12 @@ def _read_rows(robot: Robot, path: str, chosen: Chosen) -> tuple[tuple[float, ..
     return tuple(found)
 
 
-def check_picture(path: str, *, force: bool, page: str = "") -> None:
+def check_picture(path: str, *, overwrite: bool, page: str = "") -> None:
     """Refuse a file that is no picture, or that exists already, before anything is computed.
 
     Args:
         path: The file.
-        force: Whether it may be overwritten.
+        overwrite: Whether it may be overwritten.
         page: Why it cannot be a page; empty where it can.
 
     Raises:
@@ -148,10 +150,10 @@ def check_picture(path: str, *, force: bool, page: str = "") -> None:
 
     if page and format_of(path) == "page":
         raise DhcliError(page, "write .svg, .pdf, .png or .tex")
-    check_free(path, force=force)
+    check_free(path, overwrite=overwrite)
 
 
-def draw_workspace(target: Target, workspace: Workspace, path: str, *, force: bool) -> None:
+def draw_workspace(target: Target, workspace: Workspace, path: str, *, overwrite: bool) -> None:
     """Draw the points of a sweep, and write the file.
 
     Raises:
@@ -162,7 +164,7 @@ def draw_workspace(target: Target, workspace: Workspace, path: str, *, force: bo
     from dhcli.storage.atomic import write_whole
 
     picture = Picture(target.robot, parameters=target.lengths, workspace=workspace)
-    write_whole(path, picture.rendered(format_of(path)), overwrite=force)
+    write_whole(path, picture.rendered(format_of(path)), overwrite=overwrite)
     tell(f"wrote {path}")
 
 

@@ -14,7 +14,7 @@ from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import given_parameters, joint_values, parameter_values
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
-from dhcli.notation.quantity import DimensionError, to_length
+from dhcli.notation.quantity import DimensionError, to_angle, to_length
 from dhcli.notation.scope import OPEN, Scope
 from dhcli.notation.tree import Expr
 
@@ -71,7 +71,18 @@ def values_of(robot: Robot, chosen: Chosen, *, symbolic: bool = False) -> dict[s
     lengths = lengths_of(robot, chosen, symbolic=symbolic)
     posed = {} if pose is None else named_pose(robot, pose)
     text, where = (q, Place("--q")) if q is None or not q.startswith("@") else text_of_file(q[1:])
+    if q is not None and q.startswith("@"):
+        _refuse_rows(robot, text or "", where, q[1:])
     return {**lengths, **posed, **joint_values(robot, text, bare=chosen.bare, place=where)}
+
+
+def _refuse_rows(robot: Robot, text: str, where: Place, path: str) -> None:
+    """Refuse a file of many rows where the values of one pose are wanted."""
+    count, joints = sum(1 for _ in split(text)), len(robot.variables)
+    if joints and count > joints and count % joints == 0 and "=" not in text:
+        message = f"{count // joints} rows of {plural(joints, 'value')}, and one pose is wanted"
+        hint = f"many rows: fk --in {path}, draw --in {path} or jacobian --rows {path}; else leave one"
+        raise DhcliError(Problem(message, where, hint))
 
 
 def named_pose(robot: Robot, name: str) -> dict[str, Value]:
@@ -118,6 +129,18 @@ def point_of(text: str, option: str, scope: Scope = OPEN) -> Point:
         )
     x, y, z = (_length(piece, scope, replace(place, column=offset + 1)) for offset, piece in pieces)
     return x, y, z
+
+
+def angle_of(text: str, option: str) -> float:
+    """An angle without names, in radians where no unit stands [rad]."""
+    place = Place(option, text=text)
+    try:
+        angle = to_angle(parse(text, OPEN, place))
+    except DimensionError as error:
+        raise DhcliError(Problem(error.message, place, error.hint)) from None
+    if angle.names:
+        raise DhcliError(Problem(f"{', '.join(sorted(angle.names))} is no number", place, f"write {option} 0.01°"))
+    return angle.constant()
 
 
 def open_scope(robot: Robot) -> Scope:

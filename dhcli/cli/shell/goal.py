@@ -31,8 +31,11 @@ if TYPE_CHECKING:
     from dhcli.kinematics.inverse.solutions import Solutions
     from dhcli.kinematics.inverse.tasks import TaskName
 
-_POINT = re.compile(r"\s*[\[(]?[^][(),;]+(?:,[^][(),;]+){2}[\])]?\s*")
-"""Three values with commas: no move and no matrix."""
+_POINT = re.compile(
+    r"\s*[\[(]?[^][(),;]+(?:,[^][(),;]+){2}[\])]?\s*"
+    r"|\s*[\[(]?\s*[-+]?[.\d][^][(),;\s]*(?:\s+[-+]?[.\d][^][(),;\s]*){2}\s*[\])]?\s*"
+)
+"""Three values with commas, or three numbers with blanks: no move and no matrix."""
 
 Rows = tuple[tuple[float, ...], ...]
 
@@ -73,6 +76,7 @@ class Question:
         start: The frame it is seen from.
         end: The frame that is placed.
         lengths: Values of lengths and constant angles.
+        remarks: What was taken for something else, such as a matrix of few decimals for the nearest rotation.
     """
 
     robot: Robot
@@ -81,6 +85,7 @@ class Question:
     start: str
     end: str
     lengths: Mapping[str, Value]
+    remarks: tuple[str, ...] = ()
 
     def answered(self, found: Solutions, near: Sequence[float] | None, *, why: bool) -> InverseKinematics:
         """The question with its answer, and with how that came about if it is wanted."""
@@ -109,8 +114,8 @@ def asked(
     first, last = ends(robot, chosen.from_, chosen.end)
     lengths = lengths_of(robot, chosen)
     task = task_of(goal)
-    rows = _rows(robot, goal, chosen, (first, last))
-    return Question(robot, rows, cast("TaskName", task), first, last, lengths)
+    rows, remarks = _rows(robot, goal, chosen, (first, last))
+    return Question(robot, rows, cast("TaskName", task), first, last, lengths, remarks)
 
 
 def task_of(goal: Goal) -> str:
@@ -129,8 +134,8 @@ def task_of(goal: Goal) -> str:
     return "orientation" if turned else "pose"
 
 
-def _rows(robot: Robot, goal: Goal, chosen: Chosen, frames: tuple[str, str]) -> Rows:
-    """The matrix."""
+def _rows(robot: Robot, goal: Goal, chosen: Chosen, frames: tuple[str, str]) -> tuple[Rows, tuple[str, ...]]:
+    """The matrix, and what in it was taken for something else."""
     parts = (goal.position, goal.rpy, goal.quaternion, goal.euler, goal.pointing)
     ways = [chosen.stands, goal.target is not None, any(p is not None for p in parts)]
     if sum(ways) != 1:
@@ -139,13 +144,13 @@ def _rows(robot: Robot, goal: Goal, chosen: Chosen, frames: tuple[str, str]) -> 
             said, "one of --q, --pose, --target, or --position with --rpy, --quaternion, --euler or --pointing"
         )
     if ways[0]:
-        return numeric_pose(robot, values_of(robot, chosen), *frames).rows
+        return numeric_pose(robot, values_of(robot, chosen), *frames).rows, ()
     if goal.target is not None:
         return _target(goal.target, chosen.robot)
-    return _from_parts(goal, chosen.bare)
+    return _from_parts(goal, chosen.bare), ()
 
 
-def _target(text: str, typed: str) -> Rows:
+def _target(text: str, typed: str) -> tuple[Rows, tuple[str, ...]]:
     from dhcli.files.reading import read_text, source_of
 
     place = Place("--target")
@@ -156,13 +161,15 @@ def _target(text: str, typed: str) -> Rows:
         text, place = read_text(path), Place(source_of(path))
     if _POINT.fullmatch(text):
         message = f"'{text.strip()}' is a position, and a whole pose is wanted"
-        hint = f"write --position {text.strip('[]() ')}, where the turn is free"
+        said = ",".join(part for part in re.split(r"[\s,]+", text.strip("[]() \t\n")) if part)
+        hint = f"write --position {said}, where the turn is free"
         raise DhcliError(Problem(message, place, hint))
-    pose = compose(read_product(text, place), {}, Wanted()).pose
+    product = read_product(text, place)
+    pose = compose(product, {}, Wanted()).pose
     if pose.is_symbolic:
         _known([cast("Expr", entry) for row in pose.rows for entry in row], place)
         pose = pose.in_numbers()
-    return cast("Pose[float]", pose).rows
+    return cast("Pose[float]", pose).rows, product.remarks
 
 
 def _from_parts(goal: Goal, bare: Bare) -> Rows:

@@ -137,7 +137,7 @@ def solve_rows(
     format_: str | None,
     output: str | None,
     *,
-    force: bool,
+    overwrite: bool,
 ) -> ExitStatus:
     """Solve each pose of a file.
 
@@ -155,7 +155,7 @@ def solve_rows(
     if each == "nearest" and wish.near is None:
         raise DhcliError("nearest to what?", "give --near VALUES")
     check_rows(chosen.robot, wish.path, others)
-    delivery = RowDelivery(format_, output, force)
+    delivery = RowDelivery(format_, output, overwrite)
     delivery.chosen()
     robot = robot_of(chosen)
     task = None if wish.task is None else task_of(Goal(task=wish.task))

@@ -29,7 +29,8 @@ def view_of(robot: Robot, chosen: Chosen, axes: str | None, at: str | None, opti
         DhcliError: There is no such frame, or the point cannot be read.
     """
     if axes is not None and (axes == "-" or "." in axes):
-        raise DhcliError(f"--in {axes} is no frame: it says along which axes", "rows of a file: dhcli jacobian --rows")
+        hint = f"rows of a file: dhcli jacobian {robot.name} --rows {axes}"
+        raise DhcliError(f"--in {axes} is no frame: it says along which axes", hint)
     is_frame = at is not None and option != "--point" and "," not in at
     point = ORIGIN if at is None or is_frame else point_of(at, option, open_scope(robot))
     view = MotionView.of(robot, start=chosen.from_, end=chosen.end, axes=axes, place=at if is_frame else None)

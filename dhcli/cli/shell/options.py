@@ -89,7 +89,9 @@ Output: TypeAlias = Annotated[str | None, output_option(".json", ".tex", ".m", "
 WHERE = "Where and what"
 """Heading of the options that choose frames and points."""
 
-Force: TypeAlias = Annotated[bool, typer.Option("--overwrite", help="Overwrite the file.", rich_help_panel="Output")]
+Overwrite: TypeAlias = Annotated[
+    bool, typer.Option("--overwrite", help="Overwrite the file.", rich_help_panel="Output")
+]
 Settings: TypeAlias = Annotated[
     list[str] | None,
     typer.Option("--set", metavar="NAME=VALUE", help="Value of a length or constant angle; repeatable."),
@@ -163,6 +165,33 @@ Index: TypeAlias = Annotated[
 
 # What commands about a robot in motion have.
 Symbolic: TypeAlias = Annotated[bool, typer.Option("--symbolic", "-s", help="Keep what has no value as symbols.")]
+LANGUAGES = ("python", "numpy", "c", "matlab", "julia", "javascript")
+"""Languages in which a function can be written."""
+
+
+def complete_language(incomplete: str) -> list[str]:
+    """Languages that begin with what was typed."""
+    return [name for name in LANGUAGES if name.startswith(incomplete)]
+
+
+Code: TypeAlias = Annotated[
+    str | None,
+    typer.Option(
+        "--code",
+        metavar="LANGUAGE",
+        help=f"A function that runs: {', '.join(LANGUAGES[:-1])} or {LANGUAGES[-1]}.",
+        rich_help_panel="Output",
+        autocompletion=complete_language,
+    ),
+]
+WithValues: TypeAlias = Annotated[
+    bool,
+    typer.Option(
+        "--with-values",
+        help="With --code: the robot's lengths as numbers, not as arguments.",
+        rich_help_panel="Output",
+    ),
+]
 Let: TypeAlias = Annotated[bool, typer.Option("--let", help="Give names to long or repeated brackets.")]
 Axes: TypeAlias = Annotated[
     str | None,

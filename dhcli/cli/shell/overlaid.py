@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any
 from dhcli.errors import DhcliError
 
 if TYPE_CHECKING:
-    from dhcli.checking.exercise import Exercise, Overlaid, Part
+    from dhcli.checking.exercise import Exercise, Part
     from dhcli.checking.judge import SheetMark
+    from dhcli.checking.returned import Overlaid
     from dhcli.kinematics.robot import Robot, Value
     from dhcli.kinematics.values import Values
     from dhcli.render.pictures.picture import Picture
@@ -31,14 +32,14 @@ def check_overlaid(exercise: Exercise, part: str | None) -> None:
         raise DhcliError(f"{where} asks for nothing that can be drawn", NO_FRAME)
 
 
-def draw_over(marked: SheetMark, answers: Mapping[str, str], path: str, *, force: bool) -> None:
+def draw_over(marked: SheetMark, answers: Mapping[str, str], path: str, *, overwrite: bool) -> None:
     """Draw the first wrong answer that says where frames are, or else the first such answer, and write the file.
 
     Args:
         marked: The judgement.
         answers: The answers by part.
         path: The file to write.
-        force: Whether it may be overwritten.
+        overwrite: Whether it may be overwritten.
 
     Raises:
         FileError: The file cannot be written.
@@ -51,7 +52,7 @@ def draw_over(marked: SheetMark, answers: Mapping[str, str], path: str, *, force
     for one in parts:
         picture = _picture(marked.exercise, one.part, answers, is_right=one.mark.verdict.passed is True)
         if picture is not None:
-            write_whole(path, picture.rendered(format_of(path)), overwrite=force)
+            write_whole(path, picture.rendered(format_of(path)), overwrite=overwrite)
             tell(f"wrote {path}: part {one.part.id}")
             return
     tell(f"dhcli: nothing was drawn: no answer that can be read says where frames are ({NO_FRAME})")

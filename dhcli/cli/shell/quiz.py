@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from dhcli.checking.exercise import Exercise, Part
@@ -12,6 +12,7 @@ from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import Verdict
 from dhcli.cli.shell.chosen import Chosen
 from dhcli.errors import DhcliError, ExitStatus, Place, Problem, UnknownNameError, did_you_mean
+from dhcli.frozen import frozen
 
 if TYPE_CHECKING:
     from dhcli.cli.shell.goal import Goal
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 PLAIN_FORMS = ("rpy", "quaternion", "axis-angle", "rotation-vector")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RobotOptions:
     """The options of `fk` that turn a robot into a question.
 

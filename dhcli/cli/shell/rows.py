@@ -5,12 +5,12 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, BinaryIO
 
 from dhcli.cli.shell.console import raw_out, somebody_reads, tell, write_out
-from dhcli.cli.shell.delivery import check_force, check_free, format_by_suffix
+from dhcli.cli.shell.delivery import check_free, check_overwrite, format_by_suffix
 from dhcli.errors import DhcliError, UnknownNameError, did_you_mean, plural
+from dhcli.frozen import frozen
 from dhcli.render.code.rows import FORMATS, Layout, RowText
 
 if TYPE_CHECKING:
@@ -49,19 +49,19 @@ class RowSink:
         self.count += len(block)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RowDelivery:
     """How a person wants rows.
 
     Attributes:
         format: The format asked for; None leaves it to the file's suffix, and else takes CSV.
         output: The file to write; None for stdout.
-        force: Whether that file may be overwritten.
+        overwrite: Whether that file may be overwritten.
     """
 
     format: str | None = None
     output: str | None = None
-    force: bool = False
+    overwrite: bool = False
 
     @property
     def is_away(self) -> bool:
@@ -76,13 +76,13 @@ class RowDelivery:
             DhcliError: A terminal would show bytes, or `--overwrite` has no file.
             FileError: The file exists already.
         """
-        check_force(self.output, force=self.force)
+        check_overwrite(self.output, overwrite=self.overwrite)
         if self.format is not None and self.format not in FORMATS:
             hint = "jsonl has one object a row" if self.format == "json" else did_you_mean(self.format, FORMATS)
             raise UnknownNameError(f"there is no format {self.format} for rows", hint)
         name = self.format or format_by_suffix(self.output or "stdout.csv", SUFFIXES, " of rows")
         if self.output is not None:
-            check_free(self.output, force=self.force)
+            check_free(self.output, overwrite=self.overwrite)
         elif name == "npy" and sys.stdout.isatty():
             raise DhcliError("npy is not for a terminal", "write it to a file with -o poses.npy, or into a pipe")
         return name
@@ -102,7 +102,7 @@ class RowDelivery:
         from dhcli.storage.atomic import whole_file
 
         with (
-            whole_file(self.output, overwrite=self.force) as stream,
+            whole_file(self.output, overwrite=self.overwrite) as stream,
             _sink(name, layout, stream) as sink,
         ):
             yield sink

@@ -68,7 +68,7 @@ def derived(robot: Robot, goal: Goal, chosen: Chosen) -> Derivation:
     from dhcli.kinematics.inverse.derive import derive
 
     if any((chosen.q, chosen.pose, *astuple(replace(goal, task=None)))):
-        raise DhcliError("--derive is in letters and takes no pose", "leave it out, or leave --derive out")
+        raise DhcliError("a derivation is in letters and takes no pose", "leave it out, or --derive and --code")
     if goal.task not in {None, "pose", "position"}:
-        raise DhcliError(Problem(f"--derive knows no task {goal.task}", Place("--task"), "pose or position"))
+        raise DhcliError(Problem(f"a derivation knows no task {goal.task}", Place("--task"), "pose or position"))
     return derive(robot, start=chosen.from_, end=chosen.end, task=goal.task or "")

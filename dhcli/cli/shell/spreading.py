@@ -5,17 +5,19 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Iterator, Mapping
 from copy import copy
-from dataclasses import Field, dataclass, field, fields, is_dataclass
+from dataclasses import Field, field, fields, is_dataclass
 from functools import wraps
 from typing import Annotated, Any, get_args, get_origin, get_type_hints
 
 from typer.models import OptionInfo
 
+from dhcli.frozen import frozen
+
 REQUIRED = {"required": True}
 """Metadata of a field that must be typed, where the command has it; its default is for those that do not."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class But:
     """How a group of options differs in one command; `Annotated[Chosen, But(without=("q",))]`.
 

@@ -68,7 +68,7 @@ def heads_of(text: str) -> Heads | None:
 
 def cells_of(line: str, sign: str) -> list[str]:
     """The cells of a line, without quotes and the bars at its ends."""
-    line = line.strip()
+    line = line.replace("\r", " ").strip()  # csv refuses it within a line
     if sign == "|":
         line = line.removeprefix("|").removesuffix("|")
         return [cell.strip().strip("`$").strip() for cell in line.split("|")]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dhcli.checking.credit import UNITS
 from dhcli.checking.figures import LEVELS
-from dhcli.checking.kinds.registry import keys
 from dhcli.checking.tables.comparing import COMPARED
 from dhcli.checking.verdicts import Verdict
 from dhcli.files.keys.shapes import ANGLE, FLAG, NUMBER, TEXT, TEXTS, WHOLE, Either, Key, Keyed, Many, Named, Scalar
@@ -45,17 +44,18 @@ TEST = (
     Key("mistake", "a mistake that dhcli makes in the truth", TEXT),
     Key("verdict", "how it is judged", Scalar(tuple(verdict.word for verdict in Verdict)), is_required=True),
 )
-_OF_KINDS = {
-    "options": Key("options", "of `ask: choice` what there is to choose from", TEXTS),
-    "right": Key("right", "of `ask: choice` the number of the right option", WHOLE),
-    "compare": Key(
+OF_KINDS = (
+    Key(
         "compare",
         "of a table: `same-motion`, which leaves no free choice, the default where the task states base frame, end "
         "frame, joint zero and positive sense; `same-robot`, whose free choices are named, the default elsewhere; "
         "`literal`, cell by cell. `lint` asks for one of them by name",
         Scalar(COMPARED),
     ),
-}
+    Key("options", "of `ask: choice` its statements; an answer is a number, or words of one alone", TEXTS),
+    Key("right", "of `ask: choice` the number of the right option", WHOLE),
+)
+"""Keys that only some kinds of question read; a test compares them with what the kinds say."""
 PART = (
     Key("id", "its name, by which a sheet answers it", TEXT, is_required=True),
     Key("ask", "what is asked, `pose 0..3`", TEXT, is_required=True),
@@ -64,7 +64,7 @@ PART = (
     Key("withdrawn", "why it is not asked any more; sheets that have an answer to it are judged without it", TEXT),
     Key("depends", "parts before it whose answers it builds on", TEXTS),
     Key("hints", "what helps, gentle first", TEXTS),
-    *(_OF_KINDS[name] for name in keys()),
+    *OF_KINDS,
     Key("exact", "only exact values are right, `sqrt(2)/2` and not 0.7071", FLAG),
     Key("decimals", "the truth rounded to so many decimals, or to more, is right", WHOLE),
 )

@@ -1,16 +1,18 @@
 """What may stand under a key, and the keys that several kinds of files have.
 
-A loader asks `names` and `required`; `dhcli schema` and the tables of the manual come from the same lines. They are
-named tuples, for every command imports them, and as many frozen dataclasses take eight times as long to make.
+A loader asks `names` and `required`; `dhcli schema` and the tables of the manual come from the same lines.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import NamedTuple, TypeAlias
+from typing import TypeAlias
+
+from dhcli.frozen import frozen
 
 
-class Scalar(NamedTuple):
+@frozen
+class Scalar:
     """One value: a text, which may look like a number.
 
     Attributes:
@@ -26,7 +28,8 @@ class Scalar(NamedTuple):
     is_angle: bool = False
 
 
-class Many(NamedTuple):
+@frozen
+class Many:
     """A list.
 
     Attributes:
@@ -40,19 +43,22 @@ class Many(NamedTuple):
     most: int | None = None
 
 
-class Named(NamedTuple):
+@frozen
+class Named:
     """Values by names that the author chooses."""
 
     of: Shape
 
 
-class Keyed(NamedTuple):
+@frozen
+class Keyed:
     """Values under keys that are known."""
 
     keys: tuple[Key, ...]
 
 
-class Either(NamedTuple):
+@frozen
+class Either:
     """One of several shapes."""
 
     of: tuple[Shape, ...]
@@ -61,7 +67,8 @@ class Either(NamedTuple):
 Shape: TypeAlias = Scalar | Many | Named | Keyed | Either
 
 
-class Key(NamedTuple):
+@frozen
+class Key:
     """A key.
 
     Attributes:

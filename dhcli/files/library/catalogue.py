@@ -48,7 +48,7 @@ ROOMS = ("checking", "files", "kinematics", "mobility", "notation")
 """Where it is decided what a file says: a checkout changes without a new version."""
 
 
-class Row(NamedTuple):
+class Kept(NamedTuple):
     """What is kept of a file that could be read; see `Listed`."""
 
     title: str
@@ -83,30 +83,30 @@ def _read(kind: Kind, entry: Entry) -> Listed:
         return Listed(kind, entry, problems=error.problems)
 
 
-def _robot(entry: Entry) -> Row:
+def _robot(entry: Entry) -> Kept:
     from dhcli.files.yaml.robots import load_robot
 
     robot = load_robot(entry.path)
-    return Row(robot.title, robot.pattern)
+    return Kept(robot.title, robot.pattern)
 
 
-def _exercise(entry: Entry) -> Row:
+def _exercise(entry: Entry) -> Kept:
     from dhcli.files.yaml.exercises import load_exercise
 
     exercise = load_exercise(entry.path)
-    return Row(
+    return Kept(
         exercise.title, exercise.robot.pattern if exercise.robot else "", tuple(part.id for part in exercise.asked)
     )
 
 
-def _linkage(entry: Entry) -> Row:
+def _linkage(entry: Entry) -> Kept:
     from dhcli.files.yaml.linkages import load_linkage
 
     linkage = load_linkage(entry.path)
-    return Row(linkage.title, linkage.pattern)
+    return Kept(linkage.title, linkage.pattern)
 
 
-_READERS: dict[Kind, Callable[[Entry], Row]] = {
+_READERS: dict[Kind, Callable[[Entry], Kept]] = {
     Kind.ROBOTS: _robot,
     Kind.LINKAGES: _linkage,
     Kind.EXERCISES: _exercise,
@@ -141,14 +141,14 @@ def _stamp(path: str) -> tuple[int, int]:
     return found.st_mtime_ns, found.st_size
 
 
-def _remembered(state: list[Any]) -> dict[str, Row] | None:
+def _remembered(state: list[Any]) -> dict[str, Kept] | None:
     """What was read when the library was in this state; None if it was in another, or nothing is kept."""
     try:
         kept = json.loads(cached(INDEX) or "null")
         if kept["state"] != state:
             return None
         return {
-            str(path): Row(str(title), str(joints), tuple(map(str, parts)))
+            str(path): Kept(str(title), str(joints), tuple(map(str, parts)))
             for path, (title, joints, parts) in kept["rows"].items()
         }
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError):

@@ -10,11 +10,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from enum import Enum
 from pathlib import Path
 
 from dhcli.errors import UnknownNameError, did_you_mean, nearest
+from dhcli.frozen import frozen
 
 BUILT_IN = "built-in"
 OWN = "builtin:"
@@ -51,7 +51,7 @@ class Kind(Enum):
         return self.value.removesuffix("s")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Entry:
     """One file of the library.
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from dhcli.errors import Place, Problem
 from dhcli.files.rows.cells import CellError
+from dhcli.frozen import frozen
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -18,7 +19,7 @@ MOST = 20
 """Bad cells that are told apart; of more, only the number of their rows is known."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Block:
     """Some rows.
 

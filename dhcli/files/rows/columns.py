@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from dhcli.errors import FileError, Place, Problem, RobotError, did_you_mean
+from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Joint, Robot
 from dhcli.kinematics.values import joint_called
 from dhcli.notation.quantity import ANGLE_UNITS, LENGTH_UNITS
@@ -24,7 +25,7 @@ MOST_COLUMNS = 1000
 _RADIANS = ("rad", "radian", "radians")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class JointColumns:
     """How a table holds the joint values of a robot.
 
@@ -62,7 +63,7 @@ class JointColumns:
         return values
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class JointTable:
     """What a table is read for.
 

@@ -9,8 +9,8 @@ from dhcli.checking.judge import Judge
 from dhcli.checking.kinds.made import question_about
 from dhcli.errors import DhcliError
 from dhcli.files.yaml.templates import check_name
+from dhcli.kinematics.limits import is_within_limits
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.values import is_within_limits
 from dhcli.safe import one_line, yaml_scalar
 
 FEWEST_FRAMES = 4

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 
 from dhcli.errors import DhcliError, FileError, Place, Problem, did_you_mean
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
+from dhcli.frozen import frozen
 
 FORMAT = 1
 OWN = "x-"
@@ -83,7 +84,7 @@ class Problems:
             Its fields without the unknown ones; none if it is not a mapping.
         """
         if not isinstance(node, PlacedMapping):
-            self.add(node.place, f"{what}: should be a mapping, is {kind_of(node)}", f"write {example}")
+            self.add(node.place, f"{what}: should be a mapping, is {node_kind(node)}", f"write {example}")
             return Fields(self, node.place, {})
         known = None if known is None else tuple(known)
         entries = {}
@@ -107,20 +108,20 @@ class Problems:
         """The items of a node that should be a list; none if it is not."""
         if isinstance(node, PlacedSequence):
             return node.items
-        self.add(node.place, f"{what}: should be a list, is {kind_of(node)}", f"write {example}")
+        self.add(node.place, f"{what}: should be a list, is {node_kind(node)}", f"write {example}")
         return ()
 
     def scalar(self, node: PlacedNode, what: str) -> PlacedScalar | None:
         """A node that should be a text which is not empty; None if it is not."""
         if isinstance(node, PlacedScalar) and node.text.strip():
             return node
-        should = "is empty" if isinstance(node, PlacedScalar) else f"should be a text, is {kind_of(node)}"
+        should = "is empty" if isinstance(node, PlacedScalar) else f"should be a text, is {node_kind(node)}"
         hint = "" if isinstance(node, PlacedScalar) else "text that begins with a bracket needs quotes"
         self.add(node.place, f"{what}: {should}", hint)
         return None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Fields:
     """The entries of one mapping, by key; a key that is not there gives an empty value and no problem.
 
@@ -176,7 +177,7 @@ class Fields:
         return self.problems.mapping(node, key, known=known, required=required, example=example)
 
 
-def kind_of(node: PlacedNode) -> str:
+def node_kind(node: PlacedNode) -> str:
     """What a node is, for a message: `a list`, `a mapping`, `a text`, `empty`."""
     if isinstance(node, PlacedScalar):
         return "a text" if node.text or node.quoted else "empty"
@@ -185,7 +186,7 @@ def kind_of(node: PlacedNode) -> str:
 
 def _check_format(value: PlacedNode) -> None:
     """Refuse a file of another format at once."""
-    text = value.text if isinstance(value, PlacedScalar) else kind_of(value)
+    text = value.text if isinstance(value, PlacedScalar) else node_kind(value)
     if text == str(FORMAT):
         return
     if re.fullmatch("[1-9][0-9]*", text, re.ASCII):
@@ -202,7 +203,7 @@ def _hint_for_unknown(key: PlacedScalar, value: PlacedNode, known: tuple[str, ..
         return "a colon needs a space after it"
     if invisible := [character for character in key.text if not character.isprintable()]:
         return f"it holds the invisible character U+{ord(invisible[0]):04X}"
-    if kind_of(value) == "empty" and key.text.count(")") > key.text.count("("):
+    if node_kind(value) == "empty" and key.text.count(")") > key.text.count("("):
         return "a value with a comma needs quotes"
     return did_you_mean(key.text, known)
 

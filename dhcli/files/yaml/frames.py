@@ -49,7 +49,7 @@ def read_frames(path: Path | str, reference: Robot) -> Frames:
         FileError: It holds neither; every problem, with line and column.
     """
     text, source = read_text(path), source_of(path)
-    root = read_yaml(with_semicolons(text), source)
+    root = read_yaml(with_semicolons(text), source, spelled=text)
     if isinstance(root, PlacedMapping) and any(key.text == "links" for key, _ in root.entries):
         table = read_table(path, reference, text)
         return Frames(table.convention, table.text, note=table.note)

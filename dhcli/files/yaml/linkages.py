@@ -8,7 +8,7 @@ from dhcli.errors import DhcliError, FileError, Place, Problem
 from dhcli.files.keys.linkages import FORMS, LINKAGE
 from dhcli.files.keys.shapes import names, required
 from dhcli.files.library.lookup import Kind, check_typed, entries, find, is_path
-from dhcli.files.reading import read_text, source_of
+from dhcli.files.reading import is_xml, read_text, source_of
 from dhcli.files.yaml.coordinates import Coordinates
 from dhcli.files.yaml.fields import Problems
 from dhcli.files.yaml.joints import JointReader
@@ -72,17 +72,24 @@ def read_linkage(text: str, source: str, name: str, tolerance: float = 0.0) -> L
     Raises:
         FileError: With all problems.
     """
+    if is_xml(text):
+        return _serial(text, source, name)
     refused: list[Problem] = []
     root = read_yaml(text, source, refused)
     if isinstance(root, PlacedMapping) and "variables" in {key.text for key, _ in root.entries}:
-        from dhcli.files.yaml.robots import read_robot
-
-        robot = read_robot(text, source, name)  # what was refused stands in its own error
-        pairs = tuple(LETTERS[letter] for letter in robot.pattern)
-        if not pairs:
-            raise FileError(Problem(f"{name} has no joint, so there is nothing to count", Place(source)))
-        return serial(name, pairs, title=robot.title, source=robot.source)
+        return _serial(text, source, name)  # what was refused stands in its own error
     return _Loader(root, name, tolerance, refused).linkage()
+
+
+def _serial(text: str, source: str, name: str) -> Linkage:
+    """The robot in a file, YAML or URDF, as an open chain."""
+    from dhcli.files.yaml.robots import robot_of
+
+    robot = robot_of(text, source, name)
+    pairs = tuple(LETTERS[letter] for letter in robot.pattern)
+    if not pairs:
+        raise FileError(Problem(f"{name} has no joint, so there is nothing to count", Place(source)))
+    return serial(name, pairs, title=robot.title, source=robot.source)
 
 
 class _Loader:

@@ -20,6 +20,7 @@ from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedNode, PlacedScalar
 from dhcli.files.yaml.tolerances import read_decimals
 from dhcli.files.yaml.typed import read_flag, read_texts, read_whole
+from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.scope import Scope
 
@@ -145,7 +146,7 @@ class PartReader:
         return text
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Besides:
     """What a part says besides `ask:`, for the kinds of questions that need more."""
 

@@ -14,7 +14,9 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, NoReturn, TypeAlias
 
 from dhcli.errors import FileError, Place, Problem
+from dhcli.files.yaml.parser import events, import_yaml
 from dhcli.files.yaml.syntax import DEEPEST, TOO_DEEP, Mark, explain_syntax
+from dhcli.frozen import frozen
 
 if TYPE_CHECKING:
     import yaml
@@ -32,7 +34,7 @@ def unreadable() -> re.Pattern[str]:
     return re.compile("[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PlacedScalar:
     """A text, with the place where it begins.
 
@@ -63,7 +65,7 @@ class PlacedScalar:
         return Place(self.place.source, self.place.line, start + offset + 1, self.place.text)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PlacedSequence:
     """A list, with the place where it begins."""
 
@@ -71,7 +73,7 @@ class PlacedSequence:
     place: Place
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PlacedMapping:
     """Keys and values in the order they are written, with the place where the first begins; no key stands twice."""
 
@@ -82,7 +84,9 @@ class PlacedMapping:
 PlacedNode: TypeAlias = PlacedScalar | PlacedSequence | PlacedMapping
 
 
-def read_yaml(text: str, source: str, refused: list[Problem] | None = None, *, is_foreign: bool = False) -> PlacedNode:
+def read_yaml(
+    text: str, source: str, refused: list[Problem] | None = None, *, spelled: str = "", is_foreign: bool = False
+) -> PlacedNode:
     """Read one YAML document into a tree with places.
 
     Args:
@@ -90,21 +94,22 @@ def read_yaml(text: str, source: str, refused: list[Problem] | None = None, *, i
         source: What to call it in messages, usually the file name.
         refused: Where to note what is refused but does not stop the reading, such as a key given twice, for a loader
             that tells everything at once; by default it is raised.
+        spelled: What stands in the file, where letters of it were replaced to make `text`; values and messages show it.
         is_foreign: Whether it is known to be no file of dhcli's; else one that is of another form is told apart.
 
     Raises:
         FileError: Every problem up to the first that stops the reading: it is empty, is not YAML, uses what dhcli
             refuses, or is too deep or too large a tree.
     """
-    import yaml
+    import_yaml()
+    import yaml.error
 
-    text = text.lstrip("\ufeff")
-    builder = _Builder([*_LINE_BREAK.split(text), ""], source)  # one line more: a mark may stand after the last
+    text, spelled = text.lstrip("\ufeff"), (spelled or text).lstrip("\ufeff")
+    builder = _Builder([*_LINE_BREAK.split(spelled), ""], source)  # one line more: a mark may stand after the last
     builder.refuse_unreadable()
-    loader = yaml.CBaseLoader if yaml.__with_libyaml__ else yaml.BaseLoader  # the first is five times as fast
     try:
-        root = builder.document(yaml.parse(text, Loader=loader))
-    except yaml.MarkedYAMLError as error:
+        root = builder.document(events(text))
+    except yaml.error.MarkedYAMLError as error:
         if not is_foreign:
             _refuse_foreign(text, source)
         raise FileError([*builder.problems, explain_syntax(error, builder.lines, builder.place)]) from None
@@ -149,20 +154,20 @@ class _Builder:
 
     def document(self, events: Iterator[yaml.Event]) -> PlacedNode:
         """Build the tree of the only document."""
-        import yaml
+        from yaml import events as kinds
 
         next(events)
-        root = None if isinstance(next(events), yaml.StreamEndEvent) else self.node(next(events), events, 1)
+        root = None if isinstance(next(events), kinds.StreamEndEvent) else self.node(next(events), events, 1)
         if root is None or root == PlacedScalar("", root.place):
             self.give_up(Place(self.source), "is empty")
         _end, after = next(events), next(events)
-        if isinstance(after, yaml.DocumentStartEvent):
+        if isinstance(after, kinds.DocumentStartEvent):
             self.refuse(self.place(after.start_mark), "a second document begins here", "one file holds one document")
         return root
 
     def node(self, event: yaml.Event, events: Iterator[yaml.Event], depth: int) -> PlacedNode:
         """Build what begins with an event."""
-        import yaml
+        from yaml import events as kinds
 
         place = self.place(event.start_mark)
         self.nodes += 1
@@ -170,32 +175,32 @@ class _Builder:
             self.give_up(place, f"the file holds more than {MOST_NODES:,} keys and values", "is it the right file?")
         if depth > DEEPEST:
             self.give_up(place, TOO_DEEP)
-        if isinstance(event, yaml.NodeEvent) and event.anchor is not None:
-            sign, word = ("*", "alias") if isinstance(event, yaml.AliasEvent) else ("&", "anchor")
+        if isinstance(event, kinds.NodeEvent) and event.anchor is not None:
+            sign, word = ("*", "alias") if isinstance(event, kinds.AliasEvent) else ("&", "anchor")
             self.refuse(place, f"'{sign}{event.anchor}' is a YAML {word}", "write the value itself; text needs quotes")
-        if isinstance(event, yaml.ScalarEvent | yaml.CollectionStartEvent) and event.tag is not None:
+        if isinstance(event, kinds.ScalarEvent | kinds.CollectionStartEvent) and event.tag is not None:
             self.refuse(place, "'!' begins a YAML tag", "leave it out; text needs quotes")
-        if isinstance(event, yaml.MappingStartEvent):
+        if isinstance(event, kinds.MappingStartEvent):
             return self.mapping(place, events, depth)
-        if isinstance(event, yaml.SequenceStartEvent):
+        if isinstance(event, kinds.SequenceStartEvent):
             items: list[PlacedNode] = []
-            while not isinstance(item := next(events), yaml.SequenceEndEvent):
+            while not isinstance(item := next(events), kinds.SequenceEndEvent):
                 items.append(self.node(item, events, depth + 1))
             return PlacedSequence(tuple(items), place)
-        return self.scalar(event, place) if isinstance(event, yaml.ScalarEvent) else PlacedScalar("", place)
+        return self.scalar(event, place) if isinstance(event, kinds.ScalarEvent) else PlacedScalar("", place)
 
     def mapping(self, place: Place, events: Iterator[yaml.Event], depth: int) -> PlacedMapping:
         """Build a mapping; every key is a text and stands once."""
-        import yaml
+        from yaml import events as kinds
 
         entries: dict[str, tuple[PlacedScalar, PlacedNode]] = {}
-        while not isinstance(event := next(events), yaml.MappingEndEvent):
+        while not isinstance(event := next(events), kinds.MappingEndEvent):
             key = self.node(event, events, depth + 1)
             if not isinstance(key, PlacedScalar):
                 self.refuse(key.place, "a key cannot be a list or mapping", "text with brackets needs quotes")
             elif key.text == "<<" and not key.quoted:
                 self.refuse(key.place, "'<<' is a YAML merge key", "write the entries themselves")
-            elif key.text == "" and not isinstance(event, yaml.AliasEvent):
+            elif key.text == "" and not isinstance(event, kinds.AliasEvent):
                 self.refuse(key.place, "a key is missing before ':'")
             elif key.text in entries:
                 first = entries[key.text][0].place
@@ -210,7 +215,16 @@ class _Builder:
         if event.style == '"' and (found := _MADE_BY_ESCAPE.search(event.value)):
             message = f"this text in double quotes holds the control character U+{ord(found[0]):04X}"
             self.refuse(place, message, "a backslash that is meant as one needs single quotes")
-        return PlacedScalar(event.value, place, quoted=bool(event.style))
+        return PlacedScalar(self.spelled(event, place), place, quoted=bool(event.style))
+
+    @staticmethod
+    def spelled(event: yaml.ScalarEvent, place: Place) -> str:
+        """A text as the file has it, where it stands plain on one line; there what was replaced comes back."""
+        text: str = event.value
+        start = (place.column or 1) - 1
+        there = place.text[start : start + len(text)] if place.text else ""
+        is_it = not event.style and len(there) == len(text) and there.replace(",", ";") == text.replace(",", ";")
+        return there if is_it else text
 
     def refuse(self, place: Place, message: str, hint: str = "") -> None:
         """Note a problem and go on."""

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from dhcli.errors import FileError, Place, Problem
 from dhcli.files.library.lookup import Kind, check_typed, find
-from dhcli.files.reading import LIMIT, read_text, source_of
+from dhcli.files.reading import LIMIT, is_xml, read_text, source_of
 from dhcli.files.yaml.placed import read_yaml
 from dhcli.files.yaml.robot_loader import Loader
 from dhcli.kinematics.robot import Robot
@@ -49,15 +49,13 @@ def robot_of(
         from dhcli.files.urdf.robots import read_urdf  # most robots are YAML
 
         return read_urdf(text, source, name, base=base, tip=tip, as_typed=as_typed)
+    if source.lower().endswith((".urdf", ".xacro")):
+        hint = "a URDF begins with <robot name=...>; a robot file of dhcli is YAML and ends in .yaml"
+        raise FileError(Problem("is no XML, which the end of its name promises", Place(source, 1), hint))
     if base is not None or tip is not None or as_typed:
         hint = "frames of a robot file are named with --from and --to"
         raise FileError(Problem("only a URDF has links to choose from", Place(source), hint))
     return read_robot(text, source, name)
-
-
-def is_xml(text: str) -> bool:
-    """Whether a text is XML."""
-    return text.lstrip().startswith("<")
 
 
 def read_robot(text: str, source: str, name: str) -> Robot:
@@ -75,6 +73,6 @@ def read_robot(text: str, source: str, name: str) -> Robot:
     if drawn := DRAWN.search(text):
         from dhcli.files.yaml.drawn import DrawnLoader, with_semicolons  # few robots are drawn
 
-        root = read_yaml(with_semicolons(text), source, refused)
+        root = read_yaml(with_semicolons(text), source, refused, spelled=text)
         return DrawnLoader(root, name, refused, drawn[1]).robot()
     return Loader(read_yaml(text, source, refused), name, refused).robot()

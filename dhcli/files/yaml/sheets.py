@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 
 from dhcli.checking.earning import worth, worth_of
@@ -17,6 +17,7 @@ from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
 from dhcli.files.yaml.prose import folded
 from dhcli.files.yaml.robot_line import robot_line, values_text
+from dhcli.frozen import frozen
 from dhcli.safe import one_line, yaml_scalar
 
 KEYS = ("exercise", "answers", "variant", "given", "name")
@@ -25,7 +26,7 @@ WIDEST = 88
 """Columns of a comment."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Answer:
     """One answer: its text, and where it stands."""
 
@@ -33,7 +34,7 @@ class Answer:
     place: Place
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Sheet:
     """A filled-in sheet.
 

@@ -16,6 +16,7 @@ from dhcli.kinematics.describe.products import chains_of
 from dhcli.kinematics.describe.proof import CLOSE, Proof, proved
 from dhcli.kinematics.describe.repairing import repaired, with_table
 from dhcli.kinematics.describe.screws import ScrewAxis, Side, lines_of, screws_of
+from dhcli.kinematics.describe.straight import Straightened, straightened
 from dhcli.kinematics.describe.words import Speaker, Step
 from dhcli.kinematics.forward import link_with, put_in
 from dhcli.kinematics.moves import Chain, spelled
@@ -54,6 +55,8 @@ class Described:
         notes: What a person should know.
         warnings: What they should be warned of.
         told: Whether the steps were asked for.
+        straightened: What was taken for parallel or meeting, if that was asked for; then the proof is about the robot
+            behind that, and the motion not that of the one given.
     """
 
     given: Robot
@@ -66,6 +69,7 @@ class Described:
     notes: tuple[str, ...] = ()
     warnings: tuple[str, ...] = ()
     told: bool = False
+    straightened: Straightened | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,6 +82,7 @@ class Asked:
         numbers: Whether lengths are to be numbers.
         pose: The pose in which the robot is drawn; None for the one named `drawn`, else zero.
         choices: What decides where the rules leave a choice; then, too, a table comes from the axes.
+        straighten: Within which angle axes count as parallel, or as meeting, which are not [rad]; None for no such.
     """
 
     form: Form
@@ -85,6 +90,7 @@ class Asked:
     numbers: bool = False
     pose: Mapping[str, Value] | None = None
     choices: Choices = USUAL
+    straighten: float | None = None
 
     @property
     def from_axes(self) -> bool:
@@ -122,6 +128,8 @@ def describe(robot: Robot, asked: Asked) -> Described:
     if robot.tools:
         found = describe(replace(robot, tools={}), asked)
         return replace(found, notes=(*found.notes, "the tools of the file are left out"))
+    if asked.straighten is not None:
+        return replace(_straight(in_numbers(robot), asked, asked.straighten), given=robot)
     robot = in_numbers(robot) if asked.numbers else robot
     is_table = asked.form in ("standard", "modified")
     other = {"standard": Convention.MODIFIED, "modified": Convention.STANDARD}.get(asked.form)
@@ -134,6 +142,19 @@ def describe(robot: Robot, asked: Asked) -> Described:
             raise
         found = _from_axes(in_numbers(robot), asked)
         return replace(found, notes=(f"in numbers: {error.problems[0].message}", *found.notes))
+
+
+def _straight(robot: Robot, asked: Asked, within: float) -> Described:
+    """The description of the robot that another one is when its axes are straightened."""
+    drawing, told = straightened(_drawn(robot, asked), within, robot.limits)
+    as_asked = replace(asked, straighten=None)
+    if not told.changes:
+        return replace(describe(robot, as_asked), straightened=told)
+    found = describe(as_product(robot, drawing), as_asked)
+    made = f"Made by `dhcli describe {robot.name} --as {asked.form} --straighten {within:g}`:"
+    said = "\n".join((made, *told.lines()))
+    notes = said + (f"\n{robot.notes.rstrip()}" if robot.notes else "")
+    return replace(found, robot=replace(found.robot, notes=notes), straightened=told)
 
 
 NAMES = {
@@ -194,9 +215,8 @@ def known_values(robot: Robot) -> dict[str, Angle | float]:
 
 
 def _from_axes(robot: Robot, asked: Asked) -> Described:
-    drawn = dict(zip(robot.variables, robot.poses.get(DRAWN, ()), strict=False)) if asked.pose is None else asked.pose
     screws = asked.form in ("screws", "body-screws")
-    drawing = drawing_of(robot.chain, robot.variables, known_values(robot), {} if screws else drawn)
+    drawing = _drawn(robot, asked)
     if not drawing.lines and asked.form != "product":
         raise RobotError(f"{robot.name} has no joints, so it has no {asked.form}", "--as product writes it as moves")
     if asked.form in ("standard", "modified"):
@@ -205,6 +225,13 @@ def _from_axes(robot: Robot, asked: Asked) -> Described:
         return _screws(robot, asked.form, drawing)
     found = as_product(_named(robot, asked.form), drawing)
     return Described(robot, asked.form, found, _proof(robot, found), drawing)
+
+
+def _drawn(robot: Robot, asked: Asked) -> Drawing:
+    """The robot in the pose in which it is drawn; for screws that is zero."""
+    drawn = dict(zip(robot.variables, robot.poses.get(DRAWN, ()), strict=False)) if asked.pose is None else asked.pose
+    pose = {} if asked.form in ("screws", "body-screws") else drawn
+    return drawing_of(robot.chain, robot.variables, known_values(robot), pose)
 
 
 def _by_process(robot: Robot, convention: Convention, asked: Asked, drawing: Drawing) -> Described:

@@ -192,5 +192,5 @@ def far_feet(found: Normal, first: Line, second: Line, ruler: Ruler, most: float
     angle = math.degrees(math.asin(min(1.0, length(cross(first.direction, second.direction)))))
     return (
         f"the axes {first.name} and {second.name} are {angle:.2g}° from parallel: their common normal is "
-        f"{far * ruler.size:.4g} m away, {far:.0f} times the size of the robot"
+        f"{far * ruler.size:.4g} m away, {far:.0f} times the size of the robot; --straighten takes them as parallel"
     )

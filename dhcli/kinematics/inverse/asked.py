@@ -35,6 +35,9 @@ if TYPE_CHECKING:
 SEARCHED = 48
 """Values of a joint held that are tried where none was asked for and the first does not do."""
 
+REACHED = 1e-6
+"""A pose nearer than this to the one asked for [reaches, rad] is reached, if the joints held stand as they do there."""
+
 SPREAD = (1.0, 0.6180339887498949, 0.7548776662466927, 0.8191725133961645, 0.5698402909980532, 0.6710436067037893)
 """Steps, in turns, by which values of several joints are spread."""
 
@@ -223,16 +226,25 @@ def _solved(
             at = np.flatnonzero(solved.index == solved.index[int(np.argmin(distance))])
             ways = tuple(solved.freedoms[k] for k in at)
             solved = Solved(solved.motions[at], solved.residual[at], ways, solved.index[at])
+    if not len(solved.motions) and family is None:
+        from dhcli.kinematics.inverse.reasons import nearest_reachable  # not for the poses that are reached
+
+        motions, apart, angle = nearest_reachable(ready, goal, held)
+        if max(apart / ready.arm.reach, angle) < REACHED:
+            solved = solve(ready, goal, motions, _sampled(question, held, chosen, motions, 1), tolerance)
     more = f"{question.robot.name} has {plural(ready.spare, 'joint')} more than this needs"
-    return solved, [f"{more}: {_held_words(question, chosen, solved, sampled=bool(family))}"]
+    return solved, [f"{more}: {_held_words(question, chosen, solved, family)}"]
 
 
-def _held_words(question: Question, chosen: list[int], solved: Solved, *, sampled: bool) -> str:
-    """Which joints were held, and where if it is the same for all solutions."""
+def _held_words(question: Question, chosen: list[int], solved: Solved, family: int | None) -> str:
+    """Which joints were held, and where if it is the same for all solutions; of a family, how many values do."""
     order = question.order
-    if sampled or not len(solved.motions):
-        names = ", ".join(question.robot.variables[order[j]] for j in sorted(chosen))
-        return f"{names} {'sampled' if sampled else 'held'}"
+    names = ", ".join(question.robot.variables[order[j]] for j in sorted(chosen))
+    if family:
+        reached = len(np.unique(solved.index))
+        return f"{names} sampled at {plural(family, 'value')}, {reached or 'none'} of them with solutions"
+    if not len(solved.motions):
+        return f"{names} held"
     q = question.values(solved.motions)[0]
     shown = [shown_value(question.robot, order[j], float(q[order[j]])) for j in sorted(chosen)]
     return f"held {', '.join(shown)}"

@@ -17,9 +17,10 @@ from dhcli.kinematics.inverse.solving import least_singular, representatives, tr
 from dhcli.kinematics.inverse.targets import read_targets
 from dhcli.kinematics.inverse.tasks import TaskName
 from dhcli.kinematics.inverse.turns import limits_of
+from dhcli.kinematics.limits import SLACK
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.robot import Robot, check_robot
-from dhcli.kinematics.values import SLACK, JointInput
+from dhcli.kinematics.values import JointInput
 from dhcli.notation.angle import Angle
 
 if TYPE_CHECKING:

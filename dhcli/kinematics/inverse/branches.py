@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 
 _NOWHERE = 1e-9
 
+_PLACES = 6
+"""Decimals of a degree or metre beyond which a value in a name is noise."""
+
 
 def branch_names(plan: Plan, parts: Anatomy, motions: Array) -> tuple[str, ...]:
     """A name for each of some solutions of one pose.
@@ -102,6 +105,7 @@ def _with_values(plan: Plan, motions: Array, said: Sequence[Sequence[str]]) -> l
         joint = int(np.argmax(spread))
         axis = arm.axes[joint]
         for k, value in zip(at, values[:, joint].tolist(), strict=True):
-            shown = f"{np.degrees(value) + 0.0:.4g}°" if axis.turns else f"{value + 0.0:.4g} m"
+            size = round(np.degrees(value) if axis.turns else value, _PLACES) + 0.0
+            shown = f"{size:.4g}{'°' if axis.turns else ' m'}"
             result[k] = ", ".join(filter(None, (name, f"{axis.name} = {shown}")))
     return result

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
+from dhcli.frozen import frozen
 from dhcli.kinematics.inverse.derive_rules import Step
 from dhcli.kinematics.robot import Robot
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Derivation:
     """The steps from a pose to the joint values.
 

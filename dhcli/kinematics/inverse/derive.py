@@ -57,7 +57,7 @@ def derive(robot: Robot, *, start: str | int | None = None, end: str | int | Non
             found = Derivation(robot, low, high, place_only, steps)
             if proved := poses_proved(found):
                 return replace(found, proved=proved)
-    raise NoFormError(f"{robot.name} has no textbook form by these rules", "ik without --derive gives numbers")
+    raise NoFormError(f"{robot.name} has no textbook form by these rules", "ik with a pose gives numbers")
 
 
 def _tasks(robot: Robot, task: str) -> Sequence[bool]:

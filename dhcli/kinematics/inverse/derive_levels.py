@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from dhcli.frozen import frozen
 from dhcli.kinematics.forward import textbook_form
 from dhcli.kinematics.frames import between
 from dhcli.kinematics.inverse.derive_terms import length
@@ -18,7 +18,7 @@ ROTATION = tuple(f"r{i}{j}" for i in "123" for j in "123")
 """Names of the entries of the pose asked for."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Equation:
     """One equation.
 

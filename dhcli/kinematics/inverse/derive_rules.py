@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Literal, TypeAlias
 
 from dhcli.algebra.equality import equal
+from dhcli.frozen import frozen
 from dhcli.kinematics.inverse.derive_levels import Equation
 from dhcli.kinematics.inverse.derive_terms import Atom, Coefficients, Knowledge, in_atom
 from dhcli.notation.tree import (
@@ -35,7 +35,7 @@ Two: TypeAlias = Literal["", "plus-minus", "opposite"]
 """Whether there is one value, two that differ by the sign before a term, or two that are half a turn apart."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Step:
     """One step of a derivation.
 

@@ -127,6 +127,10 @@ class Solutions:
         gap = np.where(turning, gap - 2 * np.pi * np.round(gap / (2 * np.pi)), gap)
         return np.asarray(np.sqrt((gap**2).sum(axis=1)))
 
+    def travels(self, q: JointInput) -> Array:
+        """How far the joints have to move from some joint values to each as it stands, turns and all [rad, m]."""
+        return np.asarray(np.linalg.norm(self.q - in_numbers(self.robot, q), axis=1))
+
     def nearest(self, q: JointInput) -> Array:
         """The solution nearest to some joint values, shape (n,).
 

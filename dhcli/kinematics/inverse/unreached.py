@@ -12,6 +12,7 @@ import numpy as np
 from dhcli.errors import plural
 from dhcli.kinematics.inverse.matrices import value_of
 from dhcli.kinematics.inverse.planning import NoPlanError, find_plan
+from dhcli.kinematics.inverse.polishing import jacobian, spread
 from dhcli.kinematics.inverse.prepared import Prepared
 from dhcli.kinematics.inverse.reasons import nearest_reachable, what_never_changes
 from dhcli.kinematics.inverse.rows import Rows
@@ -31,6 +32,8 @@ _SMALL = 1e-9
 LEAST = 1e-5
 """Less than this of a metre, or of a degree, is nothing to a reader."""
 
+_PLACES = 5
+"""Joint values at which it is looked whether a joint moves the end."""
 
 FAR = 20
 """Reaches from which on nobody can mean metres, and up to a hundred times as far may well mean millimetres."""
@@ -65,7 +68,9 @@ def why_not(
     left = [f"{_shown(apart, least):.4g} m"] if ready.task.place else []
     left += [f"{_shown(float(np.degrees(angle)), least):.4g}°"] if ready.task.directions else []
     nearest = f"the nearest pose reached is {' and '.join(left)} away"
-    if not least:
+    if not least and set(ready.plan.held) != set(held):
+        nearest = f"other values of {', '.join(arm.axes[j].name for j in sorted(ready.plan.held))} reach it"
+    elif not least:
         nearest += ", which more digits of the pose would mend"
     if FAR * arm.reach < apart < 100 * FAR * arm.reach:
         nearest += ": bare lengths are metres, did you mean mm?"
@@ -98,8 +103,10 @@ def _too_far(ready: Prepared, goal: Array) -> list[str]:
 def _not_real(ready: Prepared, goal: Array, held: dict[int, float]) -> list[str]:
     """The joint at which all candidates end, because a cosine in its equation would be beyond 1."""
     arm, plan = ready.arm, ready.plan
-    if set(plan.held) != set(held):  # many values of a joint were tried
+    chosen = [j for j in plan.held if j not in held]
+    if chosen and _moved(ready, chosen):  # many values of a joint were tried
         return []
+    held = {**held, **dict.fromkeys(chosen, 0.0)}
     fixed = {j: value_of(np.array([value]), turns=arm.axes[j].turns) for j, value in held.items()}
     rows = Rows.start(plan.actions, goal[None], fixed, plan.slack)
     draws = tries(ready, np.zeros(arm.joints))
@@ -114,6 +121,12 @@ def _not_real(ready: Prepared, goal: Array, held: dict[int, float]) -> list[str]
             said = f"{arm.axes[step.joint].name} has no real value: a cosine in its equation would be {least:.4g}"
             return [said] if step.kind == "pair" and least < 1 / _SMALL else []
     return []
+
+
+def _moved(ready: Prepared, joints: list[int]) -> bool:
+    """Whether any of some joints moves what the task asks for; those of a wrist leave its centre where it is."""
+    _, slope = jacobian(ready.arm, ready.task, spread(_PLACES, ready.arm.joints, 5) * 2 - 1)
+    return bool(np.abs(slope[:, :, joints]).max() > _SMALL)
 
 
 def _parts(ready: Prepared, goal: Array, held: dict[int, float]) -> list[str]:

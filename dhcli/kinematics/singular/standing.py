@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from dhcli.algebra.floats import Floats
 from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.singular.distance import least_move
 from dhcli.kinematics.singular.result import Singularities
 from dhcli.kinematics.values import Values, numbers
 from dhcli.kinematics.velocity.form import Form
 from dhcli.kinematics.velocity.jacobian import numeric_jacobian
 from dhcli.kinematics.velocity.measures import Measures, measures_of
 from dhcli.kinematics.velocity.view import MotionView
-from dhcli.notation.derivative import derivative
+from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr, Trig
+from dhcli.notation.walk import symbols
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,7 +27,7 @@ class Distance:
     Attributes:
         factor: Its place among the factors found.
         values: What its expressions are at the joint values.
-        distance: About how far the joints are from making it zero [rad and m together]; exact for a cosine or sine.
+        distance: How far joints have to move to make it zero [rad and m together]; infinite where no move was found.
     """
 
     factor: int
@@ -62,21 +65,21 @@ def standing_at(robot: Robot, values: Values, view: MotionView, found: Singulari
     form = Form(found.part)
     rows = [form.labels.index(label) for label in found.rows]
     measures = measures_of(numeric_jacobian(robot, values, view, form).matrix, rows)
-    over = Floats(numbers(values))
-    distances = [Distance(k, *_distance(factor.zeros, found.joints, over)) for k, factor in enumerate(found.factors)]
-    determinant = None if found.determinant is None else over.value(found.determinant)
+    known = numbers(values)
+    distances = [Distance(k, *_distance(factor.zeros, found.joints, known)) for k, factor in enumerate(found.factors)]
+    determinant = None if found.determinant is None else Floats(known).value(found.determinant)
     return Standing(measures, determinant, tuple(sorted(distances, key=lambda one: one.distance)))
 
 
-def _distance(zeros: tuple[Expr, ...], joints: tuple[str, ...], over: Floats) -> tuple[tuple[float, ...], float]:
-    """The values of expressions, and about how far joints are from making all of them zero at once."""
+def _distance(
+    zeros: tuple[Expr, ...], joints: tuple[str, ...], known: Mapping[str, Angle | float]
+) -> tuple[tuple[float, ...], float]:
+    """The values of expressions, and how far joints are from making all of them zero at once."""
+    over = Floats(known)
     values = tuple(over.value(zero) for zero in zeros)
-    squares = 0.0
-    for zero, value in zip(zeros, values, strict=True):
-        slope = math.hypot(*(over.value(derivative(zero, joint)) for joint in joints))
-        if isinstance(zero, Trig):
-            size = math.hypot(*(float(factor) for name, factor in zero.angle.terms if name in joints))
-            squares += (math.asin(min(1.0, abs(value))) / size) ** 2
-        else:
-            squares += (abs(value) / slope if slope else math.inf if value else 0.0) ** 2
-    return values, math.sqrt(squares)
+    match zeros:
+        case (Trig(_, angle),):
+            size = math.hypot(*(float(factor) for name, factor in angle.terms if name in joints))
+            return values, math.asin(min(1.0, abs(values[0]))) / size
+    own = [name for name in joints if any(name in symbols(zero) for zero in zeros)]
+    return values, least_move(zeros, own, known)

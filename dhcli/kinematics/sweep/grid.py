@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from fractions import Fraction
 
+from dhcli.frozen import frozen
 from dhcli.kinematics.ranges import difference, metres, times, total
 from dhcli.kinematics.robot import Value
 from dhcli.kinematics.validity import in_floats
 from dhcli.notation.angle import Angle
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Axis:
     """The values that one joint takes, evenly spaced.
 
@@ -53,7 +53,7 @@ class Axis:
         return _line(metres(self.first), metres(self.last), self.count)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Grid:
     """Every combination of the values of some joints, numbered from 0; the last joint changes fastest.
 

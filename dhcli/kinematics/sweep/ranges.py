@@ -5,15 +5,16 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from typing import Literal
 
 from dhcli.errors import NotationError, Place, Problem, RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.ranges import Piece, difference, read_count, split_range, steps_between, times, total, units_in
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.validity import in_floats
-from dhcli.kinematics.values import joint_called, read_value
+from dhcli.kinematics.values import joint_called, read_named
 from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import Bare
@@ -31,7 +32,7 @@ _OF_LIMITS = re.compile(r"(?P<name>\S+)\s+n\s+(?P<count>\S+)")
 """A joint over its own limits in so many values."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Over:
     """What is said of one joint.
 
@@ -48,7 +49,7 @@ class Over:
     count: int | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Piece:
     """A part of a range, without the blanks around it, and where it stands."""
 
@@ -122,7 +123,7 @@ def _value(robot: Robot, joint: str, piece: _Piece, bare: Bare) -> Value:
         raise NotationError(
             replace(problem, hint=f"a range looks like {example}") for problem in error.problems
         ) from None
-    value = read_value(robot, joint, piece.text, bare=bare, place=piece.place)
+    value = read_named(robot, joint, piece.text, bare=bare, place=piece.place)
     try:
         is_number = math.isfinite(in_floats(value))
     except OverflowError:

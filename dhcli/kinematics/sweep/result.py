@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 
+from dhcli.frozen import frozen
 from dhcli.kinematics.sweep.grid import Grid
 from dhcli.kinematics.sweep.target import Target
 from dhcli.kinematics.values import Values
@@ -14,7 +14,7 @@ SIDES = ("x_min", "x_max", "y_min", "y_max", "z_min", "z_max")
 """The sides of the box around all positions."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Extreme:
     """A pose of a grid at which something is largest or smallest.
 
@@ -34,7 +34,7 @@ class Extreme:
         return math.hypot(*self.position)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Sweep:
     """What was found in a grid. Of poses that are extreme alike, but for rounding, it is the first.
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,6 +13,7 @@ from dhcli.algebra.arithmetic import settled
 from dhcli.algebra.spread import Spread
 from dhcli.algebra.tape import Number, Tape
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.fold import fold_rows
 from dhcli.kinematics.merge import merge
 from dhcli.kinematics.playing import MODEST
@@ -74,7 +74,7 @@ def sweep(target: Target, grid: Grid, each: Callable[[NDArray[np.float64]], None
     return Sweep(target, grid, farthest, nearest, extremes, tuple(remarks(target, grid)))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Slab:
     """A part of a grid that is a grid itself, and whose poses have one number after another.
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.forward import in_numbers, put_in, textbook_form
 from dhcli.kinematics.frames import View
 from dhcli.kinematics.moves import Chain
@@ -17,7 +17,7 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.walk import symbols
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Target:
     """A point of a robot, seen from one of its frames.
 

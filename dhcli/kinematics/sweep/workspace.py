@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TypeAlias
+
+from dhcli.frozen import frozen
 
 Counts: TypeAlias = tuple[tuple[int, ...], ...]
 """Points in each cell of a square, row by row from the lowest, shape (N, N)."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Workspace:
     """The points that a robot comes by.
 

@@ -7,8 +7,9 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, TypeAlias
 
 from dhcli.errors import RobotError, plural
+from dhcli.kinematics.limits import warnings
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.values import Values, warnings
+from dhcli.kinematics.values import Values
 from dhcli.kinematics.velocity.form import GEOMETRIC, Form, Which
 from dhcli.kinematics.velocity.jacobian import Jacobian, numeric_jacobian, textbook_jacobian
 from dhcli.kinematics.velocity.statics import Torques, Wrench, numeric_torques, product, textbook_torques

@@ -12,10 +12,10 @@ from dhcli.algebra.arithmetic import Arithmetic, Evaluator, plus, settled, times
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.terms import TERMS
 from dhcli.errors import RobotError
+from dhcli.kinematics.entries import DIGITS, cells_of, in_columns, latex_of
 from dhcli.kinematics.fold import fold_rows
 from dhcli.kinematics.frames import ORIGIN, between
 from dhcli.kinematics.moves import Rot, Trans
-from dhcli.kinematics.pose import DIGITS, rounded
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values, numbers, require
 from dhcli.kinematics.velocity.analytic import TINY, Triple
@@ -28,7 +28,6 @@ from dhcli.notation.styles import THETAS, Joints
 from dhcli.notation.tree import Expr, power
 from dhcli.notation.trig import cosine, sine
 from dhcli.notation.walk import symbols
-from dhcli.notation.writer import write
 
 if TYPE_CHECKING:
     import numpy as np
@@ -103,21 +102,15 @@ class Jacobian(Generic[N]):
 
     def cells(self, style: str = "short", digits: int = DIGITS) -> tuple[tuple[str, ...], ...]:
         """The entries as text: expressions in a notation, numbers rounded for people."""
-        return tuple(
-            tuple(write(e, style, self.writing) if isinstance(e, Expr) else rounded(float(e), digits) for e in row)  # type: ignore[arg-type]
-            for row in self.rows
-        )
+        return cells_of(self.rows, self.writing, style, digits)
 
     def latex(self, digits: int = DIGITS) -> str:
         """The matrix for a paper, without dollar signs."""
-        body = " \\\\ ".join(" & ".join(row) for row in self.cells("latex", digits))
-        return f"\\begin{{bmatrix}} {body} \\end{{bmatrix}}"
+        return latex_of(self.cells("latex", digits))
 
     def __str__(self) -> str:
         """The matrix in columns, without a heading."""
-        cells = self.cells()
-        widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
-        return "\n".join("  ".join(c.rjust(w) for c, w in zip(row, widths, strict=True)) for row in cells)
+        return in_columns(self.cells())
 
     def __repr__(self) -> str:
         """A heading and the matrix, as a notebook or the prompt shows it."""

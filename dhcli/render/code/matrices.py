@@ -6,8 +6,8 @@ import csv
 import io
 import re
 from collections.abc import Collection, Iterable, Sequence
-from dataclasses import dataclass
 
+from dhcli.frozen import frozen
 from dhcli.kinematics.question import AnyPose
 from dhcli.notation.let import Definition
 from dhcli.notation.names import natural_key
@@ -53,7 +53,7 @@ def pose_source(
     return matrix_source(pose.rows, pose.joints, look, comment=comment, name=own, definitions=definitions)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Letter:
     """What a matrix without a name is called where a language wants one."""
 

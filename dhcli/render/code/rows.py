@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from dhcli.frozen import frozen
 from dhcli.render.code.matrices import csv_line
 
 if TYPE_CHECKING:
@@ -17,7 +17,7 @@ FORMATS = ("csv", "jsonl", "npy")
 """The formats of rows; the last one is no text."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Group:
     """Numbers of a row that belong together, such as a position.
 
@@ -51,7 +51,7 @@ class Group:
         return cls(key, tuple(f"{key}_{head}" for group in groups for head in group.heads), _object(groups))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Layout:
     """What stands in each row.
 

@@ -12,7 +12,8 @@ from dhcli.kinematics.conventions import NAMES, ORDER
 from dhcli.kinematics.robot import Robot
 from dhcli.mobility.linkage import Linkage
 from dhcli.render.pictures.looks import COLOURS, LOOKS, TEXTS, UPRIGHT
-from dhcli.render.pictures.page_data import arm_model, plane_model, space_model
+from dhcli.render.pictures.page_arm import arm_model
+from dhcli.render.pictures.page_linkage import plane_model, space_model
 from dhcli.render.pictures.svg import FONTS
 from dhcli.safe import html
 from dhcli.scene.shapes import Figure

@@ -14,6 +14,7 @@ from dhcli.notation.tree import Expr
 from dhcli.notation.writer import write
 from dhcli.render.look import Look
 from dhcli.render.text.forward import frame_words
+from dhcli.render.text.prose import heading_text
 
 
 def derivation_table(result: Derivation, look: Look) -> str:
@@ -22,7 +23,7 @@ def derivation_table(result: Derivation, look: Look) -> str:
     given = "position px, py, pz" if result.place_only else "pose T, its entries r11 to r33, px, py, pz"
     where = f"{frame_words(result.end)} of {result.robot.name}, seen from {frame_words(result.start)}"
     lines = [
-        paper.ink(paper.spell(f"derivation of the joint values: {given} of {where}"), "bold"),
+        heading_text(f"derivation of the joint values: {given} of {where}", paper),
         paper.ink(
             paper.spell(f"{NAMES[result.robot.convention]} · c1 = cos(theta1), c23 = cos(theta2 + theta3)"), "dim"
         ),
@@ -30,7 +31,7 @@ def derivation_table(result: Derivation, look: Look) -> str:
     for number, step in enumerate(result.steps, 1):
         lines += [
             "",
-            paper.ink(paper.spell(f"{number}. {atom_text(step.atom)}: {step.rule}, {SAID[step.rule]}"), "bold"),
+            heading_text(f"{number}. {atom_text(step.atom)}: {step.rule}, {SAID[step.rule]}", paper),
         ]
         lines += [f"   {paper.spell(line)}" for line in _step_lines(result, step, look)]
     lines += ["", *wrap(paper.spell(proof_text(result)), paper.width)]

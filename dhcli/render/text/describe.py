@@ -14,6 +14,7 @@ from dhcli.kinematics.describe.exact import exact_factor
 from dhcli.kinematics.describe.linear import coordinates_of
 from dhcli.kinematics.describe.process import axis_word
 from dhcli.kinematics.describe.products import end_of, pitch_of
+from dhcli.kinematics.describe.straight import Straightened
 from dhcli.kinematics.describe.words import Step
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import spelled
@@ -21,6 +22,7 @@ from dhcli.notation.tree import Expr
 from dhcli.notation.writer import write
 from dhcli.render.look import Look
 from dhcli.render.text.matrix import matrix_lines
+from dhcli.render.text.prose import heading_text
 from dhcli.render.text.robot import links_table, robot_content
 from dhcli.render.text.table import table_text
 
@@ -46,7 +48,7 @@ def description_table(result: Described, look: Look) -> str:
     paper = look.paper
     origin = " from its axes" if result.steps else ""
     head = f"{result.given.title}{origin} · {NAMES[result.form]} · {_AXIS[result.form]}"
-    blocks = [paper.ink(paper.spell(head), "bold") + "\n"]
+    blocks = [heading_text(head, paper) + "\n"]
     if result.told and result.steps:
         blocks.append("".join(_steps(result, look)))
     return "".join([*blocks, *_body(result, look), *(f"{paper.spell(line)}\n" for line in _facts(result))])
@@ -62,6 +64,8 @@ def description_content(result: Described, look: Look) -> dict[str, Any]:
         "steps": [_step_content(step) for step in result.steps] if result.told else [],
         "result": robot_content(result.robot, look),
     }
+    if result.straightened:
+        found["straightened"] = _straightened_content(result.straightened)
     if result.screws and result.drawing is not None:
         found["screws"] = [
             {
@@ -85,6 +89,21 @@ def description_content(result: Described, look: Look) -> dict[str, Any]:
         ]
         found["end"] = " ".join(map(spelled, end_of(result.drawing.end)))
     return found
+
+
+def _straightened_content(straight: Straightened) -> dict[str, Any]:
+    """Angles in radians, lengths in metres; of the tip they are bounds over the whole workspace."""
+    return {
+        "within": straight.within,
+        "exact": not straight.changes,
+        "tip": straight.tip,
+        "turn": straight.turn,
+        "strokes": dict(straight.strokes),
+        "changes": [
+            {"joint": change.joint, "turned": change.turned, "shifted": change.shifted, "said": change.said}
+            for change in straight.changes
+        ],
+    }
 
 
 def _step_content(step: Step) -> dict[str, Any]:
@@ -154,11 +173,14 @@ def _facts(result: Described) -> Iterator[str]:
         if chain and chain == before:
             yield f"{name}  {' '.join(spelled(move, result.robot.writing) for move in chain)}"
     yield from result.notes
+    straight = result.straightened
+    yield from straight.lines() if straight else ()
+    same = "the same motion as the straightened robot" if straight and straight.changes else "the same motion"
     if result.proof.kind == "exact":
-        yield "proved: the same motion from base to tool, for all values of joints and lengths"
+        yield f"proved: {same} from base to tool, for all values of joints and lengths"
     else:
         error = max(result.proof.error, 1e-16)
-        yield f"checked: the same motion from base to tool at drawn poses, to {error:.0e} of the reach"
+        yield f"checked: {same} from base to tool at drawn poses, to {error:.0e} of the reach"
     if result.robot.convention is not Convention.PRODUCT and result.robot.convention is not result.given.convention:
         yield "frames 1 to n stand elsewhere now, as the convention wants them"
 

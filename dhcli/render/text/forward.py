@@ -15,6 +15,7 @@ from dhcli.notation.writer import write
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
 from dhcli.render.text.matrix import matrix_lines, vector_lines
+from dhcli.render.text.prose import heading_text, prose_lines
 from dhcli.render.text.quantities import value_lines
 
 AXES = ("p_x", "p_y", "p_z")
@@ -49,7 +50,7 @@ def point_table(result: ForwardKinematics, look: Look) -> str:
     joints = result.robot.writing
     given = ", ".join(write(coordinate, look.style or "short", joints) for coordinate in point.given)
     title = f"({given}) of frame {point.frame} of {result.robot.name}, seen from frame {point.reference}"
-    lines = [look.paper.ink(look.paper.spell(title), "bold"), *context_lines(result, look)]
+    lines = [heading_text(title, look.paper), *context_lines(result, look)]
     return _text([*lines, *vector_lines(AXES, point.seen, joints, look)])
 
 
@@ -62,7 +63,7 @@ def heading(pose: AnyPose, robot: str, look: Look) -> str:
     """The line above a matrix; a factor of a link is not between two frames."""
     is_factor = pose.title and not pose.title.startswith("A_")
     text = f"{pose.title}, a factor of A_{pose.frame}" if is_factor else sentence(pose, robot)
-    return look.paper.ink(look.paper.spell(text), "bold")
+    return heading_text(text, look.paper)
 
 
 def context_lines(result: ForwardKinematics, look: Look) -> Iterator[str]:
@@ -106,10 +107,15 @@ def frame_words(name: str) -> str:
 
 
 def packed(parts: Iterable[str], paper: Paper) -> Iterator[str]:
-    """Parts between middle dots, as many on a line as fit."""
+    """Parts between middle dots, as many on a line as fit; on a terminal, one that is too long by itself is folded."""
     dot = paper.spell(" · ")
     line = ""
-    for part in parts:
+    for whole in parts:
+        part = whole
+        if paper.terminal and len(whole) > paper.width:
+            *folded, part = prose_lines(whole, paper)
+            yield from (line, *folded) if line else folded
+            line = ""
         longer = f"{line}{dot}{part}" if line else part
         if line and len(longer) > paper.width:
             yield line

@@ -86,7 +86,7 @@ def _solutions(result: InverseKinematics, look: Look) -> Iterator[str]:
     for j, name in enumerate(result.robot.variables):
         numbers[name] = aligned([paper.spell(_value(result, j, float(q[j]), look)) for q in found])
     if result.near is not None:
-        numbers["distance"] = aligned(look.numbers(found.distances(list(result.near)).tolist()))
+        numbers["distance"] = aligned(look.numbers(found.travels(list(result.near)).tolist()))
     words: dict[str, list[str]] = {}
     if any(found.branches):
         words["branch"] = list(found.branches)

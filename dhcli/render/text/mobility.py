@@ -160,7 +160,7 @@ def _groups(counts: Counts, look: Look) -> str:
 
 def _formula(found: Mobility, paper: Paper) -> str:
     """Both forms, with the numbers filled in."""
-    lines = "".join(f"  {line}\n" for form in found.counts.formulas for line in _wrapped(form, NARROW - 2, paper))
+    lines = "".join(f"  {line}\n" for form in found.counts.formulas for line in _wrapped(form, _room(paper) - 2, paper))
     return paper.ink("What the formula gives", "bold") + "\n" + lines
 
 
@@ -178,7 +178,7 @@ def _truth(found: Mobility, paper: Paper) -> str:
     lines = (
         paper.ink("Can it be trusted?", "bold")
         + "\n"
-        + "".join(f"  {paper.ink(line, 'bold', ink)}\n" for line in _wrapped(verdict, NARROW - 2, paper))
+        + "".join(f"  {paper.ink(line, 'bold', ink)}\n" for line in _wrapped(verdict, _room(paper) - 2, paper))
     )
     lines += "".join(_folded(reason, paper) for reason in found.reasons)
     lines += "".join(_folded(f"Idle: {idle}.", paper) for idle in found.idle)
@@ -212,7 +212,7 @@ def _details(found: Mobility, paper: Paper) -> str:
     width = min(max(len(name) for name, _ in rows), 24)
     text = ""
     for name, value in rows:
-        first, *rest = _wrapped(value, NARROW - width - 4, paper)
+        first, *rest = _wrapped(value, max(_room(paper) - width - 4, 12), paper)
         text += f"  {paper.ink(paper.spell(name).ljust(width), 'dim')}  {first}\n"
         text += "".join(f"  {' ' * width}  {line}\n" for line in rest)
     return (
@@ -236,8 +236,13 @@ def _motion(motion: str) -> str:
 
 
 def _folded(text: str, paper: Paper, indent: str = "  ") -> str:
-    return "".join(f"{indent}{line}\n" for line in _wrapped(text, NARROW - len(indent), paper))
+    return "".join(f"{indent}{line}\n" for line in _wrapped(text, _room(paper) - len(indent), paper))
 
 
 def _wrapped(text: str, width: int, paper: Paper) -> Iterable[str]:
     return textwrap.wrap(paper.spell(text), width, break_long_words=False, break_on_hyphens=False) or [""]
+
+
+def _room(paper: Paper) -> int:
+    """Columns for sentences."""
+    return min(NARROW, paper.width)

@@ -9,6 +9,7 @@ from dhcli.kinematics.actuators import Actuators, total_text
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.quantity import value_text
 from dhcli.render.look import Look
+from dhcli.render.text.prose import heading_text
 from dhcli.render.text.quantities import in_units
 from dhcli.render.text.table import table_text
 
@@ -22,7 +23,7 @@ def motors_table(robot: Robot, look: Look) -> str:
         "motors from joints": driven.sentences(back=True),
         "torques and forces of the motors, by the transpose": _works(driven),
     }
-    lines = [paper.ink(paper.spell(head), "bold")]
+    lines = [heading_text(head, paper)]
     for name, sentences in parts.items():
         lines += [name, *(f"  {paper.spell(line)}" for line in sentences)]
     return "\n".join(lines) + "\n" + _limits(robot, driven, look)

@@ -11,8 +11,10 @@ from dhcli.kinematics.velocity.asked import SingularAnswer
 from dhcli.notation.writer import write
 from dhcli.render.look import Look
 from dhcli.render.text.forward import frame_words, legend, packed
+from dhcli.render.text.prose import heading_text, prose_lines
 from dhcli.render.text.quantities import value_lines
 from dhcli.render.text.velocity import point_words
+from dhcli.safe import one_line
 
 if TYPE_CHECKING:  # it comes with numpy
     from dhcli.kinematics.singular.standing import Standing
@@ -31,7 +33,7 @@ def singular_table(result: SingularAnswer, look: Look) -> str:
     found, paper, joints = result.found, look.paper, result.robot.writing
     style = look.style or "short"
     head = f"Singularities of {result.robot.name}: {frame_words(found.end)} against {frame_words(found.start)}"
-    lines = [paper.ink(paper.spell(head), "bold")]
+    lines = [heading_text(head, paper)]
     shown = [found.determinant] if found.determinant is not None else [z for f in found.factors for z in f.zeros]
     said = [f"{TASKS[found.part]} of {point_words(result.view, joints, style)}: rows {', '.join(found.rows)}"]
     said += [*value_lines(result.robot, result.values), *legend(shown, joints, look)]
@@ -69,9 +71,9 @@ def _factor(factor: Factor, result: SingularAnswer, look: Look) -> Iterator[str]
     angles = f"  ({factor.angles})" if factor.angles else ""
     yield f"{paper.ink(paper.spell(name), 'cyan')}{paper.spell(angles)}"
     if factor.words:
-        yield paper.spell(f"    {factor.words}")
+        yield from prose_lines(one_line(factor.words), paper, "    ", "    ")
     if factor.lost:
-        yield paper.spell(f"    lost: {factor.lost}")
+        yield from prose_lines(one_line(f"lost: {factor.lost}"), paper, "    ", "      ")
 
 
 def _turns(turns: object) -> str:
@@ -95,7 +97,7 @@ def standing_lines(result: SingularAnswer, standing: Standing, look: Look) -> It
         zeros = found.factors[one.factor].text(look.style or "short", result.robot.writing)
         now = ", ".join(_short(value) for value in one.values)
         kinds = {joint.kind for joint in result.robot.joints if joint.name in found.factors[one.factor].joints}
-        far = f"about {_far(one.distance, kinds)} away" if math.isfinite(one.distance) else "out of reach from here"
+        far = f"{_far(one.distance, kinds)} away" if math.isfinite(one.distance) else "out of reach from here"
         yield f"{zeros}: {now} here, {far}"
 
 

@@ -17,6 +17,7 @@ from dhcli.render.code.rows import Group, Layout
 from dhcli.render.look import Look
 from dhcli.render.text.forward import frame_words, packed
 from dhcli.render.text.matrix import aligned
+from dhcli.render.text.prose import heading_text
 from dhcli.render.text.quantities import in_units, value_lines
 from dhcli.render.text.table import table_text
 
@@ -39,7 +40,7 @@ def sweep_table(result: Sweep, look: Look) -> str:
     if held:
         dim += packed(map(paper.spell, (f"held: {held[0]}", *held[1:])), paper)
     lines = [
-        paper.ink(paper.spell(_heading(result, look)), "bold"),
+        heading_text(_heading(result, look), paper),
         *(paper.ink(line, "dim") for line in dim),
         "",
         _axes(grid.swept, look),

@@ -13,6 +13,7 @@ from dhcli.render.json.contents import number, placements_content, plain_number,
 from dhcli.render.look import Look
 from dhcli.render.text.matrix import cell, matrix_lines
 from dhcli.render.text.placement import placement_lines
+from dhcli.render.text.prose import heading_text, prose_lines
 
 
 def transform_table(result: Transform, look: Look) -> str:
@@ -92,9 +93,10 @@ def _about(result: Transform, count: int) -> str:
 
 def _pose_lines(result: Transform, count: int, look: Look) -> list[str]:
     paper, pose = look.paper, result.steps[count - 1].pose
+    seen = f"frame {pose.frame} seen from frame 0; {_about(result, count)}"
     return [
-        paper.ink(paper.spell(_title(result, count)), "bold"),
-        paper.ink(paper.spell(f"frame {pose.frame} seen from frame 0; {_about(result, count)}"), "dim"),
+        heading_text(_title(result, count), paper),
+        *(paper.ink(line, "dim") for line in prose_lines(seen, paper)),
         *matrix_lines(pose.rows, THETAS, look),
     ]
 

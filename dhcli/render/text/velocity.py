@@ -18,6 +18,7 @@ from dhcli.notation.writer import write
 from dhcli.render.look import Look
 from dhcli.render.text.forward import frame_words, legend, packed
 from dhcli.render.text.matrix import cell, matrix_lines, vector_lines
+from dhcli.render.text.prose import heading_text
 from dhcli.render.text.quantities import value_lines
 
 TITLES = {True: "Joint rates", False: "Velocity"}
@@ -27,7 +28,7 @@ TITLES = {True: "Joint rates", False: "Velocity"}
 def jacobian_table(result: JacobianAnswer, look: Look) -> str:
     """The matrix with the names of its rows and columns, and what they are."""
     found, paper, joints = result.jacobian, look.paper, result.robot.writing
-    lines = [paper.ink(paper.spell(title(result)), "bold")]
+    lines = [heading_text(title(result), paper)]
     lines += [paper.ink(line, "dim") for line in packed(map(paper.spell, _said(result, look)), paper)]
     for one in result.definitions:
         value = paper.spell(write(one.expr, look.style or "short", joints))
@@ -112,7 +113,7 @@ def torques_table(result: TorquesAnswer, look: Look) -> str:
     head = (
         f"Torques of {result.robot.name}: {frame_words(found.view.end)} presses against {frame_words(found.view.start)}"
     )
-    lines = [paper.ink(paper.spell(head), "bold")]
+    lines = [heading_text(head, paper)]
     force, moment = (
         "(" + ", ".join(_text(part, joints, look) for part in parts) + ")"
         for parts in (found.wrench.force, found.wrench.moment)
@@ -136,7 +137,7 @@ def velocity_table(result: VelocityAnswer, look: Look) -> str:
     view = result.view
     between = f"{frame_words(view.end)} against {frame_words(view.start)}"
     head = f"{TITLES[result.for_velocity]} of {result.robot.name}: {between}"
-    lines = [paper.ink(paper.spell(head), "bold")]
+    lines = [heading_text(head, paper)]
     said = [f"v of {point_words(view, joints, look.style or 'short')}", f"along the axes of {frame_words(view.axes)}"]
     lines += context(result.robot, result.values, said, look)
     kinds = {joint.name: joint.kind for joint in result.robot.joints}

@@ -10,7 +10,7 @@ from dhcli import check, load_exercise
 from dhcli.checking.diagnosis.slips import table_candidates
 from dhcli.checking.kinds.made import question_about_table
 from dhcli.checking.kinds.table import TableQuestion
-from dhcli.checking.tables.cells import table_text
+from dhcli.checking.tables.cells import dh_table_text
 from dhcli.checking.verdicts import Verdict
 from dhcli.kinematics.conventions import Row
 from dhcli.notation.angle import Angle
@@ -49,7 +49,7 @@ def test_a_slip_is_named_whatever_frames_are_drawn(name: str, how: str) -> None:
         for one in table_candidates(exercise, question.convention)
     }
     for slip in in_turn(SLIPS[name], DRAWN.index(how), 2):
-        text = table_text(drawn_otherwise(rows[slip], name, how), robot(name).columns, robot(name).writing)
+        text = dh_table_text(drawn_otherwise(rows[slip], name, how), robot(name).columns, robot(name).writing)
         mark = check(exercise, "table", text)
         assert mark.verdict is Verdict.WRONG
         assert mark.diagnosis is not None, (slip, text)
@@ -109,7 +109,7 @@ def test_of_slips_with_the_same_motion_the_one_in_the_cells_typed_is_named() -> 
     assert exercise.robot is not None
     for candidate in table_candidates(exercise, question.convention):
         rows = [step.row for step in candidate.work.steps if step.row is not None]
-        judged = check(exercise, "table", table_text(rows, exercise.robot.columns, exercise.writing))
+        judged = check(exercise, "table", dh_table_text(rows, exercise.robot.columns, exercise.writing))
         if judged.verdict is Verdict.WRONG:
             assert judged.diagnosis is not None
             # with the twists of rows 4 and 6 swapped it is the right table in the other convention, which is said first

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Causes, Exercise, Question, Reading, Shown
+from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import NotationError, Place, Problem
 from dhcli.kinematics.robot import Robot

@@ -20,7 +20,7 @@ from dhcli.checking.frames.rules import DH2, DH3, TASK, Rules
 from dhcli.checking.frames.sketch import Sketch, at_values, sketch_of
 from dhcli.checking.frames.slips import as_typed
 from dhcli.checking.kinds.made import question_about_frames, question_about_table
-from dhcli.checking.tables.cells import table_text
+from dhcli.checking.tables.cells import dh_table_text
 from dhcli.checking.tolerance import DEFAULT
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import DhcliError, NotationError, UnknownNameError
@@ -116,7 +116,7 @@ def test_every_other_assignment_that_keeps_the_rules_is_right_and_its_table_is_t
         frames = freely(sketch, draw)
         judged = checked(exercise, exercise.parts[0], frames_text(frames, exercise))
         assert judged.verdict is Verdict.RIGHT, judged
-        rows = table_text(table_of(sketch, frames), table.robot.columns, exercise.writing)  # type: ignore[union-attr]
+        rows = dh_table_text(table_of(sketch, frames), table.robot.columns, exercise.writing)  # type: ignore[union-attr]
         other = mark(exercise, exercise.parts[0], rows)
         assert other.verdict.passed, (rows, other)
         if frames[-1].z == sketch.frames[-1].z:

@@ -112,3 +112,12 @@ def test_only_a_joint_with_a_textbook_form_is_asked_for() -> None:
         judged("1", "angle theta2 of speed")
     with pytest.raises(DhcliError):
         judged("1", "angle theta2 of pose", "puma200")
+
+
+@pytest.mark.parametrize("answer", ["atan2(px, py)", "atan2(px, py), atan2(px, py) + pi"])
+def test_swapped_arguments_are_named_with_one_value_of_two_as_with_both(answer: str) -> None:
+    """Who swaps them seldom thinks of the second angle as well."""
+    mark = judged(answer, "angle theta1 of position", "articulated")
+    assert mark.verdict is Verdict.WRONG
+    assert mark.diagnosis is not None
+    assert "atan2-swapped theta1" in mark.diagnosis.ids

@@ -133,6 +133,7 @@ def test_joint_rates_give_the_velocity_back(q: tuple[float, float, float]) -> No
         ("planar-2r", "angular velocity of 0..2", "0, 0, dtheta1 + dtheta2"),
         ("planar-2r", "joint rates for (v, 0, 0) of 0..2 in frame 2", "v/(a1*s2), -v*(a1*c2 + a2)/(a1*a2*s2)"),
         ("planar-2r", "rank of jacobian linear of 0..2", "2"),
+        ("planar-2r", "rank of jacobian linear of 0..2", "two"),
     ],
 )
 def test_any_form_of_the_right_answer_is_right(robot: str, ask: str, answer: str) -> None:

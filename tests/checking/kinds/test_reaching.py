@@ -53,6 +53,8 @@ def test_solutions_are_counted(robot: str, ask: str, right: int) -> None:
     assert judged(str(right), ask, robot).verdict is Verdict.RIGHT
     assert judged(str(right + 1), ask, robot).verdict is Verdict.WRONG
     assert judged("2.5", ask, robot).verdict is Verdict.CANNOT_READ
+    word = ["zero", "one", "two", "three", "four", "five", "six", "seven", "eight"][right]
+    assert judged(f"{word.title()}.", ask, robot).verdict is Verdict.RIGHT
 
 
 def test_a_miscount_has_its_reason() -> None:

@@ -15,8 +15,8 @@ from dhcli import check, load_exercise
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.kinds.made import question_about_table
 from dhcli.checking.pasted import UnreadableError
-from dhcli.checking.tables.cells import table_text
-from dhcli.checking.tables.marking import mark_table, write_table
+from dhcli.checking.tables.cells import dh_table_text
+from dhcli.checking.tables.marking import answer_of, mark_table, write_table
 from dhcli.checking.tables.typed_rows import read_table
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import RobotError
@@ -63,7 +63,7 @@ def judged(
     """The judgement of a table, in the convention of the robot if no other one is asked for."""
     arm = task.robot
     rows = read_table(text, arm, task.scope, arm.columns, task.unit)
-    return mark_table(task, convention or arm.convention, rows, compare, **flags)
+    return mark_table(answer_of(task, convention or arm.convention, rows, compare, **flags))
 
 
 def changed(text: str, old: str, new: str) -> str:
@@ -322,11 +322,11 @@ def test_other_zeros_alone_are_equivalent() -> None:
 def test_the_other_convention_is_its_own_verdict() -> None:
     """Columns of one convention read in the other."""
     rows = rows_of("puma560-standard")
-    text = table_text(rows, robot("puma560").columns, robot("puma560").writing)
+    text = dh_table_text(rows, robot("puma560").columns, robot("puma560").writing)
     mark = marked("puma560", text)
     assert mark.verdict is Verdict.WRONG
     assert mark.remarks == ("right for standard DH; this exercise uses modified",)
-    text = table_text(rows_of("zhou-3r-modified"), robot("zhou-3r").columns, robot("zhou-3r").writing)
+    text = dh_table_text(rows_of("zhou-3r-modified"), robot("zhou-3r").columns, robot("zhou-3r").writing)
     assert marked("zhou-3r", text).remarks == ("right for modified DH; this exercise uses standard",)
     assert marked("zhou-3r", text, convention=MODIFIED).verdict is Verdict.RIGHT
     assert marked("zhou-3r", text, "same-motion", MODIFIED).verdict is Verdict.RIGHT
@@ -495,7 +495,7 @@ def test_a_table_in_other_frames_is_right_as_text(name: str, data: st.DataObject
     moves: list[Move] = data.draw(st.lists(keeping(_letters(name)), max_size=5))
     for move in moves:
         rows = move(rows, robot(name).convention)
-    text = table_text(rows, robot(name).columns, robot(name).writing)
+    text = dh_table_text(rows, robot(name).columns, robot(name).writing)
     mark = marked(name, text)
     assert mark.verdict in (Verdict.RIGHT, Verdict.EQUIVALENT)
     assert mark.earned == 1.0
@@ -507,7 +507,7 @@ def test_a_table_in_other_frames_is_right_as_text(name: str, data: st.DataObject
 def test_a_slip_is_never_right_unless_it_names_a_freedom(name: str, data: st.DataObject) -> None:
     """What is not the solution is never accepted in silence."""
     _, rows = data.draw(st.sampled_from(mutations(rows_of(name), robot(name).variables)))
-    text = table_text(rows, robot(name).columns, robot(name).writing)
+    text = dh_table_text(rows, robot(name).columns, robot(name).writing)
     mark = marked(name, text, names=("b9",))
     assert mark.verdict in (Verdict.RIGHT, Verdict.EQUIVALENT, Verdict.WRONG)
     if mark.verdict.passed:

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from dhcli.checking.judge import Judge
 from dhcli.checking.kinds.made import question_about_table
 from dhcli.checking.pasted import UnreadableError
-from dhcli.checking.tables.marking import mark_table
+from dhcli.checking.tables.marking import answer_of, mark_table
 from dhcli.checking.tables.typed_rows import read_table as rows_read
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import FileError
@@ -122,7 +122,7 @@ def test_an_answer_that_writes_its_units_is_believed() -> None:
     exercise = question_about_table(robot("puma560"), robot("puma560").convention)
 
     def marked(text: str) -> Mark:
-        return mark_table(exercise, robot("puma560").convention, rows_read(text, robot("puma560")))
+        return mark_table(answer_of(exercise, robot("puma560").convention, rows_read(text, robot("puma560"))))
 
     with pytest.raises(UnreadableError, match="right in mm; this sheet is in m"):
         marked(table.format(u=""))
@@ -168,13 +168,13 @@ def test_a_number_is_right_just_where_numpy_finds_the_end_within_the_tolerance(
     name: str, share: float, off: float
 ) -> None:
     """RIGHT holds at the robot's lengths; EQUIVALENT says what was used; and nothing that is right is refused."""
-    from dhcli.checking.tables.cells import size_of, table_text
+    from dhcli.checking.tables.cells import dh_table_text, size_of
 
     arm = robot(name)
     letter = sorted(lengths(name))[int(share * len(lengths(name)))]
     other = in_part_numbers(name, letter, lengths(name)[letter] + off)
     exercise = question_about_table(arm, arm.convention)
-    text = table_text(other, arm.columns, arm.writing)
+    text = dh_table_text(other, arm.columns, arm.writing)
     mark = Judge(exercise).mark(exercise.parts[0], text)
     limit, error = 1e-3 * size_of(rows_of(name), exercise), largest_error(name, other)
     if error <= limit:

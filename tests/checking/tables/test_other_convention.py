@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from dhcli.checking.judge import Judge
 from dhcli.checking.kinds.made import question_about_table
-from dhcli.checking.tables.cells import table_text
+from dhcli.checking.tables.cells import dh_table_text
 from dhcli.checking.tables.reasons import OTHERS
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.kinematics.conventions import NAMES as CONVENTIONS
@@ -23,7 +23,7 @@ def relabelled(name: str, rows: Rows | None = None) -> Mark:
     """The judgement of a robot's own rows, or of others, under the other convention, with the slip behind it."""
     arm = robot(name)
     exercise = question_about_table(arm, OTHERS[arm.convention])
-    text = table_text(rows or rows_of(name), arm.columns, arm.writing)
+    text = dh_table_text(rows or rows_of(name), arm.columns, arm.writing)
     return Judge(exercise).check(exercise.parts[0], text)
 
 
@@ -55,7 +55,7 @@ def test_a_table_with_a_slip_is_called_right_elsewhere_only_if_its_axes_are(name
     arm = robot(name)
     _, rows = data.draw(st.sampled_from(mutations(rows_of(name), arm.variables)))
     exercise = question_about_table(arm, arm.convention)
-    mark = Judge(exercise).mark(exercise.parts[0], table_text(rows, arm.columns, arm.writing))
+    mark = Judge(exercise).mark(exercise.parts[0], dh_table_text(rows, arm.columns, arm.writing))
     if mark.remarks and mark.remarks[0].startswith("right for"):
         point = {n: 0.3 + 0.1 * k for k, n in enumerate((*arm.parameters, "b9"))}
         right = invariants(rows_of(name), arm.convention, arm.variables, point)

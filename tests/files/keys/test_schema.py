@@ -10,7 +10,9 @@ import jsonschema
 import pytest
 import yaml
 
+from dhcli.checking.kinds.registry import every_kind
 from dhcli.errors import DhcliError
+from dhcli.files.keys.exercises import OF_KINDS
 from dhcli.files.keys.robots import ROBOTS
 from dhcli.files.keys.schema import KINDS, schema_of
 from dhcli.files.keys.shapes import names
@@ -24,6 +26,11 @@ FILES = [
     *(("linkage", path) for path in sorted((ROOT / "robots" / "linkages").glob("*.yaml"))),
     *(("exercise", path) for path in sorted((ROOT / "exercises").rglob("*.yaml"))),
 ]
+
+
+def test_every_key_that_a_kind_of_question_reads_is_described() -> None:
+    """Whoever adds one to a kind adds a line to OF_KINDS."""
+    assert set(names(OF_KINDS)) == {key for kind in every_kind() for key in kind.keys}
 
 
 @cache

@@ -114,6 +114,17 @@ def test_what_is_wrong_with_drawn_axes_is_said_with_its_line(old: str, new: str,
     assert "file:" in str(caught.value)
 
 
+def test_the_line_of_an_error_stands_as_in_the_file() -> None:
+    """With the commas between the coordinates of a point, under a marker that fits."""
+    wrong = "  - {theta2: (a, 1, 0), through: (a, 0, 0)}"
+    with pytest.raises(FileError) as caught:
+        read_robot(with_line("  - {theta2: +z, through: (a, 0, 0)}", wrong), "mine.yaml", "mine")
+    place = caught.value.problems[0].place
+    assert place
+    assert place.text == wrong
+    assert wrong[(place.column or 0) - 1 :].startswith("(a, 1, 0)")
+
+
 def test_lengths_that_follow_from_others_still_follow() -> None:
     """The formula is written, not its value."""
     text = f"""{HEAD}convention: standard

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from dhcli.errors import FileError, NotationError, Place, Problem, RobotError
-from dhcli.files.yaml.fields import Fields, Problems, kind_of
+from dhcli.files.yaml.fields import Fields, Problems, node_kind
 from dhcli.files.yaml.placed import PlacedScalar, read_yaml
 
 KNOWN = ("title", "source", "links", "parameters")
@@ -28,7 +28,7 @@ def test_a_right_file_has_no_problem() -> None:
     """Texts, lists and mappings come as they are."""
     problems, fields = document("format: 1\ntitle: PUMA\nlinks: [x, {a: 1}]\nparameters: {a2: 1 m}\n", "title")
     assert fields.text("title") == "PUMA"
-    assert [kind_of(item) for item in fields.sequence("links")] == ["a text", "a mapping"]
+    assert [node_kind(item) for item in fields.sequence("links")] == ["a text", "a mapping"]
     assert fields.mapping("parameters").text("a2") == "1 m"
     problems.raise_if_any()
 

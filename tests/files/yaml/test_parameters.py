@@ -10,8 +10,8 @@ import pytest
 from dhcli import forward, symbolic
 from dhcli.errors import FileError, RobotError
 from dhcli.files.yaml.robots import read_robot
+from dhcli.kinematics.limits import warnings
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.values import warnings
 from dhcli.notation.angle import Angle
 
 FILE = """format: 1

@@ -76,7 +76,8 @@ def parser(request: pytest.FixtureRequest) -> Iterator[None]:
     if request.param == "libyaml" and not yaml.__with_libyaml__:
         pytest.skip("this PyYAML was built without libyaml")
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(yaml, "__with_libyaml__", request.param == "libyaml")
+        if request.param == "python":
+            patch.setitem(sys.modules, "yaml._yaml", None)  # as where it was built without
         yield
 
 

@@ -270,7 +270,9 @@ def test_nearly_parallel_axes_are_warned_of() -> None:
     tilt = math.radians(1e-3)
     second = Line("q2", (0.0, math.sin(tilt), math.cos(tilt)), {ONE: (0.3, 0.4, 0.0)})
     walked = walk(Drawing((Line("q1", (0.0, 0.0, 1.0), {}), second), Frame(origin={ONE: (0.5, 0.0, 0.0)})))
-    assert any("q1 and q2" in warning and "parallel" in warning for warning in walked.warnings)
+    (warning,) = (warning for warning in walked.warnings if "q1 and q2" in warning)
+    assert "are 0.001° from parallel" in warning
+    assert "--straighten takes them as parallel" in warning
 
 
 @pytest.mark.parametrize(("radians", "degrees"), [(math.pi / 2, 90), (-math.pi, 180), (math.pi / 6, 30), (0.1, None)])

@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 import random
-import re
 import sys
 from dataclasses import replace
-from fractions import Fraction
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
@@ -18,14 +15,10 @@ from dhcli.kinematics.frames import between
 from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive import NoFormError, derive
 from dhcli.kinematics.inverse.derive_points import pose_values
-from dhcli.kinematics.inverse.derive_rules import Step
 from dhcli.kinematics.inverse.derive_values import TRIED, joint_values, poses_proved
 from dhcli.kinematics.values import numbers, parameter_values
-from dhcli.notation.tree import ZERO, Symbol, add, negate, power
+from dhcli.notation.tree import negate
 from dhcli.notation.writer import write
-from dhcli.render.code.derivation import derivation_code, lengths_used
-from dhcli.render.code.derivation_c import derivation_c
-from dhcli.render.look import Look
 from tests.nightly import cases_for_nights
 
 DERIVED = (
@@ -116,66 +109,6 @@ def test_formulas_give_the_solutions_that_the_engine_gives(name: str) -> None:
             reached = forward(robot, row).matrix - pose.matrix
             assert np.abs(reached[:3, 3] if derivation.place_only else reached).max() < 1e-9
             assert engine.distances(row).min() < 1e-6
-
-
-def from_matlab(code: str) -> str:
-    """The same function in Python: loops by their indentation, entries from 0, powers with two stars."""
-    lines = ["from math import *"]
-    for line in code.replace("^", "**").splitlines():
-        text = line.strip()
-        margin = " " * (len(line) - len(line.lstrip()) + 4)
-        if text.startswith("function"):
-            lines.append(f"def {text.partition(' = ')[2]}:")
-        elif text.startswith("for "):
-            lines.append(f"{margin}{text.replace(' = ', ' in ')}:")
-        elif found := re.fullmatch(r"if (.*), continue, end", text):
-            lines += [f"{margin}if {found[1]}:", f"{margin}  continue"]
-        elif found := re.fullmatch(r"(\w+) = T\((\d), (\d)\);", text):
-            lines.append(f"{margin}{found[1]} = T[{int(found[2]) - 1}][{int(found[3]) - 1}]")
-        elif text.startswith("solutions(end + 1, :) = "):
-            lines.append(f"{margin}solutions.append({text.partition(' = ')[2].rstrip(';')})")
-        elif text != "end" and not text.startswith("%"):
-            lines.append(f"{margin}{text.rstrip(';')}")
-    return "\n".join([*lines, "    return solutions"])
-
-
-def function_of(derivation: Derivation, language: str) -> Any:  # noqa: ANN401  what a user has of it
-    """The function that a language's file defines."""
-    code = derivation_code(derivation, Look(language))
-    space: dict[str, Any] = {}
-    exec(from_matlab(code) if language == "matlab" else code, space)  # noqa: S102  this is what a user does with it
-    return space["inverse"]
-
-
-@pytest.mark.parametrize("language", ["numpy", "python", "matlab"])
-@pytest.mark.parametrize("name", ["planar-2r", "scara-yim", "cylindrical", "stanford", "puma560", "ur5e"])
-def test_the_function_returns_what_the_engine_finds(name: str, language: str) -> None:
-    """With the robot's own lengths; the same joint values, each combination of signs once."""
-    robot = load_robot(name)
-    derivation = derived(name)
-    q = [0.4, 0.7, 0.5, -0.6, 0.8, 1.1][: len(robot.variables)]
-    pose = forward(robot, q)
-    lengths = numbers(parameter_values(robot, {}))
-    own = [float(lengths[length]) for length in lengths_used(derivation)]
-    found = np.array(function_of(derivation, language)(pose.matrix, *own))
-    engine = inverse(robot, pose, task="position" if derivation.place_only else "pose")
-    assert len(found) == len(engine)
-    assert max(engine.distances(row).min() for row in found) < 1e-9
-    assert max(np.abs(np.exp(1j * found) - np.exp(1j * row)).max(axis=1).min() for row in engine) < 1e-9
-
-
-@pytest.mark.parametrize("language", ["numpy", "python", "matlab"])
-def test_there_is_no_root_of_a_negative_number(language: str) -> None:
-    """A length from its square: none where the square is negative, two where it is not."""
-    rest = add(power(Symbol("px"), 2), negate(power(Symbol("l1"), 2)))
-    step = Step("SQUARES", "d3", (), ZERO, power(rest, Fraction(1, 2)), "plus-minus", rest)
-    derivation = replace(derived("planar-2r"), robot=load_robot("scara"), steps=(step,))
-    assert "if (px*px - l1*l1 < 0)" in derivation_c(derivation, Look("c"))
-    function = function_of(derivation, language)
-    far, near = np.eye(4), np.eye(4)
-    far[0, 3] = 0.5
-    assert np.allclose(function(far, 0.3), [[0.4], [-0.4]])
-    assert function(near, 0.3) == []
 
 
 def test_a_wrong_formula_is_found_out() -> None:

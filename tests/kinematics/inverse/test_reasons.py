@@ -67,3 +67,12 @@ def test_at_the_edge_of_reach_two_solutions_become_one() -> None:
     reach = np.linalg.norm(forward(robot, [0, 0]).position)
     counts = [len(inverse(robot, [reach * (1 + by), 0, 0], task="position")) for by in (-1e-3, -1e-9, 0.0, 1e-9, 1e-3)]
     assert counts == [2, 2, 1, 0, 0]
+
+
+def test_a_place_too_near_to_the_first_axis_has_a_reason_too_where_the_wrist_is_left_free() -> None:
+    """PUMA's shoulder offset keeps its wrist centre from axis 1: the joints of the wrist, held, have no part in it."""
+    found = inverse(load_robot("puma560"), (0, 0, 0.2), task="position")
+    assert "theta2 has no real value: a cosine in its equation would be 1.5" in found.why
+    assert "the nearest pose reached is 0.15 m away" in found.why
+    # an arm whose held joints would change the answer has no such equation
+    assert "no real value" not in inverse(load_robot("ur5e"), (1.3, 0, 0.1), task="position").why

@@ -266,3 +266,24 @@ def test_a_family_is_told_though_rounding_has_left_one_of_its_members_beside_it(
     assert [way.joint for ways in found.free for way in ways] == ["theta4"]
     held = inverse(robot, forward(robot, list(q)), hold={"theta4": float(q[3])})
     assert held.distances(list(q)).min() < 1e-7
+
+
+def test_a_point_that_few_values_of_the_joints_held_reach_is_reached_all_the_same() -> None:
+    """The Stanford hand stands on its own base only where the wrist is turned just so."""
+    robot = load_robot("stanford")
+    found = inverse(robot, (0, 0, 0), task="position")
+    assert len(found)
+    for q in found:
+        assert np.allclose(forward(robot, list(q)).position, 0, atol=1e-12)
+    assert {name for name, _ in found.held} == {"theta4", "theta5", "theta6"}
+
+
+def test_a_family_says_at_how_many_of_its_values_there_are_solutions() -> None:
+    """A coarse family of the Panda's may hold few or none."""
+    q = [0, 0.2, 0.3, -1, 0.2, 1, 0.3]
+    for family in (2, 3, 6, 24):
+        found = solved("panda", q, family=family)
+        held = {round(value, 9) for value in found.q[:, 6].tolist()}
+        count = str(len(held)) if held else "none"
+        assert f"theta7 sampled at {family} values, {count} of them with solutions" in found.remarks[0]
+        assert len(found) or "other values of theta7 reach it" in found.why

@@ -8,15 +8,17 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from typing import TypeAlias
 
+from dhcli.checking.diagnosis.bench import terms
 from dhcli.checking.diagnosis.mistakes.record import Level, Made, Mistake
 from dhcli.checking.diagnosis.result import Rank
 from dhcli.checking.diagnosis.terms import Piece, exchanged, flipped, functions, lengths, pieces, products, shown
-from dhcli.checking.diagnosis.work import Matrix, Setting, Work, terms
+from dhcli.checking.diagnosis.work import Matrix, Setting, Work
 from dhcli.checking.wanted import Wanted
+from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
 from dhcli.notation.names import natural_key
 from dhcli.notation.styles import THETAS, Joints
@@ -25,7 +27,7 @@ from dhcli.notation.trig import cosine, sine
 from dhcli.notation.writer import write
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Among:
     """What stands in the other entries, and how it is written.
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import combinations
 
+from dhcli.checking.diagnosis.bench import inverse
 from dhcli.checking.diagnosis.mistakes.record import Catalogue, Level, Made
 from dhcli.checking.diagnosis.mistakes.rewritings import (
     Negated,
@@ -16,7 +17,7 @@ from dhcli.checking.diagnosis.mistakes.rewritings import (
     without_rotation,
 )
 from dhcli.checking.diagnosis.result import Rank
-from dhcli.checking.diagnosis.work import Rewriting, Setting, Work, inverse
+from dhcli.checking.diagnosis.work import Rewriting, Setting, Work
 from dhcli.notation.factors import AXES
 from dhcli.notation.tree import ZERO, negate
 

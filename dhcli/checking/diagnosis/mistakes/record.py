@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from enum import IntEnum
 from typing import TypeAlias
 
 from dhcli.checking.diagnosis.result import Rank
 from dhcli.checking.diagnosis.work import Setting, Work
+from dhcli.frozen import frozen
 
 Made: TypeAlias = Iterator[tuple[str, Work]]
 """Where a mistake is made, such as `2` or `2 1`, and the work that holds it."""
@@ -25,7 +25,7 @@ class Level(IntEnum):
     MATRIX = 3
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Mistake:
     """A kind of mistake.
 

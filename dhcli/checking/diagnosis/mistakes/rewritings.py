@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import TypeVar
 
-from dhcli.checking.diagnosis.work import Matrix, inverse
+from dhcli.checking.diagnosis.bench import inverse
+from dhcli.checking.diagnosis.work import Matrix
 
 N = TypeVar("N")
 

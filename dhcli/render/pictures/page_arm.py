@@ -1,4 +1,4 @@
-"""What a page must know: the chain of moves, the scene in its states, the table; the joints of a linkage."""
+"""What a page must know of an arm: the chain of moves, the scene in its states, the table."""
 
 from __future__ import annotations
 
@@ -12,21 +12,16 @@ from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.sweep.workspace import Workspace
 from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import JointInput, Values, numbers
-from dhcli.mobility.linkage import Joint, Linkage
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr
+from dhcli.render.pictures.page_scene import scene_data, words_data
 from dhcli.scene.camera import VIEWS
-from dhcli.scene.linkages import stage_linkage
 from dhcli.scene.motion import joints_of
-from dhcli.scene.places import Places
-from dhcli.scene.plane import circles
-from dhcli.scene.primitives import Ball, Box, Drum, Face, Scene, Solid
+from dhcli.scene.primitives import Scene
 from dhcli.scene.skeleton import Given
-from dhcli.scene.space import holder
 from dhcli.scene.staging import posed, stage_arm, values_at
 from dhcli.scene.table import cells, heads
-from dhcli.scene.vectors import Vec
-from dhcli.scene.words import Words, named, spelled
+from dhcli.scene.words import named
 from dhcli.scene.workspace import is_at_base
 
 if TYPE_CHECKING:
@@ -60,7 +55,7 @@ def arm_model(picture: Drawing) -> dict[str, Any]:
         "view": list(staged.view),
         "views": [["best", list(staged.view)], *([name, list(view)] for name, view in VIEWS.items())],
         "table": _table(robot, given),
-        "scene": _scene(staged.scene),
+        "scene": scene_data(staged.scene),
     }
 
 
@@ -87,97 +82,13 @@ def _path(robot: Robot, picture: Drawing, values: Values) -> list[list[float]]:
     return [[float(f"{x:.9g}") for x in picture.path[round(k * last / count)]] for k in range(1, count + 1)]
 
 
-UNMOVED = frozenset({"gear", "rolling"})
-"""Joints in space whose motion a page does not know: it only turns a linkage that has one."""
-
-
-def space_model(picture: Drawing) -> dict[str, Any]:
-    """A linkage in space: its scene, each part on the link that holds it, and what its joints demand."""
-    linkage = picture.what
-    assert isinstance(linkage, Linkage)  # noqa: S101  the caller has looked
-    staged = stage_linkage(linkage, picture.view)
-    views = [["best", list(staged.view)], *([name, list(view)] for name, view in VIEWS.items())]
-    places = Places(linkage)
-    number = {link: i for i, link in enumerate(linkage.links)}
-    seen: dict[str, Any] = {
-        "name": linkage.name,
-        "view": list(staged.view),
-        "views": views,
-        "scene": _scene(staged.scene),
-        "links": list(linkage.links),
-        "points": [[_words(named(name)), list(at), number[holder(places, at)]] for name, at in places.named()],
-    }
-    if any(joint.pair.name in UNMOVED for joint in linkage.joints):
-        return seen
-    held = [list(at) for at in places.at]
-    spots = [point for _, point, _ in seen["points"]]
-    return {
-        **seen,
-        "size": places.size,
-        "centre": [sum(p[i] for p in held) / len(held) for i in range(3)],
-        "ground": number[linkage.ground],
-        "ties": [_spatial(joint, at, number, spots) for joint, at in zip(linkage.joints, places.at, strict=True)],
-        "output": number.get(linkage.output, -1),
-    }
-
-
-def _spatial(joint: Joint, at: Vec, number: dict[str, int], spots: list[list[float]]) -> dict[str, Any]:
-    """A joint in space: its kind, its links, and the geometry that it has; a point that has a name by its number."""
-    point = list(at if joint.point is None else joint.point)
-    geometry = {"u": joint.axis, "v": joint.axis2, "s": joint.slide, "o": joint.other, "h": joint.pitch}
-    return {
-        "t": joint.pair.name,
-        **({"name": joint.name} if joint.pair.name in ("revolute", "prismatic") else {}),
-        "a": number[joint.links[0]],
-        "b": number[joint.links[1]],
-        "p": spots.index(point) if point in spots else point,
-        **{key: value for key, value in geometry.items() if value is not None},
-    }
-
-
-def plane_model(linkage: Linkage) -> dict[str, Any]:
-    """A planar linkage: what its joints demand, and the points that are drawn."""
-    places = Places(linkage)
-    links = list(linkage.links)
-    number = {link: i for i, link in enumerate(links)}
-    joints = []
-    for joint, at in zip(linkage.joints, places.at, strict=True):
-        joints.append(
-            {
-                "t": joint.pair.name,
-                "a": number[joint.links[0]],
-                "b": number[joint.links[1]],
-                "p": _flat(at),
-                "o": _flat(joint.other),
-                "u": _flat(joint.axis if joint.pair.name == "prismatic" else joint.slide),
-                "c": number.get(joint.carrier or "", -1),
-                "r": joint.radii,
-                "n": joint.internal,
-            }
-        )
-    points = []
-    for name, at in places.named():
-        points.append([_words(named(name)), _flat(at), number[holder(places, at)]])
-    return {
-        "name": linkage.name,
-        "size": places.size,
-        "ground": number[linkage.ground],
-        "bar": linkage.ground != "ground",
-        "links": [[link, [_flat(p) for p in places.links[link]]] for link in links],
-        "joints": joints,
-        "circles": [[number[link], _flat(centre), radius] for link, centre, radius in circles(places)],
-        "points": points,
-        "output": number.get(linkage.output, -1),
-    }
-
-
 def _joint(robot: Robot, name: str, value: Value) -> dict[str, Any]:
     joint = next(each for each in robot.joints if each.name == name)
     low, high = (map(in_floats, robot.limits[name])) if name in robot.limits else (None, None)
     at = _number(value)
     reach = math.pi if joint.kind == "revolute" else max(1.5 * abs(at), _longest(robot), 0.1)
     ends = {"from": min(-reach, at), "till": max(reach, at)} if low is None else {"lo": low, "hi": high}
-    return {"name": name, "words": _words(named(name)), "kind": joint.kind, **ends, "q": at}
+    return {"name": name, "words": words_data(named(name)), "kind": joint.kind, **ends, "q": at}
 
 
 def _longest(robot: Robot) -> float:
@@ -228,9 +139,9 @@ def _table(robot: Robot, given: Given) -> dict[str, Any]:
     for link in robot.links:
         row: list[dict[str, Any]] = [{"words": [[str(link.number), 0]]}]
         for column, words in zip(robot.columns if link.row else ("product",), cells(robot, link), strict=True):
-            row.append({"words": _words(words), **_live(robot, link.row, column, given)})
+            row.append({"words": words_data(words), **_live(robot, link.row, column, given)})
         rows.append(row)
-    return {"heads": [_words(head) for head in heads(robot)], "rows": rows}
+    return {"heads": [words_data(head) for head in heads(robot)], "rows": rows}
 
 
 def _live(robot: Robot, row: object, column: str, given: Given) -> dict[str, Any]:
@@ -257,53 +168,6 @@ def cell_is_number(cell: Expr) -> bool:
     from dhcli.notation.tree import Number
 
     return isinstance(cell, Number)
-
-
-def _scene(scene: Scene) -> dict[str, Any]:
-    """The scene, in as many digits as a drawing needs."""
-    return {key: _short(value) for key, value in _whole_scene(scene).items()}
-
-
-def _short(value: Any) -> Any:  # noqa: ANN401  anything that JSON knows
-    if isinstance(value, float):
-        return int(value) if value == int(value) and abs(value) < 1e6 else float(f"{value:.6g}")  # noqa: PLR2004
-    return [_short(each) for each in value] if isinstance(value, list | tuple) else value
-
-
-def _whole_scene(scene: Scene) -> dict[str, Any]:
-    plate, hand = scene.plate, scene.hand
-    return {
-        "unit": scene.unit,
-        "solids": [_solid(solid) for solid in scene.solids],
-        "rods": [[r.start.state, r.start.at, r.end.state, r.end.at, r.thickness, int(r.ground)] for r in scene.rods],
-        "dims": [
-            [d.start.state, d.start.at, d.end.state, d.end.at, _words(d.words), d.variable, d.direct]
-            for d in scene.dimensions
-        ],
-        "plate": plate and [plate.centre.state, plate.centre.at, plate.normal, plate.size, plate.broken],
-        "hand": hand and [hand.wrist.state, hand.wrist.at, hand.forward, hand.across, hand.size],
-        "pinned": [[anchor.state, anchor.at] for anchor in scene.pinned],
-    }
-
-
-def _solid(solid: Solid) -> list[Any]:
-    if isinstance(solid, Face):
-        return ["face", [[c.state, c.at] for c in solid.corners], solid.ground]
-    if isinstance(solid, Ball):
-        return ["ball", solid.centre.state, solid.centre.at, solid.radius]
-    if isinstance(solid, Drum):
-        words = _words(spelled(solid.name))
-        return ["drum", solid.centre.state, solid.centre.at, solid.axis, solid.radius, solid.half, words]
-    assert isinstance(solid, Box)  # noqa: S101  the last kind
-    return ["box", solid.centre.state, solid.centre.at, solid.axis, solid.half]
-
-
-def _words(words: Words) -> list[list[Any]]:
-    return [[run.text, int(run.below)] for run in words]
-
-
-def _flat(point: tuple[float, float, float] | None) -> list[float] | None:
-    return None if point is None else [point[0], point[1]]
 
 
 def _number(value: Value) -> float:

@@ -1,0 +1,214 @@
+"""Frozen dataclasses with slots that cost the start of a command little.
+
+`dataclasses` writes a program of six functions for each class and compiles it, half a millisecond a class, and a
+command imports a hundred. A class that is `frozen` is one of its dataclasses to everyone who asks (`fields`, `replace`,
+pattern matching), with the same six functions as closures over the names of the fields: nothing is compiled.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import MISSING, Field, FrozenInstanceError, dataclass, field, fields
+from operator import attrgetter
+from types import FunctionType
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar, cast, dataclass_transform
+
+if TYPE_CHECKING:
+    from inspect import Signature
+
+T = TypeVar("T")
+_Put: TypeAlias = Callable[[object, object], None]
+
+
+@dataclass_transform(frozen_default=True, field_specifiers=(field,))
+def frozen(cls: type[T]) -> type[T]:
+    """Make a class what `dataclass(frozen=True, slots=True)` makes of it.
+
+    What the class or a base of it other than `object` writes itself stays: its `__repr__`, `__eq__`, `__hash__`.
+    What is `frozen` inherits from no class that `dataclass(frozen=True)` made, nor such a one from it.
+    """
+    made = dataclass(init=False, repr=False, eq=False, slots=True)(cls)
+    found = _fields(made)
+    written: dict[str, object] = {"__init__": _init(made, found), "__setattr__": _setattr, "__delattr__": _delattr}
+    written |= {"__getstate__": _getstate, "__setstate__": _setstate, "__signature__": _SIGNATURE}
+    if made.__repr__ is object.__repr__:
+        written["__repr__"] = _repr
+    if "__eq__" not in cls.__dict__:
+        key = _values_of([each.name for each in found if each.compare])
+        hashed = [each.name for each in found if (each.compare if each.hash is None else each.hash)]
+        written["__eq__"] = _eq(key)
+        if "__hash__" not in cls.__dict__:
+            written["__hash__"] = _hash(_values_of(hashed))
+    for name, function in written.items():
+        setattr(made, name, function)
+    return made
+
+
+def _init(cls: type, found: Sequence[Field[Any]]) -> Callable[..., None]:
+    """What takes the values of the fields, by position or by name."""
+    taken = [each for each in found if each.init]
+    puts = [getattr(cls, each.name).__set__ for each in taken]
+    finish = getattr(cls, "__post_init__", None)
+    if finish is None and 1 <= len(taken) == len(found) <= len(_PLAIN) and all(map(_is_plain, found)):
+        plain = _PLAIN[len(found) - 1](*puts)
+        names = ("self", *(each.name for each in found))
+        defaults = tuple(each.default for each in found if each.default is not MISSING)
+        # The names of the parameters are data of the compiled function: this renames them, and compiles nothing.
+        code = plain.__code__.replace(co_varnames=names, co_name="__init__", co_qualname=f"{cls.__qualname__}.__init__")
+        return FunctionType(code, plain.__globals__, "__init__", defaults, plain.__closure__)
+    made = [(getattr(cls, each.name).__set__, each) for each in found if not each.init]
+
+    def __init__(self: object, *values: object, **named: object) -> None:  # noqa: N807
+        if named or len(values) != len(taken):
+            values = _arranged(type(self).__qualname__, taken, values, named)
+        for put, value in zip(puts, values, strict=True):
+            put(self, value)
+        for put, each in made:
+            if each.default_factory is not MISSING:
+                put(self, each.default_factory())
+        if finish is not None:
+            finish(self)
+
+    return __init__
+
+
+def _fields(of: object) -> tuple[Field[Any], ...]:
+    return fields(of)  # type: ignore[arg-type]
+
+
+def _is_plain(each: Field[Any]) -> bool:
+    return each.default_factory is MISSING
+
+
+def _init_1(a: _Put) -> FunctionType:
+    def init(self: object, p: object) -> None:
+        a(self, p)
+
+    return cast("FunctionType", init)
+
+
+def _init_2(a: _Put, b: _Put) -> FunctionType:
+    def init(self: object, p: object, q: object) -> None:
+        a(self, p)
+        b(self, q)
+
+    return cast("FunctionType", init)
+
+
+def _init_3(a: _Put, b: _Put, c: _Put) -> FunctionType:
+    def init(self: object, p: object, q: object, r: object) -> None:
+        a(self, p)
+        b(self, q)
+        c(self, r)
+
+    return cast("FunctionType", init)
+
+
+def _init_4(a: _Put, b: _Put, c: _Put, d: _Put) -> FunctionType:
+    def init(self: object, p: object, q: object, r: object, s: object) -> None:
+        a(self, p)
+        b(self, q)
+        c(self, r)
+        d(self, s)
+
+    return cast("FunctionType", init)
+
+
+_PLAIN: tuple[Callable[..., FunctionType], ...] = (_init_1, _init_2, _init_3, _init_4)
+"""What takes one value, two, three, four: most records have no more, and the trees of formulas are made of these."""
+
+
+def _arranged(
+    owner: str, taken: Sequence[Field[Any]], values: tuple[object, ...], named: dict[str, object]
+) -> tuple[object, ...]:
+    """The value of each field, in their order.
+
+    Raises:
+        TypeError: As Python raises it: a value too many, one missing, a name that is none.
+    """
+    if len(values) > len(taken):
+        raise TypeError(f"{owner}.__init__() takes {len(taken)} values, and {len(values)} are given")
+    arranged, missing = list(values), []
+    for each in taken[len(values) :]:
+        if each.name in named:
+            arranged.append(named.pop(each.name))
+        elif each.default is not MISSING:
+            arranged.append(each.default)
+        elif each.default_factory is not MISSING:
+            arranged.append(each.default_factory())
+        else:
+            missing.append(repr(each.name))
+    if named:
+        name = next(iter(named))
+        is_twice = any(name == each.name for each in taken)
+        said = "multiple values for argument" if is_twice else "an unexpected keyword argument"
+        raise TypeError(f"{owner}.__init__() got {said} {name!r}")
+    if missing:
+        raise TypeError(f"{owner}.__init__() is missing {', '.join(missing)}")
+    return tuple(arranged)
+
+
+def _values_of(names: Sequence[str]) -> Callable[[object], tuple[object, ...]]:
+    """What gives some attributes of an object as a tuple."""
+    if len(names) > 1:
+        return attrgetter(*names)
+    return lambda self: tuple(getattr(self, name) for name in names)
+
+
+def _eq(key: Callable[[object], tuple[object, ...]]) -> Callable[[object, object], bool]:
+    def __eq__(self: object, other: object) -> bool:  # noqa: N807
+        return key(self) == key(other) if other.__class__ is self.__class__ else NotImplemented
+
+    return __eq__
+
+
+def _hash(key: Callable[[object], tuple[object, ...]]) -> Callable[[object], int]:
+    def __hash__(self: object) -> int:  # noqa: N807
+        return hash(key(self))
+
+    return __hash__
+
+
+def _repr(self: object) -> str:
+    shown = ", ".join(f"{each.name}={getattr(self, each.name)!r}" for each in _fields(self) if each.repr)
+    return f"{type(self).__qualname__}({shown})"
+
+
+def _setattr(_self: object, name: str, _value: object) -> None:
+    raise FrozenInstanceError(f"cannot assign to field {name!r}")
+
+
+def _delattr(_self: object, name: str) -> None:
+    raise FrozenInstanceError(f"cannot delete field {name!r}")
+
+
+def _getstate(self: object) -> list[object]:
+    return [getattr(self, each.name) for each in _fields(self)]
+
+
+def _setstate(self: object, state: Iterable[object]) -> None:
+    for each, value in zip(_fields(self), state, strict=True):
+        object.__setattr__(self, each.name, value)
+
+
+class _Signature:
+    """What `help` shows in the brackets of a class, put together when someone asks."""
+
+    def __get__(self, instance: object, owner: type) -> Signature:
+        from inspect import Parameter, Signature
+
+        return Signature(
+            [
+                Parameter(
+                    each.name,
+                    Parameter.POSITIONAL_OR_KEYWORD,
+                    default=Parameter.empty if each.default is MISSING else each.default,
+                    annotation=each.type,
+                )
+                for each in _fields(owner)
+                if each.init
+            ]
+        )
+
+
+_SIGNATURE = _Signature()

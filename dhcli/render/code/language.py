@@ -1,0 +1,166 @@
+"""What it takes to write a function in a language; the languages themselves are data in `languages`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from dhcli.notation.styles import THETAS, Joints, Style, plain_name
+from dhcli.notation.tree import Expr, Number
+from dhcli.notation.writer import write
+from dhcli.render.code.words import RESERVED, TAKEN
+from dhcli.safe import comment, docstring
+
+Cells = Sequence[Sequence[str]]
+
+_FOREIGN = re.compile(r"[^A-Za-z0-9_]")
+
+
+@dataclass(frozen=True, slots=True)
+class Language:
+    """How a language writes.
+
+    Attributes:
+        name: What the user calls it.
+        style: How it spells formulas.
+        mark: What begins a comment.
+        first: Lines at the top of the file.
+        head: The first line of a function: its name, its arguments, what it gives.
+        argument: One argument.
+        preset: One with a value that it has by default; the same where a language has none.
+        let: A name and its value.
+        end: What closes a function or a loop; nothing where indentation does.
+        returned: The lines that give a matrix back: what gives its shape, its name, its cells.
+        entry: An entry of a matrix that is given: its name, row and column.
+        base: Number of the first row.
+        signs: A loop over 1 and -1.
+        turns: A loop over 0 and π.
+        skip: Goes on with the next round if a condition holds.
+        begin: Makes an empty list of solutions.
+        append: Adds a row to it.
+        finish: Gives it back.
+    """
+
+    name: str
+    style: Style
+    mark: str
+    first: tuple[str, ...]
+    head: str
+    argument: str
+    preset: str
+    let: str
+    end: str
+    returned: Callable[[Sequence[str], str, Cells], list[str]]
+    entry: str
+    base: int
+    signs: str
+    turns: str
+    skip: str
+    begin: str
+    append: str
+    finish: str
+
+    def spelling(self, names: Iterable[str]) -> Spelling:
+        """A spelling for names, each an own one that the language accepts."""
+        spelled: dict[str, str] = {}
+        used = set(RESERVED[self.name] | TAKEN)
+        for name in names:
+            plain = _FOREIGN.sub("_", plain_name(name))
+            while plain in used:
+                plain += "_"
+            used.add(plain)
+            spelled[name] = plain
+        return Spelling(self, spelled)
+
+    def function(self, heading: Heading, spelling: Spelling, body: Sequence[str]) -> str:
+        """A whole file with one function.
+
+        Args:
+            heading: Its name, arguments and description.
+            spelling: How its names are spelled.
+            body: Its lines, without margin.
+        """
+        names = spelling.names
+        ordered = sorted(heading.lengths, key=lambda name: heading.lengths[name] is not None)
+        values = {name: heading.lengths[name] for name in ordered}
+        arguments = [*heading.given, *(self.argument.format(names[name]) for name in heading.joints)]
+        for name, value in values.items():
+            form = self.argument if value is None else self.preset
+            arguments.append(form.format(names[name], "" if value is None else decimal(value)))
+        first = self.head.format(heading.name, ", ".join([*arguments, *heading.filled]), heading.gives)
+        said = list(heading.said)
+        if self.preset == self.argument and self.name == "c" and (own := _own_values(values, names)):
+            said.append(own)
+        if self.name == "matlab":
+            body = [*_presets(len(arguments) - len(values), values, names), *body]
+        inside = docstring(*said).split("\n") if self.mark == "#" and self.name != "julia" else []
+        above = [] if inside else [comment(line, self.mark).rstrip("\n") for line in said]
+        lines = [f"    {line}" if line else "" for line in (*inside, *body)]
+        end = [self.end] if self.end else []
+        return "\n".join([*self.first, *above, *first.split("\n"), *lines, *end]) + "\n"
+
+
+@dataclass(frozen=True, slots=True)
+class Heading:
+    """What stands above the body of a function.
+
+    Attributes:
+        name: Its name.
+        said: What it does, a line each.
+        joints: Joint values that it takes.
+        lengths: Lengths that it takes, with the values they have by default.
+        given: Arguments before those, as they are spelled.
+        filled: Arguments behind those, as they are spelled.
+        gives: What its result is called, or the type of it.
+    """
+
+    name: str
+    said: Sequence[str]
+    joints: Sequence[str]
+    lengths: Mapping[str, float | None]
+    given: Sequence[str] = ()
+    filled: Sequence[str] = ()
+    gives: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Spelling:
+    """How a function in a language spells its names.
+
+    Attributes:
+        language: The language.
+        names: The spelling of each name.
+    """
+
+    language: Language
+    names: Mapping[str, str]
+
+    def formula(self, expr: Expr, joints: Joints = THETAS) -> str:
+        """A formula in those names."""
+        if type(expr) is Number:
+            return decimal(float(expr.value))
+        return write(expr, replace(self.language.style, symbol=self.names.__getitem__), joints)
+
+    def let(self, name: str, value: str) -> str:
+        """A line that gives a name its value."""
+        return self.language.let.format(self.names[name], value)
+
+
+def decimal(value: float) -> str:
+    """A number as all of the languages read it, without losing a bit; never minus zero."""
+    return repr(float(value) + 0.0)
+
+
+def _own_values(lengths: Mapping[str, float | None], names: Mapping[str, str]) -> str:
+    own = ", ".join(f"{names[name]} = {decimal(value)}" for name, value in lengths.items() if value is not None)
+    return f"Of this robot: {own}." if own else ""
+
+
+def _presets(before: int, lengths: Mapping[str, float | None], names: Mapping[str, str]) -> list[str]:
+    """Values by default where a language has none in its headings."""
+    return [
+        f"if nargin < {before + k}, {names[name]} = {decimal(value)}; end"
+        for k, (name, value) in enumerate(lengths.items(), 1)
+        if value is not None
+    ]

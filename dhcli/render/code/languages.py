@@ -1,0 +1,186 @@
+"""How each language writes a function: its heading, a name for a value, a matrix, a loop; formulas are the writer's."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from dhcli.notation.styles import Style
+from dhcli.render.code.language import Cells, Language
+
+_FORMULAS = Style(
+    "python", caret="**", pi="math.pi", degrees=None, prefix="math.", decimal=True, functions={"abs": "fabs"}
+)
+_NUMPY = {"atan2": "arctan2", "acos": "arccos", "asin": "arcsin", "atan": "arctan"}
+
+_STYLES: Mapping[str, Style] = {
+    "python": _FORMULAS,
+    "numpy": replace(_FORMULAS, pi="np.pi", prefix="np.", functions=_NUMPY),
+    "c": replace(_FORMULAS, pi="pi", prefix="", power="pow({}, {})"),
+    "matlab": replace(_FORMULAS, pi="pi", prefix="", caret="^", functions={}),
+    "julia": replace(_FORMULAS, pi="pi", prefix="", caret="^", functions={"atan2": "atan"}),
+    "javascript": replace(_FORMULAS, pi="Math.PI", prefix="Math.", power="Math.pow({}, {})", functions={}),
+}
+"""How each language spells formulas; a minus before a power is a fault in JavaScript."""
+
+
+def _lists(_shape: Sequence[str], _name: str, cells: Cells) -> list[str]:
+    return ["return [", *(f"    [{', '.join(row)}]," for row in cells), "]"]
+
+
+def _array(shape: Sequence[str], name: str, cells: Cells) -> list[str]:
+    """Entries of an array that has the shape of the joint values before rows and columns."""
+    size = f"({len(cells)}, {len(cells[0])})"
+    shaped = f"np.broadcast({', '.join(shape)}).shape + {size}" if shape else size
+    filled = [
+        f"{name}[..., {i}, {k}] = {cell}" for i, row in enumerate(cells) for k, cell in enumerate(row) if cell != "0.0"
+    ]
+    return [f"{name} = np.zeros({shaped})", *filled, f"return {name}"]
+
+
+def _stored(_shape: Sequence[str], name: str, cells: Cells) -> list[str]:
+    return [f"{name}[{i}][{k}] = {cell};" for i, row in enumerate(cells) for k, cell in enumerate(row)]
+
+
+def _in_commas(_shape: Sequence[str], name: str, cells: Cells) -> list[str]:
+    rows = [", ".join(row) for row in cells]
+    return [f"{name} = [", *(f"    {row};" for row in rows[:-1]), f"    {rows[-1]}];"]
+
+
+def _in_blanks(_shape: Sequence[str], _name: str, cells: Cells) -> list[str]:
+    """Cells with brackets where a blank or a sign in them would begin another."""
+    rows = [" ".join(f"({cell})" if " " in cell or cell[0] == "-" else cell for cell in row) for row in cells]
+    return ["return [", *(f"    {row}" for row in rows), "]"]
+
+
+def _in_script(shape: Sequence[str], name: str, cells: Cells) -> list[str]:
+    lines = _lists(shape, name, cells)
+    return [*lines[:-1], "];"]
+
+
+LANGUAGES: Mapping[str, Language] = {
+    language.name: language
+    for language in (
+        Language(
+            "python",
+            style=_STYLES["python"],
+            mark="#",
+            first=("import math", "", ""),
+            head="def {}({}):",
+            argument="{}",
+            preset="{}={}",
+            let="{} = {}",
+            end="",
+            returned=_lists,
+            entry="{}[{}][{}]",
+            base=0,
+            signs="for {} in (1, -1):",
+            turns="for {} in (0, math.pi):",
+            skip="if {}:\n    continue",
+            begin="solutions = []",
+            append="solutions.append([{}])",
+            finish="return solutions",
+        ),
+        Language(
+            "numpy",
+            style=_STYLES["numpy"],
+            mark="#",
+            first=("import numpy as np", "", ""),
+            head="def {}({}):",
+            argument="{}",
+            preset="{}={}",
+            let="{} = {}",
+            end="",
+            returned=_array,
+            entry="{}[{}][{}]",
+            base=0,
+            signs="for {} in (1, -1):",
+            turns="for {} in (0, np.pi):",
+            skip="if {}:\n    continue",
+            begin="solutions = []",
+            append="solutions.append([{}])",
+            finish="return solutions",
+        ),
+        Language(
+            "c",
+            style=_STYLES["c"],
+            mark="//",
+            first=("#include <math.h>", ""),
+            head="{2} {0}({1})\n{{",
+            argument="double {}",
+            preset="double {}",
+            let="const double {} = {};",
+            end="}",
+            returned=_stored,
+            entry="{}[{}][{}]",
+            base=0,
+            signs="for (double {0} = 1; {0} > -2; {0} -= 2) {{",
+            turns="for (double {0} = 0; {0} < 4; {0} += pi) {{",
+            skip="if ({})\n    continue;",
+            begin="int found = 0;",
+            append="",
+            finish="return found;",
+        ),
+        Language(
+            "matlab",
+            style=_STYLES["matlab"],
+            mark="%",
+            first=(),
+            head="function {2} = {0}({1})",
+            argument="{}",
+            preset="{}",
+            let="{} = {};",
+            end="end",
+            returned=_in_commas,
+            entry="{}({}, {})",
+            base=1,
+            signs="for {} = [1, -1]",
+            turns="for {} = [0, pi]",
+            skip="if {}, continue, end",
+            begin="solutions = [];",
+            append="solutions(end + 1, :) = [{}];",
+            finish="",
+        ),
+        Language(
+            "julia",
+            style=_STYLES["julia"],
+            mark="#",
+            first=(),
+            head="function {}({})",
+            argument="{}",
+            preset="{}={}",
+            let="{} = {}",
+            end="end",
+            returned=_in_blanks,
+            entry="{}[{}, {}]",
+            base=1,
+            signs="for {} in (1, -1)",
+            turns="for {} in (0, pi)",
+            skip="if {}\n    continue\nend",
+            begin="solutions = Vector{Float64}[]",
+            append="push!(solutions, [{}])",
+            finish="return solutions",
+        ),
+        Language(
+            "javascript",
+            style=_STYLES["javascript"],
+            mark="//",
+            first=(),
+            head="function {}({}) {{",
+            argument="{}",
+            preset="{} = {}",
+            let="const {} = {};",
+            end="}",
+            returned=_in_script,
+            entry="{}[{}][{}]",
+            base=0,
+            signs="for (const {} of [1, -1]) {{",
+            turns="for (const {} of [0, Math.PI]) {{",
+            skip="if ({}) continue;",
+            begin="const solutions = [];",
+            append="solutions.push([{}]);",
+            finish="return solutions;",
+        ),
+    )
+}
+"""The languages by the name the user gives them."""

@@ -1,0 +1,80 @@
+"""`--code`: functions by the command line."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from dhcli import forward, jacobian, load_robot
+from tests.cli.running import Run
+from tests.render.code.running import namespace
+
+
+def test_a_function_is_written_to_a_file_and_runs(dhcli: Run, tmp_path: Path) -> None:
+    """With another length put in, and the tool behind the last frame."""
+    done = dhcli("fk", "scara", "--code", "python", "--set", "l1=0.5", "--tool", "Trans(0,0,0.1)", "-o", "fk.py")
+    assert (done.code, done.out) == (0, "")
+    found = namespace((tmp_path / "fk.py").read_text("utf-8"))["forward"](0.3, 0.5, 0.1)
+    robot = load_robot("scara").copy(tool="Trans(0,0,0.1)", parameters={"l1": 0.5})
+    assert np.allclose(found, forward(robot, [0.3, 0.5, 0.1], end="tool").matrix, rtol=0, atol=1e-15)
+
+
+def test_the_jacobian_is_a_function_too(dhcli: Run) -> None:
+    """The body Jacobian, with the robot's lengths in it."""
+    text = dhcli("jacobian", "scara", "--body", "--code", "python", "--with-values").out
+    assert "def jacobian(theta1, theta2, d3):" in text
+    robot = load_robot("scara")
+    wanted = jacobian(robot, [0.3, 0.5, 0.1], axes=3, angular_first=True)
+    assert np.allclose(namespace(text)["jacobian"](0.3, 0.5, 0.1), wanted, rtol=0, atol=1e-15)
+
+
+def test_a_function_says_what_it_is(dhcli: Run) -> None:
+    """Frames, convention, units, joints, and where the numbers are from."""
+    said = dhcli("fk", "stanford", "--code", "c").out.partition("void")[0]
+    for text in (
+        "T_06 of stanford: frame 6 seen from frame 0",
+        "standard DH",
+        "radians and metres",
+        "d3 [m]",
+        "Source: ",
+    ):
+        assert text in said
+    assert "Of this robot: d2 = 0.154, d6 = 0.263." in said
+
+
+def test_json_has_the_formulas(dhcli: Run) -> None:
+    """For a language that is not among them."""
+    data = dhcli("fk", "planar-2r", "--code", "c", "--format", "json").data
+    assert data["joints"] == ["theta1", "theta2"]
+    assert data["lengths"] == {"a1": 0.4, "a2": 0.3}
+    assert data["rows"][0] == ["c12", "-s12", "0", "a1*c1 + a2*c12"]
+    assert (data["operations"], data["cosines_and_sines"]) == (7, 4)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("fk", "scara", "--code", "cobol"), "--code knows no language cobol"),
+        (("fk", "scara", "--code", "javascipt"), "did you mean javascript?"),
+        (("fk", "scara", "--with-values"), "--with-values is for --code"),
+        (("fk", "scara", "--code", "c", "--links"), "--code and --links ask for different things"),
+        (("fk", "scara", "--code", "c", "--as", "rpy", "--let"), "--code and --as and --let ask for different things"),
+        (("fk", "scara", "--code", "c", "--format", "numpy"), "--code says the language, and --format another"),
+        (("fk", "scara", "--code", "c", "--in", "q.csv"), "--code does not go with --in"),
+        (("ik", "planar-2r", "--code", "c", "--why"), "--code and --why ask for different things"),
+        (("ik", "planar-2r", "--code", "c", "--position", "0.5,0,0"), "is in letters and takes no pose"),
+        (("ik", "panda", "--code", "c"), "has no textbook form"),
+        (("ik", "planar-2r", "--derive", "--format", "c"), "a function that runs is --code c"),
+        (("jacobian", "scara", "--code", "c", "--let"), "--code and --let ask for different things"),
+        (("jacobian", "scara", "--code", "c", "--rows", "q.csv"), "--code does not go with --rows"),
+        (("fk", "scara", "-s", "-o", "fk.c"), "a function that runs is --code c"),
+        (("fk", "scara", "-s", "--format", "julia"), "a function that runs is --code julia"),
+    ],
+)
+def test_what_does_not_go_is_refused_in_words(dhcli: Run, words: tuple[str, ...], said: str) -> None:
+    """With what would be right."""
+    done = dhcli(*words)
+    assert done.code == 2
+    assert said in " ".join(done.err.split())

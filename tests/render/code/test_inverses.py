@@ -1,0 +1,111 @@
+"""The way back as code: the function of each language returns every solution that `inverse` finds."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from dhcli.files.yaml.robots import load_robot
+from dhcli.kinematics.forward import forward
+from dhcli.kinematics.inverse.asked import inverse
+from dhcli.kinematics.inverse.derivation import Derivation
+from dhcli.kinematics.inverse.derive import derive
+from dhcli.kinematics.inverse.derive_rules import Step
+from dhcli.kinematics.inverse.derive_terms import name_of
+from dhcli.notation.tree import ZERO, Symbol, add, negate, power
+from dhcli.render.code.inverses import inverse_code, lengths_used, shared
+from dhcli.render.code.languages import LANGUAGES
+from dhcli.render.look import Look
+from tests.render.code.running import HERE, Call, results
+
+ROBOTS = ("planar-2r", "scara-yim", "cylindrical", "stanford", "puma560", "ur5e")
+Q = (0.4, 0.7, 0.5, -0.6, 0.8, 1.1)
+
+
+@cache
+def derived(name: str) -> Derivation:
+    """The derivation of a robot, worked out once."""
+    return derive(load_robot(name))
+
+
+def code(derivation: Derivation, language: str) -> str:
+    """The file."""
+    return inverse_code(derivation, Look(language))
+
+
+def call(derivation: Derivation, language: str, pose: np.ndarray, lengths: Sequence[float] = ()) -> Call:
+    """The function with a pose, and the lengths that C has no values for by default."""
+    robot = derivation.robot
+    joints = sum(name_of(step.atom) in robot.variables for step in derivation.steps)
+    shape = (derivation.branches, joints)
+    own = [float(robot.parameters[n].value) for n in lengths_used(derivation)] if language == "c" else []  # type: ignore[union-attr]  # numbers
+    return Call(code(derivation, language), "inverse", lengths or own, shape, pose.tolist())
+
+
+def _lengths(derivation: Derivation) -> list[str]:
+    from dhcli.render.code.inverses import lengths_used
+
+    return lengths_used(derivation)
+
+
+@pytest.mark.parametrize("language", HERE)
+def test_every_solution_comes_back(language: str, tmp_path: Path) -> None:
+    """As many as the engine finds, each of them, and each once; with the robot's own lengths."""
+    poses = {name: forward(load_robot(name), Q[: len(load_robot(name).variables)]) for name in ROBOTS}
+    calls = [call(derived(name), language, pose.matrix) for name, pose in poses.items()]
+    for name, rows in zip(ROBOTS, results(language, calls, tmp_path), strict=True):
+        found = np.array(rows)
+        task = "position" if derived(name).place_only else "pose"
+        engine = inverse(load_robot(name), poses[name], task=task)
+        assert len(found) == len(engine), name
+        assert max(engine.distances(row).min() for row in found) < 1e-9
+        assert max(np.abs(np.exp(1j * found) - np.exp(1j * row)).max(axis=1).min() for row in engine) < 1e-9
+
+
+@pytest.mark.parametrize("language", HERE)
+def test_a_pose_out_of_reach_has_no_solution(language: str, tmp_path: Path) -> None:
+    """And no error of the language."""
+    far = np.eye(4)
+    far[0, 3] = 5.0
+    [found] = results(language, [call(derived("planar-2r"), language, far)], tmp_path)
+    assert len(found) == 0
+
+
+@pytest.mark.parametrize("language", HERE)
+def test_there_is_no_root_of_a_negative_number(language: str, tmp_path: Path) -> None:
+    """A length from its square: none where the square is negative, two where it is not."""
+    rest = add(power(Symbol("px"), 2), negate(power(Symbol("l1"), 2)))
+    step = Step("SQUARES", "d3", (), ZERO, power(rest, Fraction(1, 2)), "plus-minus", rest)
+    derivation = replace(derived("planar-2r"), robot=load_robot("scara"), steps=(step,))
+    far, near = np.eye(4), np.eye(4)
+    far[0, 3] = 0.5
+    calls = [call(derivation, language, pose, [0.3]) for pose in (far, near)]
+    two, none = results(language, calls, tmp_path)
+    assert np.allclose(sorted(np.ravel(two)), [-0.4, 0.4])
+    assert len(none) == 0
+
+
+def test_the_function_says_what_it_takes_and_gives() -> None:
+    """The pose, the lengths, and in C room for as many rows as there may be."""
+    text = code(derived("planar-2r"), "c")
+    assert "int inverse(const double T[4][4], double a1, double a2, double solutions[][2])" in text
+    assert "solutions has room for 2 rows" in text
+    assert "def inverse(T, a1=0.4, a2=0.3):" in code(derived("planar-2r"), "python")
+    assert "function solutions = inverse(T, a1, a2)" in code(derived("planar-2r"), "matlab")
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_no_cosine_is_taken_twice(language: str) -> None:
+    """Each of a joint or of a sum has a name."""
+    formulas, _ = shared(derived("puma560"))
+    turning = [one for one in formulas.definitions if str(one.expr).startswith(("c(", "s(", "cos", "sin"))]
+    assert len({one.expr for one in turning}) == len(turning)
+    text = code(derived("puma560"), language).partition("Source")[2]
+    assert text.count("cos(theta23)") == 1
+    assert text.count("sin(theta23)") == 1

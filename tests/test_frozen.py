@@ -1,0 +1,183 @@
+"""What `frozen` makes is what `dataclass(frozen=True, slots=True)` makes, said of the same class by both."""
+
+import copy
+import inspect
+import pickle
+from collections.abc import Callable
+from dataclasses import FrozenInstanceError, dataclass, field, fields, is_dataclass, replace
+from typing import Any, Generic, TypeVar
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from dhcli.frozen import frozen
+
+T = TypeVar("T")
+slotted = dataclass(frozen=True, slots=True)
+
+
+def _classes(make: Callable[[type], type]) -> dict[str, Any]:
+    """Classes of every kind that dhcli has, by one of the two makers."""
+
+    @make
+    class Empty:
+        """No field."""
+
+    @make
+    class One:
+        """One field."""
+
+        x: object
+
+    @make
+    class Point:
+        """Two, with a default."""
+
+        x: object
+        y: object = 7
+
+    @make
+    class Space(Point):
+        """An heir, with one that tells nobody apart and one that is not shown."""
+
+        z: object = field(default=0, compare=False)
+        note: object = field(default="", repr=False)
+
+    @make
+    class Five:
+        """More than the plain ones."""
+
+        a: object
+        b: object
+        c: object
+        d: object = 4
+        e: object = 5
+
+    @make
+    class Made(Generic[T]):
+        """A default for each, and one that nobody gives."""
+
+        x: T
+        held: dict[str, int] = field(default_factory=dict)
+        memo: list[int] = field(default_factory=list, init=False, repr=False, compare=False)
+        late: object = field(init=False, compare=False)
+
+        def __post_init__(self) -> None:
+            object.__setattr__(self, "late", ("of", self.x))
+
+    @make
+    class Own:
+        """Its own equality, hash and look."""
+
+        x: object
+
+        def __eq__(self, other: object) -> bool:
+            return isinstance(other, Own)
+
+        def __hash__(self) -> int:
+            return 5
+
+        def __repr__(self) -> str:
+            return "own"
+
+    return {made.__name__: made for made in (Empty, One, Point, Space, Five, Made, Own)}
+
+
+OURS, THEIRS = _classes(frozen), _classes(slotted)
+CALLS: tuple[tuple[str, tuple[object, ...], dict[str, object]], ...] = (
+    ("Empty", (), {}),
+    ("One", (float("inf"),), {}),
+    ("One", (), {"x": "a"}),
+    ("Point", (1,), {}),
+    ("Point", (1, 2), {}),
+    ("Point", (), {"y": 1, "x": 2}),
+    ("Space", (1, 2, 3), {}),
+    ("Space", (1,), {"z": 3, "note": "n"}),
+    ("Five", (1, 2, 3), {}),
+    ("Five", (1, 2), {"e": 6, "c": 3}),
+    ("Made", (1,), {}),
+    ("Made", (1, {"a": 2}), {}),
+    ("Own", (1,), {}),
+)
+REFUSED: tuple[tuple[str, tuple[object, ...], dict[str, object]], ...] = (
+    ("Empty", (1,), {}),
+    ("One", (), {}),
+    ("One", (1, 2), {}),
+    ("Point", (1,), {"x": 2}),
+    ("Point", (1,), {"w": 2}),
+    ("Five", (1, 2), {}),
+    ("Five", (1, 2, 3, 4, 5, 6), {}),
+    ("Five", (1, 2, 3), {"a": 2}),
+    ("Five", (1, 2, 3), {"w": 2}),
+    ("Made", (), {"late": 1}),
+)
+
+
+@pytest.mark.parametrize(("name", "values", "named"), CALLS)
+def test_it_holds_and_says_what_a_dataclass_does(
+    name: str, values: tuple[object, ...], named: dict[str, object]
+) -> None:
+    """Its values, its look, what `replace` and a copy make of it, and what is alike."""
+    ours, theirs = OURS[name](*values, **named), THEIRS[name](*values, **named)
+    assert is_dataclass(ours)
+    assert [each.name for each in fields(ours)] == [each.name for each in fields(theirs)]
+    for each in fields(ours):
+        assert getattr(ours, each.name) == getattr(theirs, each.name)
+    assert repr(ours) == repr(theirs)
+    assert ours == OURS[name](*values, **named) == copy.copy(ours) == copy.deepcopy(ours) == replace(ours)
+    assert ours != theirs or name == "Own"
+    assert not hasattr(ours, "__dict__")
+
+
+@pytest.mark.parametrize(("name", "values", "named"), REFUSED)
+@pytest.mark.parametrize("classes", [OURS, THEIRS], ids=["ours", "theirs"])
+def test_what_is_given_wrongly_is_refused(
+    classes: dict[str, Any], name: str, values: tuple[object, ...], named: dict[str, object]
+) -> None:
+    """One too many, one missing, one twice, one that is none; the message names the class."""
+    with pytest.raises(TypeError, match=rf"\b{name}\.__init__\(\) |{name}\(\) takes"):
+        classes[name](*values, **named)
+
+
+@pytest.mark.parametrize("name", [name for name in OURS if name != "Made"])
+def test_it_is_taken_apart_and_documented_like_a_dataclass(name: str) -> None:
+    """`match`, `help` and the readers of annotations see the same."""
+    assert OURS[name].__match_args__ == THEIRS[name].__match_args__
+    ours, theirs = inspect.signature(OURS[name]), inspect.signature(THEIRS[name])
+    assert [(each.name, each.default) for each in ours.parameters.values()] == [
+        (each.name, each.default) for each in theirs.parameters.values()
+    ]
+
+
+@pytest.mark.parametrize(("name", "values", "named"), CALLS)
+def test_a_field_stays_what_it_is(name: str, values: tuple[object, ...], named: dict[str, object]) -> None:
+    """Nor does one come that is none."""
+    value = OURS[name](*values, **named)
+    for each in (*fields(value), *fields(OURS["One"])):
+        with pytest.raises(FrozenInstanceError):
+            setattr(value, each.name, 1)
+        with pytest.raises(FrozenInstanceError):
+            delattr(value, each.name)
+
+
+@given(st.tuples(st.integers(0, 1), st.integers(0, 1), st.integers(0, 1)), st.tuples(*[st.integers(0, 1)] * 3))
+def test_two_are_equal_as_two_dataclasses_are(one: tuple[int, ...], other: tuple[int, ...]) -> None:
+    """What is not compared does not tell them apart, and equal ones have one hash."""
+    ours = OURS["Space"](*one), OURS["Space"](*other)
+    theirs = THEIRS["Space"](*one), THEIRS["Space"](*other)
+    assert (ours[0] == ours[1]) == (theirs[0] == theirs[1])
+    assert (hash(ours[0]) == hash(ours[1])) == (hash(theirs[0]) == hash(theirs[1]))
+
+
+@frozen
+class Kept:
+    """One that pickle can find."""
+
+    x: int
+    y: tuple[int, ...] = ()
+
+
+def test_it_goes_to_another_process_and_back() -> None:
+    """Its slots are set past the lock."""
+    assert pickle.loads(pickle.dumps(Kept(1, (2,)))) == Kept(1, (2,))  # noqa: S301
