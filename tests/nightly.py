@@ -30,6 +30,11 @@ def some(cases: Sequence[T], step: int) -> Sequence[T]:
     return cases if NIGHT else [*cases[:-1:step], *cases[-1:]]
 
 
+def in_turn(cases: Sequence[T], turn: int, turns: int) -> Sequence[T]:
+    """The cases that fall to one of several turns, so that each case is tried in one; all of them at night."""
+    return cases if NIGHT else cases[turn % turns :: turns]
+
+
 def cases_for_nights(cases: Sequence[T], *ordinary: T) -> list[object]:
     """Cases of a test, all of them nightly but those named."""
     assert set(ordinary) <= set(cases)

@@ -214,6 +214,16 @@ def test_a_sweep_by_motors_counts_the_poses_that_its_joints_forbid() -> None:
     assert not any("of the 25 poses" in warning for warning in inside.warnings)
 
 
+def test_a_motor_behind_a_ball_screw_is_never_saved_as_a_slide(tmp_path: Path) -> None:
+    """By its joints the robot is saved with its motors, which turn when it is loaded again."""
+    with pytest.raises(RobotError, match=r"m3 would slide in a file(.|\n)*by its joints"):
+        in_motors(BALL_SCREW).save(tmp_path / "motors.yaml")
+    BALL_SCREW.save(tmp_path / "joints.yaml")
+    assert in_motors(load_robot(tmp_path / "joints.yaml")).joints == in_motors(BALL_SCREW).joints
+    in_motors(PAIR).save(tmp_path / "pair.yaml")
+    assert load_robot(tmp_path / "pair.yaml").joints == in_motors(PAIR).joints
+
+
 # --- Motors ----------------------------------------------------------------------------------------------------------
 
 FRACTIONS = st.fractions(min_value=-3, max_value=3, max_denominator=80)

@@ -22,8 +22,6 @@ dhcli dof bennett
 
 dhcli dof puma560 --pose stretch
 
-dhcli dof arm.urdf --tip tool0
-
 dhcli dof --planar --links 4 --joints 4R
 """
 

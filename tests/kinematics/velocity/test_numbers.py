@@ -23,7 +23,7 @@ from dhcli.kinematics.velocity.view import MotionView, Viewing, joints_between, 
 from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
 from tests.kinematics.arms import PAN_TILT, hinges, joint_point, moving_robots, with_values
-from tests.nightly import examples
+from tests.nightly import examples, in_turn
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -72,7 +72,7 @@ def test_symbols_with_numbers_put_in_are_floats_and_columns(name: str) -> None:
     at = Floats({**numbers(parameter_values(robot, parameters)), **dict(zip(robot.variables, q, strict=True))})
     inside: Viewing = {"start": "base", "end": "tool", "axes": robot.frames[2]}
     further: Viewing = {"start": robot.frames[1], "axes": "base", "place": robot.frames[2], "point": (0.1, 0.2, 0)}
-    for viewing in (*VIEWS, inside, further):
+    for viewing in (*in_turn(VIEWS, ROBOTS.index(name), 3), inside, further):
         one = jacobian(robot, q, parameters=parameters, **viewing)
         many = jacobian(robot, np.array([q, q]), parameters=parameters, **viewing)
         terms = [[at.value(entry) for entry in row] for row in symbolic_jacobian(robot, **viewing).rows]
@@ -87,7 +87,7 @@ def test_what_is_asked_again_is_the_same(name: str) -> None:
     if any(value is None for value in robot.parameters.values()):
         return
     q = joint_point(robot, 3)
-    for viewing in VIEWS:
+    for viewing in in_turn(VIEWS, ROBOTS.index(name), 3):
         for more in ({}, {"part": "angular"}, {"part": "linear", "angular_first": True}):
             first = jacobian(robot, q, **more, **viewing)
             for asked in (q, tuple(q), np.array(q)):
