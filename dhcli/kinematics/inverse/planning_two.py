@@ -14,6 +14,8 @@ from dhcli.kinematics.inverse.rule_two import HALVES, roots
 from dhcli.kinematics.inverse.steps import Two
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from dhcli.kinematics.inverse.arm import Array
     from dhcli.kinematics.inverse.samples import Samples
 
@@ -87,7 +89,7 @@ def _error(samples: Samples, joint: int, other: int, pairs: Array, bar: float) -
     return np.pi if np.sort(spread)[len(spread) // 2] >= 8 else error  # noqa: PLR2004
 
 
-def _missed(pairs: Array, true: Array, *, turns: bool) -> tuple[float, Array]:
+def _missed(pairs: Array, true: Array, *, turns: bool) -> tuple[float, NDArray[np.intp]]:
     """How far true angles are from the nearest root, in the worst case but one; how many roots each has."""
     at, angles = roots(pairs, turns=turns)
     gaps = np.abs(np.angle(np.exp(1j * (angles - true[at]))))
