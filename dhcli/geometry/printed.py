@@ -9,6 +9,7 @@ from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import plural
+from dhcli.geometry.polar import nearest_rotation
 from dhcli.notation.tree import Expr, Number, number
 from dhcli.notation.walk import symbols, walk
 
@@ -17,8 +18,6 @@ PLACES = 12
 
 SHARP = 1e-9
 """A matrix nearer to a rotation than this is taken as it stands [1]."""
-
-_STEPS = 30
 
 Matrix: TypeAlias = list[list[float]]
 Rows: TypeAlias = Sequence[Sequence[Expr]]
@@ -39,7 +38,7 @@ def digit_slack(rows: Rows) -> float:
     return 0.5 * 10.0 ** -max(places) if places else 0.0
 
 
-def nearest_rotation(rows: Rows) -> tuple[Rows, str]:
+def sharp_rows(rows: Rows) -> tuple[Rows, str]:
     """A matrix of decimals with the nearest rotation in it, and a remark; itself and nothing where it is sharp.
 
     Args:
@@ -52,7 +51,9 @@ def nearest_rotation(rows: Rows) -> tuple[Rows, str]:
     values = [[Floats().value(entry) for entry in row] for row in typed]
     if _distance(values) <= SHARP:
         return rows, ""
-    found = _polar(values)
+    found = nearest_rotation(values)
+    if found is None:
+        return rows, ""
     sharp = tuple(
         (*(_entry(entry, value) for entry, value in zip(row, near, strict=True)), *whole[3:])
         for row, near, whole in zip(typed, found, rows, strict=True)
@@ -73,32 +74,3 @@ def _entry(typed: Expr, value: float) -> Expr:
 def _distance(rows: Matrix) -> float:
     """How far a matrix is from orthonormal columns."""
     return max(abs(sum(rows[k][i] * rows[k][j] for k in range(3)) - (i == j)) for i in range(3) for j in range(i, 3))
-
-
-def _polar(rows: Matrix) -> Matrix:
-    """The nearest rotation, by Newton's iteration for the polar decomposition.
-
-    Source: N. Higham, Computing the polar decomposition, 1986: X becomes (X + X^-T)/2.
-    """
-    for _ in range(_STEPS):
-        inverse = _inverse_transposed(rows)
-        rows = [
-            [(x + y) / 2 for x, y in zip(row, other, strict=True)] for row, other in zip(rows, inverse, strict=True)
-        ]
-        if _distance(rows) < SHARP * SHARP:
-            break
-    return rows
-
-
-def _inverse_transposed(m: Matrix) -> Matrix:
-    """The matrix of cofactors over the determinant."""
-    cofactors = [
-        [
-            m[(i + 1) % 3][(j + 1) % 3] * m[(i + 2) % 3][(j + 2) % 3]
-            - m[(i + 1) % 3][(j + 2) % 3] * m[(i + 2) % 3][(j + 1) % 3]
-            for j in range(3)
-        ]
-        for i in range(3)
-    ]
-    determinant = sum(a * b for a, b in zip(m[0], cofactors[0], strict=True))
-    return [[entry / determinant for entry in row] for row in cofactors]

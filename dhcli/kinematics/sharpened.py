@@ -19,11 +19,11 @@ def sharpened(chain: Chain, remarks: list[str] | None) -> Chain:
 
 def _sharp(move: Fixed, remarks: list[str]) -> Move:
     from dhcli.geometry.orthonormal import not_a_rotation  # most robots have no literal matrix
-    from dhcli.geometry.printed import nearest_rotation
+    from dhcli.geometry.printed import sharp_rows
 
     if not_a_rotation(move.rows):
         return move
-    rows, remark = nearest_rotation(move.rows)
+    rows, remark = sharp_rows(move.rows)
     if not remark:
         return move
     remarks.append(remark)

@@ -10,7 +10,8 @@ from typing import Literal, TypeAlias, cast
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean
-from dhcli.geometry.orthonormal import nearest_rotation, not_a_rotation
+from dhcli.geometry.orthonormal import not_a_rotation
+from dhcli.geometry.polar import nearest_rotation
 from dhcli.geometry.words import in_words
 from dhcli.kinematics.forward import put_in
 from dhcli.kinematics.frames import Point

@@ -1,5 +1,6 @@
 """`dhcli dof`: the formula, whether to believe it, and the truth."""
 
+import json
 from pathlib import Path
 
 import pytest
@@ -130,3 +131,15 @@ def test_a_urdf_is_counted_as_the_chain_that_it_holds(dhcli: Run, tmp_path: Path
     done = dhcli("dof", str(path))
     assert done.code == 0
     assert "n = 3 links with the ground · j = 2 joints" in done.out
+
+
+def test_a_urdf_is_counted_along_one_chain_of_it(dhcli: Run) -> None:
+    """A tree is asked for its tip; a tip that is none, and options for what is no URDF, are told so."""
+    urdf = str(Path(__file__).parents[1] / "data" / "urdf" / "three-joints.urdf")
+    assert "which one?" in dhcli("dof", urdf).err
+    done = dhcli("dof", urdf, "--tip", "tool0", "--format", "json")
+    assert json.loads(done.out)["data"]["mobility"] == 3
+    assert "did you mean tool0" in dhcli("dof", urdf, "--tip", "tol").err
+    assert "only a URDF has links" in dhcli("dof", "puma560", "--tip", "tool0").err
+    done = dhcli("dof", "--planar", "--links", "4", "--joints", "4R", "--base", "x")
+    assert (done.code, "links of a URDF" in done.err) == (2, True)

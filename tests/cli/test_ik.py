@@ -286,7 +286,7 @@ def test_a_position_for_a_pose_is_recognised(dhcli: Run, typed: str) -> None:
     done = dhcli("ik", "planar-2r", typed)
     assert done.code == 2
     assert f"'{typed}' is a position, and a whole pose is wanted" in done.err
-    assert f"write --position {typed.strip('[]')}, where the turn is free" in done.err
+    assert f"write --position {typed.strip('[]').replace(' ', '')}, where the turn is free" in done.err
 
 
 def test_formulas_asked_for_as_symbols_are_found(dhcli: Run) -> None:

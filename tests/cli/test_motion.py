@@ -342,7 +342,7 @@ def test_torques_and_rates_come_in_every_format(dhcli: Run, command: str, format
         ("singularities articulated --part up", "there is no part up"),
         ("singularities articulated --q 0,0", "3 joints"),
         ("torques planar-2r --pose zero", "torques of what?"),
-        ("jacobian planar-2r --in q.csv", "rows of a file: dhcli jacobian --rows"),
+        ("jacobian planar-2r --in q.csv", "rows of a file: dhcli jacobian planar-2r --rows q.csv"),
         ("torques planar-2r --pose zero --force 0,1", "three numbers are wanted"),
         ("torques planar-2r --pose zero --force 0,0,3Nm", "3Nm is in N m, and N is wanted"),
         ("torques planar-2r --pose zero --force 0,0,3kg", "3kg is in kg, and N is wanted"),

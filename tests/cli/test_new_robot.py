@@ -46,7 +46,7 @@ def test_what_is_open_and_what_was_taken_is_said(dhcli: Run) -> None:
         (["fk", "table.csv"], "this is a DH table as CSV or Markdown"),
         (["show", "./table.csv"], "dhcli new robot --from table.csv --convention standard"),
         (["check", "table.csv"], "this is a DH table as CSV or Markdown"),
-        (["dof", "arm.urdf"], "this is a URDF"),
+        (["dof", "arm.urdf"], "has 2 tips: which one?"),
         (["start", "arm.urdf"], "dhcli describe arm.urdf --as standard"),
         (["fk", "arm.m"], "this is a listing of a robotics toolbox"),
         (["fk", "ros.yaml"], "this is a kinematics file of ROS"),

@@ -143,6 +143,7 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("draw", "scara", "--pose", "pick", "--to", "zero", "-o", "film.svg"),
     ("draw", "puma560", "--pose", "ready", "--beside", "puma560-standard", "--tool", "Trans(0,0,0.1)"),
     ("draw", "./arm.urdf", "--base", "base_link", "--tip", "hand", "--as-typed"),
+    ("dof", "./arm.urdf", "--base", "base_link", "--tip", "hand"),
     ("dof", "scara", "--q", "10,20,0.1", "--deg"),
     ("dof", "scara", "--pose", "pick"),
     ("transform", "Rot(z,phi) Trans(height,0,0)", "--symbols", "phi,height"),

@@ -18,6 +18,7 @@ from dhcli import (
     inverse,
     jacobian,
     load_robot,
+    sweep,
     symbolic,
     symbolic_jacobian,
     torques,
@@ -26,6 +27,7 @@ from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
 from dhcli.kinematics.actuators import inverse as undone
 from dhcli.kinematics.drives import actuators, read_drive
+from dhcli.kinematics.inverse.path import follow
 from dhcli.kinematics.limits import warnings
 from dhcli.kinematics.motors import in_motors
 from dhcli.kinematics.values import joint_values, numbers, parameter_values
@@ -159,13 +161,67 @@ def test_a_pose_that_the_coupling_forbids_is_told_so() -> None:
 
 
 def test_what_cannot_be_asked_of_a_coupled_arm_is_refused() -> None:
-    """A joint held that moves with others; a position that five moves reach in endless ways."""
+    """A motor held that moves a joint together with another; a position that five moves reach in endless ways."""
     pose = moved(PALLETIZER, [0.2, 1.0, 0.3, 0.4])
-    with pytest.raises(RobotError, match="j2 moves joints together with others"):
-        inverse(PALLETIZER, pose, hold={"j2": 1.0})
+    arm = in_motors(PAIR)
+    with pytest.raises(RobotError, match=r"J3 moves joints together with others(.|\n)*can be held: theta1, J2"):
+        inverse(arm, forward(arm, [0.1, 0.2, 0.3]), hold={"J3": 1.0}, task="position")
     with pytest.raises(RobotError, match="5 moves by 4 variables"):
         inverse(PALLETIZER, pose[:3, 3], task="position")
     assert len(inverse(PALLETIZER, pose, hold={"j4": 0.4})) == 2
+
+
+@pytest.mark.parametrize("value", [1.0, "1 rad"])
+def test_a_variable_that_moves_one_joint_alone_can_be_held(value: float | str) -> None:
+    """J2 turns its own joint, and the next one together with J3; each solution has the value, and reaches the place."""
+    arm = in_motors(PAIR)
+    place = forward(arm, [0.2, 1.0, 0.3])
+    found = inverse(arm, place, hold={"J2": value})
+    assert len(found)
+    assert dict(found.held)["J2"] == pytest.approx(1.0)
+    for q in found.q:
+        assert q[1] == pytest.approx(1.0, abs=1e-12)
+        assert np.array(forward(arm, q.tolist()).matrix, dtype=float) == pytest.approx(np.array(place.matrix), abs=1e-9)
+
+
+@pytest.mark.parametrize("arm", ARMS[2:], ids=IDS[2:])
+def test_a_path_is_followed_by_what_drives_the_joints(arm: Robot) -> None:
+    """The values that made it come back, over full turns, too."""
+    start = drawn(arm)
+    wanted = np.array([start + 0.15 * k for k in range(30)])
+    poses = np.array([np.array(forward(arm, row.tolist()).matrix, dtype=float) for row in wanted])
+    found = follow(arm, poses, start.tolist())
+    assert found.lost == ()
+    assert found.q == pytest.approx(wanted, abs=1e-8)
+
+
+def test_a_path_whose_coupling_could_break_is_refused() -> None:
+    """And what could be done is said."""
+    with pytest.raises(RobotError, match=r"5 moves by 4 variables(.|\n)*each pose by itself"):
+        follow(PALLETIZER, np.array([moved(PALLETIZER, [0.2, 1.0, 0.3, 0.4])]), [0.2, 1.0, 0.3, 0.4])
+
+
+def test_a_sweep_by_motors_counts_the_poses_that_its_joints_forbid() -> None:
+    """One by one they are as many."""
+    arm = in_motors(load_robot("fanuc-like"))
+    found = sweep(arm, ["J2=-60°..76° n 9", "J3=-70°..200° n 10"])
+    bad = 0
+    for j2 in np.linspace(-60, 76, 9):
+        bad += sum(not -80 <= j2 + j3 <= 140 for j3 in np.linspace(-70, 200, 10))
+    assert 0 < bad < 90
+    assert any(warning.startswith(f"{bad} of the 90 poses are beyond") for warning in found.warnings)
+    inside = sweep(arm, ["J2=-10°..10° n 5", "J3=-10°..10° n 5"])
+    assert not any("of the 25 poses" in warning for warning in inside.warnings)
+
+
+def test_a_motor_behind_a_ball_screw_is_never_saved_as_a_slide(tmp_path: Path) -> None:
+    """By its joints the robot is saved with its motors, which turn when it is loaded again."""
+    with pytest.raises(RobotError, match=r"m3 would slide in a file(.|\n)*by its joints"):
+        in_motors(BALL_SCREW).save(tmp_path / "motors.yaml")
+    BALL_SCREW.save(tmp_path / "joints.yaml")
+    assert in_motors(load_robot(tmp_path / "joints.yaml")).joints == in_motors(BALL_SCREW).joints
+    in_motors(PAIR).save(tmp_path / "pair.yaml")
+    assert load_robot(tmp_path / "pair.yaml").joints == in_motors(PAIR).joints
 
 
 # --- Motors ----------------------------------------------------------------------------------------------------------

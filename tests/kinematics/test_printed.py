@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from dhcli.algebra.floats import Floats
 from dhcli.errors import NotationError, Place
 from dhcli.geometry.orthonormal import not_a_rotation
-from dhcli.geometry.printed import digit_slack, nearest_rotation
+from dhcli.geometry.printed import digit_slack, sharp_rows
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import Fixed, Rot, read_chain
 from dhcli.kinematics.sharpened import sharpened
@@ -37,12 +37,12 @@ def test_every_rounded_rotation_is_taken_and_becomes_one(first: int, second: int
     (move,) = read_chain(text)
     assert isinstance(move, Fixed)
     assert not_a_rotation(move.rows) == ""
-    sharp, remark = nearest_rotation(move.rows)
+    sharp, remark = sharp_rows(move.rows)
     found = np.array([[Floats().value(entry) for entry in row[:3]] for row in sharp])
     assert found == pytest.approx(right, abs=2 * 10.0**-places)
     assert found.T @ found == pytest.approx(np.eye(3), abs=1e-9)
     assert np.linalg.det(found) == pytest.approx(1, abs=1e-9)
-    assert nearest_rotation(sharp) == (sharp, "")
+    assert sharp_rows(sharp) == (sharp, "")
     typed = np.array([[Floats().value(entry) for entry in row[:3]] for row in move.rows])
     u, _, v = np.linalg.svd(typed)
     assert found == pytest.approx(u @ v, abs=1e-9)
@@ -94,6 +94,6 @@ def test_exact_matrices_and_those_of_symbols_stay_as_they_are() -> None:
     (move,) = read_chain("[0.87 -0.5 0 1; 0.5 0.87 0 2; 0 0 1 3; 0 0 0 1]")
     assert isinstance(move, Fixed)
     assert digit_slack(move.rows) == 0.005
-    sharp, _ = nearest_rotation(move.rows)
+    sharp, _ = sharp_rows(move.rows)
     assert [sharp[2][k] for k in range(4)] == [move.rows[2][k] for k in range(4)]
     assert sharpened((move,), None) == (move,)

@@ -12,9 +12,10 @@ from dhcli.checking.kinds.linked import needed
 from dhcli.checking.returned import Causes, Judged, Matrices, Overlaid, Points, Reading, Shown
 from dhcli.checking.tables.typed_rows import TypedRow, read_table
 from dhcli.checking.verdicts import Mark
-from dhcli.errors import NotationError, Place, Problem
+from dhcli.errors import NotationError, Place, Problem, RobotError
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row, moves_of
+from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import names
 from dhcli.kinematics.robot import Robot
@@ -58,7 +59,9 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         return cls(Convention(rest))
 
     def check(self, robot: Robot | None) -> None:
-        needed(robot)
+        if is_coupled(needed(robot)):
+            message = "its rows share a joint, and in an answer each joint has one cell: its table cannot be asked for"
+            raise RobotError(message, "ask for a cell, or for a matrix")
 
     def describe(self, _exercise: Exercise) -> str:
         return f"the {self.convention.value} DH table"

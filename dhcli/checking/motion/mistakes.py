@@ -7,13 +7,12 @@ torques, velocities and rates.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
-from enum import IntEnum
-from typing import TypeAlias
+from dataclasses import replace
 
 from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.motion.columns import NOTHING, Column, Columns, Vector, axis_z, cross, minus, position
 from dhcli.checking.motion.differentiated import differentiated
+from dhcli.checking.motion.record import ColumnCatalogue, Made, Stage
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.frames import ORIGIN, between
 from dhcli.notation.angle import Angle
@@ -22,55 +21,8 @@ from dhcli.notation.tree import Expr, Trig, negate, number
 from dhcli.notation.trig import cosine, sine
 from dhcli.notation.walk import rebuild, substitute
 
-Made: TypeAlias = Iterator[tuple[str, Columns]]
-Maker: TypeAlias = Callable[[Columns], Made]
-
-
-class Stage(IntEnum):
-    """The stages of the work, of which a later one keeps what went wrong in an earlier one."""
-
-    FRAMES = 0
-    COLUMNS = 1
-    SIGNS = 2
-    WRITING = 3
-    ORDER = 4
-
-
-@dataclass(frozen=True, slots=True)
-class ColumnMistake:
-    """A kind of mistake in columns.
-
-    Attributes:
-        id: The name under which exercises ask for it.
-        words: What has happened, `{where}` for the joint or frame.
-        hint: Where to look, without the answer.
-        made: Every way to make it, each with its place.
-        stage: When it is made: in choosing frames and points, in the columns, or in writing them down.
-        rank: How soon it is named.
-    """
-
-    id: str
-    words: str
-    hint: str
-    made: Maker
-    stage: Stage
-    rank: Rank = Rank.PLACE
-
-
-IN_COLUMNS: list[ColumnMistake] = []
+IN_COLUMNS = ColumnCatalogue()
 """In the order in which they are tried and named."""
-
-
-def _mistake(
-    name: str, words: str, hint: str, rank: Rank = Rank.WHOLE, *, stage: Stage = Stage.COLUMNS
-) -> Callable[[Maker], Maker]:
-    """The record of a mistake, beside what makes it."""
-
-    def taken(made: Maker) -> Maker:
-        IN_COLUMNS.append(ColumnMistake(name, words, hint, made, stage, rank))
-        return made
-
-    return taken
 
 
 def made(columns: Columns, kind: str = "") -> Iterator[tuple[Slip, Columns]]:
@@ -125,7 +77,7 @@ def _turned(columns: Columns, arm: Callable[[Column], Vector]) -> Columns:
     return _each(columns, lambda one: replace(one, linear=cross(one.axis, arm(one))) if one.turns else one)
 
 
-@_mistake(
+@IN_COLUMNS(
     "in-frame",
     "the vectors are written along the axes of frame {where}",
     "along the axes of which frame are the vectors asked for?",
@@ -144,7 +96,7 @@ def _elsewhere(columns: Columns) -> tuple[str, ...]:
     return tuple(name for name, moves in (("base", robot.base), ("tool", robot.tool)) if not moves)
 
 
-@_mistake(
+@IN_COLUMNS(
     "joint-kind",
     "the column of joint {where} is that of the other kind of joint, turning for sliding",
     "which joints turn, and which slide?",
@@ -162,7 +114,7 @@ def joint_kind(columns: Columns) -> Made:
         yield one.joint, replace(columns, each=(*columns.each[:k], changed, *columns.each[k + 1 :]))
 
 
-@_mistake(
+@IN_COLUMNS(
     "axis-shifted",
     "each joint has the z axis of its neighbour's frame",
     "about which z does joint 1 turn in this convention?",
@@ -185,7 +137,7 @@ def axis_shifted(columns: Columns) -> Made:
     yield "", _each(columns, shifted)
 
 
-@_mistake(
+@IN_COLUMNS(
     "slide-turns",
     "the column of the slide {where} has an angular part, and a slide turns nothing",
     "what does a slide turn?",
@@ -199,7 +151,9 @@ def slide_turns(columns: Columns) -> Made:
             yield one.joint, replace(columns, each=(*columns.each[:k], changed, *columns.each[k + 1 :]))
 
 
-@_mistake("one-axis", "all joints turn about the axis of the first one", "along what does the axis of each joint lie?")
+@IN_COLUMNS(
+    "one-axis", "all joints turn about the axis of the first one", "along what does the axis of each joint lie?"
+)
 def one_axis(columns: Columns) -> Made:
     """The z0 of a planar arm for every joint."""
     axis = columns.each[0].axis
@@ -211,7 +165,7 @@ def one_axis(columns: Columns) -> Made:
     yield "", _each(columns, changed)
 
 
-@_mistake(
+@IN_COLUMNS(
     "zero-turned",
     "the angle {where} counts from another zero, a quarter turn away",
     "where does the arm point when its angles are 0?",
@@ -226,7 +180,7 @@ def zero_turned(columns: Columns) -> Made:
         yield f"{first.joint} {quarter:+}°", _changed(columns, lambda entry, at=turned: substitute(entry, {}, at))  # type: ignore[misc]
 
 
-@_mistake(
+@IN_COLUMNS(
     "joint-left-out",
     "joint {where} is left out: its column is 0",
     "does every joint have a column?",
@@ -240,7 +194,7 @@ def joint_left_out(columns: Columns) -> Made:
         yield one.joint, replace(columns, each=(*columns.each[:k], changed, *columns.each[k + 1 :]))
 
 
-@_mistake(
+@IN_COLUMNS(
     "cross-reversed",
     "the cross product is taken the wrong way round",
     "which vector comes first in z x (p - o)?",
@@ -256,7 +210,7 @@ def cross_reversed(columns: Columns) -> Made:
     yield "", _each(columns, turned)
 
 
-@_mistake(
+@IN_COLUMNS(
     "own-angle-only",
     "a cosine or sine of a sum of angles is differentiated by its last angle alone",
     "on which joint angles does c12 depend?",
@@ -272,7 +226,7 @@ def own_angle_only(columns: Columns) -> Made:
     yield from differentiated(columns, slope)
 
 
-@_mistake("cosine-sign", "the derivative of a cosine has the wrong sign", "what is the derivative of a cosine?")
+@IN_COLUMNS("cosine-sign", "the derivative of a cosine has the wrong sign", "what is the derivative of a cosine?")
 def cosine_sign(columns: Columns) -> Made:
     """Plus sine for the derivative of a cosine."""
 
@@ -283,7 +237,7 @@ def cosine_sign(columns: Columns) -> Made:
     yield from differentiated(columns, slope)
 
 
-@_mistake(
+@IN_COLUMNS(
     "origin-not-subtracted",
     "the origin of each joint is not subtracted: z x p for z x (p - o)",
     "from where does the arm of each joint reach?",
@@ -293,7 +247,7 @@ def origin_not_subtracted(columns: Columns) -> Made:
     yield "", _turned(columns, lambda _one: columns.point)
 
 
-@_mistake(
+@IN_COLUMNS(
     "sums-from-base",
     "each column has the links before its joint, and not those behind",
     "which part of the arm does a joint move?",
@@ -305,7 +259,7 @@ def sums_from_base(columns: Columns) -> Made:
     yield "", _turned(columns, lambda one: reached[one.joint])
 
 
-@_mistake(
+@IN_COLUMNS(
     "reference",
     "the velocity is that of the origin of frame {where}",
     "whose velocity is asked for: which point moves?",
@@ -325,7 +279,7 @@ def _about(columns: Columns, point: Vector) -> Columns:
     return replace(_turned(columns, lambda one: minus(point, one.origin)), point=point)
 
 
-@_mistake(
+@IN_COLUMNS(
     "angular-dropped", "the angular velocities are 0", "how does each joint turn the end frame?", stage=Stage.WRITING
 )
 def angular_dropped(columns: Columns) -> Made:
@@ -333,7 +287,7 @@ def angular_dropped(columns: Columns) -> Made:
     yield "", _each(columns, lambda one: replace(one, angular=NOTHING))
 
 
-@_mistake(
+@IN_COLUMNS(
     "columns-reversed", "the columns stand in the reverse order", "which joint has the first column?", stage=Stage.ORDER
 )
 def columns_reversed(columns: Columns) -> Made:
@@ -343,7 +297,7 @@ def columns_reversed(columns: Columns) -> Made:
     yield "", replace(columns, each=tuple(replace(one, linear=v, angular=w) for one, (v, w) in pairs))
 
 
-@_mistake(
+@IN_COLUMNS(
     "sin-cos",
     "sines and cosines have changed places",
     "from which axis are the angles measured?",

@@ -25,7 +25,7 @@ dhcli describe scara --as axes -o drawn.yaml
 
 dhcli describe ur5e -o ur5e.urdf
 
-dhcli describe calibrated.urdf --as standard --straighten 1e-4
+dhcli describe ur5e --as standard --straighten 1e-4
 
 dhcli describe fanuc-like --as motors
 """

@@ -42,7 +42,7 @@ def dof(
         list[str] | None,
         typer.Argument(
             metavar="WHAT",
-            help="A linkage or robot of the library, a YAML file, - for stdin, or a pattern: 6R, loop 6R, 6-UPS.",
+            help="A linkage or robot of the library, a YAML or URDF file, - or a pattern: 6R, loop 6R, 6-UPS.",
             autocompletion=complete_linkage,
         ),
     ] = None,
@@ -59,7 +59,7 @@ def dof(
     ] = None,
     *,
     chosen: Annotated[
-        Chosen, But(without=("robot", "set_", "motors", "from_", "to", "tool", "base", "tip", "as_typed"), panel=_ROBOT)
+        Chosen, But(without=("robot", "set_", "motors", "from_", "to", "tool", "as_typed"), panel=_ROBOT)
     ],
     tol: Annotated[
         float | None,
@@ -74,7 +74,7 @@ def dof(
 
     # two threads make a small singular value decomposition much slower than one
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-    from dhcli.cli.shell.counted import asked
+    from dhcli.cli.shell.counted import Ends, asked
     from dhcli.cli.shell.delivery import Delivery
     from dhcli.errors import DhcliError
     from dhcli.mobility.finding import analyse
@@ -86,7 +86,13 @@ def dof(
     delivery.chosen(kind)
     tolerance = 0.0 if tol is None else tol
     linkage = asked(
-        " ".join(what or []), planar=planar, lambda_=lambda_, links=links, joints=joints, tolerance=tolerance
+        " ".join(what or []),
+        Ends(chosen.base, chosen.tip),
+        planar=planar,
+        lambda_=lambda_,
+        links=links,
+        joints=joints,
+        tolerance=tolerance,
     )
     mobility = analyse(linkage, tolerance)
     if not chosen.stands:

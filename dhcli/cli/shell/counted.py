@@ -2,16 +2,38 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from dhcli.errors import DhcliError, Place, Problem
-from dhcli.files.yaml.linkages import find_linkage
+from dhcli.files.yaml.linkages import find_linkage, open_chain
 from dhcli.mobility.counting import Counts, counts
 from dhcli.mobility.linkage import Linkage
 from dhcli.mobility.pairs import PLANAR, SPATIAL, LinkageError, Space, space_of
 from dhcli.mobility.patterns import count_of, joint_counts
 
 
+@dataclass(frozen=True, slots=True)
+class Ends:
+    """Which chain of a URDF is meant.
+
+    Attributes:
+        base: The link that it begins with; None for the root.
+        tip: The link that it ends with; None for the only one there is.
+    """
+
+    base: str | None = None
+    tip: str | None = None
+
+
 def asked(
-    what: str, *, planar: bool, lambda_: str | None, links: str | None, joints: str | None, tolerance: float
+    what: str,
+    ends: Ends,
+    *,
+    planar: bool,
+    lambda_: str | None,
+    links: str | None,
+    joints: str | None,
+    tolerance: float,
 ) -> Linkage | Counts:
     """The linkage, or the counts, that the words and options describe.
 
@@ -24,10 +46,17 @@ def asked(
     if what:
         if links is not None or joints is not None:
             raise DhcliError(f"--links and --joints describe a linkage, and so does {what}", "give one or the other")
-        found = find_linkage(what, space or SPATIAL, tolerance)
+        if ends == Ends():
+            found = find_linkage(what, space or SPATIAL, tolerance)
+        else:
+            from dhcli.files.yaml.robots import load_robot  # few linkages are chains of a URDF
+
+            found = open_chain(load_robot(what, base=ends.base, tip=ends.tip), what)
         if space is not None and isinstance(found, Linkage) and not found.reading:
             raise DhcliError(f"{what} says itself where it moves: {found.space}", "leave --planar and --lambda out")
         return found
+    if ends != Ends():
+        raise DhcliError("--base and --tip are links of a URDF", "write dhcli dof arm.urdf --tip tool0")
     if links is None or joints is None:
         missing = "--links" if joints is not None else "--joints" if links is not None else ""
         if missing:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from dhcli.errors import DhcliError, FileError, Place, Problem
 from dhcli.files.keys.linkages import FORMS, LINKAGE
@@ -17,6 +18,9 @@ from dhcli.mobility.counting import Counts, counts
 from dhcli.mobility.linkage import InvalidLinkageError, Linkage, NamedPoint, serial
 from dhcli.mobility.pairs import LETTERS, SPATIAL, LinkageError, Space, space_of
 from dhcli.mobility.patterns import EXAMPLES, count_of, joint_counts, looks_like_pattern, read_pattern
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.robot import Robot
 
 
 def find_linkage(what: str, space: Space = SPATIAL, tolerance: float = 0.0) -> Linkage | Counts:
@@ -85,11 +89,23 @@ def _serial(text: str, source: str, name: str) -> Linkage:
     """The robot in a file, YAML or URDF, as an open chain."""
     from dhcli.files.yaml.robots import robot_of
 
-    robot = robot_of(text, source, name)
+    return open_chain(robot_of(text, source, name), source)
+
+
+def open_chain(robot: Robot, source: str) -> Linkage:
+    """A robot as a linkage.
+
+    Args:
+        robot: The robot.
+        source: What it is called in errors.
+
+    Raises:
+        FileError: It has no joint.
+    """
     pairs = tuple(LETTERS[letter] for letter in robot.pattern)
     if not pairs:
-        raise FileError(Problem(f"{name} has no joint, so there is nothing to count", Place(source)))
-    return serial(name, pairs, title=robot.title, source=robot.source)
+        raise FileError(Problem(f"{robot.name} has no joint, so there is nothing to count", Place(source)))
+    return serial(robot.name, pairs, title=robot.title, source=robot.source)
 
 
 class _Loader:

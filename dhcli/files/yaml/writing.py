@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from pathlib import Path
 
-from dhcli.errors import DhcliError
+from dhcli.errors import DhcliError, RobotError
 from dhcli.kinematics.conventions import ORDER, Convention
 from dhcli.kinematics.describe.description import Described
 from dhcli.kinematics.describe.drawn import Drawing
@@ -15,7 +15,7 @@ from dhcli.kinematics.describe.linear import Point, coordinates_of
 from dhcli.kinematics.describe.process import axis_word
 from dhcli.kinematics.describe.products import end_of, pitch_of
 from dhcli.kinematics.describe.screws import ScrewAxis
-from dhcli.kinematics.moves import Chain, product_text
+from dhcli.kinematics.moves import Chain, angle_names, product_text
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Number
@@ -24,7 +24,14 @@ from dhcli.safe import yaml_scalar
 
 
 def robot_text(robot: Robot) -> str:
-    """The text of a file with a robot's table or products."""
+    """The text of a file with a robot's table or products.
+
+    Raises:
+        RobotError: A motor turns and stands in lengths alone, behind a ball screw: a file would say that it slides.
+    """
+    if lost := sorted(robot.turning - angle_names(robot.chain)):
+        message = f"{', '.join(lost)} would slide in a file: it turns, and stands in lengths alone"
+        raise RobotError(message, "save the robot by its joints; its file holds the actuators")
     lines = [*_head(robot, robot.convention.value), *_parameters(robot)]
     if robot.first != 1:
         lines.append(f"first: {robot.first}")
@@ -45,7 +52,7 @@ def save_robot(robot: Robot, path: str | Path, *, overwrite: bool = False) -> No
 
     Raises:
         FileError: The file exists already, or cannot be written.
-        RobotError: It cannot be a URDF.
+        RobotError: It cannot be a URDF, or a motor would slide in the file that turns.
     """
     from dhcli.storage.atomic import write_whole
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from itertools import product
 from typing import TYPE_CHECKING, Any
@@ -15,7 +15,8 @@ from dhcli.kinematics.forward import Given
 from dhcli.kinematics.inverse.solutions import Solutions, in_numbers, turning_joints
 from dhcli.kinematics.inverse.turns import limits_of, outside, placed
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.values import JointInput, numbers, parameter_values
+from dhcli.kinematics.validity import in_floats
+from dhcli.kinematics.values import JointInput, joint_values, numbers, parameter_values
 from dhcli.notation.angle import Angle
 
 if TYPE_CHECKING:
@@ -61,6 +62,24 @@ class Carried:
         same = (np.where(turning[:, None], whole, self.slopes == 0)).all(axis=0)
         return np.asarray(turning_joints(self.robot) & same)
 
+    @property
+    def alone(self) -> dict[str, int]:
+        """Variables that make one move alone, and the first move that each makes so."""
+        rows = [(k, np.flatnonzero(row)) for k, row in enumerate(self.slopes)]
+        return {self.robot.variables[int(one[0])]: k for k, one in reversed(rows) if len(one) == 1}
+
+    def own(self, held: Iterable[tuple[str, float]]) -> tuple[tuple[str, float], ...]:
+        """What is held of the arm, in the robot's variables where those make that move alone."""
+        names = {self.arm.robot.variables[k]: (name, k) for name, k in self.alone.items()}
+        found = []
+        for move, value in held:
+            name, k = names.get(move, (move, None))
+            if k is not None:
+                slope = self.slopes[k, self.robot.variables.index(name)]
+                value = float((value - self.arm.offsets[k]) / slope)  # noqa: PLW2901
+            found.append((name, value))
+        return tuple(found)
+
     def there(self, q: JointInput) -> list[float] | None:
         """Values of the arm's variables for those of the robot's."""
         if q is None:
@@ -68,17 +87,26 @@ class Carried:
         return list((self.slopes @ in_numbers(self.robot, q) + self.arm.offsets).tolist())
 
     def held(self, hold: Mapping[str, float | str | Angle] | None) -> dict[str, float | str | Angle]:
-        """Variables that are held, where they make one move alone.
+        """What is held of the arm where variables are held that make one move alone.
 
         Raises:
-            RobotError: One does not.
+            RobotError: One makes none alone.
         """
-        for name in hold or {}:
-            if name in self.robot.variables and name not in self.arm.robot.variables:
-                free = [own for own in self.robot.variables if own in self.arm.robot.variables]
-                hint = f"it can be held: {', '.join(free)}" if free else "leave it out"
+        found: dict[str, float | str | Angle] = {}
+        alone = self.alone
+        for name, value in (hold or {}).items():
+            if name not in self.robot.variables:
+                found[name] = value  # a length, or nothing that is known: the arm says which
+                continue
+            if name not in alone:
+                hint = f"it can be held: {', '.join(own for own in self.robot.variables if own in alone)}"
+                hint = hint if alone else "leave it out"
                 raise RobotError(f"{name} moves joints together with others, and is not held alone", hint)
-        return dict(hold or {})
+            row = alone[name]
+            given = in_floats(joint_values(self.robot, {name: value})[name])
+            column = self.robot.variables.index(name)
+            found[self.arm.robot.variables[row]] = float(self.slopes[row, column] * given + self.arm.offsets[row])
+        return found
 
     def back(self, values: Array) -> Array | None:
         """Values of the robot's variables for those of the arm's, None where the coupling does not let them be."""
@@ -171,6 +199,7 @@ def _carried(carried: Carried, found: Solutions) -> Solutions:
         found,
         robot=carried.robot,
         q=q,
+        held=carried.own(found.held),
         branches=tuple(found.branches[k] for k in kept),
         residual=residual,
         beyond=((),) * len(kept),

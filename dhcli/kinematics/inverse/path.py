@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dhcli.errors import RobotError
+from dhcli.errors import RobotError, plural
+from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.inverse.asked import Question, ask, inverse
 from dhcli.kinematics.inverse.batch import BLOCK, solved_block
@@ -97,6 +98,9 @@ def follow(  # noqa: PLR0913  what may be asked of a path
     """
     if near is None:
         raise RobotError("a path needs joint values to begin near to", "give near=")
+    if is_coupled(robot):
+        asked: dict[str, object] = {"task": task, "start": start, "end": end, "parameters": parameters}
+        return _coupled(robot, T, near, hold, {**asked, "tolerance": tolerance})
     question, held = ask(robot, task, near=near, hold=hold, start=start, end=end, parameters=parameters)
     poses, _ = read_targets(T, question.ready.task)
     turning = turning_joints(robot)
@@ -127,6 +131,30 @@ def follow(  # noqa: PLR0913  what may be asked of a path
             last = rows[int(np.argmin(np.linalg.norm(rows - last, axis=1)))]
             q[first + k] = last
     return _described(question, q, in_numbers(robot, near))
+
+
+def _coupled(
+    robot: Robot,
+    T: ArrayLike,  # noqa: N803
+    near: JointInput,
+    hold: Mapping[str, float | str | Angle] | None,
+    asked: dict[str, Any],
+) -> Path:
+    """A path of the arm with a variable for each move, carried back: its turns are counted there.
+
+    Raises:
+        RobotError: A joint is held that moves with others, or the robot has more moves than variables.
+    """
+    from dhcli.kinematics.inverse.coupled import Carried  # few robots are
+
+    carried = Carried.of(robot, asked["parameters"])
+    if not carried.is_whole:
+        moves = f"{plural(len(carried.slopes), 'move')} by {plural(len(robot.variables), 'variable')}"
+        message = f"{robot.name} has {moves}: on the way from pose to pose its coupling could break"
+        raise RobotError(message, "ask for each pose by itself, without following: each by the joint values near to it")
+    path = follow(carried.arm.robot, T, carried.there(near), hold=carried.held(hold), **asked)
+    goal = path.q - np.array(carried.arm.offsets)
+    return replace(path, q=np.linalg.solve(carried.slopes, goal.T).T)
 
 
 def _described(question: Question, q: Array, begin: Array) -> Path:

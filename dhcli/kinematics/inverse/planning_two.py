@@ -21,6 +21,9 @@ _VANISHES = 10 * PARALLEL
 _MOST = 6
 """Equations of a pair of joints that are tried with each other."""
 
+_FIRST = 4
+"""Samples that are looked at first."""
+
 _HITS = 1e-5
 """How near the true angle has to be to a root at the samples [rad]."""
 
@@ -40,8 +43,9 @@ def find_two(samples: Samples, loop: Loop, unknown: Sequence[int], missing: Sequ
             rows += [tensor[:, k] for k in kept]
         chosen = independent(rows)[:_MOST]
         for i, k in combinations(chosen, 2):
-            error = _error(samples, joint, other, np.stack([rows[i], rows[k]], axis=1))
-            if error < _HITS and (best is None or error < best[0] / 10):
+            bar = _HITS if best is None else best[0] / 10
+            error = _error(samples, joint, other, np.stack([rows[i], rows[k]], axis=1), bar)
+            if error < bar:
                 best = error, Two(joint, other, (equations[i], equations[k]))
     return None if best is None else best[1]
 
@@ -64,18 +68,29 @@ def independent(rows: Sequence[Array]) -> list[int]:
     return chosen
 
 
-def _error(samples: Samples, joint: int, other: int, pairs: Array) -> float:
-    """How far the true angle is from the nearest root, in the worst of the samples but one."""
+def _error(samples: Samples, joint: int, other: int, pairs: Array, bar: float) -> float:
+    """How far the true angle is from the nearest root, in the worst of the samples but one.
+
+    A few samples that are no better than the bar are enough, for more of them only make it worse.
+    """
     axes = samples.actions.arm.axes
     true = samples.values[:, joint]
     if not axes[joint].turns:
         pairs = np.einsum("nekj,ki->neij", pairs, HALVES)
         true = 2 * np.arctan(true)
-    at, angles = roots(pairs, turns=axes[other].turns)
+    turns = axes[other].turns
+    few, _ = _missed(pairs[:_FIRST], true[:_FIRST], turns=turns)
+    if few >= bar:
+        return few
+    error, spread = _missed(pairs, true, turns=turns)
+    # every root on the circle: the resultant vanishes
+    return np.pi if np.sort(spread)[len(spread) // 2] >= 8 else error  # noqa: PLR2004
+
+
+def _missed(pairs: Array, true: Array, *, turns: bool) -> tuple[float, Array]:
+    """How far true angles are from the nearest root, in the worst case but one; how many roots each has."""
+    at, angles = roots(pairs, turns=turns)
     gaps = np.abs(np.angle(np.exp(1j * (angles - true[at]))))
     nearest = np.full(len(true), np.pi)
     np.minimum.at(nearest, at, gaps)
-    spread = np.bincount(at, minlength=len(true))
-    if np.sort(spread)[len(spread) // 2] >= 8:  # noqa: PLR2004  every root on the circle: the resultant vanishes
-        return np.pi
-    return float(np.sort(nearest)[-2])
+    return float(np.sort(nearest)[-2]), np.bincount(at, minlength=len(true))

@@ -22,10 +22,13 @@ from dhcli.kinematics.sweep.grid import Grid
 from dhcli.kinematics.sweep.plan import remarks
 from dhcli.kinematics.sweep.result import SIDES, Extreme, Sweep
 from dhcli.kinematics.sweep.target import Target
+from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import numbers
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+    from dhcli.kinematics.robot import Robot
 
 BLOCK = 32_768
 """Poses at a time."""
@@ -57,7 +60,9 @@ def sweep(target: Target, grid: Grid, each: Callable[[NDArray[np.float64]], None
         RobotError: A position is not a real number, or beyond what a float can hold.
     """
     found = {name: Highest() for name in ("farthest", "nearest", *SIDES)}
-    tables = tables_of(grid) if each is not None else []
+    forbidden = Forbidden.of(target.robot)
+    tables = tables_of(grid) if each is not None or forbidden is not None else []
+    outside = 0
     for slab, places in walked(target, grid):
         distances = np.sqrt(np.einsum("ij,ij->j", places, places))
         if not math.isfinite(distances.max()):
@@ -67,11 +72,54 @@ def sweep(target: Target, grid: Grid, each: Callable[[NDArray[np.float64]], None
         for k, axis in enumerate("xyz"):
             found[f"{axis}_min"].take(places[k], slab.first, sign=-1)
             found[f"{axis}_max"].take(places[k], slab.first)
+        rows = slab.rows(tables) if tables else np.empty((0, 0))
+        if forbidden is not None:
+            outside += forbidden.count(rows)
         if each is not None:
-            each(np.concatenate((slab.rows(tables), places.T), axis=1))
+            each(np.concatenate((rows, places.T), axis=1))
     extremes = {name: _extreme(target, grid, highest.index) for name, highest in found.items()}
     farthest, nearest = extremes.pop("farthest"), extremes.pop("nearest")
-    return Sweep(target, grid, farthest, nearest, extremes, tuple(remarks(target, grid)))
+    told = [*remarks(target, grid)]
+    if outside and forbidden is not None:
+        told.append(f"{outside:,} of the {grid.count:,} poses are beyond the limits of {forbidden.names}, and count")
+    return Sweep(target, grid, farthest, nearest, extremes, tuple(told))
+
+
+@frozen
+class Forbidden:
+    """Limits of joints that motors drive, which a grid of motor values may leave.
+
+    Attributes:
+        names: The joints that have some.
+        slopes: How fast each goes with each motor, shape (m, n).
+        low: Where each may be at least, from where it is with all motors at 0, shape (m,).
+        high: And at most.
+    """
+
+    names: str
+    slopes: NDArray[np.float64]
+    low: NDArray[np.float64]
+    high: NDArray[np.float64]
+
+    @classmethod
+    def of(cls, robot: Robot) -> Forbidden | None:
+        """Those of a robot by its motors; None for any other, and where no joint has limits."""
+        driven = robot.drives
+        if driven is None or driven.actuators is None:
+            return None
+        motors = driven.actuators
+        kept = [k for k, name in enumerate(motors.joints) if name in driven.limits and name not in motors.motors]
+        if not kept:
+            return None
+        ends = np.array([[in_floats(end) for end in driven.limits[motors.joints[k]]] for k in kept])
+        ends = ends - np.array(motors.offsets(), dtype=float)[kept][:, None]
+        names = ", ".join(motors.joints[k] for k in kept)
+        return cls(names, np.array(motors.slopes(), dtype=float)[kept], ends[:, 0] - SLACK, ends[:, 1] + SLACK)
+
+    def count(self, rows: NDArray[np.float64]) -> int:
+        """How many of some motor values, shape (N, n), they forbid."""
+        joints = rows @ self.slopes.T
+        return int(((joints < self.low) | (joints > self.high)).any(axis=1).sum())
 
 
 @frozen
