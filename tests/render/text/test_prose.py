@@ -13,6 +13,7 @@ from dhcli.render.text.exercise import exercise_table
 from dhcli.render.text.forward import packed
 from dhcli.render.text.marks import question_text
 from dhcli.render.text.prose import WIDEST, heading_text, prose_lines
+from tests.nightly import some
 
 loaded = cache(load_exercise)
 TEXT = "One two three\nfour five.\nSix seven.\n\n- eight nine\n  ten\n"
@@ -42,9 +43,9 @@ def test_what_is_piped_stays_as_it_stands() -> None:
 
 @pytest.mark.parametrize("width", [60, 80, 200])
 def test_the_page_of_every_exercise_fits_its_window(width: int) -> None:
-    """Task, prompts, options and what is asked; never wider than is good to read."""
+    """Task, prompts, options and what is asked; never wider than is good to read. All are tried where it is narrow."""
     paper = Paper(width, terminal=True)
-    for entry in entries(Kind.EXERCISES):
+    for entry in some([*entries(Kind.EXERCISES)], 1 if width == 60 else 4):
         exercise = loaded(entry.name)
         text = exercise_table(exercise, Look(paper=paper))
         text += "".join(question_text(exercise, part, paper) for part in exercise.parts)
