@@ -73,7 +73,8 @@ def parser(request: pytest.FixtureRequest) -> Iterator[None]:
     """Run every test with the fast parser and with the one that is always there."""
     import yaml
 
-    if request.param == "libyaml" and not yaml.__with_libyaml__:
+    has_libyaml = yaml.__with_libyaml__  # asked before the patch: PyYAML decides it once, when it is first asked
+    if request.param == "libyaml" and not has_libyaml:
         pytest.skip("this PyYAML was built without libyaml")
     with pytest.MonkeyPatch.context() as patch:
         if request.param == "python":
