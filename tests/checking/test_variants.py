@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from dhcli.checking import variants as drawing
 from dhcli.checking.degenerate import flaw
-from dhcli.checking.diagnosis import work
+from dhcli.checking.diagnosis import bench
 from dhcli.checking.diagnosis.search import Search, search_of
 from dhcli.checking.exercise import Exercise, Memo
 from dhcli.checking.kinds.matrix import MatrixQuestion
@@ -245,7 +245,7 @@ def test_a_search_that_is_moved_to_a_draw_is_that_of_the_draw(name: str) -> None
 
 def test_what_draws_share_stays_in_its_bounds(monkeypatch: pytest.MonkeyPatch) -> None:
     """However many values the ranges of a class have; what was forgotten is worked out again."""
-    monkeypatch.setattr(work, "MOST_KNOWN", 7)
+    monkeypatch.setattr(bench, "MOST_KNOWN", 7)
     exercise = load_anew("yim/planar-in-numbers")
     question = next(part.question for part in exercise.parts if isinstance(part.question, MatrixQuestion))
     shared = search_of(question, judge_of(exercise).memo)
