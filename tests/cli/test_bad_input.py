@@ -11,6 +11,7 @@ from tests.cli.running import Run
     ("words", "said"),
     [
         ("fk", "dhcli fk needs 'ROBOT'"),
+        ("schema", "KIND is robot, exercise or linkage"),
         ("fkk scara", "did you mean fk?"),
         ("fk scra --q 0,0,0", "did you mean scara"),
         ("fk scara", "no value for theta1, theta2, d3"),
