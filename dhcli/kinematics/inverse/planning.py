@@ -27,6 +27,9 @@ _VANISHES = 10 * PARALLEL
 _WELL = 0.05
 """Sine between two equations from which more are not looked for."""
 
+_TIE = 1e-6
+"""Part of a size within which two are one."""
+
 _RANK = {"both": 0, "length": 0, "opposite": 1, "pair": 2, "lengths": 3}
 """The order in which ways to find a joint are preferred."""
 
@@ -120,7 +123,7 @@ def _of_joint(
         return None
     score, kind, picked = chosen
     made = tuple(_equation(samples.actions, *equations[k], np.array(rows[k])) for k in picked)
-    return (_RANK[kind], -score), One(joint, kind, made, tuple(used))
+    return (_RANK[kind], -round(score, 6)), One(joint, kind, made, tuple(used))
 
 
 def _choice(rows: Array, *, turns: bool) -> tuple[float, Kind, tuple[int, ...]] | None:
@@ -129,9 +132,9 @@ def _choice(rows: Array, *, turns: bool) -> tuple[float, Kind, tuple[int, ...]] 
         linear = np.abs(rows[:, :, 2]).max(axis=1) < _VANISHES
         sizes = _quarter(np.abs(rows[:, :, 1])) / np.abs(rows).max(axis=(1, 2))
         if linear.any():
-            k = int(np.argmax(np.where(linear, sizes, -1)))
+            k = _best(np.where(linear, sizes, -1))
             return float(sizes[k]), "length", (k,)
-        k = int(np.argmax(_quarter(np.abs(rows[:, :, 2]))))
+        k = _best(_quarter(np.abs(rows[:, :, 2])))
         return 0.0, "lengths", (k,)
     norms = np.hypot(rows[:, :, 1], rows[:, :, 2])
     typical = np.sort(norms, axis=1)[:, SAMPLES // 2]
@@ -144,17 +147,22 @@ def _choice(rows: Array, *, turns: bool) -> tuple[float, Kind, tuple[int, ...]] 
             break
         # beside a few samples: a determinant that often is small serves badly
         scores = _quarter(dets)
-        k = int(np.argmax(scores))
-        if scores[k] > best[0]:
+        k = _best(scores)
+        if scores[k] > best[0] * (1 + _TIE):
             best = float(scores[k]), (i, i + 1 + k)
     if best[0] > _VANISHES:
         return best[0], "both", best[1]
     homogeneous = np.abs(rows[:, :, 0]).max(axis=1) < _VANISHES * typical
     if homogeneous.any():
-        k = int(np.argmax(np.where(homogeneous, steady, -1)))
+        k = _best(np.where(homogeneous, steady, -1))
         return float(steady[k]), "opposite", (k,)
-    k = int(np.argmax(steady))
+    k = _best(steady)
     return float(steady[k]), "pair", (k,)
+
+
+def _best(sizes: Array) -> int:
+    """The first of the largest; which of equals rounding makes the larger differs from machine to machine."""
+    return int(np.argmax(sizes >= sizes.max() * (1 - _TIE)))
 
 
 def _quarter(sizes: Array) -> Array:
