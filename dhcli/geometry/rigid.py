@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+from dhcli.frozen import frozen
 from dhcli.geometry.motion import inverse, product
 from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, cross, dot, plus, scaled
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Rigid:
     """A rigid motion: rows of its rotation, and its translation [m]."""
 

@@ -6,10 +6,11 @@ What needs one axis for each variable works on that arm, and comes back by the s
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.moves import Chain, Move, Rot, Trans, along, names
 from dhcli.kinematics.robot import Link, Robot
@@ -23,7 +24,7 @@ from dhcli.notation.walk import substitute, symbols
 Matrix = tuple[tuple[float, ...], ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Uncoupled:
     """An arm whose variables each make one move.
 

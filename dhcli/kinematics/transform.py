@@ -10,6 +10,7 @@ from typing import Literal, TypeAlias, cast
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean
+from dhcli.frozen import frozen
 from dhcli.geometry.orthonormal import not_a_rotation
 from dhcli.geometry.polar import nearest_rotation
 from dhcli.geometry.words import in_words
@@ -63,7 +64,7 @@ class Stage:
         return folded(self.chain, "0", self.end, symbolic=self.symbolic)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Transform:
     """A product of moves.
 
@@ -91,7 +92,7 @@ class Transform:
         return self.steps[-1].pose
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Wanted:
     """What to find out about a product.
 
@@ -110,7 +111,7 @@ class Wanted:
     forms: Sequence[str] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Product:
     """Moves as they were typed.
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Literal, TypeAlias
 
+from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import DimensionError
 from dhcli.notation.tree import HALF, ONE, ZERO, Constant, Expr, Number, Power, Product, Sum, multiply, power
@@ -31,7 +31,7 @@ NOT_UNIT = 1e-2
 """How far the length of a quaternion may be from 1: as far as two decimals leave it."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Turn:
     """A rotation about a coordinate axis."""
 
@@ -39,7 +39,7 @@ class Turn:
     angle: Angle
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Block:
     """A constant rotation as the four rows of its matrix."""
 

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dhcli.errors import DhcliError, Place, Problem
 from dhcli.files.yaml.linkages import find_linkage, open_chain
+from dhcli.frozen import frozen
 from dhcli.mobility.counting import Counts, counts
 from dhcli.mobility.linkage import Linkage
 from dhcli.mobility.pairs import PLANAR, SPATIAL, LinkageError, Space, space_of
 from dhcli.mobility.patterns import count_of, joint_counts
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Ends:
     """Which chain of a URDF is meant.
 

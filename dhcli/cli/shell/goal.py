@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, cast
 
 from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.given import lengths_of, point_of, split, values_of
 from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean, plural
+from dhcli.frozen import frozen
 from dhcli.geometry.euler import EulerAngles, Order, RollPitchYaw, euler
 from dhcli.geometry.facing import facing
 from dhcli.geometry.rotations import Quaternion
@@ -42,7 +42,7 @@ Rows = tuple[tuple[float, ...], ...]
 _IN_NUMBERS = "a pose to reach is in numbers; --derive gives the formulas in letters"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Goal:
     """The options that say a pose, as they were typed, where it is not that of joint values.
 
@@ -65,7 +65,7 @@ class Goal:
     task: str | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Question:
     """A pose that is asked for.
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, cast
 
 from dhcli.cli.shell.chosen import Chosen
@@ -26,6 +25,7 @@ from dhcli.errors import (
     plural,
 )
 from dhcli.files.rows.poses import pose_blocks
+from dhcli.frozen import frozen
 from dhcli.kinematics.frames import ends
 from dhcli.kinematics.inverse.batch import inverse_batch, numbered
 from dhcli.render.code.pose_rows import INDEX
@@ -107,7 +107,7 @@ def inverse_rows(wanted: PoseWish, path: str, delivery: RowDelivery, bad: list[P
     return lost
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RowWish:
     """The options about many poses, as they were typed; see `ik`."""
 

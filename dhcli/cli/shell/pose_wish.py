@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhcli.errors import Place, Problem, RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot, Value
 
 if TYPE_CHECKING:
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from dhcli.kinematics.inverse.tasks import TaskName
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PoseWish:
     """What is wanted of each pose.
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhcli.frozen import frozen
 from dhcli.kinematics.inverse.polishing import cross, motion
 
 if TYPE_CHECKING:
@@ -20,7 +20,7 @@ _NOWHERE = 1e-9
 """Below this a sign means nothing: the arm stands where two branches meet."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Anatomy:
     """Which parts an arm has.
 

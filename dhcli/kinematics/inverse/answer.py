@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot, Value
 
 if TYPE_CHECKING:
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from dhcli.kinematics.inverse.solutions import Solutions
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class InverseKinematics:
     """What is shown of a question and its answer.
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import Chain, Fixed, Rot, Trans, names
 from dhcli.notation.angle import Angle
@@ -26,7 +27,7 @@ Flags: TypeAlias = "NDArray[np.bool_]"
 _COMMUTE = 1e-12
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Axis:
     """A joint in the zero pose, lengths in units of the arm's reach.
 

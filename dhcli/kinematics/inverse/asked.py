@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from dhcli.errors import RobotError, plural
+from dhcli.frozen import frozen
 from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.frames import between, ends
@@ -42,7 +43,7 @@ SPREAD = (1.0, 0.6180339887498949, 0.7548776662466927, 0.8191725133961645, 0.569
 """Steps, in turns, by which values of several joints are spread."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Question:
     """A robot made ready for a question.
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from dhcli.errors import RobotError, plural
+from dhcli.frozen import frozen
 from dhcli.kinematics.coupling import Uncoupled, uncoupled
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.inverse.solutions import Solutions, in_numbers, turning_joints
@@ -28,7 +29,7 @@ SAME = 1e-6
 """Moves that differ by less than this from what the variables give are those that they give [rad, m]."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Carried:
     """A robot whose variables share moves, and the arm with one for each.
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from dhcli.frozen import frozen
 from dhcli.kinematics.inverse.motions import POINT
 from dhcli.kinematics.inverse.solutions import Solutions, shown_beyond
 from dhcli.kinematics.inverse.steps import All, Equation, One, Step, Two
@@ -28,7 +28,7 @@ _THINGS = ("direction", "point", "line", "circle")
 """What a run of joints leaves fixed, by its kind."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Explanation:
     """How an answer came about.
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhcli.frozen import frozen
 from dhcli.kinematics.inverse.polishing import SINGULAR, jacobian, polished, product, residuals
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ _STRIDE = 0.25
 _WHOLE = 1e-6
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Freedom:
     """One way to move without moving the end.
 

@@ -9,10 +9,11 @@ from __future__ import annotations
 import json
 import zlib
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from dhcli.frozen import frozen
 from dhcli.kinematics.inverse.arm import Arm
 from dhcli.kinematics.inverse.idealised import idealised
 from dhcli.kinematics.inverse.matrices import Actions
@@ -34,7 +35,7 @@ _DIGITS = 12
 """To so many digits the numbers of two arms are the same."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Kept:
     """A plan, and what was found out with it.
 

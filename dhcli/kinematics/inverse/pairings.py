@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhcli.frozen import frozen
 from dhcli.kinematics.inverse.matrices import Actions, acting, forms, value_of
 from dhcli.kinematics.inverse.motions import SIZES
 
@@ -18,7 +18,7 @@ GOAL = -1
 """The place of the pose asked for in a walk around the loop."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Cut:
     """The loop cut in two by a run that leaves y fixed and a run that leaves x fixed.
 

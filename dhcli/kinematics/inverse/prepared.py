@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import TypeAlias
 
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.inverse.anatomy import NOTHING, Anatomy, anatomy
 from dhcli.kinematics.inverse.arm import Arm, arm_of
 from dhcli.kinematics.inverse.keeping import recalled, remember
@@ -22,7 +22,7 @@ MOST_JOINTS = 10
 """Joints that an arm may have; its loop is planned in seconds at most."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Prepared:
     """What inverse kinematics of a robot needs.
 

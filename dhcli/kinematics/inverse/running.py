@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhcli.frozen import frozen
 from dhcli.kinematics.inverse.idealised import NEARLY
 from dhcli.kinematics.inverse.matrices import value_of
 from dhcli.kinematics.inverse.motions import DIRECTION, POINT
@@ -45,7 +46,7 @@ _SAME = 1e-9
 """Solutions closer than this are one; so are closer ones whose middle is a solution as good as they are."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Found:
     """Solutions of many poses, sorted by pose.
 

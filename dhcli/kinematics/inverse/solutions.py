@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.farlimits import far_limits
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import JointInput, joint_values
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
     from dhcli.kinematics.inverse.prepared import Prepared
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Free:
     """A way in which the arm can move at a solution without moving its end.
 
@@ -35,7 +36,7 @@ class Free:
     relation: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Beyond:
     """A joint outside its limits.
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhcli.frozen import frozen
 from dhcli.kinematics.inverse.polishing import SINGULAR, jacobian, product, residuals
 from dhcli.kinematics.inverse.prepared import Prepared
 from dhcli.kinematics.inverse.running import CONFIRMED, Found, run
@@ -22,7 +22,7 @@ TRIED = np.array([0.0, 0.5, -0.5, 1.0, 0.25, -0.25, 0.75, -0.75])
 _SAME = 1e-7
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Solved:
     """Solutions of one pose.
 

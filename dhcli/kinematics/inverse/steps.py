@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
+from dhcli.frozen import frozen
 from dhcli.kinematics.inverse.matrices import Actions
 from dhcli.kinematics.inverse.pairings import Cut
 
@@ -13,7 +13,7 @@ Kind = Literal["both", "opposite", "pair", "length", "lengths"]
 from `a c + b s = e`, a length from a linear or from a quadratic equation."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Equation:
     """One equation in one unknown.
 
@@ -30,7 +30,7 @@ class Equation:
     size: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class One:
     """A joint read off equations in which nothing else is unknown.
 
@@ -47,7 +47,7 @@ class One:
     cuts: tuple[Cut, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Two:
     """A joint from two equations that hold one other joint, which is eliminated.
 
@@ -62,7 +62,7 @@ class Two:
     equations: tuple[tuple[Cut, int], tuple[Cut, int]]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class All:
     """Three joints at once from the fourteen equations that two joints and the pose stand against.
 
@@ -88,7 +88,7 @@ class All:
 Step: TypeAlias = One | Two | All
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Plan:
     """In which order the joints of an arm are found, and from what.
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Literal
 
 from dhcli.errors import UnknownNameError, did_you_mean
+from dhcli.frozen import frozen
 from dhcli.kinematics.inverse.arm import Arm, Axis
 
 if TYPE_CHECKING:
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
 TaskName = Literal["pose", "position", "orientation", "axis", "direction"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Task:
     """What is wanted.
 
