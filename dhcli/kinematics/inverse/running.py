@@ -22,7 +22,8 @@ if TYPE_CHECKING:
     from dhcli.kinematics.inverse.arm import Array, Flags, Ints
 
 CONFIRMED = 1e-12
-"""A residual below this is a solution [reaches, and of direction cosines]."""
+"""A residual below this is a solution [reaches, and of direction cosines], or one that rounding leaves of slides that
+stand far out."""
 
 SHAKES = 8
 """Places around a candidate."""
