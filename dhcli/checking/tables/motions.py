@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import islice
 
 from dhcli.algebra.arithmetic import CannotHoldError
@@ -18,6 +18,7 @@ from dhcli.checking.tables.samples import (
 )
 from dhcli.checking.tolerance import CLOSE_FACTOR, SLACK, Tolerance
 from dhcli.checking.verdicts import Verdict, worst
+from dhcli.frozen import frozen
 from dhcli.geometry.rigid import Rigid
 from dhcli.kinematics.axes import Arm, Point
 from dhcli.kinematics.fits import Limits
@@ -36,7 +37,7 @@ LARGEST = 1e6
 """Lengths that add up to more than so many times those of the robot are not its lengths, and floats drown in them."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Outcome:
     """What came out of a comparison.
 

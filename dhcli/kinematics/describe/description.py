@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Literal, get_args
 
 from dhcli.errors import RobotError, UnknownNameError, did_you_mean
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row
 from dhcli.kinematics.describe.choices import USUAL, Choices
 from dhcli.kinematics.describe.drawn import Drawing, drawing_of
@@ -40,7 +41,7 @@ _ROUGH = (
 )
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Described:
     """A robot in another description.
 
@@ -72,7 +73,7 @@ class Described:
     straightened: Straightened | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Asked:
     """What to describe.
 
