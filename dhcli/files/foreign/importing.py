@@ -12,7 +12,8 @@ from dhcli.files.foreign.rows import Reader, Whole, robot_of_rows, scope_of
 from dhcli.files.foreign.tables import read_table
 from dhcli.files.urdf.robots import read_urdf
 from dhcli.kinematics.conventions import Convention
-from dhcli.kinematics.describe.description import Asked, describe
+from dhcli.kinematics.describe.asked import Asked
+from dhcli.kinematics.describe.description import describe
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.quantity import LENGTH_UNITS
 
