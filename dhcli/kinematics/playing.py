@@ -11,8 +11,8 @@ import numpy as np
 from dhcli.algebra.columns import Columns
 from dhcli.algebra.kernel import is_ready
 from dhcli.algebra.program import Program
-from dhcli.errors import RobotError
 from dhcli.kinematics.recorded import Recording
+from dhcli.kinematics.sharing import check_threads, shared
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -59,8 +59,7 @@ def play(recording: Recording, q: NDArray[np.float64], found: NDArray[Any], thre
     Raises:
         RobotError: That is no number of threads.
     """
-    if type(threads) is not int or threads < 1:
-        raise RobotError(f"threads is a number from 1, not {threads!r:.60}")
+    check_threads(threads)
     chunks = shares(len(q), threads)
     with np.errstate(all="ignore"):
         if is_ready(len(q)):
@@ -73,11 +72,8 @@ def play(recording: Recording, q: NDArray[np.float64], found: NDArray[Any], thre
             for chunk in chunks:
                 one(chunk)
             return
-        one = partial(one, block=CHUNK)
-        from concurrent.futures import ThreadPoolExecutor  # a command that needs none starts sooner
-
-        with ThreadPoolExecutor(min(threads, len(chunks))) as pool:
-            list(pool.map(one, chunks))
+        for _ in shared(partial(one, block=CHUNK), chunks, threads):
+            pass
 
 
 def shares(count: int, threads: int) -> list[slice]:

@@ -48,6 +48,8 @@ LINES: tuple[tuple[str, ...], ...] = (
         "0,0,0",
         "--digits",
         "2",
+        "--jobs",
+        "2",
     ),
     ("sweep", "scara", "--over", "theta1=0..1 step 0.5", "--pose", "zero", "--set", "l1=1", "--from", "0", "--to", "3"),
     ("sweep", "scara", "--over", "theta1=0..1 step 0.5", "--pose", "zero", "--tool", "Trans(0.1,0,0)"),
