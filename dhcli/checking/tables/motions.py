@@ -158,7 +158,7 @@ class Comparison:
         return self._exact[index, end_free]
 
     def _about(self, points: tuple[Point, ...], *, end_free: bool) -> Outcome:
-        """Decide within tolerances at the values of the robot, and see that it is so for other lengths of its letters."""
+        """Decide within tolerances at the robot's values, and see that it is so for other lengths of its letters."""
         truth, other, tolerance = self._truth, self._other, self._tolerance
         first = _about_at(truth, other, points[0], tolerance, end_free=end_free)
         for point in points[1:] if first.match is not None else ():
