@@ -23,7 +23,7 @@ WITHOUT = {
     "ATEN_CPU_CAPABILITY": "avx2",
     "OPENBLAS_CORETYPE": "Haswell",
 }
-"""What has numba, JAX, PyTorch and OpenBLAS do without AVX-512; pinocchio and the Robotics Toolbox are built without."""
+"""What has those libraries do without AVX-512; pinocchio and the Robotics Toolbox are built without."""
 
 
 def processor() -> str:
