@@ -14,7 +14,8 @@ from dhcli.frozen import frozen
 from dhcli.geometry.vectors import Vector, length, plus, scaled
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.derived import replaced
-from dhcli.kinematics.describe.description import DRAWN, in_numbers, known_values
+from dhcli.kinematics.describe.asked import DRAWN
+from dhcli.kinematics.describe.description import in_numbers, known_values
 from dhcli.kinematics.describe.drawn import Frame, Line, drawing_of
 from dhcli.kinematics.describe.linear import Point, coordinates_of
 from dhcli.kinematics.describe.process import Walk, axis_word, frames_of, walk

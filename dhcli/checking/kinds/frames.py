@@ -180,7 +180,7 @@ class FramesQuestion(Question[Answer]):
 
         compare = compare_of(case)
         is_open = END not in self._rules(case).sketch.stated
-        answer = answer_of(case.exercise, self.convention, rows, compare, case.tolerance, end_free=is_open or None)
+        answer = answer_of(case.memo, self.convention, rows, compare, case.tolerance, end_free=is_open or None)
         mark = mark_table(answer)
         said = f"no frames on these axes have this table in {self.convention.value} DH"
         return replace(mark, remarks=(said, *mark.remarks)) if mark.verdict in UNSOLVED else mark

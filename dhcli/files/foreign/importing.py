@@ -13,7 +13,8 @@ from dhcli.files.foreign.tables import read_table
 from dhcli.files.urdf.robots import read_urdf
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import Convention
-from dhcli.kinematics.describe.description import Asked, describe
+from dhcli.kinematics.describe.asked import Asked
+from dhcli.kinematics.describe.description import describe
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.quantity import LENGTH_UNITS
 

@@ -6,7 +6,8 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
-from dhcli.checking.tables.motions import same_motion
+from dhcli.checking.tables.motions import Comparison
+from dhcli.checking.tables.right import RightArm
 from dhcli.checking.tables.samples import Values
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import Verdict
@@ -115,7 +116,7 @@ def _besides(robot: Robot, reference: Robot) -> str:
 
 def _same(one: Arm, other: Arm) -> bool:
     exactly = Tolerance(rotation=1e-9, position=1e-9)
-    return same_motion(one, other, Values({}, {}), exactly).verdict is Verdict.RIGHT
+    return Comparison(RightArm(one, Values({}, {})), other, exactly).same_motion.verdict is Verdict.RIGHT
 
 
 def _at_values(chain: Chain, robot: Robot) -> Arm:

@@ -156,9 +156,9 @@ def _coupled(
         moves = f"{plural(len(carried.slopes), 'move')} by {plural(len(robot.variables), 'variable')}"
         message = f"{robot.name} has {moves}: on the way from pose to pose its coupling could break"
         raise RobotError(message, "ask for each pose by itself, without following: each by the joint values near to it")
-    path = follow(carried.arm.robot, T, carried.there(near), hold=carried.held(hold), **asked)
-    goal = path.q - np.array(carried.arm.offsets)
-    return replace(path, q=np.linalg.solve(carried.slopes, goal.T).T)
+    path = follow(carried.arm, T, carried.there(near), hold=carried.held(hold), **asked)
+    goal = path.q - carried.offsets
+    return replace(path, q=np.asarray(np.linalg.solve(carried.slopes, goal.T).T))
 
 
 def _described(question: Question, q: Array, begin: Array) -> Path:
