@@ -98,18 +98,6 @@ def has_lengths(chain: Chain) -> bool:
     )
 
 
-def size_of_arm(arm: Arm, point: Point) -> float:
-    """Sum of all lengths in the zero pose [m], or one metre where there is none."""
-    over = Floats({**point, **dict.fromkeys(arm.variables, 0.0)})
-    total = 0.0
-    for move in arm.chain:
-        if isinstance(move, Fixed):
-            total += sum(abs(over.value(row[3])) for row in move.rows)
-        elif not isinstance(move, Rot):
-            total += sum(abs(over.value(expr)) for expr in move.offset)
-    return total or 1.0
-
-
 def _known(values: Values) -> dict[str, Angle | float]:
     """The values of the robot that are plain numbers."""
     return dict(numbers({name: value for name, value in values.own.items() if not _names_in(value)}))
