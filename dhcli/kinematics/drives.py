@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 
 from dhcli.errors import RobotError, did_you_mean, plural
+from dhcli.frozen import frozen
 from dhcli.kinematics.actuators import ZERO, Actuators, inverse, size_of
 from dhcli.kinematics.derived import Value
 from dhcli.notation.angle import Angle
@@ -18,7 +18,7 @@ from dhcli.notation.writer import write
 DEGREES = ("deg", "degree", "degrees")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Drive:
     """What a joint is driven by, as it was read.
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
+from dhcli.frozen import frozen
 from dhcli.geometry.rigid import Rigid
 from dhcli.geometry.vectors import (
     ORIGIN,
@@ -25,7 +26,7 @@ ALONG = 1e-3
 """What is left of a unit vector that counts as lying in a span."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Limits:
     """When two axes agree.
 
@@ -52,7 +53,7 @@ class Limits:
         return cls(turn * times, shift * times, 3 * turn, 1e-3 * shift)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Fit:
     """The rigid maps that fit so far: `T(v) · R(line, t) · g`, v in the span of `spread`.
 

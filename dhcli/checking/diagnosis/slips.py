@@ -93,20 +93,23 @@ def table_candidates(exercise: Exercise, convention: Convention, name: str = "")
     if robot is None or robot.convention is not convention:
         return ()
     work = table_work(robot)
-    seen, kept = [_rows(work)], []
-    for candidate in candidates(work, replace(setting_of(exercise), numeric=False), name=name):
+    right = _rows(work)
+    seen, kept = {right}, []
+    setting = replace(setting_of(exercise), numeric=False)
+    among = [mistake for mistake in MISTAKES if mistake.level is Level.TABLE]
+    for candidate in candidates(work, setting, among=among, name=name):
         rows, mistake = _rows(candidate.work), candidate.mistake
         angles = [angle for row in rows for angle in row.theta.names & set(robot.variables)]
         is_readable = len(angles) == len(set(angles))
-        is_known = rows == seen[0] or (mistake.alone and rows in seen)
+        is_known = rows == right or (mistake.alone and rows in seen)
         if mistake.level is Level.TABLE and is_readable and not is_known:
             kept.append(candidate)
-            seen.append(rows)
+            seen.add(rows)
     return tuple(kept)
 
 
-def _rows(work: Work) -> list[Row]:
-    return [step.row for step in work.steps if step.row is not None]
+def _rows(work: Work) -> tuple[Row, ...]:
+    return tuple(step.row for step in work.steps if step.row is not None)
 
 
 def table_work(robot: Robot) -> Work:

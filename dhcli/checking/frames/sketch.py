@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.tables.comparing import STATED, unstated
 from dhcli.errors import RobotError, UnknownNameError, did_you_mean
+from dhcli.frozen import frozen
 from dhcli.geometry.vectors import Vector, length, plus, scaled
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.derived import replaced
@@ -31,7 +32,7 @@ ZERO = "zero"
 Pose: TypeAlias = Mapping[str, Value]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Sketch:
     """A robot drawn in one pose, seen from its base; from its frame 0 where its own table is asked for.
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row
 from dhcli.kinematics.coupling import uncoupled
 from dhcli.kinematics.describe.asked import DRAWN, NAMES, Asked, Form
@@ -33,7 +34,7 @@ _ROUGH = (
 )
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Described:
     """A robot in another description.
 

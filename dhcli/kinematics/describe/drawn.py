@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from fractions import Fraction
 from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, cross, dot, length, plus, scaled
 from dhcli.kinematics.axes import no_axis
 from dhcli.kinematics.describe.linear import Form, LettersError, Point, Ruler, along, form_of, moved, shifted
@@ -27,7 +28,7 @@ class SharedMovesError(RobotError):
     """A variable stands in two moves that are no screw, or a move has two; what `uncoupled` makes can be drawn."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Line:
     """The axis of a joint, or the z axis of the base or of the end.
 
@@ -54,7 +55,7 @@ class Line:
         return replace(self, direction=scaled(self.direction, -1), rate=-self.rate)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Frame:
     """A frame: two of its axes and its origin."""
 
@@ -68,7 +69,7 @@ class Frame:
         return cross(self.z, self.x)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Drawing:
     """A robot drawn.
 
