@@ -15,13 +15,14 @@ from dhcli.geometry.vectors import Vector, length, plus, scaled
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.derived import replaced
 from dhcli.kinematics.describe.asked import DRAWN
-from dhcli.kinematics.describe.description import in_numbers, known_values
+from dhcli.kinematics.describe.description import known_values
 from dhcli.kinematics.describe.drawn import Frame, Line, drawing_of
 from dhcli.kinematics.describe.linear import Point, coordinates_of
 from dhcli.kinematics.describe.process import Walk, axis_word, frames_of, walk
 from dhcli.kinematics.describe.retold import retold
 from dhcli.kinematics.moves import Chain
 from dhcli.kinematics.robot import Robot, Value
+from dhcli.kinematics.valued import in_numbers
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import value_text
 from dhcli.notation.tree import ZERO as NOTHING
