@@ -7,6 +7,7 @@ import os
 import signal
 from collections.abc import Iterator
 from functools import cache
+from importlib.util import find_spec
 from itertools import count
 from pathlib import Path
 
@@ -82,3 +83,15 @@ def user_data(monkeypatch: pytest.MonkeyPatch, homes: Iterator[Path]) -> Path:
     monkeypatch.setenv("XDG_CACHE_HOME", f"{folder}-cache")
     monkeypatch.delenv("DHCLI_PATH", raising=False)
     return folder
+
+
+_NEEDS_ORJSON = pytest.mark.skipif(find_spec("orjson") is None, reason="the extra [fast] is not installed")
+
+
+@pytest.fixture(params=["Python", pytest.param("orjson", marks=_NEEDS_ORJSON)])
+def json_by(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Numbers are read and written in the plain way, and by orjson where it is installed."""
+    from dhcli.notation import decimals  # numpy, which few tests need
+
+    if request.param == "Python":
+        monkeypatch.setattr(decimals, "quick_json", lambda: None)
