@@ -113,7 +113,7 @@ class Comparison:
     def beside(self, right: RightArm) -> Comparison:
         """The same arm compared with another right one."""
         other = Comparison(right, self._other, self._tolerance)
-        other._is_numeric = self._is_numeric  # noqa: SLF001  of its own kind
+        other._is_numeric = self._is_numeric
         return other
 
     def reach(self) -> int:
