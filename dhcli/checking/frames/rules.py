@@ -9,13 +9,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.frames.reading import TypedFrame
 from dhcli.checking.frames.sketch import Sketch
 from dhcli.checking.tables.comparing import BASE, END, SENSE
 from dhcli.checking.tolerance import SLACK, Tolerance
+from dhcli.frozen import frozen
 from dhcli.geometry.vectors import Vector, across, cross, dot, length, plus, scaled
 from dhcli.kinematics.describe.drawn import Frame, Line
 from dhcli.kinematics.describe.linear import Form, Point, Ruler, length_of, mapped, moved
@@ -29,7 +29,7 @@ ORIGIN_CELL, X_CELL, Z_CELL = range(3)
 """Which cell of its row a broken rule makes wrong."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Broken:
     """A rule that frames break.
 
@@ -46,7 +46,7 @@ class Broken:
     said: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Rules:
     """The rules of a drawing.
 

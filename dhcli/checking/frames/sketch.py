@@ -3,23 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.tables.comparing import STATED, unstated
 from dhcli.errors import RobotError, UnknownNameError, did_you_mean
+from dhcli.frozen import frozen
 from dhcli.geometry.vectors import Vector, length, plus, scaled
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.derived import replaced
-from dhcli.kinematics.describe.description import DRAWN, in_numbers, known_values
+from dhcli.kinematics.describe.asked import DRAWN
+from dhcli.kinematics.describe.description import known_values
 from dhcli.kinematics.describe.drawn import Frame, Line, drawing_of
 from dhcli.kinematics.describe.linear import Point, coordinates_of
 from dhcli.kinematics.describe.process import Walk, axis_word, frames_of, walk
 from dhcli.kinematics.describe.retold import retold
 from dhcli.kinematics.moves import Chain
 from dhcli.kinematics.robot import Robot, Value
+from dhcli.kinematics.valued import in_numbers
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import value_text
 from dhcli.notation.tree import ZERO as NOTHING
@@ -30,7 +33,7 @@ ZERO = "zero"
 Pose: TypeAlias = Mapping[str, Value]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Sketch:
     """A robot drawn in one pose, seen from its base; from its frame 0 where its own table is asked for.
 

@@ -110,7 +110,7 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
             yield Finding((*where, "compare"), message, "compare: same-motion")
 
     def read(self, case: Case, text: str, place: Place | None = None) -> tuple[TypedRow, ...]:
-        from dhcli.checking.tables.marking import robot_of
+        from dhcli.checking.tables.answer import robot_of
 
         exercise, robot = case.exercise, robot_of(case.exercise)
         return read_table(text, robot, exercise.scope, robot.columns, exercise.unit, place)
@@ -126,7 +126,7 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         from dhcli.checking.tables.comparing import compare_of
         from dhcli.checking.tables.marking import answer_of
 
-        return answer_of(case.exercise, self.convention, reading.value, compare_of(case), case.tolerance)
+        return answer_of(case.memo, self.convention, reading.value, compare_of(case), case.tolerance)
 
     def slips(self, case: Case) -> Iterable[Slip]:
         from dhcli.checking.diagnosis.slips import table_candidates
@@ -183,7 +183,7 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         return leads_of(self.rows(case, reading), self.convention, span, points)
 
     def overlaid(self, case: Case, reading: Reading[tuple[TypedRow, ...]], values: Values) -> Overlaid:
-        from dhcli.checking.tables.marking import robot_of
+        from dhcli.checking.tables.answer import robot_of
         from dhcli.kinematics.values import numbers
         from dhcli.scene.traced import paired, traced
 
@@ -195,7 +195,7 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
 
     def robot_drawn(self, exercise: Exercise) -> Robot:
         """The arm, with the table of this convention where the exercise has one."""
-        from dhcli.checking.tables.marking import robot_of
+        from dhcli.checking.tables.answer import robot_of
 
         own = robot_of(exercise)
         also = exercise.also[0] if exercise.also else own

@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import combinations
 from typing import Any, TypeAlias, cast
 
@@ -23,6 +23,7 @@ from dhcli.checking.motion.question import MotionQuestion
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Causes, Judged, Reading, Shown
 from dhcli.errors import DhcliError
+from dhcli.frozen import frozen
 from dhcli.kinematics.entries import rounded
 from dhcli.kinematics.values import numbers
 from dhcli.kinematics.velocity.view import MotionView
@@ -47,7 +48,7 @@ MOST_EARLIER = 6
 MOST_CAUSES = 6
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Pair:
     """Two slips, and the answer of whoever has made both.
 

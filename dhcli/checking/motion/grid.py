@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Exercise
+from dhcli.frozen import frozen
 from dhcli.kinematics.entries import rounded
 from dhcli.kinematics.values import numbers
 from dhcli.notation.tree import Expr, Number
@@ -27,7 +27,7 @@ CLOSE = 1e-9
 """What rounding leaves of the difference of equal entries."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Grid:
     """Entries, and what they measure.
 

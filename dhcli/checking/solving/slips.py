@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TypeAlias
 
 from dhcli.checking.diagnosis.result import Slip
@@ -17,6 +17,7 @@ from dhcli.checking.solving.vectors import FULL_TURN, Range, Vector, apart
 from dhcli.checking.solving.wanted_joints import WantedJoints
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import DhcliError
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.robot import Robot
 
@@ -29,7 +30,7 @@ OUTSIDE = Slip("out-of-limits", "a joint is outside its limits", "look at the li
 OTHERS = {Convention.STANDARD: Convention.MODIFIED, Convention.MODIFIED: Convention.STANDARD}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Wrong:
     """What a slip leads to.
 

@@ -134,6 +134,8 @@ def _judged(value: Value, right: Value, exercise: Exercise, tolerance: Tolerance
 
 
 def _settled(angle: Angle, tolerance: Tolerance) -> Angle:
+    if not angle.radians and angle.degrees.denominator == 1 and angle.degrees.numerator % STEP == 0:
+        return angle
     degrees = angle.degrees + Fraction(math.degrees(angle.radians)) if angle.radians else angle.degrees
     meant = STEP * round(degrees / STEP)
     if not abs(degrees - meant) <= tolerance.angle:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
 
+from dhcli.frozen import frozen
 from dhcli.geometry.vectors import angle_about, dot
 from dhcli.kinematics.conventions import ORDER, Convention
 from dhcli.kinematics.describe.exact import exact_angle
@@ -19,7 +19,7 @@ _CLOSE = 1e-9
 """What floating point leaves of 0 where a choice is told."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Step:
     """One thing found on the way.
 
@@ -59,7 +59,7 @@ def written(steps: Iterable[Step]) -> tuple[str, ...]:
     return tuple("\n".join(lines) for lines in texts.values())
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Speaker:
     """How lines, frames and lengths are named.
 
