@@ -107,9 +107,10 @@ class JointsQuestion(GoalQuestion[Vectors]):
             yield from steps_shown(derivation)
         found = solutions(case, self.target)
         field = self.range_of(case)
+        named = (found.named(k, limits=self.within_limits) for k in range(len(found)))
         lines = [
-            f"{self._text(field, q)}{f' ({branch})' if branch else ''}"
-            for q, branch in zip(field.solutions, found.branches, strict=True)
+            f"{self._text(field, q)}{f' ({name})' if name else ''}"
+            for q, name in zip(field.solutions, named, strict=True)
         ]
         yield Shown("\n".join((f"In numbers that is {plural(len(lines), 'solution')}:", *lines)))
 
