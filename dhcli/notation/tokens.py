@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from functools import lru_cache
-from typing import Literal
+from typing import Literal, cast
 
 from dhcli.errors import NotationError, Place, Problem
 from dhcli.frozen import frozen
@@ -41,11 +41,13 @@ _LONGEST_WORD = 12
 _DECIMAL_COMMA = re.compile(r"\d+,\d+(?![\d,.])", re.ASCII)
 _WORD = rf"π|[A-Za-z{_GREEK_LETTERS}](?:[A-Za-z0-9{_GREEK_LETTERS}₀-₉]|_\{{[^{{}}]*\}}|_(?=[A-Za-z0-9]))*"
 _NAME = re.compile(_WORD)
+_LATEX_COMMA = r"0\{,\}[0-9]+|[0-9]+\{,\}(?![0-9]{3}(?![0-9]))[0-9]+"
+"""A decimal comma as LaTeX has it, `0{,}866`; `1{,}234` may be a thousand and more, and stays a question."""
 _PIECE = re.compile(
     rf"(?P<blank>[ \t\u00a0\u2009\u202f{_NOISE}]+|\.(?=[*/^]))"
     r"|(?P<module>(?:np|numpy|math|sp|sympy|sym)\.(?=[A-Za-z]))"
     rf"|(?P<word>{_WORD})"
-    r"|(?P<number>(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
+    rf"|(?P<number>(?:{_LATEX_COMMA}|[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
     rf"|(?P<sign>\*\*|[{re.escape(''.join(_OPERATORS))}])"
 )
 """Everything but LaTeX, superscripts and decimal commas."""
@@ -162,7 +164,7 @@ def tokenize(source: Source, *, decimal_comma: bool = False, most: int = MOST_CH
         elif match and (kind == "word" or (kind == "number" and not (decimal_comma and depth == 0))):
             tokens.append(
                 Token(
-                    "word" if kind == "word" else "number", match[0].translate(_LOWERED), position, match.end(), spaced
+                    cast("Kind", kind), match[0].translate(_LOWERED).replace("{,}", "."), position, match.end(), spaced
                 )
             )
             position, spaced = match.end(), False

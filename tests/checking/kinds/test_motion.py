@@ -132,6 +132,9 @@ def test_joint_rates_give_the_velocity_back(q: tuple[float, float, float]) -> No
         ("panda", "singular when angular of 0..7", "s2 = 0 ∧ s3 = 0 & s4 = 0 and s5 = 0 and s6 = 0"),
         ("planar-2r", "angular velocity of 0..2", "0, 0, dtheta1 + dtheta2"),
         ("planar-2r", "joint rates for (v, 0, 0) of 0..2 in frame 2", "v/(a1*s2), -v*(a1*c2 + a2)/(a1*a2*s2)"),
+        ("planar-2r", "column 2 of jacobian linear of 0..2", "-a2 s12 i + a2 c12 j"),
+        ("planar-2r", "column 2 of jacobian linear of 0..2", "(-a2*s12; a2*c12; 0)^T"),
+        ("planar-2r", "column 2 of jacobian linear of 0..2", "[-a2*sin(q1+q2) a2*cos(q1+q2) 0].'"),
         ("planar-2r", "rank of jacobian linear of 0..2", "2"),
         ("planar-2r", "rank of jacobian linear of 0..2", "two"),
     ],
@@ -235,7 +238,7 @@ def test_a_question_that_cannot_be_asked_is_refused(ask: str, problem: str) -> N
     [
         ("jacobian linear of 0..2", "[1 2; 3 4]", "the answer is 2x2; a 3x2 matrix was asked"),
         ("jacobian linear of 0..2", "[1 2 3; 4 5 6]", "3 rows and 2 columns were asked"),
-        ("velocity of 0..2 with rates (1, 1)", "1, 2", "3 numbers were asked"),
+        ("velocity of 0..2 with rates (1, 1)", "1, 2", "2 numbers are given, 3 were asked"),
         ("velocity of 0..2 with rates (1, 1)", "a1, 2, x", ""),
         ("singular when linear of 0..2", "a1 = 0", "write what the joints make zero"),
         ("singular when linear of 0..2", "theta2 = 1 rad", "write angles in degrees"),
