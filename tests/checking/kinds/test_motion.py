@@ -169,6 +169,7 @@ SLIPS = [
     ("articulated", "jacobian angular of 0..3", "one-axis"),
     ("scara", "jacobian of 0..3", "zero-turned theta1 -90°"),
     ("articulated", "torques for (1, 2, 3) of 0..3", "kilograms"),
+    ("articulated", "torques for (1, 2, 3) of 0..3", "millimetres"),
     ("articulated", "torques for (1, 2, 3) of 0..3", "numbers-swapped 2 and 3"),
     ("articulated", "jacobian of 0..3", "entry-sign 4,2"),
     ("stanford", "determinant of jacobian of 0..6", "factor-forgotten d3"),
