@@ -119,7 +119,7 @@ def test_an_arm_as_it_was_built_loses_next_to_nothing(name: str, by: float) -> N
 
 def test_where_three_joints_have_no_real_angles_nothing_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
     """As at poses that an arm with joints to spare does not reach with these held: no roots, and so no rows."""
-    eigen = rule_all._eigen  # noqa: SLF001  its roots are made complex here
+    eigen = rule_all._eigen
 
     def complex_roots(pencil: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         values, vectors = eigen(pencil)
