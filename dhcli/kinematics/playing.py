@@ -124,7 +124,7 @@ def _by_columns(
         length = block or _length(recording.program(merged=True, tangents=True))
         for first in range(0, len(rows), length):
             part = rows[first : first + length]
-            merged = bool(np.abs(part).max(initial=0.0) <= MODEST)
+            merged = bool(part.max(initial=0.0) <= MODEST and part.min(initial=0.0) >= -MODEST)
             columns = _columns(recording.program(merged=merged, tangents=True), len(part))
             results = columns.play(part.T).reshape(*target.shape[1:], -1)
             target[first : first + length] = np.moveaxis(results, -1, 0)
