@@ -125,7 +125,7 @@ def _by_columns(
         for first in range(0, len(rows), length):
             part = rows[first : first + length]
             merged = bool(part.max(initial=0.0) <= MODEST and part.min(initial=0.0) >= -MODEST)
-            columns = _columns(recording.program(merged=merged, tangents=True), len(part))
+            columns = _columns(recording.program(merged=merged, tangents=True), _roomy(len(part)))
             results = columns.play(part.T).reshape(*target.shape[1:], -1)
             target[first : first + length] = np.moveaxis(results, -1, 0)
             _IDLE.append(columns)
@@ -135,6 +135,12 @@ def _length(program: Program) -> int:
     """Rows at a time of a program: fewer where it has so many columns that they would not fit the cache."""
     rows = min(BLOCK, max(FEWEST, CACHE // (8 * program.registers)))
     return rows - rows % 16 + 8  # an odd number of the lines of a cache
+
+
+def _roomy(rows: int) -> int:
+    """Rows of the columns for so many, an eighth more at most: so that one size serves calls that differ a little."""
+    step = max(16, 1 << rows.bit_length() >> 4)
+    return -(-rows // step) * step + 8
 
 
 def _columns(program: Program, length: int) -> Columns:
