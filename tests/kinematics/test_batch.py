@@ -193,6 +193,20 @@ def test_columns_that_nobody_uses_are_used_again(monkeypatch: pytest.MonkeyPatch
     assert len(playing._IDLE) == 2
 
 
+def test_threads_and_one_thread_in_turn_make_their_columns_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Blocks of a call are equally long, so that no odd rest takes the place of what the next call needs."""
+    made = []
+    plain = playing.Columns
+    monkeypatch.setattr(playing, "Columns", lambda *given: made.append(given[1]) or plain(*given))
+    monkeypatch.setattr(kernel, "_LOADED", SimpleNamespace(loop=None, is_ready=lambda count: False))
+    monkeypatch.setattr(playing, "_IDLE", type(playing._IDLE)(maxlen=4))
+    robot, q = load_robot("scara"), np.zeros((CHUNK + 30_001, 3))
+    for threads in (1, 2, 1, 2):
+        forward_batch(robot, q, threads=threads)
+    assert 2 <= len(made) <= 3
+    assert max(made) < CHUNK
+
+
 @pytest.mark.parametrize("rows", [[[0.1, 0.2, 0.3], [0.1]], [["a", "b", "c"]]])
 def test_what_is_no_array_of_numbers_is_refused(rows: list[list[float]]) -> None:
     """Rows of different lengths, text."""
