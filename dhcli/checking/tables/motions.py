@@ -112,7 +112,7 @@ class Comparison:
     def beside(self, right: RightArm) -> Comparison:
         """The same arm compared with another right one."""
         other = Comparison(right, self._other, self._tolerance)
-        other._is_numeric = self._is_numeric  # noqa: SLF001  of its own kind
+        other._is_numeric = self._is_numeric
         return other
 
     def reach(self) -> int:
@@ -172,7 +172,7 @@ class Comparison:
         return self._exact[index, end_free]
 
     def _about(self, points: tuple[Point, ...], *, end_free: bool) -> Outcome:
-        """Decide within tolerances at the values of the robot; then see that it is so for other lengths of its letters."""
+        """Decide within tolerances at the values of the robot; then see that it is so for other lengths of letters."""
         truth, other, tolerance = self._truth, self._other, self._tolerance
         first = _about_at(truth, other, points[0], tolerance, end_free=end_free)
         for point in points[1:] if first.match is not None else ():

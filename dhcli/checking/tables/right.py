@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import count, islice
+from itertools import count
 
 from dhcli.algebra.arithmetic import CannotHoldError
 from dhcli.algebra.floats import Floats

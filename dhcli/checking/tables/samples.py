@@ -7,11 +7,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import islice
 
-from dhcli.algebra.floats import Floats
 from dhcli.algebra.points import GENERAL, draws, general
 from dhcli.checking.symbolic import has_decimals
 from dhcli.kinematics.axes import Arm, Point
-from dhcli.kinematics.moves import Chain, Fixed, Rot, angle_names, expressions, names
+from dhcli.kinematics.moves import Chain, Rot, angle_names, expressions, names
 from dhcli.kinematics.robot import Value
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
