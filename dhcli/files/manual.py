@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 import re
-from dataclasses import dataclass
 from pathlib import Path
 
 from dhcli.errors import UnknownNameError, nearest
 from dhcli.files.reading import read_text
+from dhcli.frozen import frozen
 
 FOLDER = Path(__file__).parents[1] / "manual"
 GROUPS = {"tutorial": "Tutorials", "howto": "How to", "reference": "Reference", "explanation": "Explanations"}
@@ -20,7 +20,7 @@ MOST_PAGES = 4
 _COMMAND = re.compile(r"`dhcli ([a-z]+)[^`]*`")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Topic:
     """A page of the manual.
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.geometry.rigid import Rigid
 from dhcli.geometry.vectors import UNITS, Vector, cross, length, plus, scaled
 from dhcli.kinematics.fold import fold
@@ -30,7 +31,7 @@ def no_axis(name: str) -> tuple[str, str]:
     return f"{name} does not move one joint about or along one axis", hint
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Screw:
     """A joint axis in the zero pose.
 
@@ -55,7 +56,7 @@ class Screw:
         return Rigid.shift(scaled(self.direction, self.rate * by))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Arm:
     """A chain and the joints it meets on its way.
 

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import pairwise
 
+from dhcli.frozen import frozen
 from dhcli.geometry.rigid import Rigid
 from dhcli.geometry.vectors import (
     ORIGIN,
@@ -30,7 +31,7 @@ AMPLY = 10
 """How many times more than one axis two together may be off, where they are only looked at first."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Limits:
     """When two axes agree.
 
@@ -57,7 +58,7 @@ class Limits:
         return cls(turn * times, shift * times, 3 * turn, 1e-3 * shift)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Fit:
     """The rigid maps that fit so far: `T(v) · R(line, t) · g`, v in the span of `spread`.
 

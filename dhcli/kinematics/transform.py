@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 from typing import Literal, TypeAlias, cast
 
@@ -40,7 +40,7 @@ _SHORT = 60
 Order: TypeAlias = Literal["current", "fixed"]
 
 
-@dataclass(frozen=True)
+@frozen
 class Stage:
     """One move of a product.
 

@@ -8,10 +8,9 @@ points, and not d + 1.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from dhcli.frozen import frozen
 from dhcli.geometry.rank import orthonormal, spaces
 from dhcli.geometry.twists import Array
 from dhcli.mobility.landing import FARTHEST, ROUNDING, close
@@ -44,7 +43,7 @@ BLUNT = 1e-3
 """Relative tolerance of tangents that come from small displacements."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Branch:
     """A family of positions through a landing.
 
@@ -115,7 +114,7 @@ def _tangents(model: Model, motions: Array, stresses: Array, twists: Array, tole
     return motions @ left, left.shape[1] - bent
 
 
-@dataclass(frozen=True)
+@frozen
 class _Near:
     """The neighbourhood of a landing.
 

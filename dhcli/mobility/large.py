@@ -9,12 +9,12 @@ Source: George and Heath 1980, sparse orthogonal factorisation; inverse iteratio
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import accumulate
 
 import numpy as np
 
 from dhcli.errors import Problem
+from dhcli.frozen import frozen
 from dhcli.geometry.rank import TIGHT, Rank, rank_of
 from dhcli.geometry.twists import Array
 from dhcli.mobility.constraints import Rows, constraints
@@ -45,7 +45,7 @@ ZERO = 1e-10
 """Relative to the largest, below this a singular value of a long chain counts as zero; it is also the shift."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Block:
     """One link's part of the triangular factor: `R x_link + rest x_others = 0`.
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from typing import ClassVar, Self
 
 from dhcli.algebra.equality import equal
@@ -18,6 +17,7 @@ from dhcli.checking.motion.question import OneNumberQuestion
 from dhcli.checking.motion.task import columns_for, found_for, kept_rows, read_task, square, values_in
 from dhcli.checking.returned import Shown
 from dhcli.errors import Place, RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.velocity.cramer import LARGEST, determinant
 from dhcli.kinematics.velocity.form import GEOMETRIC, Form
@@ -26,7 +26,7 @@ from dhcli.notation.tree import ZERO, Expr, Number, Power, Product, multiply, ne
 from dhcli.notation.writer import write
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class DeterminantQuestion(OneNumberQuestion, ColumnsQuestion):
     """The determinant of a Jacobian, of the rows that the joints can move.
 

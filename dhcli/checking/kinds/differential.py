@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Rank, Slip
@@ -17,6 +16,7 @@ from dhcli.checking.motion.question import MotionQuestion
 from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.forward import textbook_form
 from dhcli.kinematics.frames import ORIGIN, between, ends
 from dhcli.kinematics.robot import Robot
@@ -29,7 +29,7 @@ _HEAD = re.compile(r"differential\s+motion\s*(?P<moved>\([^()]*\))(?:\s+turn\s*(
 POWERS = ((0, 0, 0, 1),) * 3 + ((0, 0, 0, 0),)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class DifferentialQuestion(MotionQuestion):
     """The change of a pose by a small displacement and a small turn.
 

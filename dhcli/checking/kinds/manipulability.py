@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Rank, Slip
@@ -18,6 +17,7 @@ from dhcli.checking.motion.question import OneNumberQuestion
 from dhcli.checking.motion.task import columns_for, found_for, kept_rows, read_task, values_in
 from dhcli.checking.returned import Shown
 from dhcli.errors import Place, RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.velocity.form import GEOMETRIC, Form
 from dhcli.notation.scope import Scope
@@ -26,7 +26,7 @@ LEAST = 1e-6
 """A volume below this share of the right one is none."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ManipulabilityQuestion(OneNumberQuestion, ColumnsQuestion):
     """The manipulability of an arm where it stands, in numbers.
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Rank, Slip
@@ -18,6 +17,7 @@ from dhcli.checking.motion.task import columns_for, read_task, values_in
 from dhcli.checking.pasted import UnreadableError, without_number_word
 from dhcli.checking.returned import Shown
 from dhcli.errors import Place
+from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.velocity.form import GEOMETRIC, Form
 from dhcli.notation.scope import Scope
@@ -26,7 +26,7 @@ from dhcli.notation.tree import Number, number
 ROWS = {"all": range(6), "linear": range(3), "angular": range(3, 6)}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RankQuestion(OneNumberQuestion):
     """The rank of a Jacobian, at the values given or at almost all.
 

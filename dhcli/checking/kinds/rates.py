@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from typing import ClassVar, Self
 
 from dhcli.algebra.floats import Floats
@@ -19,6 +18,7 @@ from dhcli.checking.motion.task import columns_for
 from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.singular.neat import neat_determinant
 from dhcli.kinematics.values import numbers
@@ -36,7 +36,7 @@ _HEAD = re.compile(
 )
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RatesQuestion(ColumnsQuestion):
     """The joint rates for a velocity, an angular velocity or both, of an arm with as many joints as they have rows.
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, ClassVar, Self, TypeAlias
 
@@ -18,6 +17,7 @@ from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import Place
+from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.singular.result import Singularities
 from dhcli.kinematics.velocity.form import GEOMETRIC, Form
@@ -30,7 +30,7 @@ Conditions: TypeAlias = tuple[Condition, ...]
 """Each is enough by itself; what stands in one is zero at once."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class SingularQuestion(Question[Conditions]):
     """Where a Jacobian loses rank: the factors of its determinant that joints can make zero, or the conditions.
 

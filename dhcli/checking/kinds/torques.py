@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import ClassVar, Self
 
@@ -17,6 +16,7 @@ from dhcli.checking.motion.grid import Grid
 from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.frames import ORIGIN
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.velocity.cramer import LARGEST, solved
@@ -30,7 +30,7 @@ from dhcli.notation.writer import write
 _HEAD = re.compile(r"torques\s+for\s*(?P<force>\(.*?\))(?:\s+moment\s*(?P<moment>\(.*?\)))?")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class TorquesQuestion(ColumnsQuestion):
     """Joint torques for a wrench that the end exerts: tau = Jᵀ F.
 

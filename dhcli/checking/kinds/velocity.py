@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from typing import ClassVar, Self
 
@@ -17,6 +17,7 @@ from dhcli.checking.motion.grid import Grid
 from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.velocity.form import Form
 from dhcli.kinematics.velocity.view import joints_between
@@ -28,7 +29,7 @@ from dhcli.notation.writer import write
 _HEAD = re.compile(r"(?P<angular>angular\s+)?velocity(?:\s+of\s+point\s*(?P<point>\(.*\)))?(?:\s+of\s+point)?")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class VelocityQuestion(ColumnsQuestion):
     """The velocity of a point of a frame, or the angular velocity of the frame.
 

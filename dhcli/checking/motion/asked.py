@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import NotationError, Place, Problem, RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.frames import ORIGIN, Point, ends, frame
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.velocity.form import Form
@@ -27,7 +27,7 @@ _TAIL = re.compile(
 _FORM = re.compile(r"(?P<word>linear|angular|space|body|analytic\s+(?P<angles>[a-z]{3}))?")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Motion:
     """What is asked about the motion of a robot.
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
 from itertools import product as every
@@ -14,6 +13,7 @@ from dhcli.algebra.equality import equal
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.pasted import UnreadableError
 from dhcli.errors import NotationError, Place
+from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.singular.conditions import Put, zeroing
 from dhcli.notation.angle import Angle
@@ -36,7 +36,7 @@ MOST = 64
 """Conditions that are read."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Zero:
     """Something that is zero.
 

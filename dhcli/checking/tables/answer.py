@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from dhcli.checking.exercise import Exercise, Memo
 from dhcli.checking.pasted import WrongUnitError
@@ -17,6 +17,7 @@ from dhcli.checking.tables.typed_rows import TypedRow, misplaced, variable_of
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import CellMark, Verdict, worst
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.axes import Arm
 from dhcli.kinematics.conventions import Convention, Row, moves_of
 from dhcli.kinematics.frames import between
@@ -34,7 +35,7 @@ FINER = 3
 """How often what counts as no difference is made smaller, until the freedom that was used is seen."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class TableAnswer:
     """A table and everything it is judged by.
 

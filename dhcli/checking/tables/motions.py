@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from itertools import islice
 
@@ -10,6 +10,7 @@ from dhcli.checking.tables.right import EXACT, RightArm
 from dhcli.checking.tables.samples import has_numbers, points_of_values
 from dhcli.checking.tolerance import CLOSE_FACTOR, SLACK, Tolerance
 from dhcli.checking.verdicts import Verdict, worst
+from dhcli.frozen import frozen
 from dhcli.geometry.rigid import Rigid
 from dhcli.kinematics.axes import Arm, Point
 from dhcli.kinematics.fits import Limits, may_be_alike
@@ -24,7 +25,7 @@ LARGEST = 1e6
 """Lengths that add up to more than so many times those of the robot are not its lengths, and floats drown in them."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Outcome:
     """What came out of a comparison.
 
@@ -172,7 +173,7 @@ class Comparison:
         return self._exact[index, end_free]
 
     def _about(self, points: tuple[Point, ...], *, end_free: bool) -> Outcome:
-        """Decide within tolerances at the values of the robot; then see that it is so for other lengths of letters."""
+        """Decide within tolerances at the robot's values, and see that it is so for other lengths of its letters."""
         truth, other, tolerance = self._truth, self._other, self._tolerance
         first = _about_at(truth, other, points[0], tolerance, end_free=end_free)
         for point in points[1:] if first.match is not None else ():

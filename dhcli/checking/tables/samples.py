@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from itertools import islice
 
 from dhcli.algebra.points import GENERAL, draws, general
 from dhcli.checking.symbolic import has_decimals
+from dhcli.frozen import frozen
 from dhcli.kinematics.axes import Arm, Point
 from dhcli.kinematics.moves import Chain, Rot, angle_names, expressions, names
 from dhcli.kinematics.robot import Value
@@ -23,7 +23,7 @@ STRETCH = (1.5, 2.5)
 """By how much letters are longer at the second point: a wrong one of two equal lengths is then seen."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Values:
     """What is known of the names.
 

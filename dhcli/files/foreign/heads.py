@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import COLUMNS, Convention, column_of
 from dhcli.notation.names import canonical, parts
 from dhcli.notation.quantity import ANGLE_UNITS, LENGTH_UNITS
@@ -35,7 +35,7 @@ _NUMBERING = re.compile(r"(?:link|joint|axis|frame|row)?s?[ _]?(?:i|j|n|no\.?|nr
 _KNOWN = frozenset((*COLUMNS, *_WORDS.values(), ""))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Heads:
     """The heads of a table.
 
@@ -91,7 +91,7 @@ def _heads(line: str, number: int) -> Heads | None:
     return None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Named:
     """What one head says: its column, or its own text where it is none that is known."""
 

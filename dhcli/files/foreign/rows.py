@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from dhcli.errors import FileError, NotationError, Place, Problem
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import Convention, Row, calibrated_moves, moves_of
 from dhcli.kinematics.derived import Formula, circle, with_derived
 from dhcli.kinematics.description import Link
@@ -26,7 +27,7 @@ _STAR = re.compile(r"(?<=[\w})])[ ]?\^?\*(?=[ ]*(?:$|[-+−]))")  # noqa: RUF001
 _NO_NAMES = RESERVED | UNITS | {"π"}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Cell:
     """A cell as it was typed, with its place, and the unit of its bare numbers."""
 
@@ -51,7 +52,7 @@ class RowText:
     kind: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Whole:
     """What a robot has besides its rows.
 

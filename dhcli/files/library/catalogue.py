@@ -9,16 +9,17 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from dhcli.errors import DhcliError, Problem
 from dhcli.files.library.lookup import Entry, Kind, entries
+from dhcli.frozen import frozen
 from dhcli.storage.cache import cache, cached
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Listed:
     """One file of the library.
 

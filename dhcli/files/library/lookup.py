@@ -73,9 +73,8 @@ def entries(kind: Kind) -> tuple[Entry, ...]:
     found: list[Entry] = []
     names: set[str] = set()
     for folder, origin in _folders(kind):
-        files = _files(folder, nested=kind is Kind.EXERCISES)
-        for name, path in sorted((path.relative_to(folder).with_suffix("").as_posix(), path) for path in files):
-            found.append(Entry(name, path, origin, shadowed=name in names))
+        for name, path in sorted(_files(folder, nested=kind is Kind.EXERCISES)):
+            found.append(Entry(name, Path(path), origin, shadowed=name in names))
             names.add(name)
     return tuple(found)
 
@@ -168,9 +167,9 @@ def above(kind: Kind, name: str) -> str:
     up = ""
     for folder in Path.cwd().parents:
         up += "../"
-        for path in _files(folder / kind.folder, nested=kind is Kind.EXERCISES):
-            if name in (path.stem, f"{path.parent.name}/{path.stem}"):
-                typed = up + path.relative_to(folder).as_posix()
+        for found, path in _files(folder / kind.folder, nested=kind is Kind.EXERCISES):
+            if name in (found, found.split("/")[-1]):
+                typed = up + Path(path).relative_to(folder).as_posix()
                 return f"in a folder above there is one: type {typed}, or go to the folder that has {kind.folder}/"
     return ""
 
@@ -245,16 +244,23 @@ def _built_in_root() -> Path:
     return installed if os.path.isdir(installed) else _PACKAGE.parent
 
 
-def _files(folder: Path, *, nested: bool) -> Iterator[Path]:
-    """The YAML files in a folder, or in its folders; a folder that cannot be read must not stop every command."""
+def _files(folder: str | Path, *, nested: bool, below: str = "") -> Iterator[tuple[str, str]]:
+    """The YAML files in a folder, or in its folders, each with its name; one that cannot be read stops no command."""
     try:
-        children = list(folder.iterdir())
+        with os.scandir(folder) as found:
+            children = list(found)
     except OSError:
         return
     for child in children:
+        stem, suffix = os.path.splitext(child.name)
         if child.name.startswith("."):
             continue
-        if nested and os.path.isdir(child):
-            yield from _files(child, nested=False)
-        elif not nested and child.suffix.lower() in _SUFFIXES and os.path.isfile(child):
-            yield child
+        if nested and os.path.isdir(child.path):
+            yield from _files(child.path, nested=False, below=f"{child.name}/")
+        elif not nested and suffix.lower() in _SUFFIXES and _is_file(child):
+            yield below + stem, child.path
+
+
+def _is_file(child: os.DirEntry[str]) -> bool:
+    """Whether a child of a folder can be read; most are files by what the folder says, and only links are looked at."""
+    return child.is_file(follow_symlinks=False) or os.path.isfile(child.path)

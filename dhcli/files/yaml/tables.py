@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 
 from dhcli.checking.tables.motions import Comparison
@@ -17,6 +16,7 @@ from dhcli.files.foreign.forms import Form, form_of
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
 from dhcli.files.yaml.robots import read_robot
+from dhcli.frozen import frozen
 from dhcli.kinematics.axes import Arm
 from dhcli.kinematics.conventions import COLUMNS, Convention
 from dhcli.kinematics.forward import put_in
@@ -31,7 +31,7 @@ _LENGTH = re.compile(r"[\d.)]\s{0,9}(mm|cm|m|in)\b")
 """The unit of a length behind its number."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Table:
     """A DH table from a file.
 

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, TypeAlias
 
 from dhcli.errors import RobotError, plural
+from dhcli.frozen import frozen
 from dhcli.kinematics.limits import warnings
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values
@@ -32,7 +33,7 @@ MOST_JOINTS = 7
 """Joints up to which it is."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class JacobianAnswer:
     """A Jacobian that somebody asked for.
 
@@ -53,7 +54,7 @@ class JacobianAnswer:
     warnings: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class SingularAnswer:
     """Where a robot is singular, and how it stands at some joint values.
 
@@ -74,7 +75,7 @@ class SingularAnswer:
     warnings: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class TorquesAnswer:
     """What the joints of a robot bear.
 
@@ -91,7 +92,7 @@ class TorquesAnswer:
     warnings: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class VelocityAnswer:
     """The velocity for joint rates, or the joint rates for a velocity.
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.velocity.form import Form
 from dhcli.kinematics.velocity.jacobian import moving_joints
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class JacobianRows:
     """What is wanted of each row of joint values.
 

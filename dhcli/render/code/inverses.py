@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from dhcli.algebra.arithmetic import evaluate
 from dhcli.algebra.tape import Number
 from dhcli.algebra.written import Lean, Written, written
+from dhcli.frozen import frozen
 from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive_levels import POSITION, ROTATION
 from dhcli.kinematics.inverse.derive_rules import Step
@@ -26,7 +26,7 @@ from dhcli.render.text.forward import frame_words
 _PI = re.compile(r"\bpi\b")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Stage:
     """A step in formulas that share their parts with all other steps.
 

@@ -149,14 +149,14 @@ def test_only_visible_yaml_files_are_listed(home: Path) -> None:
 def test_a_folder_that_cannot_be_read_does_not_stop_the_search(home: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Simulated, because the tests may run as root, who may read everything."""
     write(home / "work", "robots/a")
-    iterdir = Path.iterdir
+    scandir = os.scandir
 
     def refuse(folder: Path) -> object:
-        if folder == Path("robots"):
+        if Path(folder) == Path("robots"):
             raise PermissionError
-        return iterdir(folder)
+        return scandir(folder)
 
-    monkeypatch.setattr(Path, "iterdir", refuse)
+    monkeypatch.setattr(os, "scandir", refuse)
     assert find(Kind.ROBOTS, "scara").name == "scara.yaml"
 
 
