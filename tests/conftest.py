@@ -5,6 +5,7 @@ typer reads some of these variables when it is imported, so they are set here, b
 
 import os
 import signal
+import sys
 from collections.abc import Iterator
 from functools import cache
 from importlib.util import find_spec
@@ -32,11 +33,14 @@ _UNSET = (
     *("TYPER_STANDARD_TRACEBACK", "_TYPER_STANDARD_TRACEBACK", "TYPER_USE_RICH"),
     # a warning turned into an error by the caller would change what a command writes to stderr
     *("PYTHONDEVMODE", "PYTHONWARNINGS"),
+    # every worker, and every process that a test starts, would compile all of dhcli and of the tests for itself
+    "PYTHONDONTWRITEBYTECODE",
 )
 
 os.environ.update(_FIXED)
 for _name in _UNSET:
     os.environ.pop(_name, None)
+sys.dont_write_bytecode = False
 
 # A shell that starts the tests in the background has them ignore Ctrl-C, nohup has them ignore the end of a terminal,
 # and so would every process that a test stops.

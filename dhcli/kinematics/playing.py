@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import deque
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -61,17 +62,16 @@ def play(recording: Recording, q: NDArray[np.float64], found: NDArray[Any], thre
     """
     check_threads(threads)
     chunks = shares(len(q), threads)
-    with np.errstate(all="ignore"):
-        if is_ready(len(q)):
-            one = partial(_by_loop, recording, q, found)
-        elif len(q) <= FEW and _one_by_one(recording, q, found):
-            return
-        else:
-            one = partial(_by_columns, recording, q, found)
-        if threads == 1 or len(chunks) < 2:  # noqa: PLR2004  nothing to share
-            for chunk in chunks:
-                one(chunk)
-            return
+    if is_ready(len(q)):
+        one = partial(_by_loop, recording, q, found)
+    elif len(q) <= FEW and _one_by_one(recording, q, found):
+        return
+    else:
+        one = partial(_by_columns, recording, q, found)
+    if threads == 1 or len(chunks) < 2:  # noqa: PLR2004  nothing to share
+        for chunk in chunks:
+            one(chunk)
+    else:
         for _ in shared(partial(one, block=CHUNK), chunks, threads):
             pass
 
@@ -92,7 +92,8 @@ def _one_by_one(recording: Recording, q: NDArray[np.float64], found: NDArray[Any
         rows = [recording.one(row) for row in q.tolist()]
     except (ArithmeticError, ValueError):
         return False
-    found[...] = np.array(rows).reshape(found.shape)
+    with np.errstate(over="ignore"):  # what float32 does not hold is infinite in it
+        found[...] = np.array(rows).reshape(found.shape)
     return True
 
 
@@ -101,13 +102,16 @@ def _by_loop(
 ) -> None:
     """A chunk by the compiled loop; by numpy where that does not know a step, or an angle is too large for it."""
     rows, target = np.ascontiguousarray(q[chunk]), found[chunk]
-    merged = bool(rows.size == 0 or (rows.max() <= MODEST and rows.min() >= -MODEST))
-    kernel = recording.kernel(merged=merged)
     is_plain = target.flags.c_contiguous
     flat = (target if is_plain else np.empty(target.shape, target.dtype)).reshape(len(rows), -1)
-    if kernel is None or not kernel.play(rows, flat):
+    for merged, most in ((True, MODEST), (False, math.inf)):
+        kernel = recording.kernel(merged=merged)
+        if kernel is not None and kernel.play(rows, flat, most=most):
+            break
+    else:
         _by_columns(recording, q, found, chunk, block)
-    elif not is_plain:
+        return
+    if not is_plain:
         target[...] = flat.reshape(target.shape)
 
 
