@@ -30,7 +30,7 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("fk", "planar-2r", "-s", "--q", "theta1=90°", "--style", "full", "--let"),
     ("fk", "planar-2r", "-s", "--point", "1,a1,0", "--inverse"),
     ("fk", "planar-2r", "--code", "julia", "--with-values", "--q", "theta1=90°", "--inverse"),
-    ("ik", "planar-2r", "--code", "matlab"),
+    ("ik", "planar-2r", "--code", "matlab", "--with-values", "--set", "a1=0.5"),
     ("jacobian", "scara", "--code", "c", "--with-values", "--set", "l1=0.5", "--body"),
     ("fk", "planar-2r", "-s", "--factors", "1", "--format", "sympy"),
     ("fk", "stanford", "-s", "--frames"),

@@ -38,9 +38,7 @@ _ONLY_IN_SPACE = frozenset(
 _ONLY_OF_ARMS = frozenset({"cloud", "dim-head", "slide-head", "turn-head", "halo", "plate", "hatch", "break", "hand"})
 _ONLY_OF_ARMS |= {name for name in LOOKS if name[0] in "xyz" or LOOKS[name].stroke in ("dim", "turn")}
 _ONLY_OF_ARMS |= {"pin-ground", "ground-line", "hatch-line", "extension"}
-_NEVER = frozenset(
-    {f"density-{level}" for level in range(1, 6)} | {"rule", "moment", "theirs", "theirs-head", "theirs-mark"}
-)
+_NEVER = frozenset({"rule", "moment", *(name for name in LOOKS if name.startswith(("density", "theirs")))})
 
 _FIGURE = '<svg id="figure" viewBox="0 0 820 640" tabindex="0" role="img" aria-label="{label}"></svg>'
 
@@ -140,7 +138,7 @@ def _read(name: str) -> str:
 
 def _colours(scripts: tuple[str, ...], *, dark: bool) -> str:
     """The colours as variables, by day and by night."""
-    left_out = {"theirs", *(f"density-{level}" for level in (1, 2, 3, 5))}
+    left_out = {"theirs", "theirs-pale", *(f"density-{level}" for level in (1, 2, 3, 5))}
     left_out |= set() if "arm" in scripts else {"hand", "y", "turn", "density-4"}
     inks = {name: ink for name, ink in COLOURS.items() if name not in left_out}
     day, night = ("".join(f"--{name}:{ink[column]};" for name, ink in inks.items()) for column in (0, 1))

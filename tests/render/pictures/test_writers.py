@@ -20,6 +20,8 @@ from dhcli.mobility.linkage import Linkage
 from dhcli.render.paper import Paper
 from dhcli.render.pictures.looks import LOOKS, TEXTS
 from dhcli.render.pictures.picture import Picture
+from dhcli.render.pictures.terminal import terminal
+from dhcli.scene.shapes import Figure, Shape
 from tests.scene.examples import LINKAGES, odd_robots
 
 NAMES = ("puma560", "planar-2r", "spherical-wrist", "stanford", "planar-four-bar", "planetary-gear", "stewart-gough")
@@ -199,6 +201,19 @@ def test_labels_in_the_terminal_stand_whole_and_beside_each_other() -> None:
     plain = _picture("scara").terminal(Paper(100, unicode=False))
     for label in ("theta1", "l1", "z0", "x2"):
         assert label in plain
+
+
+@pytest.mark.parametrize("unicode", [True, False])
+def test_an_axis_of_both_tables_differs_from_that_of_one_in_letters_too(*, unicode: bool) -> None:
+    """Also without colour: one between the two sides of a wide one, or a dash for every second colon."""
+    looks = {"theirs": ("theirs-axis",), "ours": ("x",), "both": ("theirs-axis", "x")}
+    letters = {}
+    for name, own in looks.items():
+        shapes = tuple(Shape(((20.0, 69.0), (180.0, 69.0)), look) for look in own)
+        letters[name] = terminal(Figure(200, 160, shapes, ()), Paper(25, unicode=unicode)).strip()
+    assert len(set(letters.values())) == 3
+    if not unicode:
+        assert set(letters["both"]) == set(letters["theirs"]) | set(letters["ours"]) == {":", "-"}
 
 
 def test_colour_is_only_where_the_paper_has_it() -> None:
