@@ -5,8 +5,10 @@ typer reads some of these variables when it is imported, so they are set here, b
 
 import os
 import signal
+import sys
 from collections.abc import Iterator
 from functools import cache
+from importlib.util import find_spec
 from itertools import count
 from pathlib import Path
 
@@ -31,11 +33,14 @@ _UNSET = (
     *("TYPER_STANDARD_TRACEBACK", "_TYPER_STANDARD_TRACEBACK", "TYPER_USE_RICH"),
     # a warning turned into an error by the caller would change what a command writes to stderr
     *("PYTHONDEVMODE", "PYTHONWARNINGS"),
+    # every worker, and every process that a test starts, would compile all of dhcli and of the tests for itself
+    "PYTHONDONTWRITEBYTECODE",
 )
 
 os.environ.update(_FIXED)
 for _name in _UNSET:
     os.environ.pop(_name, None)
+sys.dont_write_bytecode = False
 
 # A shell that starts the tests in the background has them ignore Ctrl-C, nohup has them ignore the end of a terminal,
 # and so would every process that a test stops.
@@ -82,3 +87,15 @@ def user_data(monkeypatch: pytest.MonkeyPatch, homes: Iterator[Path]) -> Path:
     monkeypatch.setenv("XDG_CACHE_HOME", f"{folder}-cache")
     monkeypatch.delenv("DHCLI_PATH", raising=False)
     return folder
+
+
+_NEEDS_ORJSON = pytest.mark.skipif(find_spec("orjson") is None, reason="the extra [fast] is not installed")
+
+
+@pytest.fixture(params=["Python", pytest.param("orjson", marks=_NEEDS_ORJSON)])
+def json_by(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Numbers are read and written in the plain way, and by orjson where it is installed."""
+    from dhcli.notation import decimals  # numpy, which few tests need
+
+    if request.param == "Python":
+        monkeypatch.setattr(decimals, "quick_json", lambda: None)

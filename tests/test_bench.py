@@ -114,8 +114,8 @@ def test_the_other_ways_of_many_poses_have_their_rows(monkeypatch: pytest.Monkey
 
     monkeypatch.setattr(poses, "find_spec", lambda name: None)
     monkeypatch.setattr(poses, "PEERS", poses.PEERS[:1])
-    rows = [*poses.threads(1, sizes=(50,)), *poses.sweeps(1, counts=(4,))]
-    assert [row.work for row in rows] == ["5e1 poses of puma560", "a grid of 4x4x4"]
+    rows = [*poses.threads(1, sizes=(50,), count=3), *poses.sweeps(1, counts=(4,))]
+    assert [row.work for row in rows] == ["5e1 poses of puma560", "a grid of 3x3x3", "a grid of 4x4x4"]
     assert all(row.pairs for row in rows)
     assert [row.peer for row in poses.fast(1, sizes=(50,))] == ["numba"]
     assert [row.peer for row in arrays.rows(1, sizes=(50,))] == ["JAX, jit and vmap", "PyTorch Kinematics"]
@@ -162,6 +162,48 @@ def test_what_takes_long_is_measured_once(monkeypatch: pytest.MonkeyPatch) -> No
     row = measure.side_by_side("work", *tasks, lambda ours, theirs: True, rounds=2)
     assert len(calls) == 8
     assert row.cells()[6] == "one pair"
+
+
+def test_rounds_are_fewer_where_they_would_take_long(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As many as the time allows, one at least."""
+    import measure
+
+    times = iter([(0.5, None), (0.5, None)] * 2)
+    monkeypatch.setattr(measure, "timed", lambda work: next(times))
+    monkeypatch.setattr(measure, "seconds", lambda work, often: 0.5)
+    task = measure.Task("", lambda: None)
+    for longest, count in ((3.0, 3), (1.2, 1)):
+        monkeypatch.setattr(measure, "LONGEST", longest)
+        assert len(measure.side_by_side("work", task, task, lambda ours, theirs: True, rounds=5).pairs) == count
+
+
+def test_where_dhcli_is_behind_is_said() -> None:
+    """The furthest first; not where it is ahead, nor where there is no peer."""
+    from measure import Row, behind
+
+    rows = [Row("a", "ours", "x", ((2.0, 1.0),)), Row("b", "ours", "y", ((1.0, 2.0),))]
+    rows += [Row("c", "ours", "z", ((8.0, 2.0),)), Row("d", "ours", "none")]
+    assert behind(rows) == ["c, ours: 4.0 times z", "a, ours: 2.0 times x"]
+
+
+def test_a_processor_can_do_without_what_numpy_chooses_its_code_by() -> None:
+    """Where there is AVX-512, a program that is told so says that there is none, and has nothing more to do without."""
+    import processor
+
+    environment = processor.without_wide()
+    assert ("AVX-512" in processor.processor().split(", ")) is bool(environment)
+    if environment:
+        program = "import processor; print(processor.processor(), processor.without_wide())"
+        done = subprocess.run(
+            [sys.executable, "-c", program],
+            cwd=BENCH,
+            env=environment,
+            capture_output=True,
+            encoding="utf-8",
+            check=True,
+        )
+        assert "no AVX-512" in done.stdout
+        assert done.stdout.endswith("{}\n")
 
 
 @pytest.mark.parametrize(

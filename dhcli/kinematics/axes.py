@@ -13,10 +13,10 @@ from dhcli.frozen import frozen
 from dhcli.geometry.rigid import Rigid
 from dhcli.geometry.vectors import UNITS, Vector, cross, length, plus, scaled
 from dhcli.kinematics.fold import fold
-from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, expressions, names
+from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans, expressions, names
 from dhcli.notation.angle import Angle
 from dhcli.notation.factors import AXES
-from dhcli.notation.tree import Expr
+from dhcli.notation.tree import ZERO, Expr
 
 MOST_SEEN = 8
 """Points at which the axes of an arm are kept."""
@@ -72,6 +72,7 @@ class Arm:
     _seen: dict[object, tuple[tuple[Screw, ...], Rigid]] = field(
         default_factory=dict, init=False, repr=False, compare=False
     )
+    _sizes: dict[object, float] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     @classmethod
     def of(cls, chain: Chain, variables: tuple[str, ...]) -> Arm:
@@ -83,7 +84,7 @@ class Arm:
         movers: list[tuple[int, str]] = []
         every: set[str] = set()
         for index, move in enumerate(chain):
-            found = names((move,))
+            found = move.angle.names if isinstance(move, Rot) else names((move,))
             every |= found
             inside = found.intersection(variables)
             if len(inside) > 1 or not inside.isdisjoint(name for _, name in movers):
@@ -121,6 +122,18 @@ class Arm:
             start = index
             found.append(self._screw(name, self.chain[index], here, point))
         return tuple(found), here @ Rigid.of(fold(self.chain[start:], over))
+
+    def size(self, point: Point) -> float:
+        """Sum of all lengths in the zero pose [m], or one metre where there is none."""
+        key = tuple(point.items())
+        if key not in self._sizes:
+            if len(self._sizes) >= MOST_SEEN:
+                self._sizes.clear()
+            over = Floats({**point, **dict.fromkeys(self.variables, 0.0)})
+            fixed = (row[3] for move in self.chain if isinstance(move, Fixed) for row in move.rows)
+            others = (expr for move in self.chain if isinstance(move, Trans) for expr in move.offset)
+            self._sizes[key] = sum(abs(over.value(expr)) for expr in (*fixed, *others) if expr is not ZERO) or 1.0
+        return self._sizes[key]
 
     def columns(self, point: Point, q: Mapping[str, float], size: float) -> list[list[float]]:
         """Columns of the geometric Jacobian, without numpy.

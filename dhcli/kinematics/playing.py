@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import deque
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -61,17 +62,16 @@ def play(recording: Recording, q: NDArray[np.float64], found: NDArray[Any], thre
     """
     check_threads(threads)
     chunks = shares(len(q), threads)
-    with np.errstate(all="ignore"):
-        if is_ready(len(q)):
-            one = partial(_by_loop, recording, q, found)
-        elif len(q) <= FEW and _one_by_one(recording, q, found):
-            return
-        else:
-            one = partial(_by_columns, recording, q, found)
-        if threads == 1 or len(chunks) < 2:  # noqa: PLR2004  nothing to share
-            for chunk in chunks:
-                one(chunk)
-            return
+    if is_ready(len(q)):
+        one = partial(_by_loop, recording, q, found)
+    elif len(q) <= FEW and _one_by_one(recording, q, found):
+        return
+    else:
+        one = partial(_by_columns, recording, q, found)
+    if threads == 1 or len(chunks) < 2:  # noqa: PLR2004  nothing to share
+        for chunk in chunks:
+            one(chunk)
+    else:
         for _ in shared(partial(one, block=CHUNK), chunks, threads):
             pass
 
@@ -92,7 +92,8 @@ def _one_by_one(recording: Recording, q: NDArray[np.float64], found: NDArray[Any
         rows = [recording.one(row) for row in q.tolist()]
     except (ArithmeticError, ValueError):
         return False
-    found[...] = np.array(rows).reshape(found.shape)
+    with np.errstate(over="ignore"):  # what float32 does not hold is infinite in it
+        found[...] = np.array(rows).reshape(found.shape)
     return True
 
 
@@ -101,13 +102,16 @@ def _by_loop(
 ) -> None:
     """A chunk by the compiled loop; by numpy where that does not know a step, or an angle is too large for it."""
     rows, target = np.ascontiguousarray(q[chunk]), found[chunk]
-    merged = bool(rows.size == 0 or (rows.max() <= MODEST and rows.min() >= -MODEST))
-    kernel = recording.kernel(merged=merged)
     is_plain = target.flags.c_contiguous
     flat = (target if is_plain else np.empty(target.shape, target.dtype)).reshape(len(rows), -1)
-    if kernel is None or not kernel.play(rows, flat):
+    for merged, most in ((True, MODEST), (False, math.inf)):
+        kernel = recording.kernel(merged=merged)
+        if kernel is not None and kernel.play(rows, flat, most=most):
+            break
+    else:
         _by_columns(recording, q, found, chunk, block)
-    elif not is_plain:
+        return
+    if not is_plain:
         target[...] = flat.reshape(target.shape)
 
 
@@ -121,7 +125,7 @@ def _by_columns(
         for first in range(0, len(rows), length):
             part = rows[first : first + length]
             merged = bool(np.abs(part).max(initial=0.0) <= MODEST)
-            columns = _columns(recording.program(merged=merged, tangents=True), len(part))
+            columns = _columns(recording.program(merged=merged, tangents=True), _roomy(len(part)))
             results = columns.play(part.T).reshape(*target.shape[1:], -1)
             target[first : first + length] = np.moveaxis(results, -1, 0)
             _IDLE.append(columns)
@@ -131,6 +135,12 @@ def _length(program: Program) -> int:
     """Rows at a time of a program: fewer where it has so many columns that they would not fit the cache."""
     rows = min(BLOCK, max(FEWEST, CACHE // (8 * program.registers)))
     return rows - rows % 16 + 8  # an odd number of the lines of a cache
+
+
+def _roomy(rows: int) -> int:
+    """Rows of the columns for so many, an eighth more at most: so that one size serves calls that differ a little."""
+    step = max(16, 1 << rows.bit_length() >> 4)
+    return -(-rows // step) * step + 8
 
 
 def _columns(program: Program, length: int) -> Columns:

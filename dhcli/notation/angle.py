@@ -89,9 +89,10 @@ class Angle:
 
     def quarter_turns(self) -> int | None:
         """How many right angles this is, 0 to 3, or None if it is not a whole number of them."""
-        if self.terms or self.radians or self.degrees % 90:
+        if self.terms or self.radians or self.degrees.denominator != 1:
             return None
-        return int(self.degrees // 90) % 4
+        quarters, rest = divmod(self.degrees.numerator, 90)
+        return None if rest else quarters % 4
 
     def substitute(self, values: Mapping[str, Angle]) -> Angle:
         """The same sum with some names replaced by their angles."""

@@ -15,6 +15,8 @@ import pytest
 from dhcli import forward, load_robot
 from tests.cli.running import Run
 
+pytestmark = pytest.mark.usefixtures("json_by")
+
 POSIX = pytest.mark.skipif(os.name != "posix", reason="streams and signals as POSIX has them")
 MATRIX = "r11,r12,r13,p_x,r21,r22,r23,p_y,r31,r32,r33,p_z"
 GOOD = "theta1,theta2,d3\n0.3,0.5,0.1\n-0.2,1.5,0\n"

@@ -168,7 +168,7 @@ def test_other_lengths_are_recorded_by_themselves() -> None:
 
 
 def test_columns_that_nobody_uses_are_used_again(monkeypatch: pytest.MonkeyPatch) -> None:
-    """One call after another makes them once; how many are idle is bounded."""
+    """One call after another makes them once, and so do calls of nearly as many rows; how many are idle is bounded."""
     made = []
     plain = playing.Columns
     monkeypatch.setattr(playing, "Columns", lambda *given: made.append(1) or plain(*given))
@@ -177,8 +177,10 @@ def test_columns_that_nobody_uses_are_used_again(monkeypatch: pytest.MonkeyPatch
     robot = load_robot("scara")
     for _ in range(3):
         forward_batch(robot, np.zeros((FEW + 1, 3)))
-    assert len(made) == 1
     for count in range(FEW + 1, FEW + 9):
+        forward_batch(robot, np.zeros((count, 3)))
+    assert len(made) == 1
+    for count in range(50, 500, 50):
         forward_batch(robot, np.zeros((count, 3)))
     assert len(playing._IDLE) == 2
 

@@ -105,7 +105,7 @@ class FramesQuestion(Question[Answer]):
 
     def steps(self, case: Case) -> Iterable[Shown]:
         sketch = self._rules(case).sketch
-        speaker = Speaker(sketch.walked, self.convention, sketch.robot.first, sketch.robot.writing)
+        speaker = Speaker(sketch.walked, self.convention, sketch.robot.first, sketch.robot.writing, sketch.measured)
         yield from map(Shown, written(speaker.drawn()))
         rows = (frame_text(frame, case.exercise) for frame in sketch.frames)
         lines = (f"frame {number}: {row}" for number, row in enumerate(rows, sketch.first))

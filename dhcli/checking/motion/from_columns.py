@@ -227,7 +227,8 @@ def axes_step(case: Case, columns: Columns) -> Shown:
         if exercise.numeric and not frozenset().union(*map(symbols, entries)) - exercise.values.keys():
             arithmetic = Floats(numbers(exercise.values))
             return ", ".join(rounded(arithmetic.value(one) / scale_of(exercise, power)) for one in entries)
-        return ", ".join(write(one, "short", exercise.writing) for one in entries)
+        shown = map(exercise.on_sheet, entries) if power == 1 else entries
+        return ", ".join(write(one, "short", exercise.writing) for one in shown)
 
     lines = [f"Vectors along the axes of frame {columns.view.axes}; p = ({vector(columns.point, 1)})"]
     for one in columns.each:

@@ -55,6 +55,13 @@ class Grid:
         """The entries at the values of an exercise, lengths in metres."""
         return over(self.rows, Floats(numbers(exercise.values)))
 
+    def on_sheet(self, exercise: Exercise) -> Rows:
+        """The entries in symbols as a sheet has them: bare numbers of lengths in its unit."""
+        return tuple(
+            tuple(exercise.on_sheet(entry) if power == 1 else entry for entry, power in zip(row, powers, strict=True))
+            for row, powers in zip(self.rows, self.powers, strict=True)
+        )
+
     def is_same_for_all(self, row: int, column: int) -> bool:
         """Whether an entry is 0, or a direction cosine of ±1, in symbols, so that it earns nothing."""
         entry = self.rows[row][column]
@@ -88,7 +95,7 @@ class Grid:
     def text(self, exercise: Exercise, position: float | None, rotation: float, style: str = "short") -> Sequence[str]:
         """The entries row by row as a person types them; numbers with as many digits as the tolerance needs."""
         if not exercise.numeric:
-            return [write(entry, style, exercise.writing) for row in self.rows for entry in row]
+            return [write(entry, style, exercise.writing) for row in self.on_sheet(exercise) for entry in row]
         limits = self.limits(exercise, position, rotation)
         triples = zip(self.numbers(exercise), self.powers, limits, strict=True)
         return [

@@ -278,7 +278,7 @@ class MotionQuestion(Question[Entries]):
         """A step with a table: in numbers in the unit of the sheet."""
         exercise = case.exercise
         if not exercise.numeric or grid.names - exercise.values.keys():
-            return Shown(text, grid.rows)
+            return Shown(text, grid.on_sheet(exercise))
         pairs = zip(grid.numbers(exercise), grid.powers, strict=True)
         return Shown(
             text,

@@ -113,9 +113,9 @@ class Target:
         """What is given, as a sheet says it: its numbers."""
         start, end = self.ends(exercise.robot)
         seen = f"frame {end} seen from frame {start}"
-        if self.names - exercise.values.keys():
+        if self.names - exercise.known.keys():
             return f"the {self.task} {self.text} of {seen}"
-        rows, per = self.rows(exercise.values), float(exercise.metres)
+        rows, per = self.rows(exercise.known), float(exercise.metres)
         place = ", ".join(_short(row[3] / per) for row in rows[:3])
         unit = "" if exercise.unit == "none" else f" {exercise.unit}"
         if self.task == "position":
@@ -232,7 +232,7 @@ def solutions(case: Case, target: Target) -> Solutions:
 
     def solved() -> Solutions:
         exercise = case.exercise
-        return solve(needed(exercise.robot), target, exercise.values, target.rows(exercise.values))
+        return solve(needed(exercise.robot), target, exercise.known, target.rows(exercise.known))
 
     return case.memo.of(("solutions", target), solved)
 

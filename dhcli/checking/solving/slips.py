@@ -121,7 +121,7 @@ def _of_formulas(question: WantedJoints, case: Case, field: Range) -> Iterator[t
     entries |= {f"p{axis}": field.rows[i][3] for i, axis in enumerate("xyz")}
 
     def vectors(one: object) -> list[Joints]:
-        found = values_at(one, field.robot, case.exercise.values, entries)  # type: ignore[arg-type]
+        found = values_at(one, field.robot, case.exercise.known, entries)  # type: ignore[arg-type]
         rows = [[q[name] for name in field.joints] for q in found if all(n in q for n in field.joints)]
         return [tuple(map(_wrapped, field.joints, row)) for row in rows]
 
@@ -142,7 +142,7 @@ def _of_pose(case: Case, field: Range) -> Iterator[tuple[Slip, list[Joints]]]:
 
     def found(other: Robot, pose: Rows, **changes: object) -> list[Joints]:
         try:
-            answer = solve(other, replace(target, **changes), case.exercise.values, pose)  # type: ignore[arg-type]
+            answer = solve(other, replace(target, **changes), case.exercise.known, pose)  # type: ignore[arg-type]
         except DhcliError:
             return []
         return [tuple(float(row[k]) for k in at) for row in answer.q]

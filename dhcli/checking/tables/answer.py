@@ -12,7 +12,7 @@ from dhcli.checking.tables.comparing import LITERAL, SAME_MOTION
 from dhcli.checking.tables.freedoms import Drawn, Slack, end_freedoms, frame_freedoms, joint_freedoms
 from dhcli.checking.tables.motions import LARGEST, Comparison, Outcome, is_but_for_end
 from dhcli.checking.tables.right import RightArm
-from dhcli.checking.tables.samples import Values, size_of_arm
+from dhcli.checking.tables.samples import Values
 from dhcli.checking.tables.typed_rows import TypedRow, misplaced, variable_of
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import CellMark, Verdict, worst
@@ -149,7 +149,7 @@ class TableAnswer:
     def is_oversized(self, outcome: Outcome) -> bool:
         """Whether lengths were typed that no robot of this size has."""
         arm = self.arm(self.plain, self.convention)
-        return not size_of_arm(arm, outcome.point) <= LARGEST * outcome.size
+        return not arm.size(outcome.point) <= LARGEST * outcome.size
 
     def is_right(self, rows: tuple[Row, ...]) -> bool:
         """Whether other rows in the place of these would be right."""

@@ -43,7 +43,7 @@ def jacobian_layout(wanted: JacobianRows, *, index: bool) -> Layout:
     """The columns: row by row, `v_x_theta1`, `v_x_theta2`; JSON Lines nests them."""
     labels, joints = wanted.layout
     heads = tuple(f"{label.replace('ω', 'w')}_{joint}".replace("'", "") for label in labels for joint in joints)
-    row = f"[{', '.join(['%r'] * len(joints))}]"
+    row = f"[{', '.join(['%s'] * len(joints))}]"
     group = Group("matrix", heads, f"[{', '.join([row] * len(labels))}]")
     return Layout((INDEX, group)) if index else Layout((group,), (len(labels), len(joints)))
 
