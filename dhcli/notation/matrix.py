@@ -17,6 +17,7 @@ from dhcli.notation.scaled import times, without_factor
 from dhcli.notation.scope import OPEN, Scope
 from dhcli.notation.tokens import MOST_CHARACTERS, Source, Token, tokenize
 from dhcli.notation.tree import Expr
+from dhcli.regex import regex
 
 MOST_CELLS = 256
 MOST_WRAPPINGS = 8
@@ -30,7 +31,7 @@ LONGEST = 64 * 2000
 _WRAPPERS = frozenset(("array", "matrix", "Matrix", "mat"))
 _ENVIRONMENTS = frozenset(("bmatrix", "pmatrix", "matrix", "Bmatrix", "vmatrix", "smallmatrix", "array"))
 _OPENING = {"(": ")", "[": "]", "{": "}"}
-_COMMENT = re.compile(r"^[ \t]*[%#].*$", re.MULTILINE)
+_COMMENT = regex(r"^[ \t]*[%#].*$", re.MULTILINE)
 """A line that MATLAB or numpy would skip, such as the heading of dhcli's own output."""
 
 
