@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from typing import Literal
 
 from dhcli.errors import NotationError, Place, Problem
@@ -123,6 +124,13 @@ class Source:
         return NotationError(Problem(message, place, hint))
 
 
+def spelling(tokens: Iterable[Token]) -> str:
+    """Some tokens as one text, the same for those that are read alike."""
+    return "\0".join(
+        [f"{token.kind} {token.text}" if token.spaced else f"{token.kind}{token.text}" for token in tokens]
+    )
+
+
 def is_name(text: str) -> bool:
     """Whether a text is one name: letters and digits, with an index behind it if need be."""
     return _NAME.fullmatch(text.removeprefix("\\")) is not None
@@ -143,24 +151,26 @@ def tokenize(source: Source, *, decimal_comma: bool = False, most: int = MOST_CH
     if len(text) > most:
         raise source.error(most, f"{len(text)} characters are more than the {most} that are read")
     tokens: list[Token] = []
-    position, spaced, depth = 0, False, 0
-    while position < len(text):
+    position, spaced, depth, length = 0, False, 0, len(text)
+    while position < length:
         match = _PIECE.match(text, position)
         kind = match.lastgroup if match else None
-        if match and kind in ("blank", "module"):
+        if match and kind == "sign":
+            end, sign = match.end(), _SIGNS[match[0]]
+            if decimal_comma:
+                depth += (sign in "([{") - (sign in ")]}")
+            tokens.append(Token("sign", sign, position, end, spaced))
+            position, spaced = end, False
+        elif match and kind == "word":
+            end, word = match.end(), match[0]
+            tokens.append(Token("word", word if word.isascii() else word.translate(_LOWERED), position, end, spaced))
+            position, spaced = end, False
+        elif match and kind == "number" and (depth or not decimal_comma):
+            end = match.end()
+            tokens.append(Token("number", match[0], position, end, spaced))
+            position, spaced = end, False
+        elif match and kind in ("blank", "module"):
             position, spaced = match.end(), spaced or kind == "blank"
-        elif match and (kind == "word" or (kind == "number" and not (decimal_comma and depth == 0))):
-            tokens.append(
-                Token(
-                    "word" if kind == "word" else "number", match[0].translate(_LOWERED), position, match.end(), spaced
-                )
-            )
-            position, spaced = match.end(), False
-        elif match and kind == "sign":
-            sign = _SIGNS[match[0]]
-            depth += (sign in "([{") - (sign in ")]}")
-            tokens.append(Token("sign", sign, position, match.end(), spaced))
-            position, spaced = match.end(), False
         else:
             found, position = _rare(source, position, spaced=spaced)
             tokens += found
