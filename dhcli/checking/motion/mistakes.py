@@ -217,24 +217,23 @@ def cross_reversed(columns: Columns) -> Made:
 )
 def own_angle_only(columns: Columns) -> Made:
     """c12 by theta2 alone."""
-    order = [one.joint for one in columns.each]
+    yield from differentiated(columns, _by_the_last)
 
-    def slope(trig: Trig, name: str) -> Expr:
-        joints = [joint for joint in order if joint in trig.angle.names]
-        return derivative(trig, name) if joints and joints[-1] == name else number(0)
 
-    yield from differentiated(columns, slope)
+def _by_the_last(trig: Trig, name: str, joints: tuple[str, ...]) -> Expr:
+    inside = [joint for joint in joints if joint in trig.angle.names]
+    return derivative(trig, name) if inside and inside[-1] == name else number(0)
 
 
 @IN_COLUMNS("cosine-sign", "the derivative of a cosine has the wrong sign", "what is the derivative of a cosine?")
 def cosine_sign(columns: Columns) -> Made:
     """Plus sine for the derivative of a cosine."""
+    yield from differentiated(columns, _with_plus)
 
-    def slope(trig: Trig, name: str) -> Expr:
-        found = derivative(trig, name)
-        return negate(found) if trig.function == "cos" else found
 
-    yield from differentiated(columns, slope)
+def _with_plus(trig: Trig, name: str, _joints: tuple[str, ...]) -> Expr:
+    found = derivative(trig, name)
+    return negate(found) if trig.function == "cos" else found
 
 
 @IN_COLUMNS(
