@@ -59,17 +59,17 @@ class PoseRows:
         points = ([floats.value(length) for length in view.coordinates] for view in self.views)
         object.__setattr__(self, "_made", tuple(zip(recordings, points, strict=True)))
 
-    def poses(self, q: NDArray[np.float64], jobs: int = 1) -> NDArray[np.float64]:
+    def poses(self, q: NDArray[np.float64], threads: int = 1) -> NDArray[np.float64]:
         """The poses, shape (N, F, 4, 4), NaN where one is not a real number.
 
         Args:
             q: Joint values, shape (N, n); radians and metres.
-            jobs: How many threads share the work.
+            threads: How many threads share the work.
         """
         poses = np.empty((len(q), len(self.views), 4, 4))
         for k, (recording, point) in enumerate(self._made):
             out = poses[:, k]
-            play(recording, q, out, jobs)
+            play(recording, q, out, threads)
             if any(point):
                 out[:, :3, 3] += out[:, :3, :3] @ np.array(point)
         return poses

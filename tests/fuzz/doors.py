@@ -35,7 +35,7 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("fk", "planar-2r", "-s", "--factors", "1", "--format", "sympy"),
     ("fk", "stanford", "-s", "--frames"),
     ("fk", "stanford", "--links", "--q", "0,0,0.2,0,0,0", "--format", "csv"),
-    ("fk", "scara", "--in", "q.csv", "--ignore-columns", "--skip-bad", "--index", "--deg"),
+    ("fk", "scara", "--in", "q.csv", "--ignore-columns", "--skip-bad", "--index", "--deg", "--jobs", "2"),
     ("fk", "scara", "--pose", "pick", "-o", "out.m", "--overwrite"),
     (
         "sweep",
