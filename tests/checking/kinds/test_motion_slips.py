@@ -10,8 +10,9 @@ import pytest
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Case
-from dhcli.checking.judge import Judge, SheetMark
+from dhcli.checking.judge import Judge
 from dhcli.checking.kinds.made import question_about
+from dhcli.checking.marked import SheetMark
 from dhcli.checking.motion import differentiated
 from dhcli.checking.motion.from_columns import ColumnsQuestion
 from dhcli.checking.verdicts import Verdict
