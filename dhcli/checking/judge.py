@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
@@ -17,8 +16,9 @@ from dhcli.errors import DhcliError, NotationError, Place, UnknownNameError, did
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Value
 from dhcli.kinematics.validity import Finding
+from dhcli.regex import regex
 
-BLANK = re.compile(r"[\s\[\](){},;.…_?–-]*")  # noqa: RUF001
+BLANK = regex(r"[\s\[\](){},;.…_?–-]*")  # noqa: RUF001
 MISPRINT = Slip("misprint", MISPRINTED, "the document may be wrong: work it out yourself")
 
 

@@ -203,7 +203,7 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("check", "./motors.yaml", "--motors", "--pose", "folded", "--entry", "1,4", "--answer", "0"),
     ("describe", "ur5e", "--as", "standard", "--straighten", "0.01°", "--format", "json"),
     ("describe", "./motors.yaml", "--as", "motors"),
-    ("draw", "yim/planar-in-numbers", "--variant", "alice", "--solution", "--worksheet", "-o", "w.svg"),
+    ("draw", "yim/planar-in-numbers", "--variant", "alice", "--solution", "--yes", "--worksheet", "-o", "w.svg"),
     ("ik", "planar-2r", "--q", "10,20", "--deg", "--set", "a1=1", "--task", "position", "--from", "0", "--to", "2"),
     ("ik", "puma560", "--pose", "ready", "--near", "ready", "--branch", "elbow up", "--within-limits", "--digits", "3"),
     ("ik", "puma560", "--target", "Trans(0.4,0.15,0.3) Rot(y,90°)", "--all-turns", "--format", "json", "-o", "i.json"),

@@ -208,16 +208,12 @@ class _Compared:
 
     def with_one_slip(self) -> list[Candidate]:
         """The slips with just the motion typed."""
-        first, rows = self._motions.benches[0], self._motions.rows(self._typed[0])
-        likely = (
-            one
-            for one, place in zip(self._slips.every, self._slips.places, strict=True)
-            if (place is None or place[0] != place[1] or place[0] in rows)
-            and matches(self._typed[0], first.matrix(one.work), self._slack)
-        )
-        return [
-            one for one in likely if self._agrees(one.work, self._typed) and not self._agrees(one.work, self._right)
-        ]
+        rows, found = self._motions.rows(self._typed[0]), []
+        for one, place in zip(self._slips.every, self._slips.places, strict=True):
+            is_likely = place is None or place[0] != place[1] or place[0] in rows
+            if is_likely and self._agrees(one.work, self._typed) and not self._agrees(one.work, self._right):
+                found.append(one)
+        return found
 
     def by_row(self) -> tuple[tuple[Candidate, ...], ...]:
         """The slips behind each wrong row."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Sequence
 from typing import ClassVar, Self
 
@@ -30,8 +29,9 @@ from dhcli.notation.scope import Scope
 from dhcli.notation.tree import PI, Expr, multiply, number, power
 from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write
+from dhcli.regex import regex
 
-_HEAD = re.compile(
+_HEAD = regex(
     r"joint\s+rates\s+for\s*(?P<linear>\([^()]*(?:\([^()]*\)[^()]*)*\))?(?:\s*angular\s*(?P<angular>\(.*\)))?"
 )
 

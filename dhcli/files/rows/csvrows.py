@@ -14,14 +14,15 @@ from dhcli.files.rows.blocks import Block, Sieve, cell_problem
 from dhcli.files.rows.cells import CellError, is_number, plain_table, read_cell
 from dhcli.files.rows.columns import JointColumns, JointTable
 from dhcli.files.rows.source import Source, text_blocks
+from dhcli.regex import regex
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-_DECLARED = re.compile(r'\s*"?sep=(?P<sign>[;,\t|])"?\s*', re.IGNORECASE)
+_DECLARED = regex(r'\s*"?sep=(?P<sign>[;,\t|])"?\s*', re.IGNORECASE)
 """The line with which Excel says what stands between cells."""
 
-_BETWEEN_BLANKS = re.compile(r"\S+(?:[ ]{1,40}[\[(][^\])]{0,40}[\])])?")
+_BETWEEN_BLANKS = regex(r"\S+(?:[ ]{1,40}[\[(][^\])]{0,40}[\])])?")
 """A cell between blanks; a unit may stand apart from its name."""
 
 
