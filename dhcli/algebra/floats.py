@@ -27,9 +27,16 @@ class Floats:
         values = values or {}
         self._angles = {name: value for name, value in values.items() if isinstance(value, Angle)}
         self._floats = {name: float(value) for name, value in values.items() if not isinstance(value, Angle)}
+        self._known: dict[Angle, tuple[float | int, float | int]] = {}
 
     def cos_sin(self, angle: Angle) -> tuple[float | int, float | int]:
         """Cosine and sine; exact where the angle is exact, NaN where it is too large."""
+        known = self._known.get(angle)
+        if known is None:
+            known = self._known[angle] = self._cos_sin(angle)
+        return known
+
+    def _cos_sin(self, angle: Angle) -> tuple[float | int, float | int]:
         try:
             angle = angle.substitute(self._angles)
         except OverflowError:  # so small a part of a sum that it has no exact form
