@@ -10,7 +10,7 @@ from dhcli.checking.pasted import WrongUnitError
 from dhcli.checking.tables.cells import given_values, mark_cells, own_values, settled
 from dhcli.checking.tables.comparing import LITERAL, SAME_MOTION
 from dhcli.checking.tables.freedoms import Drawn, Slack, end_freedoms, frame_freedoms, joint_freedoms
-from dhcli.checking.tables.motions import LARGEST, TwoArms, Outcome, is_but_for_end
+from dhcli.checking.tables.motions import LARGEST, Outcome, TwoArms, is_but_for_end
 from dhcli.checking.tables.right import RightArm
 from dhcli.checking.tables.samples import Values
 from dhcli.checking.tables.typed_rows import TypedRow, misplaced, variable_of
