@@ -71,6 +71,26 @@ class Rigid:
             ends.append(r * x + s * y + t * z + end)
         return Rigid((rows[0], rows[1], rows[2]), (ends[0], ends[1], ends[2]))
 
+    def then_turned(self, plane: tuple[int, int], cos: float, sin: float) -> Rigid:
+        """The motion with a turn behind it, in its own frame.
+
+        Args:
+            plane: The two coordinates that the turn mixes, in the order of its positive sense.
+            cos: Cosine of the angle.
+            sin: Sine of the angle.
+        """
+        first, second = plane
+        rows = [list(row) for row in self.rows]
+        for row in rows:
+            u, v = row[first], row[second]
+            row[first], row[second] = u * cos + v * sin, v * cos - u * sin
+        (a, b, c), (d, e, f), (g, h, i) = rows
+        return Rigid(((a, b, c), (d, e, f), (g, h, i)), self.offset)
+
+    def then_shifted(self, by: Vector) -> Rigid:
+        """The motion with a translation behind it, in its own frame."""
+        return Rigid(self.rows, self.moved(by))
+
     def inverse(self) -> Rigid:
         """The motion that undoes this one."""
         return Rigid.of(inverse(self.motion, _dot))

@@ -102,11 +102,6 @@ def test_poses_out_of_reach_have_no_row_and_are_counted(dhcli: Run) -> None:
         (("--in", "-"), "", "standard input: is empty"),
         (("--in", "-"), "p_x,p_y,p_z,q_w,q_x,q_y,q_z\n1,2,3,0,0,0,0\n", "are all 0: that is no quaternion"),
         (("--in", "-"), '{"position": [1, 0, 0], "orientation": [1]}\n', "orientation beside a position"),
-        (
-            ("--in", "-"),
-            '{"position": [0.5, 0, 0]}\n{"position": [0.5, 0, 0], "rpy": [0, 0, 0]}\n',
-            "standard input:2: is a whole pose, and the rows before it are positions",
-        ),
         (("--in", "-", "--format", "json"), "p_x,p_y,p_z\n", "jsonl has one object a row"),
     ],
 )

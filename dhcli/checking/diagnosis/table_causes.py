@@ -21,7 +21,7 @@ from dhcli.checking.returned import Causes
 from dhcli.checking.tables.answer import ends_on_axis, robot_of
 from dhcli.checking.tables.cells import given_values, own_values
 from dhcli.checking.tables.comparing import SAME_ROBOT, compare_of
-from dhcli.checking.tables.motions import Comparison
+from dhcli.checking.tables.motions import TwoArms
 from dhcli.checking.tables.right import RightArm
 from dhcli.checking.tables.samples import Values, has_numbers
 from dhcli.checking.tolerance import DEFAULT, Tolerance
@@ -117,7 +117,7 @@ class _Slips:
         robot = self._robot
         end_free = robot.convention is Convention.MODIFIED and not ends_on_axis(robot)
         typed = Arm.of(chain, robot.variables)
-        compared_with = Comparison(self._forth, typed, tolerance)
+        compared_with = TwoArms(self._forth, typed, tolerance)
         found = []
         for index in self._mendable(typed):
             candidate = self.every[index]
@@ -141,8 +141,8 @@ class _Slips:
         """
         if has_numbers(typed.chain) or has_numbers(self._forth.arm.chain):
             return range(len(self.every))
-        before = Comparison(self._forth, typed, DEFAULT).reach()
-        behind = Comparison(self._back, Arm.of(inverse(typed.chain), self._robot.variables), DEFAULT).reach()
+        before = TwoArms(self._forth, typed, DEFAULT).reach()
+        behind = TwoArms(self._back, Arm.of(inverse(typed.chain), self._robot.variables), DEFAULT).reach()
         rows = [self._row_of(name) for name in self._forth.arm.variables]
 
         def fits(first: int, last: int) -> bool:
@@ -208,16 +208,12 @@ class _Compared:
 
     def with_one_slip(self) -> list[Candidate]:
         """The slips with just the motion typed."""
-        first, rows = self._motions.benches[0], self._motions.rows(self._typed[0])
-        likely = (
-            one
-            for one, place in zip(self._slips.every, self._slips.places, strict=True)
-            if (place is None or place[0] != place[1] or place[0] in rows)
-            and matches(self._typed[0], first.matrix(one.work), self._slack)
-        )
-        return [
-            one for one in likely if self._agrees(one.work, self._typed) and not self._agrees(one.work, self._right)
-        ]
+        rows, found = self._motions.rows(self._typed[0]), []
+        for one, place in zip(self._slips.every, self._slips.places, strict=True):
+            is_likely = place is None or place[0] != place[1] or place[0] in rows
+            if is_likely and self._agrees(one.work, self._typed) and not self._agrees(one.work, self._right):
+                found.append(one)
+        return found
 
     def by_row(self) -> tuple[tuple[Candidate, ...], ...]:
         """The slips behind each wrong row."""

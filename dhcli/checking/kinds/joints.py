@@ -21,11 +21,12 @@ from dhcli.frozen import frozen
 from dhcli.kinematics.validity import Finding
 from dhcli.notation.angle import Angle
 from dhcli.notation.scope import Scope
+from dhcli.regex import regex
 
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.solutions import Solutions
 
-_WHICH = re.compile(
+_WHICH = regex(
     r"(?P<limits>within\s+limits\s*)?(?:(?P<all>all)|(?P<any>any)|branch\s+(?P<branch>[\w +,-]+))?", re.DOTALL
 )
 Vectors = tuple[Vector, ...]

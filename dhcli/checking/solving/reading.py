@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Sequence
 
 from dhcli.algebra.floats import Floats
@@ -22,9 +21,10 @@ from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_length
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
+from dhcli.regex import regex
 
-_LABEL = re.compile(r"(?P<name>[^\W\d]\w*)\s*=(?!=)")
-_TEXT = re.compile(r"\A\s*(?P<name>[^\W\d]\w*)\s*=\s*(?=\[)")
+_LABEL = regex(r"(?P<name>[^\W\d]\w*)\s*=(?!=)")
+_TEXT = regex(r"\A\s*(?P<name>[^\W\d]\w*)\s*=\s*(?=\[)")
 
 
 @frozen

@@ -217,6 +217,7 @@ WithValues: TypeAlias = Annotated[
         rich_help_panel="Output",
     ),
 ]
+Untried: TypeAlias = Annotated[bool, typer.Option("--yes", help="Show parts that were never tried, too.")]
 Let: TypeAlias = Annotated[bool, typer.Option("--let", help="Give names to long or repeated brackets.")]
 Axes: TypeAlias = Annotated[
     str | None,

@@ -5,16 +5,18 @@ from __future__ import annotations
 import csv
 import json
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from itertools import chain
+from itertools import chain, islice
 from typing import TYPE_CHECKING, TextIO
 
 import numpy as np
 
 from dhcli.errors import FileError, Place, Problem
 from dhcli.files.reading import explain, source_of
+from dhcli.files.rows.cells import plain_table
 from dhcli.files.rows.turns import TURNS, flat, posed
+from dhcli.notation.decimals import read_json
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -29,6 +31,11 @@ POSITION = ("p_x", "p_y", "p_z")
 
 INDEX = "row"
 """A column of numbers of rows, which is no part of a pose."""
+
+_HINT = (
+    f"wanted: {','.join(MATRIX)}, or {','.join(POSITION)}, also with an orientation beside it such as "
+    f"{','.join(TURNS['quaternion'])} or {','.join(TURNS['rpy'])}, as fk --in writes them"
+)
 
 
 def pose_blocks(
@@ -54,8 +61,10 @@ def pose_blocks(
         first = stream.readline()
         if not first:
             raise FileError(Problem("is empty", Place(source_of(path)), _HINT))
-        rows = _of_json if first.lstrip().startswith("{") else _of_csv
-        yield from _gathered(rows(first, stream, path, bad, whole=whole), source_of(path))
+        if first.lstrip().startswith("{"):
+            yield from _of_json(chain((first,), stream), source_of(path), bad, whole=whole)
+        else:
+            yield from _of_csv(first, stream, source_of(path), bad, whole=whole)
 
 
 @contextmanager
@@ -86,31 +95,20 @@ def _of_array(path: str) -> Iterator[tuple[NDArray[np.float64], list[int]]]:
         yield block, list(range(first, first + len(block)))
 
 
-def _gathered(rows: Iterator[tuple[int, list[float]]], name: str) -> Iterator[tuple[NDArray[np.float64], list[int]]]:
-    """Rows in blocks."""
+def _gathered(rows: Iterator[tuple[int, list[float]]]) -> Iterator[tuple[NDArray[np.float64], list[int]]]:
+    """Rows in blocks, each of one kind."""
     values, places = list[list[float]](), list[int]()
-    width = 0
     for place, row in rows:
-        width = width or len(row)
-        if len(row) != width:
-            words = (
-                "a position" if len(row) < width else "a whole pose",
-                "whole poses" if len(row) < width else "positions",
-            )
-            raise FileError(
-                Problem(f"is {words[0]}, and the rows before it are {words[1]}", Place(name, place), "sort them")
-            )
+        if values and (len(values) == BLOCK or len(row) != len(values[0])):
+            yield _as_poses(np.array(values)), places
+            values, places = [], []
         values.append(row)
         places.append(place)
-        if len(values) == BLOCK:
-            yield _as_poses(values), places
-            values, places = [], []
     if values:
-        yield _as_poses(values), places
+        yield _as_poses(np.array(values)), places
 
 
-def _as_poses(values: list[list[float]]) -> NDArray[np.float64]:
-    table = np.array(values, dtype=np.float64)
+def _as_poses(table: NDArray[np.float64]) -> NDArray[np.float64]:
     if table.shape[1] == len(POSITION):
         return table
     poses = np.tile(np.eye(4), (len(table), 1, 1))
@@ -118,35 +116,49 @@ def _as_poses(values: list[list[float]]) -> NDArray[np.float64]:
     return poses
 
 
-_HINT = (
-    f"wanted: {','.join(MATRIX)}, or {','.join(POSITION)}, also with an orientation beside it such as "
-    f"{','.join(TURNS['quaternion'])} or {','.join(TURNS['rpy'])}, as fk --in writes them"
-)
-
-
 def _of_csv(
     first: str, stream: TextIO, path: str, bad: list[Problem] | None, *, whole: bool
-) -> Iterator[tuple[int, list[float]]]:
+) -> Iterator[tuple[NDArray[np.float64], list[int]]]:
     heads = [head.strip() for head in next(csv.reader([first]), [])]
     form, wanted = "", MATRIX
     if not all(head in heads for head in MATRIX):
         form = next((form for form, turns in TURNS.items() if all(head in heads for head in turns)), "")
         wanted = (*POSITION, *TURNS.get(form, ()))
-    place = Place(source_of(path), 1)
     if missing := [head for head in wanted if head not in heads]:
-        raise FileError(Problem(f"no column is called {', '.join(missing)}", place, _HINT))
+        raise FileError(Problem(f"no column is called {', '.join(missing)}", Place(path, 1), _HINT))
     if whole and wanted == POSITION:
-        _check_alone([head for head in heads if head not in POSITION], place)
+        _check_alone([head for head in heads if head not in POSITION], Place(path, 1))
     columns = [heads.index(head) for head in wanted]
-    for line, cells in enumerate(csv.reader(stream), 2):
-        if not cells:
-            continue
-        with _noting(bad):
-            place = Place(source_of(path), line)
-            yield (
-                line,
-                posed(form, _numbers([cells[k] if k < len(cells) else "" for k in columns], wanted, place), place),
-            )
+
+    def by_cells(lines: Iterable[str], begun: int) -> Iterator[tuple[int, list[float]]]:
+        for line, cells in enumerate(csv.reader(lines), begun):
+            if not cells:
+                continue
+            with _noting(bad):
+                row = [cells[k] if k < len(cells) else "" for k in columns]
+                yield line, posed(form, _numbers(row, wanted, Place(path, line)), Place(path, line))
+
+    line = 2
+    while lines := list(islice(stream, BLOCK)):
+        text = "".join(lines).removesuffix("\n") + "\n"
+        table = plain_table(text.replace("\r\n", "\n"), ",", len(heads))
+        if table is not None and len(table) == len(lines) and not form:
+            yield _as_poses(table[:, columns]), list(range(line, line + len(lines)))
+        elif '"' in text:  # what is quoted may go on in the next line
+            yield from _gathered(by_cells(chain(lines, stream), line))
+        else:
+            yield from _gathered(by_cells(lines, line))
+        line += len(lines)
+
+
+def _numbers(cells: Sequence[object], heads: Sequence[str], place: Place) -> list[float]:
+    found = []
+    for cell, head in zip(cells, heads, strict=True):
+        try:
+            found.append(float(cell))  # type: ignore[arg-type]
+        except (TypeError, ValueError, OverflowError):
+            raise FileError(Problem(f"{head} is {cell!r:.40}, which is no number", place)) from None
+    return found
 
 
 def _check_alone(others: Sequence[str], place: Place) -> None:
@@ -161,23 +173,55 @@ def _check_alone(others: Sequence[str], place: Place) -> None:
         raise FileError(Problem(message, place, f"{known}; --task position leaves what else stands there aside"))
 
 
-def _numbers(cells: Sequence[object], heads: Sequence[str], place: Place) -> list[float]:
-    found = []
-    for cell, head in zip(cells, heads, strict=True):
-        try:
-            found.append(float(cell))  # type: ignore[arg-type]
-        except (TypeError, ValueError):
-            raise FileError(Problem(f"{head} is {cell!r:.40}, which is no number", place)) from None
-    return found
-
-
 def _of_json(
-    first: str, stream: TextIO, path: str, bad: list[Problem] | None, *, whole: bool
+    stream: Iterator[str], path: str, bad: list[Problem] | None, *, whole: bool
+) -> Iterator[tuple[NDArray[np.float64], list[int]]]:
+    line = 1
+    while lines := list(islice(stream, BLOCK)):
+        table = _objects_at_once([each.rstrip("\r\n") for each in lines])
+        if table is not None:
+            yield _as_poses(table), list(range(line, line + len(lines)))
+        else:
+            yield from _gathered(_line_by_line(lines, line, path, bad, whole=whole))
+        line += len(lines)
+
+
+def _objects_at_once(lines: list[str]) -> NDArray[np.float64] | None:
+    """The poses of some lines, a row of numbers each; None if there is anything to say about one of them.
+
+    Parsed as one list, lines could pass for other objects than they are. So each begins and ends as an object does and
+    has no bracket of another one in it, and nothing in them is text.
+    """
+    text = ",".join(lines)
+    if not all(line.startswith("{") and line.endswith("}") for line in lines) or not text.count("{") == text.count(
+        "}"
+    ) == len(lines):
+        return None
+    try:
+        rows = read_json(f"[{text}]")
+        key = "matrix" if "matrix" in rows[0] else "position"
+        table = np.array([row[key] for row in rows], dtype=np.float64)
+    except (ValueError, TypeError, KeyError, OverflowError, RecursionError):
+        return None
+    if (
+        len(rows) != len(lines)
+        or text.count('"') != 2 * sum(map(len, rows))
+        or not np.isfinite(table).all()
+        or (key == "position" and any(len(row) > 1 for row in rows))
+    ):
+        return None
+    if key == "matrix":
+        return table[:, :3].reshape(-1, len(MATRIX)) if table.shape[1:] in {(3, 4), (4, 4)} else None
+    return table if table.shape[1:] == (len(POSITION),) else None
+
+
+def _line_by_line(
+    lines: Iterable[str], begun: int, path: str, bad: list[Problem] | None, *, whole: bool
 ) -> Iterator[tuple[int, list[float]]]:
-    for line, text in enumerate(chain((first,), stream), 1):
+    for line, text in enumerate(lines, begun):
         if text.strip():
             with _noting(bad):
-                yield line, _pose_of(text, Place(source_of(path), line), whole=whole)
+                yield line, _pose_of(text, Place(path, line), whole=whole)
 
 
 @contextmanager
@@ -201,6 +245,6 @@ def _pose_of(text: str, place: Place, *, whole: bool) -> list[float]:
             _check_alone([key for key in content if key != "position"], place)
         cells = [*content["position"], *(flat(content[form]) if form else ())]
         return posed(form, _numbers(cells, (*POSITION, *TURNS.get(form, ())), place), place)
-    except (ValueError, KeyError, TypeError, IndexError):
+    except (ValueError, KeyError, TypeError, IndexError, RecursionError):
         hint = '{"matrix": [[...], ...]} or {"position": [x, y, z]}, also with "quaternion": {"w": ...} and the like'
         raise FileError(Problem("is no pose", place, f"wanted: {hint}")) from None
