@@ -76,25 +76,31 @@ def evaluate(expr: Expr, over: Evaluator[N]) -> N | int:
         expr: The tree.
         over: The arithmetic, which knows the values of the names.
     """
+    kind = type(expr)  # by hand, the commonest first: a match would ask each node for each of its kinds in turn
+    if kind is Product:
+        product: N | int = 1
+        for factor in expr.factors:  # type: ignore[attr-defined]
+            part: N | int = evaluate(factor, over)
+            product = times(product, part)
+        return product
+    if kind is Trig:
+        return over.cos_sin(expr.angle)[expr.function == "sin"]  # type: ignore[attr-defined]
+    if kind is Symbol:
+        return over.symbol(expr.name)  # type: ignore[attr-defined]
+    if kind is Sum:
+        total: N | int = 0
+        for term in expr.terms:  # type: ignore[attr-defined]
+            part = evaluate(term, over)
+            total = plus(total, part)
+        return total
+    if kind is Number:
+        value: Fraction = expr.value  # type: ignore[attr-defined]
+        return value.numerator if value.denominator == 1 and -1 <= value.numerator <= 1 else over.number(value)
+    return _evaluate_rare(expr, over)
+
+
+def _evaluate_rare(expr: Expr, over: Evaluator[N]) -> N:
     match expr:
-        case Number(value):
-            return int(value) if value in (-1, 0, 1) else over.number(value)
-        case Symbol(name):
-            return over.symbol(name)
-        case Trig(function, angle):
-            return over.cos_sin(angle)[function == "sin"]
-        case Sum(terms):
-            total: N | int = 0
-            for term in terms:
-                part: N | int = evaluate(term, over)
-                total = plus(total, part)
-            return total
-        case Product(factors):
-            product: N | int = 1
-            for factor in factors:
-                part = evaluate(factor, over)
-                product = times(product, part)
-            return product
         case Power(base, exponent):
             return over.power(evaluate_settled(base, over), exponent)
         case Call(function, arguments):

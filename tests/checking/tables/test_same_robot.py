@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from dhcli.checking.tables.motions import TwoArms, Outcome
+from dhcli.checking.tables.motions import Outcome, TwoArms
 from dhcli.checking.tables.right import RightArm
 from dhcli.checking.tables.samples import Values
 from dhcli.checking.tolerance import DEFAULT
