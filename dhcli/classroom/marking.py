@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import lru_cache
 
-from dhcli.checking.judge import Judge, PartMark
+from dhcli.checking.judge import Judge
+from dhcli.checking.marked import PartMark
 from dhcli.checking.verdicts import Mark
 from dhcli.classroom.folder import Submission
 from dhcli.classroom.grades import Graded, PartGrade, failed
