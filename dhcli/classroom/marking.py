@@ -18,6 +18,8 @@ from dhcli.regex import regex
 
 _NUMBER = regex(r"(?<![\w.(,])-?\d+(?:\.\d+)?(?=\s?(?:°|rad|m|mm|cm)(?!\w))|(?<!\w)-?\d+\.\d+")
 """A number with a unit, or with decimals: one that comes of the values of a sheet."""
+_AXIS = regex(r"(?<=…°) about .*")
+"""About which axis an orientation is off; without its angle that says nothing."""
 _LONGEST = 120
 """Longest name of a student, an exercise or a variant that is kept."""
 _HINTS = 2
@@ -99,14 +101,14 @@ def _part_grade(one: PartMark) -> PartGrade:
 def _slips(mark: Mark) -> tuple[str, ...]:
     """Names of the mistakes that explain a wrong answer; what was remarked of it where none is known.
 
-    A remark leaves its numbers out, so that the same slip is the same in every variant. An answer that cannot be read,
-    or that is right from an earlier one, is no slip of its own.
+    A remark leaves its numbers and axes out, so that the same slip is the same in every variant. An answer that cannot
+    be read, or that is right from an earlier one, is no slip of its own.
     """
     if mark.verdict.passed is not False or (mark.diagnosis and mark.diagnosis.follows):
         return ()
     if mark.diagnosis and mark.diagnosis.names:
         return mark.diagnosis.names
-    return tuple(_NUMBER.sub("…", remark) for remark in mark.remarks[:1])
+    return tuple(_AXIS.sub("", _NUMBER.sub("…", remark)) for remark in mark.remarks[:1])
 
 
 def _short(text: str) -> str:

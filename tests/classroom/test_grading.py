@@ -220,3 +220,12 @@ def test_a_slip_without_a_name_is_the_same_in_every_variant(tmp_path: Path) -> N
         slips |= set(part.slips)
     assert len(slips) == 1, slips
     assert "…" in slips.pop()
+
+
+def test_orientations_that_are_off_by_any_angle_are_counted_together(tmp_path: Path) -> None:
+    """About whatever axis."""
+    turns = ("1 0 0 {}; 0 .6 -.8 {}; 0 .8 .6 0; 0 0 0 1", ".6 0 .8 {}; 0 1 0 {}; -.8 0 .6 0; 0 0 0 1")
+    answers = [turn.format(0.34641, 0.2) for turn in turns]
+    rows = [graded(tmp_path, sheet({"a1": answer}, "yim/planar-in-numbers")) for answer in answers]
+    slips = [part.slips for row in rows for part in row.parts if part.part == "a1"]
+    assert slips == [("the orientation is off by …°",)] * 2
