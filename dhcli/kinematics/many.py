@@ -97,11 +97,13 @@ def _said(poses: NDArray[np.float64], form: str) -> NDArray[np.float64]:
     return poses[:, :3, 3] if form == "position" else table(ORIENTATIONS[form], poses)
 
 
-def is_real(poses: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """In which rows of poses, shape (N, F, 4, 4), every entry is a real number; shape (N,)."""
-    if np.isfinite(poses.sum()):  # a sum of what is not finite never is
-        return np.ones(len(poses), dtype=np.bool_)
-    return np.all(np.isfinite(poses), axis=(1, 2, 3))  # type: ignore[no-any-return]  # numpy: or one bool
+def is_real(results: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """In which rows of poses or Jacobians, shape (N, ...), every entry is a real number; shape (N,)."""
+    with np.errstate(all="ignore"):
+        if np.isfinite(results.sum()):  # a sum of what is not finite never is
+            return np.ones(len(results), dtype=np.bool_)
+    where = tuple(range(1, results.ndim))
+    return np.all(np.isfinite(results), axis=where)  # type: ignore[no-any-return]  # numpy: or one bool
 
 
 def numbered(rows: Sequence[int], kept: NDArray[np.bool_] | slice, said: NDArray[np.float64]) -> NDArray[np.float64]:

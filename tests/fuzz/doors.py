@@ -99,7 +99,7 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("jacobian", "scara", "--pose", "pick", "--space"),
     ("jacobian", "scara", "--pose", "pick", "--body"),
     ("jacobian", "scara", "--pose", "pick", "--in", "tool", "--tool", "Trans(0,0,l1) Rot(z,30°)"),
-    ("jacobian", "scara", "--rows", "q.csv", "--skip-bad", "--ignore-columns", "--index"),
+    ("jacobian", "scara", "--rows", "q.csv", "--skip-bad", "--ignore-columns", "--index", "--jobs", "2"),
     (
         "singularities",
         "planar-2r",

@@ -98,8 +98,8 @@ def fk(
         arm = robot_of(chosen)
         wanted = rows_wanted(arm, chosen, as_ or [], point, inverse=inverse, every=frames)
         asked = asked_of_rows(wanted.robot, chosen, ignores=ignore_columns)
-        rows = RowDelivery(format_, output, overwrite)
-        fk_rows(wanted, asked, path, rows, skip_bad=skip_bad, index=index, jobs=jobs)
+        there = RowDelivery(format_, output, overwrite)
+        fk_rows(wanted, asked, path, there, skip_bad=skip_bad, index=index, jobs=jobs)
         return
     if code is not None or with_values:
         from dhcli.cli.shell.coding import code_delivery

@@ -17,7 +17,7 @@ from dhcli.files.reading import source_of
 from dhcli.files.rows.blocks import MOST, Block
 from dhcli.files.rows.columns import JointTable
 from dhcli.files.rows.formats import Rows, joint_rows
-from dhcli.files.rows.source import open_source
+from dhcli.files.rows.source import Source, open_source
 from dhcli.kinematics.frames import View
 from dhcli.kinematics.many import PoseRows, is_real, numbered
 from dhcli.kinematics.robot import Robot
@@ -133,7 +133,7 @@ def fk_rows(
     whole = delivery.chosen() == "npy" and wanted.forms == ("matrix",) and not index
     tally, bad = Tally(wanted.robot), BadRows(path, skip=skip_bad)
     with open_source(path) as source:
-        threads = workers(jobs, 1 + (source.size or 0) // _BYTES)
+        threads = threads_for(source, jobs)
         rows = joint_rows(source, asked, threads)
         with delivery.open(layout) as sink, row_progress(sys.stderr, wanted=delivery.is_away) as tell:
             for block in rows.blocks():
@@ -152,6 +152,11 @@ def fk_rows(
     bad.tell(sink.count)
     paper = Paper.of(sys.stderr)
     say("".join(warning_line(message, paper) for message in tally.warnings()))
+
+
+def threads_for(source: Source, jobs: int | None) -> int:
+    """How many threads share the computing: as many as `--jobs` says, else as a file of this size is worth."""
+    return workers(jobs, 1 + (source.size or 0) // _BYTES)
 
 
 @dataclass(slots=True)
