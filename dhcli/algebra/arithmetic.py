@@ -78,7 +78,8 @@ def evaluate(expr: Expr, over: Evaluator[N]) -> N | int:
     """
     match expr:
         case Number(value):
-            return int(value) if value in (-1, 0, 1) else over.number(value)
+            # asked of two integers: to compare a fraction takes ten times as long
+            return value.numerator if value.denominator == 1 and -1 <= value.numerator <= 1 else over.number(value)
         case Symbol(name):
             return over.symbol(name)
         case Trig(function, angle):

@@ -7,7 +7,8 @@ from contextlib import closing
 from dataclasses import replace
 from functools import lru_cache, partial
 
-from dhcli.checking.judge import Judge, PartMark
+from dhcli.checking.judge import Judge
+from dhcli.checking.marked import PartMark
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.classroom.folder import Submission
 from dhcli.classroom.pool import Lost, spread

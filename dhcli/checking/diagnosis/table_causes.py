@@ -21,7 +21,7 @@ from dhcli.checking.returned import Causes
 from dhcli.checking.tables.answer import ends_on_axis, robot_of
 from dhcli.checking.tables.cells import given_values, own_values
 from dhcli.checking.tables.comparing import SAME_ROBOT, compare_of
-from dhcli.checking.tables.motions import Comparison
+from dhcli.checking.tables.motions import TwoArms
 from dhcli.checking.tables.right import RightArm
 from dhcli.checking.tables.samples import Values, has_numbers
 from dhcli.checking.tolerance import DEFAULT, Tolerance
@@ -117,7 +117,7 @@ class _Slips:
         robot = self._robot
         end_free = robot.convention is Convention.MODIFIED and not ends_on_axis(robot)
         typed = Arm.of(chain, robot.variables)
-        compared_with = Comparison(self._forth, typed, tolerance)
+        compared_with = TwoArms(self._forth, typed, tolerance)
         found = []
         for index in self._mendable(typed):
             candidate = self.every[index]
@@ -141,8 +141,8 @@ class _Slips:
         """
         if has_numbers(typed.chain) or has_numbers(self._forth.arm.chain):
             return range(len(self.every))
-        before = Comparison(self._forth, typed, DEFAULT).reach()
-        behind = Comparison(self._back, Arm.of(inverse(typed.chain), self._robot.variables), DEFAULT).reach()
+        before = TwoArms(self._forth, typed, DEFAULT).reach()
+        behind = TwoArms(self._back, Arm.of(inverse(typed.chain), self._robot.variables), DEFAULT).reach()
         rows = [self._row_of(name) for name in self._forth.arm.variables]
 
         def fits(first: int, last: int) -> bool:

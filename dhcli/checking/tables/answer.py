@@ -10,7 +10,7 @@ from dhcli.checking.pasted import WrongUnitError
 from dhcli.checking.tables.cells import given_values, mark_cells, own_values, settled
 from dhcli.checking.tables.comparing import LITERAL, SAME_MOTION
 from dhcli.checking.tables.freedoms import Drawn, Slack, end_freedoms, frame_freedoms, joint_freedoms
-from dhcli.checking.tables.motions import LARGEST, Comparison, Outcome, is_but_for_end
+from dhcli.checking.tables.motions import LARGEST, Outcome, TwoArms, is_but_for_end
 from dhcli.checking.tables.right import RightArm
 from dhcli.checking.tables.samples import Values
 from dhcli.checking.tables.typed_rows import TypedRow, misplaced, variable_of
@@ -132,19 +132,19 @@ class TableAnswer:
             return ended if ended.match is not None and is_but_for_end(ended.match) else same
         return compared.same_robot(end_free=self.end_free or end_free)
 
-    def _compared(self, rows: tuple[Row, ...], convention: Convention) -> Comparison:
+    def _compared(self, rows: tuple[Row, ...], convention: Convention) -> TwoArms:
         """Some rows beside the right robot; what is judged is asked for again when it is explained."""
-        known: dict[object, Comparison] = self.memo.of("compared", dict)
+        known: dict[object, TwoArms] = self.memo.of("compared", dict)
         key = convention, self.tolerance, rows
         if key not in known:
             if len(known) >= MOST_COMPARED:
                 known.clear()
-            known[key] = Comparison(self._right, self.arm(rows, convention), self.tolerance)
+            known[key] = TwoArms(self._right, self.arm(rows, convention), self.tolerance)
         return known[key]
 
     def agreeing(self, rows: Iterable[Row], outcome: Outcome) -> int:
         """How many joints agree from the first one with other rows in their place, where an outcome was decided."""
-        return Comparison(self._right, self.arm(rows, self.convention), self.tolerance).agreeing(outcome)
+        return TwoArms(self._right, self.arm(rows, self.convention), self.tolerance).agreeing(outcome)
 
     def is_oversized(self, outcome: Outcome) -> bool:
         """Whether lengths were typed that no robot of this size has."""

@@ -50,7 +50,7 @@ class Outcome:
     is_free: bool = False
 
 
-class Comparison:
+class TwoArms:
     """A table beside the right arm: each thing that is asked of the two is worked out once."""
 
     def __init__(self, right: RightArm, other: Arm, tolerance: Tolerance) -> None:
@@ -110,9 +110,9 @@ class Comparison:
         next(search.matches(), None)
         return search.deepest
 
-    def beside(self, right: RightArm) -> Comparison:
+    def beside(self, right: RightArm) -> TwoArms:
         """The same arm compared with another right one."""
-        other = Comparison(right, self._other, self._tolerance)
+        other = TwoArms(right, self._other, self._tolerance)
         other._is_numeric = self._is_numeric
         return other
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-from dhcli.checking.tables.motions import Comparison
+from dhcli.checking.tables.motions import TwoArms
 from dhcli.checking.tables.right import RightArm
 from dhcli.checking.tables.samples import Values
 from dhcli.checking.tolerance import Tolerance
@@ -116,7 +116,7 @@ def _besides(robot: Robot, reference: Robot) -> str:
 
 def _same(one: Arm, other: Arm) -> bool:
     exactly = Tolerance(rotation=1e-9, position=1e-9)
-    return Comparison(RightArm(one, Values({}, {})), other, exactly).same_motion.verdict is Verdict.RIGHT
+    return TwoArms(RightArm(one, Values({}, {})), other, exactly).same_motion.verdict is Verdict.RIGHT
 
 
 def _at_values(chain: Chain, robot: Robot) -> Arm:

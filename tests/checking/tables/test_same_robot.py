@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from dhcli.checking.tables.motions import Comparison, Outcome
+from dhcli.checking.tables.motions import Outcome, TwoArms
 from dhcli.checking.tables.right import RightArm
 from dhcli.checking.tables.samples import Values
 from dhcli.checking.tolerance import DEFAULT
@@ -46,12 +46,12 @@ names = st.sampled_from(NAMES)
 
 def same_motion(truth: Arm, other: Arm, values: Values = NOTHING) -> Outcome:
     """What comes of two arms of which the same motion is asked."""
-    return Comparison(RightArm(truth, values), other, DEFAULT).same_motion
+    return TwoArms(RightArm(truth, values), other, DEFAULT).same_motion
 
 
 def same_robot(truth: Arm, other: Arm, values: Values = NOTHING, *, end_free: bool = False) -> Outcome:
     """What comes of two arms that may be drawn with other frames."""
-    return Comparison(RightArm(truth, values), other, DEFAULT).same_robot(end_free=end_free)
+    return TwoArms(RightArm(truth, values), other, DEFAULT).same_robot(end_free=end_free)
 
 
 def floats(point: object) -> dict[str, float]:
