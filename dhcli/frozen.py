@@ -8,7 +8,8 @@ pattern matching), with the same six functions as closures over the names of the
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import MISSING, Field, FrozenInstanceError, dataclass, field, fields
+from dataclasses import _FIELD, MISSING, Field, FrozenInstanceError, field, fields, replace  # type: ignore[attr-defined]
+from functools import cached_property
 from operator import attrgetter
 from types import FunctionType
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar, cast, dataclass_transform
@@ -24,13 +25,13 @@ _Put: TypeAlias = Callable[[object, object], None]
 def frozen(cls: type[T]) -> type[T]:
     """Make a class what `dataclass(frozen=True, slots=True)` makes of it.
 
-    What the class or a base of it other than `object` writes itself stays: its `__repr__`, `__eq__`, `__hash__`.
-    What is `frozen` inherits from no class that `dataclass(frozen=True)` made, nor such a one from it.
+    One with a `cached_property` has a place to keep what it found. A `__repr__` that the class or a base of it writes
+    stays, and its own `__eq__` and `__hash__`. Nothing is inherited between `frozen` and `dataclass`.
     """
-    made = dataclass(init=False, repr=False, eq=False, slots=True)(cls)
-    found = _fields(made)
+    made, found = _slotted(cls)
     written: dict[str, object] = {"__init__": _init(made, found), "__setattr__": _setattr, "__delattr__": _delattr}
     written |= {"__getstate__": _getstate, "__setstate__": _setstate, "__signature__": _SIGNATURE}
+    written |= {"__replace__": replace, "__match_args__": tuple(each.name for each in found if each.init)}
     if made.__repr__ is object.__repr__:
         written["__repr__"] = _repr
     if "__eq__" not in cls.__dict__:
@@ -44,12 +45,45 @@ def frozen(cls: type[T]) -> type[T]:
     return made
 
 
+def _slotted(cls: type[T]) -> tuple[type[T], Sequence[Field[Any]]]:
+    """The class with a slot for each field, as only a new class can have them, and the fields."""
+    kinds = {name: kind for name, kind in cls.__annotations__.items() if "ClassVar" not in str(kind)}
+    own = {name: _field(cls, name, kind) for name, kind in kinds.items()}
+    found: dict[str, Field[Any]] = {}
+    for base in cls.__mro__[:0:-1]:
+        found |= base.__dict__.get("__dataclass_fields__", {})
+    replaced = {*own, "__dict__", "__weakref__"}
+    body = {name: value for name, value in cls.__dict__.items() if name not in replaced}
+    slots = [name for name in own if name not in found]
+    is_keeping = any(isinstance(value, cached_property) for value in body.values())
+    if is_keeping and not cast("type", cls.__base__).__dictoffset__:
+        slots.append("__dict__")
+    found |= own
+    body |= {"__qualname__": cls.__qualname__, "__slots__": tuple(slots), "__dataclass_fields__": found}
+    make = cast("Callable[..., type[T]]", type(cls))
+    return make(cls.__name__, cls.__bases__, body), tuple(found.values())
+
+
+def _field(cls: type, name: str, kind: object) -> Field[Any]:
+    """A field from its annotation and what is written after it.
+
+    Raises:
+        ValueError: Its default can be changed, and would be changed for all.
+    """
+    default = cls.__dict__.get(name, MISSING)
+    if default.__class__.__hash__ is None:
+        raise ValueError(f"{cls.__qualname__}.{name}: a default that can be changed is for default_factory")
+    each: Field[Any] = default if isinstance(default, Field) else field(default=default)
+    each.name, each.type, each._field_type = name, kind, _FIELD  # type: ignore[attr-defined]  # noqa: SLF001
+    return each
+
+
 def _init(cls: type, found: Sequence[Field[Any]]) -> Callable[..., None]:
     """What takes the values of the fields, by position or by name."""
     taken = [each for each in found if each.init]
     puts = [getattr(cls, each.name).__set__ for each in taken]
-    finish = getattr(cls, "__post_init__", None)
-    if finish is None and 1 <= len(taken) == len(found) <= len(_PLAIN) and all(map(_is_plain, found)):
+    is_finished = hasattr(cls, "__post_init__")
+    if not is_finished and 1 <= len(taken) == len(found) <= len(_PLAIN) and all(map(_is_plain, found)):
         plain = _PLAIN[len(found) - 1](*puts)
         names = ("self", *(each.name for each in found))
         defaults = tuple(each.default for each in found if each.default is not MISSING)
@@ -66,8 +100,8 @@ def _init(cls: type, found: Sequence[Field[Any]]) -> Callable[..., None]:
         for put, each in made:
             if each.default_factory is not MISSING:
                 put(self, each.default_factory())
-        if finish is not None:
-            finish(self)
+        if is_finished:
+            self.__post_init__()  # type: ignore[attr-defined]  # an heir may have its own
 
     return __init__
 
@@ -114,8 +148,19 @@ def _init_4(a: _Put, b: _Put, c: _Put, d: _Put) -> FunctionType:
     return cast("FunctionType", init)
 
 
-_PLAIN: tuple[Callable[..., FunctionType], ...] = (_init_1, _init_2, _init_3, _init_4)
-"""What takes one value, two, three, four: most records have no more, and the trees of formulas are made of these."""
+def _init_5(a: _Put, b: _Put, c: _Put, d: _Put, e: _Put) -> FunctionType:
+    def init(self: object, p: object, q: object, r: object, s: object, t: object) -> None:
+        a(self, p)
+        b(self, q)
+        c(self, r)
+        d(self, s)
+        e(self, t)
+
+    return cast("FunctionType", init)
+
+
+_PLAIN: tuple[Callable[..., FunctionType], ...] = (_init_1, _init_2, _init_3, _init_4, _init_5)
+"""What takes one value to five: most records have no more, and formulas and their tokens are made of these."""
 
 
 def _arranged(

@@ -8,6 +8,7 @@ import os
 import signal
 import sys
 from collections.abc import Iterator
+from importlib.util import find_spec
 from itertools import count
 from pathlib import Path
 
@@ -90,3 +91,15 @@ def user_data(homes: Iterator[Path]) -> Path:
     os.environ["XDG_DATA_HOME"], os.environ["XDG_CACHE_HOME"] = str(folder), f"{folder}-cache"  # until the next test
     os.environ.pop("DHCLI_PATH", None)
     return folder
+
+
+_NEEDS_ORJSON = pytest.mark.skipif(find_spec("orjson") is None, reason="the extra [fast] is not installed")
+
+
+@pytest.fixture(params=["Python", pytest.param("orjson", marks=_NEEDS_ORJSON)])
+def json_by(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Numbers are read and written in the plain way, and by orjson where it is installed."""
+    from dhcli.notation import decimals  # numpy, which few tests need
+
+    if request.param == "Python":
+        monkeypatch.setattr(decimals, "quick_json", lambda: None)

@@ -5,7 +5,8 @@ import inspect
 import pickle
 from collections.abc import Callable
 from dataclasses import FrozenInstanceError, dataclass, field, fields, is_dataclass, replace
-from typing import Any, Generic, TypeVar
+from functools import cached_property
+from typing import Any, ClassVar, Generic, TypeVar
 
 import pytest
 from hypothesis import given
@@ -62,6 +63,8 @@ def _classes(make: Callable[[type], type]) -> dict[str, Any]:
         held: dict[str, int] = field(default_factory=dict)
         memo: list[int] = field(default_factory=list, init=False, repr=False, compare=False)
         late: object = field(init=False, compare=False)
+        shared: ClassVar[int] = 3
+        every: ClassVar = ("a",)
 
         def __post_init__(self) -> None:
             object.__setattr__(self, "late", ("of", self.x))
@@ -181,3 +184,65 @@ class Kept:
 def test_it_goes_to_another_process_and_back() -> None:
     """Its slots are set past the lock."""
     assert pickle.loads(pickle.dumps(Kept(1, (2,)))) == Kept(1, (2,))  # noqa: S301
+
+
+def test_what_it_works_out_is_kept() -> None:
+    """Once for each, told apart by nothing, and not sent along; an heir has one place for what it keeps."""
+    worked = []
+
+    @frozen
+    class Sum:
+        x: int
+        y: int
+
+        @cached_property
+        def total(self) -> int:
+            worked.append(self)
+            return self.x + self.y
+
+    @frozen
+    class Named(Sum):
+        name: str = "a"
+
+        @cached_property
+        def twice(self) -> int:
+            return 2 * self.total
+
+    for made in (Sum(1, 2), Named(1, 2)):
+        other = replace(made)
+        assert made.total == made.total == 3
+        assert made == other == copy.copy(made)
+        assert not vars(copy.copy(made))
+        with pytest.raises(FrozenInstanceError):
+            made.x = 2  # type: ignore[misc]
+    assert Named(1, 2).twice == 6
+    assert len(worked) == 3
+
+
+def test_an_heir_finishes_in_its_own_way() -> None:
+    """`__post_init__` of a class that is not frozen itself, but its base is."""
+    for classes in (OURS, THEIRS):
+
+        class Checked(classes["Made"]):  # type: ignore[misc]
+            def __post_init__(self) -> None:
+                super().__post_init__()
+                object.__setattr__(self, "late", (*self.late, self.shared, *self.every))
+
+        assert Checked(1).late == ("of", 1, 3, "a")
+
+
+def test_a_default_that_can_be_changed_is_refused() -> None:
+    """It would be changed for all."""
+    for make in (frozen, slotted):
+        with pytest.raises(ValueError, match="default_factory"):
+
+            @make
+            class Shared:
+                x: list[int] = []  # noqa: RUF012  what is refused
+
+
+def test_it_is_replaced_by_copy_where_python_can() -> None:
+    """`copy.replace` came with Python 3.13."""
+    assert Kept(1).__replace__(x=2) == Kept(2)  # type: ignore[attr-defined]
+    if hasattr(copy, "replace"):
+        assert copy.replace(Kept(1), x=2) == Kept(2)

@@ -74,3 +74,27 @@ def test_a_ring_would_be_found() -> None:
     graph = {"a": frozenset("b"), "b": frozenset("c"), "c": frozenset("ad"), "d": frozenset("e"), "e": frozenset()}
     assert rings(graph) == [frozenset("abc")]
     assert rings({"a": frozenset("c"), "b": frozenset("c"), "c": frozenset()}) == []
+
+
+def frozen_otherwise(source: str) -> list[str]:
+    """The classes of a file that are frozen by `dataclass`, which compiles six functions for each."""
+    return [
+        node.name
+        for node in ast.walk(ast.parse(source))
+        if isinstance(node, ast.ClassDef)
+        for maker in node.decorator_list
+        if isinstance(maker, ast.Call) and any(word.arg == "frozen" for word in maker.keywords)
+    ]
+
+
+def test_what_is_frozen_is_made_by_the_one_maker() -> None:
+    """`@frozen` compiles nothing, and what it makes inherits from its own kind alone."""
+    found = {module_of(path): frozen_otherwise(path.read_text("utf-8")) for path in ROOT.rglob("*.py")}
+    assert not {name: classes for name, classes in found.items() if classes}
+    assert frozen_otherwise("@dataclass(frozen=True)\nclass A: ...\n@frozen\nclass B: ...") == ["A"]
+
+
+def test_what_is_looked_for_is_compiled_when_it_is() -> None:
+    """No file compiles a regular expression while it is imported: `regex` does, when it is used."""
+    found = [path.name for path in ROOT.rglob("*.py") if "re.compile(" in path.read_text("utf-8")]
+    assert found == ["regex.py"]

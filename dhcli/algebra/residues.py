@@ -157,13 +157,13 @@ class Residues:
             scale: A common denominator that the fractions of angles have at least.
         """
         self.field = field_of_the_day()
-        denominators = {scale}
-        for angle in (*_angles(expressions), *angles):
-            denominators |= {factor.denominator for _, factor in angle.terms}
-            denominators.add(angle.radians.denominator)
-        self._scale = math.lcm(*denominators)
+        self._scale = math.lcm(scale, *_denominators(expressions, angles))
         self._units: dict[str, tuple[int, int]] = {}
         self._numbers: dict[str, int] = {}
+
+    def holds(self, expressions: Iterable[Expr], angles: Iterable[Angle]) -> bool:
+        """Whether the point was prepared for the fractions of other angles, too."""
+        return all(self._scale % denominator == 0 for denominator in _denominators(expressions, angles))
 
     def cos_sin(self, angle: Angle) -> tuple[int, int]:
         """Cosine and sine as residues.
@@ -236,6 +236,14 @@ class Residues:
             unit = random_below(self.field.prime - 2) + 2
             self._units[name] = (unit, self.field.inverse(unit))
         return self._units[name]
+
+
+def _denominators(expressions: Iterable[Expr], angles: Iterable[Angle]) -> Iterable[int]:
+    """The fractions of names and of a radian that stand in angles."""
+    for angle in (*_angles(expressions), *angles):
+        yield angle.radians.denominator
+        for _, factor in angle.terms:
+            yield factor.denominator
 
 
 def _angles(expressions: Iterable[Expr]) -> Iterable[Angle]:

@@ -9,7 +9,6 @@ is a difference.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import TypeAlias
 
@@ -23,7 +22,7 @@ UFUNCS = {"acos": "arccos", "asin": "arcsin", "atan": "arctan", "atan2": "arctan
 """What numpy calls the functions that it calls by other names than notation."""
 
 
-@dataclass(frozen=True, slots=True, order=True)
+@frozen
 class Column:
     """A column of numbers by its place: first those of the variables, then one for each step."""
 
@@ -90,7 +89,7 @@ def _magnitude(number: Number) -> tuple[Column | float, bool]:
 
 def _in_order(a: Column, b: Column | float) -> tuple[Column | float, ...]:
     """Two operands in an order that does not depend on which came first, constants last."""
-    return (a, b) if not isinstance(b, Column) or a < b else (b, a)
+    return (a, b) if not isinstance(b, Column) or a.place < b.place else (b, a)
 
 
 class Tape:

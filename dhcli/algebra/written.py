@@ -8,11 +8,11 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 
 from dhcli.algebra.program import needed
 from dhcli.algebra.tape import UFUNCS, Cell, Column, Number, Operation, Tape
+from dhcli.frozen import frozen
 from dhcli.notation import tree
 from dhcli.notation.let import Definition
 from dhcli.notation.names import natural_key
@@ -25,7 +25,7 @@ TURNING = ("cos", "sin")
 UNCHANGING = ("multiply", "add", "subtract")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Written:
     """Numbers as formulas.
 

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import re
 
-_NUMBER = re.compile(r"[+−-]?\d*[.,]?\d+(?:[ ]?[a-z]{1,2})?")  # noqa: RUF001
-_COMMA = re.compile(r"\d+,\d+")
-_BETWEEN = re.compile(r"\s*[;\n]\s*|,?\s+")
+from dhcli.regex import regex
+
+_NUMBER = regex(r"[+−-]?\d*[.,]?\d+(?:[ ]?[a-z]{1,2})?")  # noqa: RUF001
+_COMMA = regex(r"\d+,\d+")
+_BETWEEN = regex(r"\s*[;\n]\s*|,?\s+")
 COORDINATES = 3
 LONGEST = 500
 """Characters of an answer that may be three plain numbers; longer ones are not searched."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Literal
 
 from dhcli.algebra.floats import Floats
@@ -13,6 +12,7 @@ from dhcli.checking.exercise import Exercise
 from dhcli.checking.symbolic import same
 from dhcli.checking.tolerance import ZERO as NOTHING
 from dhcli.checking.tolerance import Tolerance
+from dhcli.frozen import frozen
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.forward import put_in
 from dhcli.kinematics.moves import Chain, Fixed, Rot, Trans, expressions, names
@@ -25,7 +25,7 @@ from dhcli.notation.walk import symbols
 RELATIVE = 1e-3
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Elementary:
     """One move about or along one axis, or a matrix.
 

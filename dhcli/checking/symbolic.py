@@ -14,7 +14,6 @@ from dhcli.checking.entries import Entries, Entry, as_read
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.reach import reach_of
 from dhcli.checking.truth import Truth, is_length
-from dhcli.checking.units import on_sheet
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
 from dhcli.checking.wanted import Wanted
 from dhcli.kinematics.robot import Value
@@ -113,7 +112,7 @@ def _cell(question: Wanted, truth: Truth, entry: Entry, place: tuple[int, int], 
 
 def _on_sheet(question: Wanted, right: Expr, place: tuple[int, int], exercise: Exercise) -> Expr:
     """A right entry as it is written on the sheet."""
-    return on_sheet(right, exercise.metres, exercise.scope) if is_length(question, *place) else right
+    return exercise.on_sheet(right) if is_length(question, *place) else right
 
 
 def has_decimals(expr: Expr) -> bool:

@@ -10,7 +10,7 @@ from dhcli.checking.entries import check_names
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.pasted import UnreadableError, WrongUnitError, without_label
 from dhcli.checking.tolerance import NOT_EXACT, Tolerance, is_rounding_of, judge, without_unit
-from dhcli.checking.units import in_metres, is_measure, on_sheet
+from dhcli.checking.units import in_metres, is_measure
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
 from dhcli.errors import Place
 from dhcli.frozen import frozen
@@ -109,7 +109,7 @@ def spelled_value(right: Quantity, exercise: Exercise) -> str:
 
         return shown_angle(value, exercise)
     if right.is_length:
-        value = on_sheet(value, exercise.metres, exercise.scope)
+        value = exercise.on_sheet(value)
     return write(value, "short", exercise.writing)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 
 from dhcli.errors import NotationError
@@ -11,16 +10,17 @@ from dhcli.notation.scope import Scope
 from dhcli.notation.tree import ONE, ZERO
 from dhcli.notation.walk import substitute, symbols
 from dhcli.notation.writer import write
+from dhcli.regex import regex
 
-_TRANSPOSED = re.compile(r"(?:\^ ?\{? ?\\?(?:T|top|mathsf\{T\}) ?\}?|\.T|\.?') ?$")
-_AXIS = re.compile(r"([+−-]?) ?([xyz]) ?['_]{0,3}\{?\d{0,3}\}? ?(?:axis)?")  # noqa: RUF001
-_NAMED = re.compile(r"(^|[,;\n])[ \t]{0,9}(?:[xyz]|[pd]_?\{?[xyz]\}?)[ \t]{0,9}=")
-_LATEX_ENDS = re.compile(
+_TRANSPOSED = regex(r"(?:\^ ?\{? ?\\?(?:T|top|mathsf\{T\}) ?\}?|\.T|\.?') ?$")
+_AXIS = regex(r"([+−-]?) ?([xyz]) ?['_]{0,3}\{?\d{0,3}\}? ?(?:axis)?")  # noqa: RUF001
+_NAMED = regex(r"(^|[,;\n])[ \t]{0,9}(?:[xyz]|[pd]_?\{?[xyz]\}?)[ \t]{0,9}=")
+_LATEX_ENDS = regex(
     r"^(?:\\left ?[\[(])? ?\\begin ?\{\w{1,20}\}(?:\{[clr|]{1,20}\})?|\\end ?\{\w{1,20}\} ?(?:\\right ?[\])])?$"
 )
-_NAME_PARTS = re.compile(r"_\{[^{}\n]{0,20}\}|\\\\|\\[A-Za-z]{1,20}")
+_NAME_PARTS = regex(r"_\{[^{}\n]{0,20}\}|\\\\|\\[A-Za-z]{1,20}")
 """What of a name or of LaTeX has braces and backslashes, `c_{12}` and `\\theta`."""
-_WIDE = re.compile(r"[^\s+*/^-][ \t]+-?[\w.]+[ \t]+-?[\w.]+[ \t]+-?[\w.]")
+_WIDE = regex(r"[^\s+*/^-][ \t]+-?[\w.]+[ \t]+-?[\w.]+[ \t]+-?[\w.]")
 """Four cells or more in a row: a whole matrix, not a coordinate."""
 _UNIT_VECTORS = ("i", "j", "k")
 LENGTHS = (3, 4)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Sequence
 from contextlib import closing
 from dataclasses import replace
 from functools import lru_cache, partial
 
-from dhcli.checking.judge import Judge, PartMark
+from dhcli.checking.judge import Judge
+from dhcli.checking.marked import PartMark
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.classroom.folder import Submission
 from dhcli.classroom.pool import Lost, spread
@@ -17,10 +17,11 @@ from dhcli.files.library.lookup import Kind, entries, full_id
 from dhcli.files.yaml.exercises import load_exercise
 from dhcli.files.yaml.sheets import Sheet, judged_sheet, read_sheet
 from dhcli.frozen import frozen
+from dhcli.regex import regex
 
 TIMEOUT = 10.0
 """Seconds that one sheet may take; an honest one takes a hundredth of one."""
-_NUMBER = re.compile(r"(?<![\w.(,])-?\d+(?:\.\d+)?(?=\s?(?:°|rad|m|mm|cm)(?!\w))|(?<!\w)-?\d+\.\d+")
+_NUMBER = regex(r"(?<![\w.(,])-?\d+(?:\.\d+)?(?=\s?(?:°|rad|m|mm|cm)(?!\w))|(?<!\w)-?\d+\.\d+")
 """A number with a unit, or with decimals: one that comes of the values of a sheet."""
 _LONGEST = 120
 """Longest name of a student, an exercise or a variant that is kept."""

@@ -90,6 +90,18 @@ class Actuators:
         shifts, of = (self.back[1], self.motors) if back else (self.shifts, self.joints)
         return tuple(float(shift) / self._size(name) for shift, name in zip(shifts, of, strict=True))
 
+    def reach(self, joint: str) -> tuple[float, float] | None:
+        """The widest range that the limits of its motors leave a joint [rad or m]; None where one of them has none."""
+        k = self.joints.index(joint)
+        low = high = self.offsets()[k]
+        for motor, slope in zip(self.motors, self.slopes()[k], strict=True):
+            if slope and motor not in self.limits:
+                return None
+            if slope:
+                ends = sorted(slope * size_of(limit) for limit in self.limits[motor])
+                low, high = low + ends[0], high + ends[1]
+        return low, high
+
     def _size(self, name: str) -> float:
         return math.degrees(1) if name in self.turning else 1.0
 
@@ -148,6 +160,11 @@ class Actuators:
         if size and short(size) is None and (below := short(1 / size)) is not None:
             return f"{called}/{below}"
         return f"{exact_text(size, exact=exact)}*{called}"
+
+
+def size_of(value: Value) -> float:
+    """A constant in radians or metres."""
+    return value.constant() if isinstance(value, Angle) else float(metres(value))
 
 
 def metres(value: Expr) -> Fraction:

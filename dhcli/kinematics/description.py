@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
@@ -62,7 +62,7 @@ class Link:
         return self.text or product_text(self.moves)
 
 
-@dataclass(frozen=True)
+@frozen
 class Description:
     """A serial robot as somebody describes it, valid or not; its fields are explained at `robot.Robot`."""
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 
 from dhcli.errors import RobotError, did_you_mean, plural
-from dhcli.kinematics.actuators import ZERO, Actuators, inverse, metres
+from dhcli.frozen import frozen
+from dhcli.kinematics.actuators import ZERO, Actuators, inverse, size_of
 from dhcli.kinematics.derived import Value
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import ANGLE_UNITS, LENGTH_UNITS
@@ -18,7 +18,7 @@ from dhcli.notation.writer import write
 DEGREES = ("deg", "degree", "degrees")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Drive:
     """What a joint is driven by, as it was read.
 
@@ -145,13 +145,9 @@ def actuators(
 
 
 def _check_limits(motor: str, limits: tuple[Value, Value] | None, *, turns: bool) -> None:
-    if limits is not None and _constant(limits[0]) >= _constant(limits[1]):
+    if limits is not None and size_of(limits[0]) >= size_of(limits[1]):
         raise RobotError(f"{motor}: the lower limit is not below the upper one", "write [lowest, highest]")
     for value in limits or ():
         if isinstance(value, Angle) != turns and value not in (Number(ZERO), Angle()):
             does, wanted = ("turns", "an angle: 90°") if turns else ("slides", "a length: 0.3 m")
             raise RobotError(f"{motor} {does}, and its limit is {wanted}")
-
-
-def _constant(value: Value) -> float:
-    return value.constant() if isinstance(value, Angle) else float(metres(value))

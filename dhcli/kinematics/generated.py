@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 
 from dhcli.algebra.program import needed
 from dhcli.algebra.tape import Cell, Number, Tape
 from dhcli.algebra.written import Lean, Written, written
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.fold import fold, fold_rows
 from dhcli.kinematics.frames import View, between
 from dhcli.kinematics.merge import merge
@@ -24,7 +24,7 @@ from dhcli.notation.tree import Expr
 COUNTED = ("add", "subtract", "multiply", "divide")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Function:
     """A matrix as a function of joint values and lengths.
 

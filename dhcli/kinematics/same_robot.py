@@ -12,11 +12,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import Enum
 from itertools import islice
 
 from dhcli.algebra.points import draws
+from dhcli.frozen import frozen
 from dhcli.geometry.rigid import Rigid
 from dhcli.geometry.vectors import length, plus, scaled, within
 from dhcli.kinematics.axes import Arm, Point
@@ -28,7 +29,7 @@ MOST_LEAVES = 64
 RATE = 1e-9
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Match:
     """How one robot is another: `T'(q) = B · T(σq + q0) · E`.
 

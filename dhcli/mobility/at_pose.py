@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from dhcli.frozen import frozen
 from dhcli.kinematics.limits import warnings
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.singular.finding import find
@@ -17,7 +16,7 @@ VANISHED = 1e-9
 """Nearer than this a factor is zero [rad and m]."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class MobilityAtPose:
     """A robot's mobility, and what its end frame can do at some joint values.
 

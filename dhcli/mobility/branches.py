@@ -8,12 +8,12 @@ points, and not d + 1.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from dhcli.frozen import frozen
 from dhcli.geometry.rank import orthonormal, spaces
 from dhcli.geometry.twists import Array
+from dhcli.mobility.draws import Draws
 from dhcli.mobility.landing import FARTHEST, ROUNDING, close
 from dhcli.mobility.model import Model
 from dhcli.mobility.motion import residual
@@ -44,7 +44,7 @@ BLUNT = 1e-3
 """Relative tolerance of tangents that come from small displacements."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Branch:
     """A family of positions through a landing.
 
@@ -115,7 +115,7 @@ def _tangents(model: Model, motions: Array, stresses: Array, twists: Array, tole
     return motions @ left, left.shape[1] - bent
 
 
-@dataclass(frozen=True)
+@frozen
 class _Near:
     """The neighbourhood of a landing.
 
@@ -135,11 +135,11 @@ class _Near:
 
     def meets(self, count: int, smalls: tuple[float, ...]) -> tuple[Array, float] | None:
         """So many random conditions, `rows (q - landing) = values`, that are met near by, with their size; or None."""
-        draw = np.random.default_rng(count)
+        draw = Draws(count)
         for small in smalls if count else ():
             for _ in range(2):
-                rows = np.linalg.qr(draw.normal(size=(self.motions.shape[1], count)))[0].T @ self.motions.T
-                values = draw.normal(size=count)
+                rows = np.linalg.qr(draw.normal(self.motions.shape[1], count))[0].T @ self.motions.T
+                values = draw.normal(count)
                 if self._moved(rows, small * values / np.linalg.norm(values)) is not None:
                     return rows, small
         return None

@@ -9,7 +9,6 @@ Source: Grübler 1883, Kutzbach 1929; Lynch and Park, Modern Robotics, section 2
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from functools import cached_property
 
 from dhcli.frozen import frozen
@@ -40,7 +39,7 @@ class Group:
     c: int
 
 
-@dataclass(frozen=True)
+@frozen
 class Counts:
     """What goes into the formula.
 

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from dhcli.frozen import frozen
 from dhcli.geometry.rank import Rank
 from dhcli.geometry.twists import Array
 from dhcli.mobility.branches import Branch
@@ -16,7 +15,7 @@ from dhcli.mobility.outputs import freedoms_of, motion_type
 from dhcli.mobility.pebbles import generic_freedoms
 
 
-@dataclass(frozen=True)
+@frozen
 class Decision:
     """What was decided beyond the rank.
 
@@ -41,7 +40,7 @@ class Decision:
     kinds: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True)
+@frozen
 class Truth:
     """What the geometry says; see `Mobility` for the words.
 
@@ -76,7 +75,7 @@ class Truth:
     kinds: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True)
+@frozen
 class Setting:
     """What was looked at.
 
@@ -95,7 +94,7 @@ class Setting:
     least: float
 
 
-@dataclass(frozen=True)
+@frozen
 class Landed:
     """A direction that was followed, and what stands at its end.
 
@@ -122,7 +121,7 @@ def certain(model: Model, rank: Rank, equations: int, instantaneous: int) -> str
     if rank.rank == equations:
         return "exact: the loop equations are independent here, so every instantaneous motion goes on"
     if generic_freedoms(model) == instantaneous:
-        return "exact: no other places of these pins leave fewer motions, so every instantaneous motion goes on"
+        return "exact: no other places of these joints leave fewer motions, so every instantaneous motion goes on"
     return ""
 
 

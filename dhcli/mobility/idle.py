@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import combinations, islice
 
 import numpy as np
 
+from dhcli.frozen import frozen
 from dhcli.geometry.rank import TIGHT, rank_of, spaces
 from dhcli.geometry.twists import Array
 from dhcli.mobility.loops import closure
@@ -26,7 +26,7 @@ ALIKE = 0.95
 """Cosine of two twists, in six dimensions, that may be one in a rounded drawing."""
 
 
-@dataclass(frozen=True, eq=False)
+@frozen
 class Idle:
     """One idle freedom.
 
@@ -47,6 +47,9 @@ class Idle:
     part: Part
     lasting: bool
 
+    __eq__ = object.__eq__  # each equals itself only
+    __hash__ = object.__hash__
+
     def __str__(self) -> str:
         """`rod spins between joints 2 and 3 and moves nothing else`."""
         return f"{self._moves} and {'move' if len(self.links) > 1 else 'moves'} nothing else"
@@ -65,7 +68,7 @@ class Idle:
         return f"{part} {verb} between joints {self.joints[0]} and {self.joints[1]}"
 
 
-@dataclass(frozen=True)
+@frozen
 class Part:
     """Links that two joints alone hold.
 

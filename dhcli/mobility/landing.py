@@ -11,11 +11,12 @@ Source of the solver: Levenberg 1944 and Marquardt 1963.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import pairwise
 
 import numpy as np
 
+from dhcli.frozen import frozen
 from dhcli.geometry.rank import spaces
 from dhcli.geometry.twists import Array
 from dhcli.mobility.model import Model
@@ -52,7 +53,7 @@ FARTHEST = 40.0
 """A landing farther away than this many amplitudes is in another assembly."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Trial:
     """What came of one direction.
 
@@ -117,7 +118,7 @@ def _righted(model: Model, q: Array, left: Array, right: Array) -> tuple[Array, 
     return q, *residual(model, q)
 
 
-@dataclass(frozen=True)
+@frozen
 class Path:
     """Positions along one direction.
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TypeAlias
 
@@ -91,7 +90,7 @@ class InvalidLinkageError(LinkageError):
         super().__init__(Problem(finding.message, None, finding.hint) for finding in findings)
 
 
-@dataclass(frozen=True)
+@frozen
 class Linkage:
     """Links tied by joints; one that exists is connected and has a ground.
 

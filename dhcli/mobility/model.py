@@ -6,13 +6,14 @@ divided by the root mean square distance of the joint points from their centre, 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
+from dhcli.frozen import frozen
 from dhcli.geometry.twists import Array
 from dhcli.mobility.linkage import Joint, Linkage
 from dhcli.mobility.motions import motions_of
@@ -24,7 +25,7 @@ TINY = 1e-9
 """Points nearer together than this part of their distance from the origin are one point."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Step:
     """A joint in the spanning tree, or one that closes a loop.
 
@@ -43,7 +44,7 @@ class Step:
     last: int
 
 
-@dataclass(frozen=True)
+@frozen
 class Model:
     """A linkage in one position, ready for computing.
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from dhcli.frozen import frozen
 from dhcli.mobility.counting import Counts
 from dhcli.mobility.linkage import Linkage
 
 
-@dataclass(frozen=True)
+@frozen
 class Mobility:
     """Counts, formula, truth, and why they differ. Mobility is a property of the given position and assembly.
 

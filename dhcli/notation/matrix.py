@@ -12,11 +12,12 @@ from collections.abc import Iterable, Sequence
 from dhcli.errors import Place
 from dhcli.frozen import frozen
 from dhcli.notation.cells import cells_in, matching, rows_in, with_depths
-from dhcli.notation.parser import Parser
+from dhcli.notation.parser import read_all
 from dhcli.notation.scaled import times, without_factor
 from dhcli.notation.scope import OPEN, Scope
 from dhcli.notation.tokens import MOST_CHARACTERS, Source, Token, tokenize
 from dhcli.notation.tree import Expr
+from dhcli.regex import regex
 
 MOST_CELLS = 256
 MOST_WRAPPINGS = 8
@@ -30,7 +31,7 @@ LONGEST = 64 * 2000
 _WRAPPERS = frozenset(("array", "matrix", "Matrix", "mat"))
 _ENVIRONMENTS = frozenset(("bmatrix", "pmatrix", "matrix", "Bmatrix", "vmatrix", "smallmatrix", "array"))
 _OPENING = {"(": ")", "[": "]", "{": "}"}
-_COMMENT = re.compile(r"^[ \t]*[%#].*$", re.MULTILINE)
+_COMMENT = regex(r"^[ \t]*[%#].*$", re.MULTILINE)
 """A line that MATLAB or numpy would skip, such as the heading of dhcli's own output."""
 
 
@@ -118,10 +119,7 @@ def _cell(source: Source, tokens: list[Token], scope: Scope) -> Cell:
     end = tokens[-1].end
     if end - tokens[0].start > MOST_CHARACTERS:
         raise source.error(tokens[0].start, f"a cell of more than {MOST_CHARACTERS} characters is not read")
-    parser = Parser(source, [*tokens, Token("end", "", end, end, spaced=False)], scope)
-    expr = parser.expression()
-    parser.finish()
-    return Cell(expr, _text(source, tokens), tokens[0].start)
+    return Cell(read_all(source, tokens, scope), _text(source, tokens), tokens[0].start)
 
 
 def _text(source: Source, tokens: list[Token]) -> str:

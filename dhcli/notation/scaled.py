@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from dhcli.frozen import frozen
-from dhcli.notation.parser import Parser
+from dhcli.notation.cells import STEPS
+from dhcli.notation.parser import read_all
 from dhcli.notation.scope import Scope
 from dhcli.notation.tokens import Source, Token
 from dhcli.notation.tree import ONE, Expr, Number, multiply
@@ -106,8 +107,7 @@ def _holds_matrix(tokens: Sequence[Token], at: int) -> bool:
 def _closing(tokens: Sequence[Token], start: int) -> int:
     depth = 0
     for i in range(start, len(tokens)):
-        if tokens[i].kind == "sign":
-            depth += (tokens[i].text in _OPENING) - (tokens[i].text in _OPENING.values())
+        depth += STEPS.get(tokens[i].text, 0)
         if depth == 0:
             return i
     return -1
@@ -134,8 +134,4 @@ def _read(source: Source, tokens: list[Token], scope: Scope) -> Expr:
         tokens = tokens[1:]
     elif tokens[0].text == "/":
         tokens = [Token("number", "1", tokens[0].start, tokens[0].start, spaced=False), *tokens]
-    end = tokens[-1].end if tokens else 0
-    parser = Parser(source, [*tokens, Token("end", "", end, end, spaced=False)], scope)
-    expr = parser.expression()
-    parser.finish()
-    return expr
+    return read_all(source, tokens, scope)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Protocol
 
+from dhcli.frozen import frozen
 from dhcli.scene.camera import Camera
 from dhcli.scene.primitives import Ball, Drum, Face, Scene, Solid
 from dhcli.scene.shapes import Shape, hull, ring
@@ -36,7 +37,7 @@ class Body(Protocol):
         """How it looks, from back to front."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Cylinder:
     """A drum in the world."""
 
@@ -95,7 +96,7 @@ class Cylinder:
         return [Shape(hull(front + back), "drum", closed=True, shade=shade), Shape(front, "cap", closed=True)]
 
 
-@dataclass(frozen=True)
+@frozen
 class Block:
     """A box in the world."""
 
@@ -150,7 +151,7 @@ class Block:
         return found
 
 
-@dataclass(frozen=True)
+@frozen
 class Sphere:
     """A ball in the world."""
 
@@ -176,7 +177,7 @@ class Sphere:
         return [Shape(ring((x, y), r), "ball", closed=True, shade=((x - r, y - r), (x + r, y + r)))]
 
 
-@dataclass(frozen=True)
+@frozen
 class Sheet:
     """A flat link in the world."""
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 from dhcli.errors import DhcliError, Problem, did_you_mean
+from dhcli.frozen import frozen
 from dhcli.scene.vectors import Flat, Vec, dot
 
 VIEWS = {"iso": (37.0, 26.0), "front": (0.0, 0.0), "side": (-90.0, 0.0), "top": (-90.0, 90.0)}
@@ -17,7 +17,7 @@ class ViewError(DhcliError):
     """A view that there is not."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Camera:
     """Where a figure is seen from.
 

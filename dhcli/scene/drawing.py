@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from dhcli.errors import DhcliError
+from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.sweep.workspace import Workspace
 from dhcli.kinematics.values import JointInput
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
     from dhcli.notation.quantity import Bare
 
 
-@dataclass(frozen=True)
+@frozen
 class Drawing:
     """What is drawn, and how.
 

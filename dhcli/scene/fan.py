@@ -6,8 +6,7 @@ ahead; those between stay. Frames never move.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from dhcli.frozen import frozen
 from dhcli.scene.skeleton import Axis, Leg, Skeleton
 from dhcli.scene.vectors import Vec, dot, norm, sub, unit
 
@@ -23,7 +22,7 @@ STEP = 2.45
 PARALLEL = 0.999
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Slid:
     """Where the body of a joint stands on its axis.
 

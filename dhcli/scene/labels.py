@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 
+from dhcli.frozen import frozen
 from dhcli.scene.ink import Ink
 from dhcli.scene.shapes import Shape, Text
 from dhcli.scene.vectors import Flat
@@ -23,7 +23,7 @@ INK, DISTANCE, TURNED, CROSSED = 30.0, 0.16, 2.2, 6.0
 """Costs: of ink under a label, of a pixel of distance, of the wrong side, of a line across a label."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Lettering:
     """How large letters are.
 
@@ -54,7 +54,7 @@ class Lettering:
 PRINT = Lettering()
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Wish:
     """A label that wants a place.
 
@@ -72,7 +72,7 @@ class Wish:
     away: Flat = (0.0, 0.0)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Rect:
     """A rectangle on paper [px]."""
 

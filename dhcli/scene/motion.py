@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import JointInput, Values
@@ -38,7 +39,7 @@ SHRUNK = 0.55
 """The largest radius of a drum in a motion, in parts of that in a figure."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Motion:
     """An arm on its way.
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import pairwise
 
+from dhcli.frozen import frozen
 from dhcli.scene.bodies import Body, Cylinder, body_of
 from dhcli.scene.camera import Camera
 from dhcli.scene.order import ordered
@@ -23,7 +23,7 @@ TURN, ARC, SWEEP = 1.42, 22, (-215.0, 62.0)
 HATCHES = 13
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Piece:
     """Something small enough to be wholly before or behind a body.
 

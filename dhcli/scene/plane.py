@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from dhcli.frozen import frozen
 from dhcli.mobility.linkage import Joint, Linkage
 from dhcli.scene.ink import Ink
 from dhcli.scene.labels import Rect, Wish, placed
@@ -26,7 +26,7 @@ SLIDER = (21.0, 14.0)
 GUIDE = 62.0
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Sheet:
     """Where the plane is on paper."""
 

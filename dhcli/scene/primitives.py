@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal, NamedTuple, TypeAlias
 
+from dhcli.frozen import frozen
 from dhcli.scene.vectors import Frame, Vec
 from dhcli.scene.words import Words
 
@@ -21,7 +21,7 @@ class Anchor(NamedTuple):
     at: Vec
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Rod:
     """A straight piece of a link.
 
@@ -38,7 +38,7 @@ class Rod:
     ground: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Drum:
     """The body of a joint that turns: a cylinder about its axis.
 
@@ -57,7 +57,7 @@ class Drum:
     half: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Box:
     """The body of a joint that slides.
 
@@ -76,7 +76,7 @@ class Box:
     half: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Ball:
     """A ball joint, or the cross of a universal joint.
 
@@ -89,7 +89,7 @@ class Ball:
     radius: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Face:
     """A flat link with three corners or more.
 
@@ -105,7 +105,7 @@ class Face:
 Solid: TypeAlias = Drum | Box | Ball | Face
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Arrow:
     """An axis of a frame.
 
@@ -124,7 +124,7 @@ class Arrow:
     length: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Dimension:
     """A length of the table where its convention has it: d along z, a along x.
 
@@ -143,7 +143,7 @@ class Dimension:
     direct: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Plate:
     """The ground under an arm, or a broken end where the arm goes on.
 
@@ -160,7 +160,7 @@ class Plate:
     broken: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Hand:
     """The hand: a fork with two fingers.
 
@@ -177,7 +177,7 @@ class Hand:
     size: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Mark:
     """A name at a point, such as that of a pin."""
 
@@ -185,7 +185,7 @@ class Mark:
     words: Words
 
 
-@dataclass(frozen=True)
+@frozen
 class Scene:
     """Everything that a figure shows, in space.
 

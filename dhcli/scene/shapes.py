@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+from dhcli.frozen import frozen
 from dhcli.scene.vectors import Flat
 from dhcli.scene.words import Words
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Shape:
     """A line or an area.
 
@@ -27,7 +27,7 @@ class Shape:
     shade: tuple[Flat, Flat] | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Text:
     """A text.
 
@@ -44,7 +44,7 @@ class Text:
     size: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Figure:
     """A finished drawing.
 

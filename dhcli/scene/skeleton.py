@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal, TypeAlias
 
 from dhcli.algebra.floats import Floats
+from dhcli.frozen import frozen
 from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans, expressions
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values, numbers
@@ -23,7 +23,7 @@ Given: TypeAlias = Mapping[str, Angle | float]
 AXES: Mapping[str, Vec] = {"x": WORLD.x, "y": WORLD.y, "z": WORLD.z}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Axis:
     """The axis of a joint.
 
@@ -40,7 +40,7 @@ class Axis:
     direction: Vec
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Leg:
     """A straight piece of the way from the base to the hand.
 
@@ -59,7 +59,7 @@ class Leg:
     variable: str = ""
 
 
-@dataclass(frozen=True)
+@frozen
 class Skeleton:
     """A robot at a pose.
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import NAMES
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.validity import in_floats
@@ -34,7 +35,7 @@ LARGEST_OF_LINKAGE = 62.0
 """The same where no frames and lengths stand around it."""
 
 
-@dataclass(frozen=True)
+@frozen
 class Staged:
     """A robot or a linkage, ready to be drawn.
 
@@ -53,7 +54,7 @@ class Staged:
     first: int | None = 1
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Paper:
     """What a figure is drawn on.
 

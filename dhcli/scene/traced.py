@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
 from dhcli.algebra.floats import Floats
+from dhcli.frozen import frozen
 from dhcli.kinematics.moves import Chain
 from dhcli.scene.skeleton import Given, moved
 from dhcli.scene.vectors import WORLD, Frame, Vec
@@ -17,7 +17,7 @@ Pairs = tuple[tuple[str, str], ...]
 """Names of frames of the arm, each with the frame of the other that should stand in its place."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Traced:
     """Frames over an arm.
 

@@ -35,7 +35,8 @@ from dhcli.files.urdf.chains import tips_of
 from dhcli.files.urdf.model import read_model
 from dhcli.files.urdf.robots import read_urdf
 from dhcli.files.urdf.writing import urdf_text
-from dhcli.kinematics.describe.description import Asked, describe
+from dhcli.kinematics.describe.asked import Asked
+from dhcli.kinematics.describe.description import describe
 from dhcli.kinematics.describe.drawn import drawing_of, same_direction
 from dhcli.kinematics.forward import forward
 from dhcli.notation.tree import ONE

@@ -22,7 +22,7 @@ from dhcli.kinematics.inverse.planning import find_plan
 from dhcli.kinematics.inverse.prepared import prepare
 from dhcli.kinematics.inverse.running import run
 from dhcli.kinematics.inverse.tasks import TASKS
-from tests.kinematics.inverse.arms import CLASSES, random_arm, random_motions
+from tests.kinematics.inverse.arms import CLASSES, odd, random_arm, random_motions
 
 ROBOTS = ("puma560", "ur5e", "zhou-6r", "stanford", "cylindrical-wrist", "scara-yim", "planar-2r")
 POSES = 20_000
@@ -61,7 +61,7 @@ def classes(arms: int) -> None:
     """A line for each class of random arms."""
     print(f"\n{'class':34} {'rules':10} {'found':>14} {'odd':>4} {'us a pose':>10} {'plan':>7}")
     for name, kind in CLASSES.items():
-        total = found = odd = 0
+        total = found = alone = 0
         planning = solving = 0.0
         rules = set[str]()
         for seed in range(arms):
@@ -81,9 +81,8 @@ def classes(arms: int) -> None:
             np.minimum.at(best, result.index, gap)
             total += PER_ARM
             found += int((best < 1e-6).sum())
-            odd += int((np.bincount(result.index, minlength=PER_ARM) % 2).sum())
-        odd_text = str(odd) if kind.task == "pose" and len(kind.joints) == 6 else ""
-        figures = f"{f'{found}/{total}':>14} {odd_text:>4} {solving / total * 1e6:10.0f}"
+            alone += odd(kind, arm, result, PER_ARM)
+        figures = f"{f'{found}/{total}':>14} {alone:4} {solving / total * 1e6:10.0f}"
         print(f"{name:34} {'/'.join(sorted(rules)):10} {figures} {planning / arms * 1e3:4.0f} ms")
 
 

@@ -9,9 +9,9 @@ import pytest
 
 from dhcli import load_exercise
 from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.judge import PartMark
 from dhcli.checking.kinds.count import CountQuestion
 from dhcli.checking.kinds.matrix import MatrixQuestion
+from dhcli.checking.marked import PartMark
 from dhcli.checking.verdicts import Verdict
 from dhcli.files.library.lookup import Kind, entries
 from tests.judging import judge_of, mark_sheet, vary

@@ -61,6 +61,26 @@ def test_json_has_the_table_the_steps_and_the_proof() -> None:
     assert {step["step"] for step in data["steps"]} == {1, 2, 3, 4, 5, 6}
 
 
+def test_moves_that_share_variables_are_said_beside_the_joints_that_make_them() -> None:
+    """On the screen where joints are named, and in JSON; a table has the sums in its cells."""
+    assert "theta3 = j3 - j2 · theta4 = -j3" in run("describe", "palletizer", "--as", "axes").out
+    assert "theta3 = j3 - j2" in run("describe", "palletizer", "--as", "standard", "--steps").out
+    table = run("describe", "palletizer", "--as", "standard").out
+    assert "j3 - j2" in table
+    assert "theta3 =" not in table
+    data = json.loads(run("describe", "palletizer", "--as", "screws", "--format", "json").out)["data"]
+    assert data["shared"] == {"theta3": "j3 - j2", "theta4": "-j3"}
+    refused = run("describe", "palletizer", "--as", "screws", "--format", "yaml")
+    assert (refused.code, refused.out) == (2, "")
+    assert "theta3 has no variable of its own" in refused.err
+
+
+def test_a_urdf_of_coupled_motors_says_what_it_has_not_got() -> None:
+    """The drives; one without says nothing."""
+    assert "no motors that drive joints together" in run("describe", "fanuc-like", "--as", "urdf").err
+    assert not run("describe", "palletizer", "--as", "urdf").err
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [

@@ -146,6 +146,9 @@ def test_a_file_that_is_there_stays_unless_it_may_be_overwritten(dhcli: Run, tmp
         (("puma560", "-o", "nowhere/points.csv"), "there is no folder nowhere"),
         (("puma560", "--overwrite"), "--overwrite needs a file"),
         (("puma560", "--over", "q1=0..1 n 1000000000000"), "1,000,000,000,000 values"),
+        (("puma560", "--jobs", "0"), "'--jobs': 0 is not in the range"),
+        (("puma560", "--jobs", "-3"), "'--jobs': -3 is not in the range"),
+        (("puma560", "--jobs", "all"), "'--jobs': 'all' is not a whole number"),
     ],
 )
 def test_bad_input_ends_with_2_and_words(dhcli: Run, tmp_path: Path, words: tuple[str, ...], said: str) -> None:
@@ -155,6 +158,21 @@ def test_bad_input_ends_with_2_and_words(dhcli: Run, tmp_path: Path, words: tupl
     assert done.err.startswith("dhcli: ")
     assert said in done.err
     assert not list(tmp_path.iterdir())
+
+
+def test_any_number_of_jobs_says_the_same(dhcli: Run, tmp_path: Path) -> None:
+    """The same summary, the same points in the same order, the same picture; of a grid of many blocks."""
+    ranges = [word for k in (1, 2, 3) for word in ("--over", f"q{k}=-1..1 n 47")]
+    said = set()
+    for jobs in ("1", "2", "5"):
+        files = ("-o", f"{jobs}.npy", "--draw", f"{jobs}.svg")
+        done = dhcli("sweep", "puma560", *ranges, *files, "--jobs", jobs)
+        assert done.code == 0
+        said.add(done.out.replace(f"{jobs}.svg", "").replace(f"{jobs}.npy", ""))
+    said.add(dhcli("sweep", "puma560", *ranges).out)
+    assert len(said) == 1
+    for suffix in ("npy", "svg"):
+        assert len({(tmp_path / f"{jobs}.{suffix}").read_bytes() for jobs in (1, 2, 5)}) == 1
 
 
 def test_warnings_are_said_and_stand_in_json(dhcli: Run) -> None:

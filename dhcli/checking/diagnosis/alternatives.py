@@ -7,7 +7,6 @@ the same care for spelling, units and digits.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
 from typing import Generic, TypeVar
 
 from dhcli.checking.diagnosis.result import Slip
@@ -16,11 +15,12 @@ from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Reading
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import NotationError
+from dhcli.frozen import frozen
 
 T = TypeVar("T")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Alternative(Generic[T]):
     """A mistake, and the question that it answers rightly.
 

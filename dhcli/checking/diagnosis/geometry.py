@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.diagnosis.typed import TypedMatrix
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.orientations import not_orthonormal
 from dhcli.checking.wanted import Wanted
+from dhcli.frozen import frozen
 from dhcli.geometry.rigid import Rigid
 from dhcli.geometry.vectors import UNITS, Vector, dot, length, plus, scaled
 from dhcli.kinematics.entries import rounded
@@ -34,7 +34,7 @@ HALVES = ("the rotation is right;", "the position is right;")
 """How remarks begin that are said more precisely here."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Frame:
     """A frame in which a shift may be told: the name of its axes, and its rotation at each point."""
 

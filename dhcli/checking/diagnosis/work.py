@@ -7,7 +7,7 @@ compare them with an answer, and over terms to write an answer that holds the mi
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from enum import Enum
 from fractions import Fraction
 from functools import partial
@@ -41,7 +41,7 @@ class Multiplied(Enum):
     ELEMENTWISE = "entry by entry"
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen
 class Factor:
     """One factor: a link, the base, the tool, or a single move. It equals itself only, so that it is a cheap key.
 
@@ -54,6 +54,9 @@ class Factor:
     name: str
     chain: Chain
     row: Row | None = None
+
+    __eq__ = object.__eq__  # each equals itself only
+    __hash__ = object.__hash__
 
 
 @frozen

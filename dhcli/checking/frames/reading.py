@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.frames.sketch import Pose
@@ -12,6 +11,7 @@ from dhcli.checking.frames.spelling import AXIS, SHAPE, is_minus, named_cells, r
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.units import in_metres
 from dhcli.errors import NotationError, Place
+from dhcli.frozen import frozen
 from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, length, scaled
 from dhcli.kinematics.describe.drawn import Frame
 from dhcli.kinematics.describe.linear import Point, point_of
@@ -25,7 +25,7 @@ LEAST = 1e-9
 """A direction that is shorter was meant to be zero."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class TypedFrame:
     """A frame as it was read.
 
@@ -67,7 +67,7 @@ def read_frames(text: str, exercise: Exercise, numbers: Sequence[int], pose: Pos
     return tuple(found[number] for number in numbers)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Reader:
     """What the cells of a frame are read with."""
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.frames.reading import TypedFrame
 from dhcli.checking.frames.rules import DH1, FRAME, TASK, X_CELL, Z_CELL, Broken, Rules
 from dhcli.checking.returned import Causes
 from dhcli.checking.tables.reasons import OTHERS
+from dhcli.frozen import frozen
 from dhcli.geometry.vectors import Vector, cross, dot, length, scaled
 from dhcli.kinematics.conventions import NAMES
 from dhcli.kinematics.describe.drawn import Frame
@@ -20,7 +21,7 @@ MOST = 2
 """Slips that are named together; of more one cannot say what was meant."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Mistake:
     """A mistake that can be made at one frame.
 

@@ -65,7 +65,7 @@ class CellQuestion(Question[TypedValue]):
         robot = case.exercise.robot
         if robot is not None and robot.convention in MEANINGS:
             yield Shown(f"What is measured is {MEANINGS[robot.convention][COLUMNS.index(self.column)]}")
-            yield from cell_lines(robot, self.column, int(self.link))
+            yield from cell_lines(robot, self.column, int(self.link), case.exercise)
 
     def read(self, case: Case, text: str, place: Place | None = None) -> TypedValue:
         return read_typed_value(case.exercise, text.strip().removesuffix("*"), place)

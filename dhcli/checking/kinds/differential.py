@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Rank, Slip
@@ -17,6 +15,7 @@ from dhcli.checking.motion.question import MotionQuestion
 from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.forward import textbook_form
 from dhcli.kinematics.frames import ORIGIN, between, ends
 from dhcli.kinematics.robot import Robot
@@ -24,12 +23,13 @@ from dhcli.notation.scope import Scope
 from dhcli.notation.tree import ZERO, Expr, add, negate
 from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write
+from dhcli.regex import regex
 
-_HEAD = re.compile(r"differential\s+motion\s*(?P<moved>\([^()]*\))(?:\s+turn\s*(?P<turned>\([^()]*\)))?")
+_HEAD = regex(r"differential\s+motion\s*(?P<moved>\([^()]*\))(?:\s+turn\s*(?P<turned>\([^()]*\)))?")
 POWERS = ((0, 0, 0, 1),) * 3 + ((0, 0, 0, 0),)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class DifferentialQuestion(MotionQuestion):
     """The change of a pose by a small displacement and a small turn.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, ClassVar, Self, TypeAlias
 
 from dhcli.checking.diagnosis.result import Slip
@@ -22,6 +22,7 @@ from dhcli.checking.tables.comparing import END
 from dhcli.checking.tables.typed_rows import TypedRow
 from dhcli.checking.verdicts import UNSOLVED, Mark, Verdict
 from dhcli.errors import NotationError, Place, Problem
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import Convention, Row
 from dhcli.kinematics.describe.words import Speaker, written
 from dhcli.kinematics.robot import Robot
@@ -37,7 +38,7 @@ COLUMNS = 5
 """The three coordinates of an origin, the x axis and the z axis."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class FramesQuestion(Question[Answer]):
     """A frame for each link: its origin, its x axis and its z axis, in the pose drawn.
 
@@ -104,7 +105,7 @@ class FramesQuestion(Question[Answer]):
 
     def steps(self, case: Case) -> Iterable[Shown]:
         sketch = self._rules(case).sketch
-        speaker = Speaker(sketch.walked, self.convention, sketch.robot.first, sketch.robot.writing)
+        speaker = Speaker(sketch.walked, self.convention, sketch.robot.first, sketch.robot.writing, sketch.measured)
         yield from map(Shown, written(speaker.drawn()))
         rows = (frame_text(frame, case.exercise) for frame in sketch.frames)
         lines = (f"frame {number}: {row}" for number, row in enumerate(rows, sketch.first))
@@ -179,7 +180,7 @@ class FramesQuestion(Question[Answer]):
 
         compare = compare_of(case)
         is_open = END not in self._rules(case).sketch.stated
-        answer = answer_of(case.exercise, self.convention, rows, compare, case.tolerance, end_free=is_open or None)
+        answer = answer_of(case.memo, self.convention, rows, compare, case.tolerance, end_free=is_open or None)
         mark = mark_table(answer)
         said = f"no frames on these axes have this table in {self.convention.value} DH"
         return replace(mark, remarks=(said, *mark.remarks)) if mark.verdict in UNSOLVED else mark

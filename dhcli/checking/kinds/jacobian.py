@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Rank, Slip
@@ -17,19 +16,21 @@ from dhcli.checking.motion.grid import Grid
 from dhcli.checking.returned import Reading, Shown
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.velocity.form import GEOMETRIC, Form
 from dhcli.kinematics.velocity.jacobian import textbook_jacobian
 from dhcli.kinematics.velocity.view import MotionView, joints_between
 from dhcli.notation.scope import Scope
+from dhcli.regex import regex
 
-_HEAD = re.compile(
+_HEAD = regex(
     r"(?:column\s+(?P<alone>\d{1,2})\s+of\s+|entry\s+(?P<row>\d{1,2})\s+(?P<column>\d{1,2})\s+of\s+)?"
     r"jacobian(?:\s+(?P<form>[a-z ]+))?"
 )
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class JacobianQuestion(ColumnsQuestion):
     """A Jacobian, a column of it or an entry.
 

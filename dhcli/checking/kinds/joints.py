@@ -20,11 +20,12 @@ from dhcli.frozen import frozen
 from dhcli.kinematics.validity import Finding
 from dhcli.notation.angle import Angle
 from dhcli.notation.scope import Scope
+from dhcli.regex import regex
 
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.solutions import Solutions
 
-_WHICH = re.compile(
+_WHICH = regex(
     r"(?P<limits>within\s+limits\s*)?(?:(?P<all>all)|(?P<any>any)|branch\s+(?P<branch>[\w +,-]+))?", re.DOTALL
 )
 Vectors = tuple[Vector, ...]
@@ -89,7 +90,7 @@ class JointsQuestion(GoalQuestion[Vectors]):
     def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
         robot = needed(exercise.robot)
         lengths = {name for name, value in robot.parameters.items() if value is None}
-        return tuple(sorted((self.target.names | lengths) - exercise.values.keys()))
+        return tuple(sorted((self.target.names | lengths) - exercise.known.keys()))
 
     def expected(self, case: Case, _style: str = "short") -> str:
         wanted = self.wanted(case)
@@ -212,16 +213,13 @@ class JointsQuestion(GoalQuestion[Vectors]):
         from dhcli.kinematics.values import numbers
 
         exercise = case.exercise
+        known = exercise.known
         robot, found = needed(exercise.robot), solutions(case, self.target)
         joints = self._joints(exercise)
         at = [robot.variables.index(name) for name in joints]
-        rows = self.target.rows(exercise.values)
-        over = Floats(numbers(exercise.values))
-        lengths = [
-            abs(over.length(v))
-            for n, v in exercise.values.items()
-            if n in robot.parameters and not isinstance(v, Angle)
-        ]
+        rows = self.target.rows(known)
+        over = Floats(numbers(known))
+        lengths = [abs(over.length(v)) for n, v in known.items() if n in robot.parameters and not isinstance(v, Angle)]
         return Range(
             robot,
             joints,
@@ -231,6 +229,6 @@ class JointsQuestion(GoalQuestion[Vectors]):
             tuple(frozenset(name for way in ways for name in way.joints) for ways in found.free),
             exercise,
             sum(lengths) or max((abs(row[3]) for row in rows[:3]), default=1.0),
-            merge(put_in(between(robot, *self.target.ends(robot)), of_robot(robot, exercise.values))),
-            numbers(of_robot(robot, exercise.values)),
+            merge(put_in(between(robot, *self.target.ends(robot)), of_robot(robot, known))),
+            numbers(of_robot(robot, known)),
         )

@@ -32,15 +32,16 @@ from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
+from dhcli.regex import regex
 
 if TYPE_CHECKING:
     from dhcli.geometry.rotations import Rotation
 
-_FORM = re.compile(
+_FORM = regex(
     r"(?P<form>rpy|quaternion|axis-angle|rotation-vector|(?P<kind>euler|fixed)\s+(?P<axes>[xyz]{3}))\s+(?:of\s+)?(?P<rest>.+)",
     re.DOTALL,
 )
-_LABEL = re.compile(r"[^\W\d]+\s*=")
+_LABEL = regex(r"[^\W\d]+\s*=")
 LEAST_TURN = 1e-6
 """Turns that differ by less than this are one [rad]."""
 

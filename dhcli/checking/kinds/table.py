@@ -88,7 +88,7 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         exercise = case.exercise
         for robot in (exercise.robot, exercise.also and exercise.also[0]):
             if robot is not None and exercise.robot is not None and robot.convention is self.convention:
-                yield from process_lines(robot)
+                yield from process_lines(robot, exercise)
                 yield Shown("4  Each row leads from one frame to the next:\n" + "\n".join(MEANINGS[self.convention]))
                 lines = table_lines(own_rows(robot), exercise.robot.columns, robot.first, exercise)
                 yield Shown("Row by row:\n" + "\n".join(lines))
@@ -110,7 +110,7 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
             yield Finding((*where, "compare"), message, "compare: same-motion")
 
     def read(self, case: Case, text: str, place: Place | None = None) -> tuple[TypedRow, ...]:
-        from dhcli.checking.tables.marking import robot_of
+        from dhcli.checking.tables.answer import robot_of
 
         exercise, robot = case.exercise, robot_of(case.exercise)
         return read_table(text, robot, exercise.scope, robot.columns, exercise.unit, place)
@@ -126,7 +126,7 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         from dhcli.checking.tables.comparing import compare_of
         from dhcli.checking.tables.marking import answer_of
 
-        return answer_of(case.exercise, self.convention, reading.value, compare_of(case), case.tolerance)
+        return answer_of(case.memo, self.convention, reading.value, compare_of(case), case.tolerance)
 
     def slips(self, case: Case) -> Iterable[Slip]:
         from dhcli.checking.diagnosis.slips import table_candidates
@@ -135,13 +135,13 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
 
     def answer_with(self, case: Case, name: str) -> str | None:
         from dhcli.checking.diagnosis.slips import table_candidates
-        from dhcli.checking.tables.cells import dh_table_text
+        from dhcli.checking.tables.cells import dh_table_text, on_sheet
 
         robot = case.exercise.robot
         for one in table_candidates(case.exercise, self.convention, name) if robot is not None else ():
             if one.slips[0].name == name and robot is not None:
                 rows = tuple(step.row for step in one.work.steps if step.row is not None)
-                return dh_table_text(rows, robot.columns, case.exercise.writing)
+                return dh_table_text(on_sheet(rows, case.exercise), robot.columns, case.exercise.writing)
         return None
 
     def causes(self, case: Case, reading: Reading[tuple[TypedRow, ...]]) -> Causes:
@@ -183,7 +183,7 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         return leads_of(self.rows(case, reading), self.convention, span, points)
 
     def overlaid(self, case: Case, reading: Reading[tuple[TypedRow, ...]], values: Values) -> Overlaid:
-        from dhcli.checking.tables.marking import robot_of
+        from dhcli.checking.tables.answer import robot_of
         from dhcli.kinematics.values import numbers
         from dhcli.scene.traced import paired, traced
 
@@ -195,7 +195,7 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
 
     def robot_drawn(self, exercise: Exercise) -> Robot:
         """The arm, with the table of this convention where the exercise has one."""
-        from dhcli.checking.tables.marking import robot_of
+        from dhcli.checking.tables.answer import robot_of
 
         own = robot_of(exercise)
         also = exercise.also[0] if exercise.also else own

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import ClassVar, Self
 
@@ -17,6 +15,7 @@ from dhcli.checking.motion.grid import Grid
 from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.frames import ORIGIN
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.velocity.cramer import LARGEST, solved
@@ -26,11 +25,12 @@ from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr, multiply, negate, number
 from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write
+from dhcli.regex import regex
 
-_HEAD = re.compile(r"torques\s+for\s*(?P<force>\(.*?\))(?:\s+moment\s*(?P<moment>\(.*?\)))?")
+_HEAD = regex(r"torques\s+for\s*(?P<force>\(.*?\))(?:\s+moment\s*(?P<moment>\(.*?\)))?")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class TorquesQuestion(ColumnsQuestion):
     """Joint torques for a wrench that the end exerts: tau = Jᵀ F.
 

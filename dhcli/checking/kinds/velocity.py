@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from typing import ClassVar, Self
 
@@ -17,6 +16,7 @@ from dhcli.checking.motion.grid import Grid
 from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.velocity.form import Form
 from dhcli.kinematics.velocity.view import joints_between
@@ -24,11 +24,12 @@ from dhcli.notation.scope import Scope
 from dhcli.notation.tree import PI, Expr, Symbol, multiply, number, power
 from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write
+from dhcli.regex import regex
 
-_HEAD = re.compile(r"(?P<angular>angular\s+)?velocity(?:\s+of\s+point\s*(?P<point>\(.*\)))?(?:\s+of\s+point)?")
+_HEAD = regex(r"(?P<angular>angular\s+)?velocity(?:\s+of\s+point\s*(?P<point>\(.*\)))?(?:\s+of\s+point)?")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class VelocityQuestion(ColumnsQuestion):
     """The velocity of a point of a frame, or the angular velocity of the frame.
 

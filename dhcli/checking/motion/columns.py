@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TypeAlias
 
 from dhcli.algebra.arithmetic import settled
 from dhcli.algebra.terms import TERMS
 from dhcli.checking.exercise import Case
 from dhcli.checking.motion.grid import Grid, Rows, exact
+from dhcli.frozen import frozen
 from dhcli.kinematics.fold import fold_rows
 from dhcli.kinematics.forward import textbook_form
 from dhcli.kinematics.frames import ORIGIN, between
@@ -31,7 +32,7 @@ Vector: TypeAlias = tuple[Expr, Expr, Expr]
 NOTHING: Vector = (ZERO, ZERO, ZERO)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Column:
     """The column of a joint.
 
@@ -52,7 +53,7 @@ class Column:
     angular: Vector
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Columns:
     """All columns between two frames of a robot.
 

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
 from itertools import product as every
@@ -14,6 +12,7 @@ from dhcli.algebra.equality import equal
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.pasted import UnreadableError
 from dhcli.errors import NotationError, Place
+from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.singular.conditions import Put, zeroing
 from dhcli.notation.angle import Angle
@@ -24,10 +23,11 @@ from dhcli.notation.tree import ZERO, Expr, Number, Power, Product, Symbol, Trig
 from dhcli.notation.trig import cosine, sine
 from dhcli.notation.walk import substitute, symbols, walk
 from dhcli.notation.writer import write, write_angle
+from dhcli.regex import regex
 
-_BETWEEN = re.compile(r"(,|;|\n|\bor\b|\u2228|\band\b|&+|∧)")
-_AND = re.compile(r"and|&+|∧")
-_TURNS = re.compile(r"(?P<first>.*?)[+±]?\s*\b[knm]\s*[*·]?\s*(?:180(?:\s*°|\s*deg)?|pi|π)")
+_BETWEEN = regex(r"(,|;|\n|\bor\b|\u2228|\band\b|&+|∧)")
+_AND = regex(r"and|&+|∧")
+_TURNS = regex(r"(?P<first>.*?)[+±]?\s*\b[knm]\s*[*·]?\s*(?:180(?:\s*°|\s*deg)?|pi|π)")
 """`k*180°`, `90° + n*pi`: half turns as often as one likes."""
 
 HALF_TURN, TURN = 180, 360
@@ -36,7 +36,7 @@ MOST = 64
 """Conditions that are read."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Zero:
     """Something that is zero.
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from typing import Self
 
 from dhcli.checking.diagnosis.chance import Evidence, is_chance
@@ -12,12 +11,13 @@ from dhcli.checking.exercise import Exercise
 from dhcli.checking.motion.grid import Grid, Numbers, scale_of, within
 from dhcli.checking.motion.marking import values_of
 from dhcli.checking.tolerance import SLACK, typed_decimals, without_unit
+from dhcli.frozen import frozen
 
 COARSE = 0.02
 """A share of the largest number that its digits must not leave open: two of them are too few."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Digits:
     """Numbers, lengths in metres.
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 
 from dhcli.algebra.floats import Floats
@@ -16,6 +16,7 @@ from dhcli.checking.pasted import UnreadableError, WrongUnitError
 from dhcli.checking.symbolic import about_equal, counterexample, has_decimals, same
 from dhcli.checking.tolerance import is_rounding_of, judge, typed_decimals, without_unit
 from dhcli.checking.verdicts import IN_OTHER_UNIT, CellMark, Mark, Verdict, worst
+from dhcli.frozen import frozen
 from dhcli.kinematics.values import numbers
 from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write
@@ -65,7 +66,7 @@ def _marked(exercise: Exercise, entries: Entries, cells: tuple[CellMark, ...]) -
     return Mark(verdict, reading, cells, remarks, _earned(cells, numeric=exercise.numeric), expected)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class InUnit:
     """An answer read in another unit than that of the sheet.
 
@@ -132,9 +133,11 @@ def _in_rows(cells: Sequence[str], width: int) -> str:
 
 
 def _in_symbols(exercise: Exercise, right: Grid, entries: Entries) -> tuple[CellMark, ...]:
+    shown = right.on_sheet(exercise)
+
     def cell(entry: Entry, r: int, c: int) -> CellMark:
         truth, counted = right.rows[r][c], not right.is_same_for_all(r, c)
-        expected, note = write(truth, "short", exercise.writing), ""
+        expected, note = write(shown[r][c], "short", exercise.writing), ""
         verdict = Verdict.WRONG
         read = partial(as_read, exercise, right.powers[r][c])
         if same(entry.expr, truth, exercise.values, exercise):

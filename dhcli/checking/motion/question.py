@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from itertools import islice
 
@@ -23,6 +23,7 @@ from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.symbolic import same
 from dhcli.checking.verdicts import Mark
 from dhcli.errors import DhcliError, Place, RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import numbers
 from dhcli.notation.names import natural_key
@@ -31,7 +32,7 @@ SEED = 31
 POINTS = 2
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Wrong:
     """A mistake, and the answer of whoever has made it.
 
@@ -193,7 +194,7 @@ class MotionQuestion(Question[Entries]):
         known = [self.at_points(exercise, right)]
         for slip, grid in self.every(case, right):
             try:
-                seen = grid.numbers(exercise) if exercise.numeric else ()
+                seen = grid.numbers_in(case.memo) if exercise.numeric else ()
                 limits = self._limits(case, grid) if exercise.numeric else ()
                 points = self.at_points(exercise, grid)
             except (DhcliError, KeyError, ZeroDivisionError, OverflowError):
@@ -277,7 +278,7 @@ class MotionQuestion(Question[Entries]):
         """A step with a table: in numbers in the unit of the sheet."""
         exercise = case.exercise
         if not exercise.numeric or grid.names - exercise.values.keys():
-            return Shown(text, grid.rows)
+            return Shown(text, grid.on_sheet(exercise))
         pairs = zip(grid.numbers(exercise), grid.powers, strict=True)
         return Shown(
             text,

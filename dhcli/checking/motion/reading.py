@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 from dhcli.checking.commas import comma_remark
 from dhcli.checking.entries import LARGEST, Entries, Entry, check_names
 from dhcli.checking.exercise import Exercise
@@ -15,13 +13,14 @@ from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_length
 from dhcli.notation.tree import Expr, Number, multiply
 from dhcli.notation.walk import symbols
+from dhcli.regex import regex
 
-_NAMED = re.compile(r"(^|[,;\n])[ \t]{0,9}(?:\\?[^\W\d][\w'_{}]{0,12})[ \t]{0,9}=")
+_NAMED = regex(r"(^|[,;\n])[ \t]{0,9}(?:\\?[^\W\d][\w'_{}]{0,12})[ \t]{0,9}=")
 """What stands before a number of a list: `tau1 =`, `v_x =`."""
 
-_SPEED = re.compile(r"(?<![A-Za-z_])(mm|cm|m) ?/ ?s(?:ec)?(?![\w^])")
-_TURNING = re.compile(r"(?<![A-Za-z_])(rad|deg|°) ?/ ?s(?:ec)?(?![\w^])")
-_FORCE = re.compile(r"(?<=[\d.) ])N(?: ?[·*]? ?m)?(?![\w^])")
+_SPEED = regex(r"(?<![A-Za-z_])(mm|cm|m) ?/ ?s(?:ec)?(?![\w^])")
+_TURNING = regex(r"(?<![A-Za-z_])(rad|deg|°) ?/ ?s(?:ec)?(?![\w^])")
+_FORCE = regex(r"(?<=[\d.) ])N(?: ?[·*]? ?m)?(?![\w^])")
 """Units of rates and forces, which no formula has."""
 
 

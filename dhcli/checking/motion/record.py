@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from enum import IntEnum
 from typing import TypeAlias
 
 from dhcli.checking.diagnosis.result import Rank
 from dhcli.checking.motion.columns import Columns
+from dhcli.frozen import frozen
 
 Made: TypeAlias = Iterator[tuple[str, Columns]]
 Maker: TypeAlias = Callable[[Columns], Made]
@@ -24,7 +24,7 @@ class Stage(IntEnum):
     ORDER = 4
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ColumnMistake:
     """A kind of mistake in columns.
 

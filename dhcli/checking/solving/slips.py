@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TypeAlias
 
 from dhcli.checking.diagnosis.result import Slip
@@ -17,6 +17,7 @@ from dhcli.checking.solving.vectors import FULL_TURN, Range, Vector, apart
 from dhcli.checking.solving.wanted_joints import WantedJoints
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import DhcliError
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.robot import Robot
 
@@ -29,7 +30,7 @@ OUTSIDE = Slip("out-of-limits", "a joint is outside its limits", "look at the li
 OTHERS = {Convention.STANDARD: Convention.MODIFIED, Convention.MODIFIED: Convention.STANDARD}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Wrong:
     """What a slip leads to.
 
@@ -120,7 +121,7 @@ def _of_formulas(question: WantedJoints, case: Case, field: Range) -> Iterator[t
     entries |= {f"p{axis}": field.rows[i][3] for i, axis in enumerate("xyz")}
 
     def vectors(one: object) -> list[Joints]:
-        found = values_at(one, field.robot, case.exercise.values, entries)  # type: ignore[arg-type]
+        found = values_at(one, field.robot, case.exercise.known, entries)  # type: ignore[arg-type]
         rows = [[q[name] for name in field.joints] for q in found if all(n in q for n in field.joints)]
         return [tuple(map(_wrapped, field.joints, row)) for row in rows]
 
@@ -141,7 +142,7 @@ def _of_pose(case: Case, field: Range) -> Iterator[tuple[Slip, list[Joints]]]:
 
     def found(other: Robot, pose: Rows, **changes: object) -> list[Joints]:
         try:
-            answer = solve(other, replace(target, **changes), case.exercise.values, pose)  # type: ignore[arg-type]
+            answer = solve(other, replace(target, **changes), case.exercise.known, pose)  # type: ignore[arg-type]
         except DhcliError:
             return []
         return [tuple(float(row[k]) for k in at) for row in answer.q]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Mapping, Sequence
 
 from dhcli.algebra.floats import Floats
@@ -25,9 +24,10 @@ from dhcli.notation.matrix import parse_matrix
 from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_length
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
+from dhcli.regex import regex
 
-_LABEL = re.compile(r"(?P<name>[^\W\d]\w*)\s*=(?!=)")
-_TEXT = re.compile(r"\A\s*(?P<name>[^\W\d]\w*)\s*=\s*(?=\[)")
+_LABEL = regex(r"(?P<name>[^\W\d]\w*)\s*=(?!=)")
+_TEXT = regex(r"\A\s*(?P<name>[^\W\d]\w*)\s*=\s*(?=\[)")
 FULL_TURN = 2 * math.pi
 FAR = 0.5
 """Joint values farther than this from any solution [rad or reaches] are not taken for one of them."""
@@ -113,8 +113,9 @@ def _labels(robot: Robot, joints: Sequence[str], text: str) -> tuple[str, ...]:
 
 def _vector(exercise: Exercise, robot: Robot, joints: Sequence[str], row: Sequence[Expr]) -> Vector:
     values, shown, bare = list[float](), list[str](), False
-    over = Floats(numbers(exercise.values))
-    angles = {name: value for name, value in exercise.values.items() if isinstance(value, Angle)}
+    known = exercise.known
+    over = Floats(numbers(known))
+    angles = {name: value for name, value in known.items() if isinstance(value, Angle)}
     for name, expr in zip(joints, row, strict=True):
         turns = name in robot.angles
         number, unit = without_unit(expr, 1.0 if turns else float(exercise.metres))
@@ -124,7 +125,7 @@ def _vector(exercise: Exercise, robot: Robot, joints: Sequence[str], row: Sequen
             raise UnreadableError(f"{name}: {error.message}") from None
         inside = value.names if isinstance(value, Angle) else symbols(value)
         check_names(exercise, inside)
-        if missing := sorted(inside - exercise.values.keys()):
+        if missing := sorted(inside - known.keys()):
             raise UnreadableError(f"{name}: a number was asked, and {missing[0]} has no value")
         bare |= turns and not has_angle_unit(expr)
         values.append(value.substitute(angles).constant() if isinstance(value, Angle) else over.value(value) * unit)

@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
-from dhcli.checking.exercise import Exercise
+from dhcli.checking.exercise import Exercise, Memo
 from dhcli.checking.pasted import WrongUnitError
 from dhcli.checking.tables.cells import given_values, mark_cells, own_values, settled
 from dhcli.checking.tables.comparing import LITERAL, SAME_MOTION
 from dhcli.checking.tables.freedoms import Drawn, Slack, end_freedoms, frame_freedoms, joint_freedoms
-from dhcli.checking.tables.motions import LARGEST, Outcome, agreeing, is_but_for_end, same_motion, same_robot
-from dhcli.checking.tables.samples import Values, size_of_arm
+from dhcli.checking.tables.motions import LARGEST, Outcome, TwoArms, is_but_for_end
+from dhcli.checking.tables.right import RightArm
+from dhcli.checking.tables.samples import Values
 from dhcli.checking.tables.typed_rows import TypedRow, misplaced, variable_of
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import CellMark, Verdict, worst
+from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.axes import Arm
 from dhcli.kinematics.conventions import Convention, Row, moves_of
 from dhcli.kinematics.frames import between
@@ -25,18 +28,20 @@ from dhcli.notation.tree import ZERO
 FULL_TURN = 7
 """Above this many radians a bare number was meant in degrees."""
 
+MOST_COMPARED = 8
+"""Tables whose comparison is kept: those of the answer at hand, in either convention and in every unit."""
+
 FINER = 3
 """How often what counts as no difference is made smaller, until the freedom that was used is seen."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class TableAnswer:
     """A table and everything it is judged by.
 
     Attributes:
         rows: The rows as read.
-        exercise: The exercise, for its values.
-        robot: The right robot; the exercise's own, or its second truth.
+        memo: The exercise, for its robot and its values, and what was worked out for it; or that of a second truth.
         convention: The convention that was asked for.
         tolerance: Largest errors that count as right.
         compare: `literal`, `same-motion` or `same-robot`.
@@ -44,12 +49,25 @@ class TableAnswer:
     """
 
     rows: tuple[TypedRow, ...]
-    exercise: Exercise
-    robot: Robot
+    memo: Memo
     convention: Convention
     tolerance: Tolerance
     compare: str
     end_free: bool
+
+    @property
+    def exercise(self) -> Exercise:
+        """The exercise, or its second truth."""
+        return self.memo.exercise
+
+    @property
+    def robot(self) -> Robot:
+        """The right robot.
+
+        Raises:
+            RobotError: There is none.
+        """
+        return robot_of(self.memo.exercise)
 
     @property
     def asker(self) -> str:
@@ -71,8 +89,11 @@ class TableAnswer:
     @property
     def truth(self) -> Arm:
         """The right chain, from the first numbered frame to the last."""
-        frames = self.robot.frames
-        return Arm.of(between(self.robot, frames[1], frames[-2]), self.robot.variables)
+        return self._right.arm
+
+    @property
+    def _right(self) -> RightArm:
+        return self.memo.of("right arm", lambda: _right_arm(self.robot, self.exercise))
 
     @property
     def cells(self) -> tuple[CellMark, ...]:
@@ -102,24 +123,33 @@ class TableAnswer:
         self, rows: Iterable[Row] | None = None, convention: Convention | None = None, *, end_free: bool = False
     ) -> Outcome:
         """Compare the rows, or others in their place, with the robot."""
-        other = self.arm(self.plain if rows is None else rows, convention or self.convention)
-        values = Values(given_values(self.exercise), own_values(self.exercise))
+        compared = self._compared(self.plain if rows is None else tuple(rows), convention or self.convention)
         if self.compare == SAME_MOTION and not end_free:
-            same = same_motion(self.truth, other, values, self.tolerance)
+            same = compared.same_motion
             if same.verdict is Verdict.RIGHT or not self.end_free:
                 return same
-            ended = same_robot(self.truth, other, values, self.tolerance, end_free=True)
+            ended = compared.same_robot(end_free=True)
             return ended if ended.match is not None and is_but_for_end(ended.match) else same
-        return same_robot(self.truth, other, values, self.tolerance, end_free=self.end_free or end_free)
+        return compared.same_robot(end_free=self.end_free or end_free)
+
+    def _compared(self, rows: tuple[Row, ...], convention: Convention) -> TwoArms:
+        """Some rows beside the right robot; what is judged is asked for again when it is explained."""
+        known: dict[object, TwoArms] = self.memo.of("compared", dict)
+        key = convention, self.tolerance, rows
+        if key not in known:
+            if len(known) >= MOST_COMPARED:
+                known.clear()
+            known[key] = TwoArms(self._right, self.arm(rows, convention), self.tolerance)
+        return known[key]
 
     def agreeing(self, rows: Iterable[Row], outcome: Outcome) -> int:
         """How many joints agree from the first one with other rows in their place, where an outcome was decided."""
-        return agreeing(self.truth, self.arm(rows, self.convention), outcome, self.tolerance)
+        return TwoArms(self._right, self.arm(rows, self.convention), self.tolerance).agreeing(outcome)
 
     def is_oversized(self, outcome: Outcome) -> bool:
         """Whether lengths were typed that no robot of this size has."""
         arm = self.arm(self.plain, self.convention)
-        return not size_of_arm(arm, outcome.point) <= LARGEST * outcome.size
+        return not arm.size(outcome.point) <= LARGEST * outcome.size
 
     def is_right(self, rows: tuple[Row, ...]) -> bool:
         """Whether other rows in the place of these would be right."""
@@ -181,6 +211,22 @@ class TableAnswer:
             rows = tuple(typed.in_unit(other) for typed in self.rows)
             if other != unit and rows != self.plain and self.is_right(rows):
                 raise WrongUnitError(other, f"this sheet is in {unit}")
+
+
+def robot_of(exercise: Exercise) -> Robot:
+    """The robot whose table is asked for.
+
+    Raises:
+        RobotError: There is none.
+    """
+    if exercise.robot is None:
+        raise RobotError(f"{exercise.id} asks for a table and names no robot")
+    return exercise.robot
+
+
+def _right_arm(robot: Robot, exercise: Exercise) -> RightArm:
+    arm = Arm.of(between(robot, robot.frames[1], robot.frames[-2]), robot.variables)
+    return RightArm(arm, Values(given_values(exercise), own_values(exercise)))
 
 
 def own_rows(robot: Robot) -> tuple[Row, ...]:

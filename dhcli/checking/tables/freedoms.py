@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from dhcli.algebra.floats import Floats
+from dhcli.frozen import frozen
 from dhcli.geometry.rigid import Rigid
 from dhcli.kinematics.axes import Point
 from dhcli.kinematics.conventions import Convention
@@ -17,7 +18,7 @@ from dhcli.kinematics.same_robot import Match
 DEGREE = math.pi / 180
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Drawn:
     """Two tables of the same robot with the same rows, whose frames can be compared one by one.
 
@@ -34,7 +35,7 @@ class Drawn:
     first: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Slack:
     """What counts as no difference: an angle [rad] and a length [m]; and whether lengths are told as numbers."""
 

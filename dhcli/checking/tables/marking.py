@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from dhcli.checking.exercise import Exercise
-from dhcli.checking.tables.answer import TableAnswer, ends_on_axis, own_rows
-from dhcli.checking.tables.cells import dh_table_text
+from dhcli.checking.exercise import Exercise, Memo
+from dhcli.checking.tables.answer import TableAnswer, ends_on_axis, own_rows, robot_of
+from dhcli.checking.tables.cells import dh_table_text, on_sheet
 from dhcli.checking.tables.comparing import LITERAL, SAME_ROBOT, gives
 from dhcli.checking.tables.motions import Outcome
 from dhcli.checking.tables.reasons import reason_of
@@ -16,7 +16,6 @@ from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import CellMark, Mark, Verdict, worst
 from dhcli.errors import RobotError
 from dhcli.kinematics.conventions import NAMES, Convention
-from dhcli.kinematics.robot import Robot
 
 
 def mark_table(answer: TableAnswer) -> Mark:
@@ -36,12 +35,12 @@ def mark_table(answer: TableAnswer) -> Mark:
         mark = Mark(Verdict.RIGHT, cells=cells, earned=1.0)
     else:
         mark = _by_cells(answer, cells) if answer.compare == LITERAL else _by_motion(answer, cells)
-    reading = dh_table_text(answer.plain, answer.robot.columns, answer.exercise.writing)
+    reading = dh_table_text(on_sheet(answer.plain, answer.exercise), answer.robot.columns, answer.exercise.writing)
     return replace(mark, reading=reading, expected=_own_table(answer.exercise, answer.convention))
 
 
 def answer_of(
-    exercise: Exercise,
+    memo: Memo,
     convention: Convention,
     rows: tuple[TypedRow, ...],
     compare: str = SAME_ROBOT,
@@ -52,7 +51,7 @@ def answer_of(
     """The table with all that it is judged by.
 
     Args:
-        exercise: The exercise, with its robot and what it gives.
+        memo: The exercise, with its robot and what it gives, and what was worked out for it.
         convention: Which convention was asked.
         rows: The rows as read.
         compare: `literal`, `same-motion` or `same-robot`.
@@ -63,21 +62,10 @@ def answer_of(
     Raises:
         RobotError: There is no robot.
     """
-    robot = robot_of(exercise)
+    robot = robot_of(memo.exercise)
     if end_free is None:
         end_free = convention is Convention.MODIFIED and not ends_on_axis(robot)
-    return TableAnswer(rows, exercise, robot, convention, tolerance or exercise.tolerance, compare, end_free)
-
-
-def robot_of(exercise: Exercise) -> Robot:
-    """The robot whose table is asked for.
-
-    Raises:
-        RobotError: There is none.
-    """
-    if exercise.robot is None:
-        raise RobotError(f"{exercise.id} asks for a table and names no robot")
-    return exercise.robot
+    return TableAnswer(rows, memo, convention, tolerance or memo.exercise.tolerance, compare, end_free)
 
 
 def write_table(exercise: Exercise, convention: Convention) -> str:
@@ -97,7 +85,7 @@ def _own_table(exercise: Exercise, convention: Convention) -> str:
     robots = [robot for robot in (exercise.robot, exercise.also and exercise.also[0]) if robot is not None]
     for robot in robots:
         if robot.convention is convention:
-            return dh_table_text(own_rows(robot), robots[0].columns, exercise.writing)
+            return dh_table_text(on_sheet(own_rows(robot), exercise), robots[0].columns, exercise.writing)
     return ""
 
 
@@ -152,13 +140,8 @@ def _accepted(answer: TableAnswer, cells: tuple[CellMark, ...], outcome: Outcome
 
 def _second_truth(answer: TableAnswer) -> Mark | None:
     """EQUIVALENT if the answer is the exercise's other robot, or goes on to the robot's tool."""
-    others = [answer.exercise.also] if answer.exercise.also else []
-    if answer.robot.tool and answer.compare != LITERAL:
-        last = answer.robot.links[-1]
-        links = (*answer.robot.links[:-1], replace(last, moves=(*last.moves, *answer.robot.tool), row=None))
-        others.append((replace(answer.robot, links=links, tool=()), "the table goes on to the tool frame"))
-    for robot, note in others:
-        second = replace(answer, robot=robot, exercise=replace(answer.exercise, robot=robot, also=None))
+    for memo, note in answer.memo.of(("second truths", answer.compare), lambda: _second_truths(answer)):
+        second = replace(answer, memo=memo)
         cells = second.cells
         if cells and worst(cell.verdict for cell in cells) is Verdict.RIGHT:
             return Mark(Verdict.EQUIVALENT, cells=cells, remarks=(note,), earned=1.0)
@@ -169,6 +152,17 @@ def _second_truth(answer: TableAnswer) -> Mark | None:
             mark = _accepted(second, cells, outcome)
             return replace(mark, verdict=Verdict.EQUIVALENT, remarks=(note, *(mark.remarks if cells else ())))
     return None
+
+
+def _second_truths(answer: TableAnswer) -> tuple[tuple[Memo, str], ...]:
+    """The exercise with its other robot, and with its own one to the tool, each with what is said of it."""
+    robot = answer.robot
+    others = [answer.exercise.also] if answer.exercise.also else []
+    if robot.tool and answer.compare != LITERAL:
+        last = robot.links[-1]
+        links = (*robot.links[:-1], replace(last, moves=(*last.moves, *robot.tool), row=None))
+        others.append((replace(robot, links=links, tool=()), "the table goes on to the tool frame"))
+    return tuple((Memo(replace(answer.exercise, robot=other, also=None)), note) for other, note in others)
 
 
 def _notes(cells: Sequence[CellMark]) -> tuple[str, ...]:

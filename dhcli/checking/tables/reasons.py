@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.tables.answer import TableAnswer
@@ -11,6 +11,7 @@ from dhcli.checking.tables.differences import end_rows, first_difference, mendin
 from dhcli.checking.tables.freedoms import end_freedoms
 from dhcli.checking.tables.motions import Outcome, oddity
 from dhcli.checking.verdicts import Verdict
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import NAMES, Convention
 from dhcli.kinematics.same_robot import Match
 from dhcli.notation.tree import ZERO
@@ -19,7 +20,7 @@ FIXES = "fixes base, end frame, zeros and senses"
 OTHERS = {Convention.STANDARD: Convention.MODIFIED, Convention.MODIFIED: Convention.STANDARD}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Reason:
     """Why a table is wrong.
 

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from itertools import islice
 
-from dhcli.algebra.floats import Floats
 from dhcli.algebra.points import GENERAL, draws, general
 from dhcli.checking.symbolic import has_decimals
+from dhcli.frozen import frozen
 from dhcli.kinematics.axes import Arm, Point
-from dhcli.kinematics.moves import Chain, Fixed, Rot, angle_names, expressions, names
+from dhcli.kinematics.moves import Chain, Rot, angle_names, expressions, names
 from dhcli.kinematics.robot import Value
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
@@ -24,7 +23,7 @@ STRETCH = (1.5, 2.5)
 """By how much letters are longer at the second point: a wrong one of two equal lengths is then seen."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Values:
     """What is known of the names.
 
@@ -37,26 +36,24 @@ class Values:
     own: Mapping[str, Value]
 
 
-def general_points(truth: Arm, other: Arm, values: Values) -> Iterator[Point]:
-    """Seeded values of all names but the variables, of the sign that they have; what is given stays as given."""
-    free = (names(truth.chain) | names(other.chain)) - set(truth.variables) - set(other.variables)
+def general_points(free: frozenset[str], values: Values) -> Iterator[Point]:
+    """Seeded values of some names, of the sign that they have; what is given stays as given."""
     given, own = numbers(values.given), _known(values)
     return ({name: _signed(x, own.get(name)) for name, x in drawn.items()} | given for drawn in general(free, SEED))
 
 
-def points_of_values(truth: Arm, other: Arm, values: Values) -> tuple[Point, ...]:
-    """Where an answer in numbers is judged: at the values that the robot has; a name without one is drawn.
+def points_of_values(truth: Arm, other: Arm, values: Values, drawn: Point) -> tuple[Point, ...]:
+    """Where an answer in numbers is judged: at the values that the robot has; a name without one is as it was drawn.
 
     A letter that the answer keeps, and that the right table has once, has another length at a second point: so the
     wrong one of two lengths that happen to be equal is still found.
     """
-    drawn = dict(next(general_points(truth, other, values)))
     if not has_lengths(other.chain):
         return (drawn,)
     own = {name: value for name, value in _known(values).items() if name in drawn}
     first = {**drawn, **own, **numbers(values.given)}
     cells = [symbols(expr) for expr in expressions(truth.chain)]
-    kept = names(other.chain) & {name for name, value in own.items() if not isinstance(value, Angle)}
+    kept = other.names & {name for name, value in own.items() if not isinstance(value, Angle)}
     letters = sorted(name for name in kept - values.given.keys() if sum(name in cell for cell in cells) == 1)
     if not letters:
         return (first,)
@@ -98,18 +95,6 @@ def has_lengths(chain: Chain) -> bool:
         for expr in expressions((move,))
         for term in (expr.terms if isinstance(expr, Sum) else (expr,))
     )
-
-
-def size_of_arm(arm: Arm, point: Point) -> float:
-    """Sum of all lengths in the zero pose [m], or one metre where there is none."""
-    over = Floats({**point, **dict.fromkeys(arm.variables, 0.0)})
-    total = 0.0
-    for move in arm.chain:
-        if isinstance(move, Fixed):
-            total += sum(abs(over.value(row[3])) for row in move.rows)
-        elif not isinstance(move, Rot):
-            total += sum(abs(over.value(expr)) for expr in move.offset)
-    return total or 1.0
 
 
 def _known(values: Values) -> dict[str, Angle | float]:

@@ -30,6 +30,7 @@ dhcli describe ur5e --as standard --straighten 1e-4
 dhcli describe fanuc-like --as motors
 """
 
+_NO_MOTORS = "a URDF has no motors that drive joints together: each joint has the widest range that they leave it"
 _SUFFIXES = {".yaml": "yaml", ".yml": "yaml", ".urdf": "urdf"}
 
 
@@ -40,7 +41,7 @@ def _by_suffix(output: str | None) -> str | None:
 
 def complete_form(incomplete: str) -> list[str]:
     """The descriptions that begin like this."""
-    from dhcli.kinematics.describe.description import FORMS
+    from dhcli.kinematics.describe.asked import FORMS
 
     return [form for form in (*FORMS, "urdf", "motors") if form.startswith(incomplete)]
 
@@ -95,8 +96,8 @@ def describe(
     from dhcli.cli.shell.delivery import Delivery
     from dhcli.cli.shell.given import angle_of, lengths_of, named_pose, robot_of
     from dhcli.errors import DhcliError
+    from dhcli.kinematics.describe.asked import Asked, check_form
     from dhcli.kinematics.describe.choices import read_choices
-    from dhcli.kinematics.describe.description import Asked, check_form
     from dhcli.kinematics.describe.description import describe as described
     from dhcli.kinematics.motors import driven
 
@@ -119,4 +120,5 @@ def describe(
     result = described(arm, Asked(form, steps, numbers, drawn, read_choices(choose or ""), within))
     # a file says nothing of itself where it is written
     said = result.straightened.lines()[:1] if result.straightened and format_ in ("yaml", "urdf") else ()
-    delivery.hand_over("description", result, (*arm.remarks, *said, *result.warnings))
+    lost = (_NO_MOTORS,) if arm.actuators is not None and format_ == "urdf" else ()
+    delivery.hand_over("description", result, (*arm.remarks, *said, *lost, *result.warnings))

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import os
 import re
 import sys
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dhcli.cli.shell.options import Output, Overwrite, complete_exercise
+from dhcli.cli.shell.options import Jobs, Output, Overwrite, complete_exercise, workers
 from dhcli.errors import ExitStatus
 
 if TYPE_CHECKING:
@@ -41,10 +40,7 @@ def grade(
         ),
     ] = None,
     timeout: Annotated[str, typer.Option(metavar="TIME", help="Longest that one sheet may take.")] = "10s",
-    jobs: Annotated[
-        int | None,
-        typer.Option(min=1, metavar="N", help="Processes; by default one a processor, fewer for few sheets."),
-    ] = None,
+    jobs: Jobs = None,
     format_: Annotated[
         str | None,
         typer.Option("--format", metavar="NAME", help="table, json, csv or gradescope.", rich_help_panel="Output"),
@@ -72,9 +68,9 @@ def grade(
         report = report_on(found, [_no_single(found)])
         delivery.hand_over("class", report)
         return ExitStatus.NOT_RIGHT
-    jobs = jobs or _processes(len(found.submissions))
     with progress("grading", len(found.submissions), sys.stderr) as count:
-        rows = grade_all(found.submissions, exercise, jobs=jobs, timeout=seconds, tell=count)
+        shared = workers(jobs, 1 + len(found.submissions) // _SHEETS)
+        rows = grade_all(found.submissions, exercise, jobs=shared, timeout=seconds, tell=count)
     report = report_on(found, rows)
     delivery.hand_over("class", report)
     if output:
@@ -117,15 +113,3 @@ def _seconds(text: str) -> float:
     if seconds == 0.0:
         raise DhcliError(Problem(f"{text} is no time", Place("--timeout"), "write 10s, 500ms or 2min"))
     return seconds
-
-
-def _processes(sheets: int) -> int:
-    """How many processes are worth their start."""
-    return min(_processors(), 1 + sheets // _SHEETS)
-
-
-def _processors() -> int:
-    """How many processors this process may use."""
-    if hasattr(os, "sched_getaffinity"):
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1

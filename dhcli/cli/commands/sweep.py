@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import Digits, EndPoint, Overwrite, complete_joint
+from dhcli.cli.shell.options import Digits, EndPoint, Jobs, Overwrite, complete_joint, workers
 
 if TYPE_CHECKING:
     import numpy as np
@@ -32,6 +32,8 @@ dhcli sweep puma560 --pose ready --over q2 --over q3 -o reach.csv
 
 dhcli sweep scara --over q1 --over q2 --over d3=0..0.2 --draw reach.svg
 """
+_POSES = 500_000
+"""Poses that take several times as long as the start of a thread."""
 
 
 def sweep(
@@ -51,6 +53,7 @@ def sweep(
         typer.Option("--format", metavar="NAME", help="Of the summary: table, json or csv.", rich_help_panel="Output"),
     ] = None,
     digits: Digits = None,
+    jobs: Jobs = None,
     output: Annotated[
         str | None,
         typer.Option(
@@ -65,7 +68,7 @@ def sweep(
         str | None,
         typer.Option(
             metavar="FILE",
-            help="Draw the points from the side and from above, .svg .pdf .png .tex, or in space, .html.",
+            help="Draw the points from the side and from above, a plane once, .svg .pdf .png .tex, or in space, .html.",
             rich_help_panel="Output",
         ),
     ] = None,
@@ -100,8 +103,9 @@ def sweep(
     from dhcli.kinematics.sweep.run import sweep as go_through
 
     density = None if draw is None else Density()
-    with _taking(points, grid, density) as take:
-        result = go_through(target, grid, take)
+    threads = workers(jobs, 1 + grid.count // _POSES)
+    with _taking(points, grid, density) as (take, tell):
+        result = go_through(target, grid, take, threads=threads, tell=tell)
     delivery.hand_over("sweep", result, result.warnings)
     if draw is not None and density is not None:
         draw_workspace(target, density.workspace(target), draw, overwrite=overwrite)
@@ -124,23 +128,19 @@ def _points(output: str | None, *, overwrite: bool) -> RowDelivery | None:
 @contextmanager
 def _taking(
     points: RowDelivery | None, grid: Grid, density: Density | None
-) -> Iterator[Callable[[NDArray[np.float64]], None]]:
-    """What takes the rows of a grid: a file and a picture, if they are wanted, and the bar that shows how far it is."""
+) -> Iterator[tuple[Callable[[NDArray[np.float64]], None] | None, Callable[[int], None]]]:
+    """What takes the rows of a grid, a file and a picture if they are wanted; and the bar that shows how far it is."""
     from dhcli.render.text.progress import row_progress
     from dhcli.render.text.sweep import point_layout
 
     with ExitStack() as stack:
         sink = None if points is None else stack.enter_context(points.open(point_layout(grid)))
-        tell = stack.enter_context(row_progress(sys.stderr))
-        done = 0
+        bar = stack.enter_context(row_progress(sys.stderr))
 
         def take(rows: NDArray[np.float64]) -> None:
-            nonlocal done
-            done += len(rows)
             if sink is not None:
                 sink.write(rows)
             if density is not None:
                 density.take(rows)
-            tell(done, done / grid.count)
 
-        yield take
+        yield None if sink is None and density is None else take, lambda done: bar(done, done / grid.count)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
 import typer
@@ -96,6 +97,30 @@ Settings: TypeAlias = Annotated[
     list[str] | None,
     typer.Option("--set", metavar="NAME=VALUE", help="Value of a length or constant angle; repeatable."),
 ]
+
+Jobs: TypeAlias = Annotated[
+    int | None,
+    typer.Option(
+        "--jobs", min=1, metavar="N", help="How many share the work; by default one a processor, fewer for little work."
+    ),
+]
+
+
+def workers(jobs: int | None, worth: int) -> int:
+    """How many share a work: as many as `--jobs` says, else one a processor, but no more than pay for their start.
+
+    Args:
+        jobs: What was asked for.
+        worth: How many would pay.
+    """
+    return jobs or max(1, min(_processors(), worth))
+
+
+def _processors() -> int:
+    """How many processors this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
 
 
 def complete_forms(incomplete: str) -> list[str]:
@@ -192,6 +217,7 @@ WithValues: TypeAlias = Annotated[
         rich_help_panel="Output",
     ),
 ]
+Untried: TypeAlias = Annotated[bool, typer.Option("--yes", help="Show parts that were never tried, too.")]
 Let: TypeAlias = Annotated[bool, typer.Option("--let", help="Give names to long or repeated brackets.")]
 Axes: TypeAlias = Annotated[
     str | None,

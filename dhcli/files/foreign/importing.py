@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from dhcli.errors import FileError, Place, Problem, UnknownNameError, did_you_mean
 from dhcli.files.foreign.forms import Form, form_of, told
@@ -11,13 +11,15 @@ from dhcli.files.foreign.listing import read_listing
 from dhcli.files.foreign.rows import Reader, Whole, robot_of_rows, scope_of
 from dhcli.files.foreign.tables import read_table
 from dhcli.files.urdf.robots import read_urdf
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import Convention
-from dhcli.kinematics.describe.description import Asked, describe
+from dhcli.kinematics.describe.asked import Asked
+from dhcli.kinematics.describe.description import describe
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.quantity import LENGTH_UNITS
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Wish:
     """What a person says about a file.
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from dhcli.errors import FileError, NotationError, Place, Problem
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import Convention, Row, calibrated_moves, moves_of
 from dhcli.kinematics.derived import Formula, circle, with_derived
 from dhcli.kinematics.description import Link
@@ -20,13 +20,14 @@ from dhcli.notation.quarters import with_right_angles
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import ZERO, Constant, Expr, Sum, Symbol, Unit, add, multiply
 from dhcli.notation.walk import symbols, walk
+from dhcli.regex import regex
 
-_WORD = re.compile(r"(?<!\w)\\?[^\W\d](?:_\{[^{}]{1,20}\}|\w)*")
-_STAR = re.compile(r"(?<=[\w})])[ ]?\^?\*(?=[ ]*(?:$|[-+−]))")  # noqa: RUF001  a minus sign
+_WORD = regex(r"(?<!\w)\\?[^\W\d](?:_\{[^{}]{1,20}\}|\w)*")
+_STAR = regex(r"(?<=[\w})])[ ]?\^?\*(?=[ ]*(?:$|[-+−]))")  # noqa: RUF001  a minus sign
 _NO_NAMES = RESERVED | UNITS | {"π"}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Cell:
     """A cell as it was typed, with its place, and the unit of its bare numbers."""
 
@@ -51,7 +52,7 @@ class RowText:
     kind: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Whole:
     """What a robot has besides its rows.
 

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+
+from dhcli.frozen import frozen
 
 _OPENING, _CLOSING = "([{", ")]}"
 _OPERATORS = frozenset("+-*/^")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Statement:
     """One statement.
 
@@ -23,7 +24,7 @@ class Statement:
     text: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Call:
     """One call.
 

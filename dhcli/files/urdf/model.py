@@ -9,6 +9,7 @@ from xml.parsers import expat
 
 from dhcli.errors import FileError, Place, Problem
 from dhcli.files.foreign.forms import Form, form_of, told
+from dhcli.frozen import frozen
 
 DEEPEST = 100
 MOST = 20_000
@@ -17,7 +18,7 @@ _OTHERS = ("floating", "planar", "spherical")
 _ZEROS = ("0", "0", "0")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Mimic:
     """A joint that follows another: multiplier times its value, and an offset."""
 

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import re
-from dataclasses import dataclass
-
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedScalar, PlacedSequence
 from dhcli.files.yaml.typed import has_unit_of_angle, read_value
+from dhcli.frozen import frozen
 from dhcli.kinematics.actuators import Actuators
 from dhcli.kinematics.drives import Drive, actuators, read_drive
 from dhcli.kinematics.robot import Robot, Value
@@ -17,8 +15,9 @@ from dhcli.notation.parser import RESERVED, parse
 from dhcli.notation.quantity import UNITS, with_unit
 from dhcli.notation.scope import Scope
 from dhcli.notation.tokens import is_name
+from dhcli.regex import regex
 
-_A_TURN = re.compile(r"/\s*(\d+(?:\.\d+)?)\s*(°|deg\b)")
+_A_TURN = regex(r"/\s*(\d+(?:\.\d+)?)\s*(°|deg\b)")
 """`20 mm / 360°`, which a person reads as millimetres for a turn."""
 
 _EXAMPLE = "motors: {m2: [-60°, 76°], m3: [-70°, 200°]}, then theta2: m2 and theta3: m3 + m2"
@@ -26,7 +25,7 @@ _EXAMPLE = "motors: {m2: [-60°, 76°], m3: [-70°, 200°]}, then theta2: m2 and
 Limits = tuple[Value, Value] | None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Known:
     """What a formula of a drive may name.
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 
 from dhcli.errors import FileError, did_you_mean
@@ -12,6 +11,7 @@ from dhcli.files.yaml.drawn import with_semicolons
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
 from dhcli.files.yaml.tables import read_table
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.robot import Robot
 
@@ -21,7 +21,7 @@ EXAMPLE = "{origin: (a1, 0, 0), x: +x, z: +z}"
 _CONVENTIONS = (Convention.STANDARD.value, Convention.MODIFIED.value)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Frames:
     """Frames from a file.
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 
-from dhcli.checking.tables.motions import same_motion
+from dhcli.checking.tables.motions import TwoArms
+from dhcli.checking.tables.right import RightArm
 from dhcli.checking.tables.samples import Values
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import Verdict
@@ -16,6 +15,7 @@ from dhcli.files.foreign.forms import Form, form_of
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
 from dhcli.files.yaml.robots import read_robot
+from dhcli.frozen import frozen
 from dhcli.kinematics.axes import Arm
 from dhcli.kinematics.conventions import COLUMNS, Convention
 from dhcli.kinematics.forward import put_in
@@ -25,12 +25,13 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import substitute
 from dhcli.notation.writer import write, write_angle
+from dhcli.regex import regex
 
-_LENGTH = re.compile(r"[\d.)]\s{0,9}(mm|cm|m|in)\b")
+_LENGTH = regex(r"[\d.)]\s{0,9}(mm|cm|m|in)\b")
 """The unit of a length behind its number."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Table:
     """A DH table from a file.
 
@@ -115,7 +116,7 @@ def _besides(robot: Robot, reference: Robot) -> str:
 
 def _same(one: Arm, other: Arm) -> bool:
     exactly = Tolerance(rotation=1e-9, position=1e-9)
-    return same_motion(one, other, Values({}, {}), exactly).verdict is Verdict.RIGHT
+    return TwoArms(RightArm(one, Values({}, {})), other, exactly).same_motion.verdict is Verdict.RIGHT
 
 
 def _at_values(chain: Chain, robot: Robot) -> Arm:

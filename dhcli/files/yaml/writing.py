@@ -65,8 +65,17 @@ def save_robot(robot: Robot, path: str | Path, *, overwrite: bool = False) -> No
 
 
 def described_text(described: Described) -> str:
-    """The text of a file with a robot in the description that was asked for."""
+    """The text of a file with a robot in the description that was asked for.
+
+    Raises:
+        RobotError: It is axes or screws, of which each has a variable of its own in a file, and here some share one.
+    """
     robot, drawing = described.robot, described.drawing
+    if described.shared and described.form not in ("standard", "modified", "product"):
+        message = (
+            f"{next(iter(described.shared))} has no variable of its own, as in a file of {described.form} each has"
+        )
+        raise RobotError(message, "--as standard, modified or product writes the same motion")
     if described.screws and drawing is not None:
         frame = "space" if described.form == "screws" else "body"
         rows = [f"  - {{{screw.name}: ({', '.join(_six(screw))})}}" for screw in described.screws]

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from dhcli.errors import UnknownNameError, did_you_mean
+from dhcli.frozen import frozen
 from dhcli.geometry.vectors import Vector
 from dhcli.kinematics.describe.drawn import Frame, Line, same_direction
 from dhcli.kinematics.describe.linear import Point, Ruler, along, moved, shifted
@@ -19,7 +19,7 @@ WORDS = {
 """What may be chosen otherwise than usually, as it is asked for."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Choices:
     """How free choices are made; by default each d is 0 and each a positive, as far as they may be.
 

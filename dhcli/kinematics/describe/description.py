@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
-from typing import Literal, get_args
+from dataclasses import field, replace
 
-from dhcli.errors import RobotError, UnknownNameError, did_you_mean
+from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row
-from dhcli.kinematics.describe.choices import USUAL, Choices
-from dhcli.kinematics.describe.drawn import Drawing, drawing_of
+from dhcli.kinematics.coupling import uncoupled
+from dhcli.kinematics.describe.asked import DRAWN, NAMES, Asked, Form
+from dhcli.kinematics.describe.drawn import Drawing, SharedMovesError, drawing_of
 from dhcli.kinematics.describe.linear import LettersError
 from dhcli.kinematics.describe.process import walk
 from dhcli.kinematics.describe.products import chains_of
@@ -18,18 +19,11 @@ from dhcli.kinematics.describe.repairing import repaired, with_table
 from dhcli.kinematics.describe.screws import ScrewAxis, Side, lines_of, screws_of
 from dhcli.kinematics.describe.straight import Straightened, straightened
 from dhcli.kinematics.describe.words import Speaker, Step
-from dhcli.kinematics.forward import link_with, put_in
 from dhcli.kinematics.moves import Chain, spelled
 from dhcli.kinematics.robot import Link, Robot, Value
+from dhcli.kinematics.valued import in_numbers
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
-
-Form = Literal["standard", "modified", "axes", "screws", "body-screws", "product"]
-FORMS: tuple[Form, ...] = get_args(Form)
-
-DRAWN = "drawn"
-"""The named pose in which a robot was drawn."""
-
 
 _MISSED = 2e-12
 """What it costs that axes count as meeting or parallel which miss that by less than 1e-12 of the size."""
@@ -40,7 +34,7 @@ _ROUGH = (
 )
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Described:
     """A robot in another description.
 
@@ -55,6 +49,7 @@ class Described:
         notes: What a person should know.
         warnings: What they should be warned of.
         told: Whether the steps were asked for.
+        shared: What each joint of the drawing moves by that has no variable of its own, in terms of the variables.
         straightened: What was taken for parallel or meeting, if that was asked for; then the proof is about the robot
             behind that, and the motion not that of the one given.
     """
@@ -69,50 +64,8 @@ class Described:
     notes: tuple[str, ...] = ()
     warnings: tuple[str, ...] = ()
     told: bool = False
+    shared: Mapping[str, Value] = field(default_factory=dict)
     straightened: Straightened | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class Asked:
-    """What to describe.
-
-    Attributes:
-        form: The description wanted.
-        steps: Whether the process is to be told: then a table comes from the axes, even from another table.
-        numbers: Whether lengths are to be numbers.
-        pose: The pose in which the robot is drawn; None for the one named `drawn`, else zero.
-        choices: What decides where the rules leave a choice; then, too, a table comes from the axes.
-        straighten: Within which angle axes count as parallel, or as meeting, which are not [rad]; None for no such.
-    """
-
-    form: Form
-    steps: bool = False
-    numbers: bool = False
-    pose: Mapping[str, Value] | None = None
-    choices: Choices = USUAL
-    straighten: float | None = None
-
-    @property
-    def from_axes(self) -> bool:
-        """Whether a table is to come from the axes, even where rows would only have to be grouped anew."""
-        return self.steps or self.pose is not None or self.choices != USUAL
-
-
-def check_form(text: str, others: tuple[str, ...] = ()) -> Form:
-    """A form by its name.
-
-    Args:
-        text: The name.
-        others: What else the caller has names for, to be told where this is none of them.
-
-    Raises:
-        UnknownNameError: There is none of this name.
-    """
-    for form in FORMS:
-        if form == text.strip().lower():
-            return form
-    known = (*FORMS, *others)
-    raise UnknownNameError(f"there is no description {text}", did_you_mean(text, known) or "known: " + ", ".join(known))
 
 
 def describe(robot: Robot, asked: Asked) -> Described:
@@ -128,20 +81,37 @@ def describe(robot: Robot, asked: Asked) -> Described:
     if robot.tools:
         found = describe(replace(robot, tools={}), asked)
         return replace(found, notes=(*found.notes, "the tools of the file are left out"))
-    if asked.straighten is not None:
-        return replace(_straight(in_numbers(robot), asked, asked.straighten), given=robot)
-    robot = in_numbers(robot) if asked.numbers else robot
     is_table = asked.form in ("standard", "modified")
     other = {"standard": Convention.MODIFIED, "modified": Convention.STANDARD}.get(asked.form)
     if is_table and robot.convention is other and not asked.from_axes:
-        return _regrouped(robot, asked.form)
+        return _regrouped(in_numbers(robot) if asked.numbers else robot, asked.form)
     try:
-        return _from_axes(robot, asked)
+        return _drawn_anew(robot, asked)
+    except SharedMovesError:
+        return _by_moves(robot, asked)
+
+
+def _drawn_anew(robot: Robot, asked: Asked) -> Described:
+    """The description by way of the axes."""
+    if asked.straighten is not None:
+        return replace(_straight(in_numbers(robot), asked, asked.straighten), given=robot)
+    try:
+        return _from_axes(in_numbers(robot) if asked.numbers else robot, asked)
     except LettersError as error:
         if asked.numbers or None in robot.parameters.values():
             raise
         found = _from_axes(in_numbers(robot), asked)
         return replace(found, notes=(f"in numbers: {error.problems[0].message}", *found.notes))
+
+
+def _by_moves(robot: Robot, asked: Asked) -> Described:
+    """The description of the arm with a variable for each move, carried back to the robot's own variables."""
+    free = uncoupled(robot)
+    poses = {name: free.values(dict(zip(robot.variables, q, strict=True))) for name, q in robot.poses.items()}
+    arm = replace(free.robot, poses={name: tuple(values.values()) for name, values in poses.items()})
+    found = _drawn_anew(arm, replace(asked, pose=None if asked.pose is None else free.values(asked.pose)))
+    _proof(robot, free.back(arm))  # what is proved of the arm then holds for the robot
+    return replace(found, given=robot, robot=free.back(found.robot), shared=free.shared)
 
 
 def _straight(robot: Robot, asked: Asked, within: float) -> Described:
@@ -157,37 +127,11 @@ def _straight(robot: Robot, asked: Asked, within: float) -> Described:
     return replace(found, robot=replace(found.robot, notes=notes), straightened=told)
 
 
-NAMES = {
-    "standard": "standard DH",
-    "modified": "modified DH",
-    "axes": "joint axes",
-    "screws": "screws in the base",
-    "body-screws": "screws in the end frame",
-    "product": "products of moves",
-}
-"""What each description is called."""
-
-
 def _named(robot: Robot, form: Form) -> Robot:
     """The robot with a title and a note that say what was made of what."""
     note = f"Made by `dhcli describe {robot.name} --as {form}`: the same motion from base to tool."
     known = "".join(f"\n{line}" for line in robot.notes.rstrip().split("\n")) if robot.notes else ""
     return replace(robot, title=f"{robot.title}, as {NAMES[form]}", notes=note + known, path=None)
-
-
-def in_numbers(robot: Robot) -> Robot:
-    """The robot with the values of its lengths in their place.
-
-    Raises:
-        RobotError: A length has no value.
-    """
-    values = {name: value for name, value in robot.parameters.items() if value is not None}
-    if lacking := [name for name, value in robot.parameters.items() if value is None]:
-        raise RobotError(f"{', '.join(lacking)} has no value", "numbers need one: --set NAME=VALUE")
-    base, tool = put_in(robot.base, values), put_in(robot.tool, values)
-    links = tuple(link_with(link, values, robot.convention) for link in robot.links)
-    tools = {name: put_in(chain, values) for name, chain in robot.tools.items()}
-    return replace(robot, links=links, base=base, tool=tool, tools=tools, parameters={}, derived={})
 
 
 def _regrouped(robot: Robot, form: Form) -> Described:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from fractions import Fraction
 from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, cross, dot, length, plus, scaled
 from dhcli.kinematics.axes import no_axis
 from dhcli.kinematics.describe.linear import Form, LettersError, Point, Ruler, along, form_of, moved, shifted
@@ -23,7 +24,11 @@ Placed: TypeAlias = tuple[tuple[Vector, Vector, Vector], Point]
 """The three axes of a frame, and its origin."""
 
 
-@dataclass(frozen=True, slots=True)
+class SharedMovesError(RobotError):
+    """A variable stands in two moves that are no screw, or a move has two; what `uncoupled` makes can be drawn."""
+
+
+@frozen
 class Line:
     """The axis of a joint, or the z axis of the base or of the end.
 
@@ -50,7 +55,7 @@ class Line:
         return replace(self, direction=scaled(self.direction, -1), rate=-self.rate)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Frame:
     """A frame: two of its axes and its origin."""
 
@@ -64,7 +69,7 @@ class Frame:
         return cross(self.z, self.x)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Drawing:
     """A robot drawn.
 
@@ -102,7 +107,8 @@ def drawing_of(
 
     Raises:
         LettersError: A direction depends on a letter.
-        RobotError: A variable stands in two moves that are no screw, or a move has two.
+        SharedMovesError: A variable stands in two moves that are no screw, or a move has two.
+        RobotError: A variable stands in a matrix.
     """
     drawn = pose or {}
     turning = angle_names(chain)
@@ -117,12 +123,12 @@ def drawing_of(
         moving = [name for name in variables if name in names((move,))]
         known = [line.name for line in lines]
         if len(moving) > 1 or (slides and moving != list(slides)) or any(name in known[:-1] for name in moving):
-            raise RobotError(*no_axis(moving[-1]))
+            raise SharedMovesError(*no_axis(moving[-1]))
         for name in moving:
             if isinstance(move, Trans) and name in turning:
                 slides[name] = _slide(name, move, here)
             elif name in known:
-                raise RobotError(*no_axis(name))
+                raise SharedMovesError(*no_axis(name))
             else:
                 lines.append(replace(_line(name, move, here), drawn=drawn.get(name, ZERO)))
             if slides and lines and lines[-1].name == name:
@@ -130,7 +136,7 @@ def drawing_of(
         (still,) = substituted((move,), lengths, angles)
         here = _after(here, still)
     if slides:
-        raise RobotError(*no_axis(next(iter(slides))))
+        raise SharedMovesError(*no_axis(next(iter(slides))))
     (x, _, z), origin = here
     return Drawing(tuple(lines), Frame(x, z, origin), values)
 
@@ -139,12 +145,12 @@ def _screwed(line: Line, slide: Point) -> Line:
     """A turn and a slide of the same variable as one screw.
 
     Raises:
-        RobotError: It slides across its axis, or twice.
+        SharedMovesError: It slides across its axis, or twice.
     """
     pitch = along(slide, line.direction)
     across = moved(slide, {letter: scaled(line.direction, value) for letter, value in pitch.items()}, -1)
     if line.pitch or any(length(vector) > 1e-12 for vector in across.values()):  # noqa: PLR2004
-        raise RobotError(*no_axis(line.name))
+        raise SharedMovesError(*no_axis(line.name))
     return replace(line, pitch=pitch)
 
 

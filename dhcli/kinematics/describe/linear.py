@@ -6,11 +6,11 @@ A robot in numbers has the one letter 1. What is not linear, such as `sqrt(a^2 +
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.geometry.vectors import Vector, dot, plus, scaled
 from dhcli.kinematics.describe.exact import CLOSE, exact_factor, exact_length
 from dhcli.notation.angle import Angle
@@ -28,7 +28,7 @@ class LettersError(RobotError):
     """A description that depends on how long letters are against each other."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Ruler:
     """What decides about lengths.
 

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import StrEnum
 
+from dhcli.frozen import frozen
 from dhcli.geometry.vectors import Vector, across, cross, dot, length, scaled
 from dhcli.kinematics.describe.drawn import Drawing, Frame, Line, same_direction
 from dhcli.kinematics.describe.exact import CLOSE
@@ -23,7 +24,7 @@ class Lie(StrEnum):
     SAME = "the same line"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Normal:
     """The common normal of two lines, or the one chosen where there are many.
 

@@ -6,11 +6,11 @@ way along line k from one normal to the next. A standard row i is Zi Xi, a modif
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
 from math import pi
 
+from dhcli.frozen import frozen
 from dhcli.geometry.vectors import UNITS, Vector, angle_about, cross, length, plus
 from dhcli.kinematics.conventions import Convention, Row
 from dhcli.kinematics.describe.choices import USUAL, Choices
@@ -26,7 +26,7 @@ from dhcli.notation.factors import Axis
 from dhcli.notation.tree import ZERO, Expr, Number, Symbol, multiply
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Along:
     """A way along an axis: a turn about it and a length along it."""
 
@@ -44,7 +44,7 @@ class Along:
         return self.turn.is_zero and self.length == ZERO
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Leg:
     """One normal, and the way along the line to its foot.
 
@@ -63,7 +63,7 @@ class Leg:
     before: Frame
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Walk:
     """The way from the base to the end.
 

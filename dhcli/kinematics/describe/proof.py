@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Literal
 
 from dhcli.algebra.arithmetic import CannotHoldError
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.residues import Residues
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import Chain, Rot, angle_names, expressions, names
 from dhcli.notation.angle import Angle
@@ -21,7 +21,7 @@ CLOSE = 1e-13
 POSES = 20
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Proof:
     """How it was proved that nothing has changed.
 

@@ -5,11 +5,11 @@ Source: Lynch and Park, Modern Robotics, chapter 4.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Literal
 
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.geometry.vectors import ORIGIN, Vector, cross, dot, length, scaled
 from dhcli.kinematics.describe.drawn import Drawing, Frame, Line
 from dhcli.kinematics.describe.linear import Point, moved, shifted
@@ -21,7 +21,7 @@ _NO_PITCH = 1e-12
 Side = Literal["space", "body"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ScrewAxis:
     """The screw of one joint.
 

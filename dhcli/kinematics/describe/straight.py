@@ -13,10 +13,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, across, cross, dot, length, plus, scaled
 from dhcli.kinematics.describe.drawn import Drawing, Frame, Line, same_direction
 from dhcli.kinematics.describe.exact import CLOSE
@@ -30,7 +31,7 @@ MOST = math.radians(5)
 """Axes farther than this from parallel were never meant to be."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Change:
     """What became of one axis.
 
@@ -53,7 +54,7 @@ class Change:
         return f"{self.joint} is {' and '.join(amounts)}: {self.said}"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Straightened:
     """What straightening has changed.
 

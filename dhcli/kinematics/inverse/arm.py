@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, TypeAlias
 
@@ -46,7 +45,7 @@ class Axis:
     factor: float = 1.0
 
 
-@dataclass(frozen=True)
+@frozen
 class Arm:
     """Joint axes, and where the end is in the zero pose.
 

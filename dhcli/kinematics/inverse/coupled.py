@@ -11,7 +11,7 @@ import numpy as np
 
 from dhcli.errors import RobotError, plural
 from dhcli.frozen import frozen
-from dhcli.kinematics.coupling import Uncoupled, uncoupled
+from dhcli.kinematics.coupling import uncoupled
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.inverse.solutions import Solutions, in_numbers, turning_joints
 from dhcli.kinematics.inverse.turns import limits_of, outside, placed
@@ -37,18 +37,20 @@ class Carried:
         robot: The robot.
         arm: The arm.
         slopes: How fast the arm's variables go with the robot's, shape (m, n).
+        offsets: Where the arm's variables stand when the robot's are 0, shape (m,).
     """
 
     robot: Robot
-    arm: Uncoupled
+    arm: Robot
     slopes: Array
+    offsets: Array
 
     @classmethod
     def of(cls, robot: Robot, parameters: Given | None) -> Carried:
         """The arm for the values of lengths."""
-        arm = uncoupled(robot, numbers(parameter_values(robot, parameters)))
-        slopes = np.array(arm.slopes).reshape(len(arm.slopes), len(robot.variables))
-        return cls(robot, arm, slopes)
+        free = uncoupled(robot)
+        slopes, offsets = free.linear(numbers(parameter_values(robot, parameters)))
+        return cls(robot, free.robot, np.array(slopes).reshape(len(slopes), len(robot.variables)), np.array(offsets))
 
     @property
     def is_whole(self) -> bool:
@@ -58,7 +60,7 @@ class Carried:
     @property
     def periodic(self) -> NDArray[np.bool_]:
         """Which variables of the robot come to the same pose after a turn, shape (n,)."""
-        turning = turning_joints(self.arm.robot)
+        turning = turning_joints(self.arm)
         whole = np.abs(self.slopes - np.round(self.slopes)) < SAME
         same = (np.where(turning[:, None], whole, self.slopes == 0)).all(axis=0)
         return np.asarray(turning_joints(self.robot) & same)
@@ -71,13 +73,13 @@ class Carried:
 
     def own(self, held: Iterable[tuple[str, float]]) -> tuple[tuple[str, float], ...]:
         """What is held of the arm, in the robot's variables where those make that move alone."""
-        names = {self.arm.robot.variables[k]: (name, k) for name, k in self.alone.items()}
+        names = {self.arm.variables[k]: (name, k) for name, k in self.alone.items()}
         found = []
         for move, value in held:
             name, k = names.get(move, (move, None))
             if k is not None:
                 slope = self.slopes[k, self.robot.variables.index(name)]
-                value = float((value - self.arm.offsets[k]) / slope)  # noqa: PLW2901
+                value = float((value - self.offsets[k]) / slope)  # noqa: PLW2901
             found.append((name, value))
         return tuple(found)
 
@@ -85,7 +87,7 @@ class Carried:
         """Values of the arm's variables for those of the robot's."""
         if q is None:
             return None
-        return list((self.slopes @ in_numbers(self.robot, q) + self.arm.offsets).tolist())
+        return list((self.slopes @ in_numbers(self.robot, q) + self.offsets).tolist())
 
     def held(self, hold: Mapping[str, float | str | Angle] | None) -> dict[str, float | str | Angle]:
         """What is held of the arm where variables are held that make one move alone.
@@ -106,13 +108,13 @@ class Carried:
             row = alone[name]
             given = in_floats(joint_values(self.robot, {name: value})[name])
             column = self.robot.variables.index(name)
-            found[self.arm.robot.variables[row]] = float(self.slopes[row, column] * given + self.arm.offsets[row])
+            found[self.arm.variables[row]] = float(self.slopes[row, column] * given + self.offsets[row])
         return found
 
     def back(self, values: Array) -> Array | None:
         """Values of the robot's variables for those of the arm's, None where the coupling does not let them be."""
-        goal = values - np.array(self.arm.offsets)
-        turning = turning_joints(self.arm.robot)
+        goal = values - self.offsets
+        turning = turning_joints(self.arm)
         rows = _independent(self.slopes)
         part = self.slopes[rows]
         for turns in _turns(turning[rows], whole=bool(self.periodic.all())):
@@ -140,7 +142,7 @@ def through(solve: Callable[..., Solutions], robot: Robot, T: object, **asked: A
     carried = Carried.of(robot, asked["parameters"])
     near = asked["near"]
     ways = {"near": carried.there(near), "hold": carried.held(asked["hold"])}
-    found = solve(carried.arm.robot, T, **{**asked, **ways, "within_limits": False, "all_turns": False})
+    found = solve(carried.arm, T, **{**asked, **ways, "within_limits": False, "all_turns": False})
     if found.held and not carried.is_whole and not asked["hold"]:
         message = f"{plural(len(carried.slopes), 'move')} by {plural(len(robot.variables), 'variable')}"
         hint = "ask for more of the pose: --task pose, or all of T"
@@ -166,7 +168,7 @@ def through_many(
     carried = Carried.of(robot, asked["parameters"])
     near = asked["near"]
     ways = {"near": carried.there(near), "hold": carried.held(asked["hold"])}
-    values, index = solve(carried.arm.robot, T, **{**asked, **ways}, each="all")
+    values, index = solve(carried.arm, T, **{**asked, **ways}, each="all")
     rows = [(row, int(k)) for k, moves in zip(index, values, strict=True) if (row := carried.back(moves)) is not None]
     if within_limits:
         limits = limits_of(robot)

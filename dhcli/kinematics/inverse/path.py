@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from dhcli.errors import RobotError, plural
+from dhcli.frozen import frozen
 from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.inverse.asked import Question, ask, inverse
@@ -37,7 +38,7 @@ SINGULAR = 1e-3
 """Where the least singular value of the Jacobian is below this, the arm passes a singular pose."""
 
 
-@dataclass(frozen=True, eq=False)
+@frozen
 class Path:
     """Joint values along a path.
 
@@ -52,6 +53,9 @@ class Path:
     lost: tuple[int, ...] = ()
     jumps: tuple[int, ...] = ()
     singular: tuple[int, ...] = ()
+
+    __eq__ = object.__eq__  # each equals itself only
+    __hash__ = object.__hash__
 
     def __len__(self) -> int:
         return len(self.q)
@@ -152,9 +156,9 @@ def _coupled(
         moves = f"{plural(len(carried.slopes), 'move')} by {plural(len(robot.variables), 'variable')}"
         message = f"{robot.name} has {moves}: on the way from pose to pose its coupling could break"
         raise RobotError(message, "ask for each pose by itself, without following: each by the joint values near to it")
-    path = follow(carried.arm.robot, T, carried.there(near), hold=carried.held(hold), **asked)
-    goal = path.q - np.array(carried.arm.offsets)
-    return replace(path, q=np.linalg.solve(carried.slopes, goal.T).T)
+    path = follow(carried.arm, T, carried.there(near), hold=carried.held(hold), **asked)
+    goal = path.q - carried.offsets
+    return replace(path, q=np.asarray(np.linalg.solve(carried.slopes, goal.T).T))
 
 
 def _described(question: Question, q: Array, begin: Array) -> Path:

@@ -19,6 +19,9 @@ ENOUGH = 4e-15
 SINGULAR = 1e-6
 """Singular values of the Jacobian below this may be zero; a finite motion then decides."""
 
+ROUNDING = 1e-14
+"""What rounding leaves of a length, as a share of it, when all joints have moved it."""
+
 _RANK = 1e-11
 """Singular values of the Jacobian below this share of the largest are not divided by."""
 
@@ -69,6 +72,16 @@ def product(arm: Arm, values: Array) -> Array:
     for j in range(values.shape[1]):
         total = total @ motion(arm.axes[j], values[:, j])
     return np.array(total)
+
+
+def extent(arm: Arm, values: Array) -> Array:
+    """How far out the slides of motions (N, n) stand, at least 1 [reaches], shape (N,).
+
+    Two slides may make up for each other thousands of reaches out; lengths are then rounded by that size, not by the
+    arm's.
+    """
+    slides = np.flatnonzero(~arm.turning[: values.shape[1]])
+    return np.asarray(np.abs(values[:, slides]).max(axis=1, initial=1.0))
 
 
 def residuals(task: Task, home: Array, reached: Array, goal: Array) -> Array:
@@ -142,10 +155,23 @@ def polished(arm: Arm, task: Task, values: Array, goal: Array, still: tuple[int,
             break
         slope[:, :, list(still)] = 0
         error = _error(task, total @ arm.home, goal[active] @ arm.home)
-        step = (np.linalg.pinv(slope, rcond=_RANK) @ error[:, :, None])[:, :, 0]
-        longest = np.abs(step).max(axis=1, keepdims=True)
-        now[active] += step * np.minimum(1, _LONGEST / np.maximum(longest, _LONGEST))
+        now[active] += _step(arm, task, slope, error, extent(arm, now[active]))
     return best, least
+
+
+def _step(arm: Arm, task: Task, slope: Array, error: Array, unit: Array) -> Array:
+    """Newton's step, shape (N, n), computed with lengths in units (N,) that make them like angles in size."""
+    slides = np.flatnonzero(~arm.turning[: slope.shape[2]])
+    if len(slides):
+        slope[:, :, slides] *= unit[:, None, None]
+        if task.place:
+            slope[:, :3] /= unit[:, None, None]
+            error[:, :3] /= unit[:, None]
+    step = (np.linalg.pinv(slope, rcond=_RANK) @ error[:, :, None])[:, :, 0]
+    longest = np.abs(step).max(axis=1, keepdims=True)
+    step *= np.minimum(1, _LONGEST / np.maximum(longest, _LONGEST))
+    step[:, slides] *= unit[:, None]
+    return np.asarray(step)
 
 
 def _error(task: Task, end: Array, goal: Array) -> Array:

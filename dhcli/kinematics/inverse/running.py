@@ -12,7 +12,7 @@ from dhcli.frozen import frozen
 from dhcli.kinematics.inverse.idealised import NEARLY
 from dhcli.kinematics.inverse.matrices import value_of
 from dhcli.kinematics.inverse.motions import DIRECTION, POINT
-from dhcli.kinematics.inverse.polishing import polished, product, residuals, spread
+from dhcli.kinematics.inverse.polishing import ROUNDING, extent, polished, product, residuals, spread
 from dhcli.kinematics.inverse.rows import ROUNDED, Rows
 from dhcli.kinematics.inverse.rule_one import read_off
 from dhcli.kinematics.inverse.steps import All, Plan, Step, Two
@@ -22,7 +22,8 @@ if TYPE_CHECKING:
     from dhcli.kinematics.inverse.arm import Array, Flags, Ints
 
 CONFIRMED = 1e-12
-"""A residual below this is a solution [reaches, and of direction cosines]."""
+"""A residual below this is a solution [reaches, and of direction cosines], or one that rounding leaves of slides that
+stand far out."""
 
 SHAKES = 8
 """Places around a candidate."""
@@ -191,7 +192,7 @@ def _confirmed(plan: Plan, task: Task, rows: Rows, tolerance: float, *, shaken: 
         led, left = polished(arm, task, motions[rough], goal, plan.held)
         better = ~(residual[rough] <= left)
         motions[rough[better]], residual[rough[better]] = led[better], left[better]
-    kept = np.flatnonzero(residual <= tolerance)
+    kept = np.flatnonzero(residual <= np.maximum(tolerance, ROUNDING * extent(arm, motions)))
     kept = kept[np.argsort(rows.index[kept], kind="stable")]
     return Found(rows.index, _wrapped(motions, arm.turning), residual, rows.path, rows.free, rows.draw).take(kept)
 
@@ -228,21 +229,22 @@ def _once(plan: Plan, task: Task, goal: Array, found: Found) -> Found:
     if len(found.index) < 2:  # noqa: PLR2004
         return found
     dropped = np.zeros(len(found.index), dtype=bool)
-    turning = plan.actions.arm.turning
+    arm = plan.actions.arm
+    turning, out = arm.turning, extent(arm, found.motions)
     for apart in range(1, int(np.bincount(found.index).max(initial=1))):
         first, second = np.arange(len(dropped) - apart), np.arange(apart, len(dropped))
         together = (found.index[first] == found.index[second]) & ~dropped[first] & ~dropped[second]
         gap = found.motions[second] - found.motions[first]
         gap = np.where(turning, gap - 2 * np.pi * np.round(gap / (2 * np.pi)), gap)
-        distance = np.abs(gap).max(axis=1, initial=0.0)
+        distance = np.abs(np.where(turning, gap, gap / out[first, None])).max(axis=1, initial=0.0)
         close = np.flatnonzero(together & (distance < _CLOSE))
         if not len(close):
             continue
         middle = found.motions[close] + gap[close] / 2
-        arm = plan.actions.arm
         between = residuals(task, arm.home, product(arm, middle), goal[found.index[close]])
         best = np.maximum(found.residual[close], found.residual[close + apart])
-        same = (distance[close] < _SAME) | (between <= np.maximum(best, _POLISH))
+        rounded = np.maximum(_POLISH, ROUNDING * out[close])
+        same = (distance[close] < _SAME) | (between <= np.maximum(best, rounded))
         worse = found.residual[close] > found.residual[close + apart]
         dropped[close[same & worse]] = True
         dropped[close[same & ~worse] + apart] = True

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from typing import TypeAlias
 
 from dhcli.algebra.residues import Field, Residues
 from dhcli.algebra.terms import TERMS
+from dhcli.frozen import frozen
 from dhcli.kinematics.fold import fold_rows
 from dhcli.kinematics.frames import between
 from dhcli.kinematics.moves import Chain, Rot, inverse, names
@@ -23,7 +24,7 @@ from dhcli.notation.tree import Expr
 Triple: TypeAlias = tuple[int, int, int]
 
 
-@dataclass(frozen=True)
+@frozen
 class Arm:
     """A chain, its joints, and the places between its moves where axes and points are taken.
 
@@ -111,7 +112,7 @@ class Arm:
         return fold_columns(part.steps, 1, TERMS)
 
 
-@dataclass(frozen=True)
+@frozen
 class Point:
     """An arm at one point in residues: every name has a residue, every angle a unit.
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Literal
 
+from dhcli.frozen import frozen
 from dhcli.kinematics.velocity.form import Which
 from dhcli.notation.styles import THETAS, Joints
 from dhcli.notation.tree import Expr
@@ -14,7 +15,7 @@ from dhcli.notation.writer import write
 Finding = Literal["factors", "conditions", "everywhere", "never", "unreadable"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Factor:
     """A factor of a determinant that joints can make zero, or a condition of several expressions that are zero at once.
 
@@ -41,7 +42,7 @@ class Factor:
         return " and ".join(f"{write(zero, style, joints)} = 0" for zero in self.zeros)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Singularities:
     """Where a Jacobian loses rank.
 

@@ -8,12 +8,12 @@ give the finest blocks on the diagonal. Where the zeros are is read off one eval
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 from itertools import product as pairs
 
 from dhcli.algebra.sizes import SIZES
+from dhcli.frozen import frozen
 from dhcli.kinematics.singular.arm import Arm, Point, Triple
 from dhcli.kinematics.singular.blocks import Block, blocks_of
 from dhcli.kinematics.singular.forms import determinant, shortest
@@ -29,7 +29,7 @@ MOST_TRIED = 4
 """Choices of frames, alike in their blocks, whose determinants are all written, for the shortest."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Difference:
     """A column, or the difference of two about parallel axes.
 
@@ -44,7 +44,7 @@ class Difference:
     sign: int = 1
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Choice:
     """Where a determinant falls apart.
 

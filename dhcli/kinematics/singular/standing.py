@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from dhcli.algebra.floats import Floats
+from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.singular.distance import least_move
 from dhcli.kinematics.singular.result import Singularities
@@ -20,7 +20,7 @@ from dhcli.notation.tree import Expr, Trig
 from dhcli.notation.walk import symbols
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Distance:
     """How far a factor is from zero.
 
@@ -35,7 +35,7 @@ class Distance:
     distance: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Standing:
     """How an arm stands.
 

@@ -7,9 +7,9 @@ elsewhere; nothing is known of the names of robots.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from itertools import combinations
 
+from dhcli.frozen import frozen
 from dhcli.kinematics.singular.arm import Point, Triple
 from dhcli.kinematics.singular.modular import Table, cross, dot, minus, null_space
 from dhcli.kinematics.singular.statements import alike, in_line, in_plane, volume
@@ -18,7 +18,7 @@ from dhcli.notation.tree import Expr, Symbol, Trig
 from dhcli.notation.writer import write, write_angle
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Place:
     """The point that sentences are about.
 

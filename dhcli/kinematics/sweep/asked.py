@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, TypeAlias
 
 from dhcli.errors import Place, RobotError
+from dhcli.kinematics.coordinates import coordinates
 from dhcli.kinematics.frames import View
-from dhcli.kinematics.pose import coordinates
 from dhcli.kinematics.robot import Robot, Value, check_robot
 from dhcli.kinematics.sweep.plan import plan
 from dhcli.kinematics.sweep.ranges import read_over
@@ -33,6 +33,7 @@ def sweep(  # noqa: PLR0913  as many as a sweep has sides; all but the first thr
     point: Iterable[float | str] = (0, 0, 0),
     parameters: Mapping[str, float | str | Value] | None = None,
     each: Callable[[NDArray[np.float64]], None] | None = None,
+    threads: int = 1,
 ) -> Sweep:
     """Sweep joints over a grid: how far a point of a robot reaches, the box it stays in, and a pose for each extreme.
 
@@ -51,12 +52,14 @@ def sweep(  # noqa: PLR0913  as many as a sweep has sides; all but the first thr
         point: Its coordinates in that frame, shape (3,) [m]; the origin by default.
         parameters: Lengths and angles to use instead of the robot's own.
         each: What to call with every block of rows, shape (N, n + 3): joint values and position; radians and metres.
+        threads: How many threads share the work; the same is found, and rows come in the same order.
 
     Returns:
         What was found; distances and positions in metres, joint values exact.
 
     Raises:
-        RobotError: A joint has no limits to sweep over, a length no value, or the grid is too large.
+        RobotError: A joint has no limits to sweep over, a length no value, the grid is too large, or that is no number
+            of threads.
         NotationError: A range cannot be read, with its column.
         UnknownNameError: The robot has no such frame, joint or length.
     """
@@ -75,4 +78,4 @@ def sweep(  # noqa: PLR0913  as many as a sweep has sides; all but the first thr
 
     from dhcli.kinematics.sweep.run import sweep as go_through  # numpy: not for what is refused before it starts
 
-    return go_through(target, grid, each)
+    return go_through(target, grid, each, threads=threads)

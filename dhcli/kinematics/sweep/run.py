@@ -1,43 +1,38 @@
-"""Going through a grid, block by block, and what is found on the way."""
+"""Going through a grid, slab by slab, and what is found on the way."""
 
 from __future__ import annotations
 
-import itertools
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhcli.algebra.arithmetic import settled
-from dhcli.algebra.spread import Spread
-from dhcli.algebra.tape import Number, Tape
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
-from dhcli.kinematics.fold import fold_rows
-from dhcli.kinematics.merge import merge
-from dhcli.kinematics.playing import MODEST
-from dhcli.kinematics.recorded import Recording, kept
+from dhcli.kinematics.sharing import check_threads, shared
 from dhcli.kinematics.sweep.grid import Grid
+from dhcli.kinematics.sweep.highest import SLACK, Highest, Record
 from dhcli.kinematics.sweep.plan import remarks
 from dhcli.kinematics.sweep.result import SIDES, Extreme, Sweep
 from dhcli.kinematics.sweep.target import Target
+from dhcli.kinematics.sweep.walk import Slab, Walk, slabs, tables_of
 from dhcli.kinematics.validity import in_floats
-from dhcli.kinematics.values import numbers
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from dhcli.kinematics.robot import Robot
 
-BLOCK = 32_768
-"""Poses at a time."""
 
-SLACK = 1e-9
-"""Part of a value, and at least of a metre, within which two are one: rounding differs from machine to machine."""
-
-
-def sweep(target: Target, grid: Grid, each: Callable[[NDArray[np.float64]], None] | None = None) -> Sweep:
+def sweep(
+    target: Target,
+    grid: Grid,
+    each: Callable[[NDArray[np.float64]], None] | None = None,
+    *,
+    threads: int = 1,
+    tell: Callable[[int], None] | None = None,
+) -> Sweep:
     """Follow a target through a grid.
 
     >>> from dhcli import load_robot
@@ -52,37 +47,92 @@ def sweep(target: Target, grid: Grid, each: Callable[[NDArray[np.float64]], None
         target: What is followed.
         grid: The joint values.
         each: What to call with every block of rows, shape (N, n + 3): joint values and position; radians and metres.
+        threads: How many threads share the work; what is found is the same with any number, and so is the order in
+            which `each` is called, by the thread that asks.
+        tell: What to call with the number of poses done, again and again.
 
     Returns:
         Where the target is farthest and nearest, and the box that it stays in.
 
     Raises:
-        RobotError: A position is not a real number, or beyond what a float can hold.
+        RobotError: A position is not a real number, or beyond what a float can hold; or that is no number of threads.
     """
-    found = {name: Highest() for name in ("farthest", "nearest", *SIDES)}
-    forbidden = Forbidden.of(target.robot)
-    tables = tables_of(grid) if each is not None or forbidden is not None else []
+    check_threads(threads)
+    found = {name: Highest(sign) for name, sign in _SIGNS.items()}
+    look = _Look(target, grid, found, wants_rows=each is not None)
     outside = 0
-    for slab, places in walked(target, grid):
-        distances = np.sqrt(np.einsum("ij,ij->j", places, places))
-        if not math.isfinite(distances.max()):
-            raise RobotError("a position is not a real number, or too large to compute with")
-        found["farthest"].take(distances, slab.first)
-        found["nearest"].take(distances, slab.first, sign=-1)
-        for k, axis in enumerate("xyz"):
-            found[f"{axis}_min"].take(places[k], slab.first, sign=-1)
-            found[f"{axis}_max"].take(places[k], slab.first)
-        rows = slab.rows(tables) if tables else np.empty((0, 0))
-        if forbidden is not None:
-            outside += forbidden.count(rows)
-        if each is not None:
-            each(np.concatenate((rows, places.T), axis=1))
+    for seen in shared(look.at, slabs(grid), threads):
+        for name, records in seen.records.items():
+            found[name].take(records)
+        outside += seen.outside
+        if each is not None and seen.rows is not None:
+            each(seen.rows)
+        if tell is not None:
+            tell(seen.done)
     extremes = {name: _extreme(target, grid, highest.index) for name, highest in found.items()}
     farthest, nearest = extremes.pop("farthest"), extremes.pop("nearest")
     told = [*remarks(target, grid)]
-    if outside and forbidden is not None:
-        told.append(f"{outside:,} of the {grid.count:,} poses are beyond the limits of {forbidden.names}, and count")
+    if outside and look.forbidden is not None:
+        names = look.forbidden.names
+        told.append(f"{outside:,} of the {grid.count:,} poses are beyond the limits of {names}, and count")
     return Sweep(target, grid, farthest, nearest, extremes, tuple(told))
+
+
+_SIGNS = {"farthest": 1, "nearest": -1, **{side: -1 if side.endswith("min") else 1 for side in SIDES}}
+"""What is looked for, and whether it is largest or smallest there."""
+
+
+@frozen
+class Seen:
+    """What is found in a slab.
+
+    Attributes:
+        done: How many poses there are up to its end.
+        records: What may be an extreme, for each of them.
+        outside: How many poses are forbidden.
+        rows: Joint values and positions, shape (N, n + 3), if they are wanted; radians and metres.
+    """
+
+    done: int
+    records: dict[str, list[Record]]
+    outside: int
+    rows: NDArray[np.float64] | None
+
+
+class _Look:
+    """Looks at slabs of a grid, several at once if need be."""
+
+    def __init__(self, target: Target, grid: Grid, found: dict[str, Highest], *, wants_rows: bool) -> None:
+        """Prepare what all slabs share.
+
+        Args:
+            target: What is followed.
+            grid: The joint values.
+            found: The extremes of all slabs before, or of some of them.
+            wants_rows: Whether somebody takes the rows.
+        """
+        self.forbidden = Forbidden.of(target.robot)
+        self._found, self._wants_rows = found, wants_rows
+        self._walk = Walk(target, grid)
+        self._tables = tables_of(grid) if wants_rows or self.forbidden is not None else []
+
+    def at(self, slab: Slab) -> Seen:
+        """What is in a slab.
+
+        Raises:
+            RobotError: A position is not a real number, or beyond what a float can hold.
+        """
+        places = self._walk.places(slab)
+        distances = np.sqrt(np.einsum("ij,ij->j", places, places))
+        if not math.isfinite(distances.max()):
+            raise RobotError("a position is not a real number, or too large to compute with")
+        heights = {"farthest": distances, "nearest": distances}
+        heights |= {side: places["xyz".index(side[0])] for side in SIDES}
+        records = {name: self._found[name].records(values, slab.first) for name, values in heights.items()}
+        rows = slab.rows(self._tables) if self._tables else None
+        outside = 0 if self.forbidden is None or rows is None else self.forbidden.count(rows)
+        taken = np.concatenate((rows, places.T), axis=1) if self._wants_rows and rows is not None else None
+        return Seen(slab.first + distances.size, records, outside, taken)
 
 
 @frozen
@@ -122,135 +172,6 @@ class Forbidden:
         return int(((joints < self.low) | (joints > self.high)).any(axis=1).sum())
 
 
-@frozen
-class Slab:
-    """A part of a grid that is a grid itself, and whose poses have one number after another.
-
-    Attributes:
-        first: The number of its first pose.
-        parts: Which values of each axis are in it.
-    """
-
-    first: int
-    parts: tuple[slice, ...]
-
-    def rows(self, tables: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
-        """Its joint values, shape (N, n), from those of each axis; radians and metres."""
-        values = [table[part] for table, part in zip(tables, self.parts, strict=True)]
-        return np.stack([axis.ravel() for axis in np.meshgrid(*values, indexing="ij")], axis=1)
-
-
-def tables_of(grid: Grid) -> list[NDArray[np.float64]]:
-    """The values of each axis; radians and metres."""
-    return [np.array(axis.floats()) for axis in grid.axes]
-
-
-def slabs(grid: Grid) -> Iterator[Slab]:
-    """A grid in its order, in parts of at most `BLOCK` poses: the last axes whole, one in pieces, the others fixed."""
-    counts = [axis.count for axis in grid.axes]
-    whole = len(counts)
-    while whole and math.prod(counts[whole - 1 :]) <= BLOCK:
-        whole -= 1
-    cut = max(0, whole - 1)
-    size = math.prod(counts[cut + 1 :])
-    pieces = math.ceil(counts[cut] / max(1, BLOCK // size))
-    borders = [counts[cut] * k // pieces for k in range(pieces + 1)]
-    first = 0
-    for fixed in itertools.product(*map(range, counts[:cut])):
-        for begin, end in itertools.pairwise(borders):
-            outer = (slice(k, k + 1) for k in fixed)
-            yield Slab(first, (*outer, slice(begin, end), *(slice(0, count) for count in counts[cut + 1 :])))
-            first += (end - begin) * size
-
-
-def walked(target: Target, grid: Grid) -> Iterator[tuple[Slab, NDArray[np.float64]]]:
-    """Positions of a grid in its order, part by part.
-
-    Each step of the formula is played over the axes that it depends on, and what only the last axes move, once.
-
-    Yields:
-        A part, and its positions, shape (3, N) [m]; they stay until the next one.
-    """
-    tables = tables_of(grid)
-    merged = all(np.abs(table).max() <= MODEST for table in tables)
-    program = _recorded(target).program(merged=merged, tangents=True)
-    swept = [k for k, axis in enumerate(grid.axes) if axis.count > 1]
-
-    def spread(k: int, part: slice) -> NDArray[np.float64]:
-        """Values of a joint along its own axis; those that stand still have none, for numpy has 32 at most."""
-        return tables[k][part].reshape([-1 if other == k else 1 for other in swept])
-
-    played: Spread | None = None
-    places = np.empty(0)
-    for slab in slabs(grid):
-        moving = [k for k, part in enumerate(slab.parts) if part.stop - part.start < grid.axes[k].count]
-        if played is None:
-            staying = {k: spread(k, part) for k, part in enumerate(slab.parts) if k not in moving}
-            played = Spread(program, staying)
-        shape = [slab.parts[k].stop - slab.parts[k].start for k in swept]
-        found = played.play({k: spread(k, slab.parts[k]) for k in moving})
-        if places.shape[1:] != tuple(shape):
-            places = np.empty((3, *shape))
-        for k, coordinate in enumerate(found):
-            places[k, ...] = coordinate
-        yield slab, places.reshape(3, -1)
-
-
-def _recorded(target: Target) -> Recording:
-    """The steps to the three coordinates of what is followed, kept with its robot."""
-    values = numbers(target.lengths)
-
-    def record() -> Recording:
-        def entries(tape: Tape, merged: bool) -> list[Number]:  # noqa: FBT001  called by `Recording` alone
-            rows = fold_rows(merge(target.chain) if merged else target.chain, tape)
-            return [settled(row[3], tape) for row in rows]
-
-        return Recording(target.robot.variables, values, entries)
-
-    return kept(target.robot, ("place", target.view, tuple(values.items())), record)
-
-
 def _extreme(target: Target, grid: Grid, index: int) -> Extreme:
     q = grid.at(index)
     return Extreme(index, q, target.at(q))
-
-
-class Highest:
-    """The highest of the numbers seen so far, and where the first stands that is as high but for rounding.
-
-    Only a number above all before it can be that first one, whatever comes later. So it is enough to keep, of these
-    records, those within rounding of the last: when a higher one comes, the first still near it is the answer.
-    """
-
-    def __init__(self) -> None:
-        """Nothing seen yet."""
-        self._records: list[tuple[float, int]] = []
-
-    @property
-    def index(self) -> int:
-        """Where it stands.
-
-        Raises:
-            IndexError: Nothing was seen.
-        """
-        return self._records[0][1]
-
-    def take(self, values: NDArray[np.float64], first: int, *, sign: int = 1) -> None:
-        """See more numbers.
-
-        Args:
-            values: The numbers, shape (N,), at least one, all finite.
-            first: Where the first of them stands.
-            sign: -1 for those of the other sign.
-        """
-        best = self._records[-1][0] if self._records else -np.inf
-        top = float(values.max()) if sign > 0 else -float(values.min())
-        if top <= best:
-            return
-        level = top - SLACK * max(1.0, abs(top))
-        near = np.flatnonzero(values >= level if sign > 0 else values <= -level)
-        heights = values[near] * sign
-        before = np.maximum.accumulate(np.concatenate(([best], heights[:-1])))
-        is_record = heights > before
-        self._records = [record for record in self._records if record[0] >= level]
-        self._records += zip(heights[is_record].tolist(), (first + near[is_record]).tolist(), strict=True)

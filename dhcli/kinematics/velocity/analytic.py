@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TypeVar
 
 from dhcli.algebra.arithmetic import plus, times
 from dhcli.errors import UnknownNameError, did_you_mean
+from dhcli.frozen import frozen
 from dhcli.geometry.euler import AXES
 
 N = TypeVar("N")
@@ -21,7 +21,7 @@ TINY = 1e-9
 """Below this a sine or cosine counts as zero."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Triple:
     """Three angles α, β, γ that say an orientation: R = Rot(a, α) Rot(b, β) Rot(c, γ).
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal, TypeVar
 
+from dhcli.frozen import frozen
 from dhcli.kinematics.velocity.analytic import Triple
 
 N = TypeVar("N")
@@ -15,7 +15,7 @@ LINEAR = ("v_x", "v_y", "v_z")
 ANGULAR = ("ω_x", "ω_y", "ω_z")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Form:
     """Which rows a Jacobian has, and in what order.
 

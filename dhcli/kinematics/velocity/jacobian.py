@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Generic, TypeAlias, TypeVar
 
@@ -12,6 +12,7 @@ from dhcli.algebra.arithmetic import Arithmetic, Evaluator, plus, settled, times
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.terms import TERMS
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.entries import DIGITS, cells_of, in_columns, latex_of
 from dhcli.kinematics.fold import fold_rows
 from dhcli.kinematics.frames import ORIGIN, between
@@ -38,7 +39,7 @@ N = TypeVar("N")
 Rows: TypeAlias = tuple[tuple[N, ...], ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Jacobian(Generic[N]):
     """A Jacobian with the names of its rows and columns.
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeAlias, Unpack
 
 import numpy as np
 
+from dhcli.frozen import frozen
 from dhcli.geometry.rank import decided
 from dhcli.kinematics.velocity.many import jacobian
 from dhcli.kinematics.velocity.view import MotionView, Viewing
@@ -26,7 +26,7 @@ NEAR_AXIS = 1e-6
 """A direction this close to an axis is said to be along it."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Measures:
     """How well an arm moves.
 

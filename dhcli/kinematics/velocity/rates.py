@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeAlias, Unpack
 
 import numpy as np
 
 from dhcli.errors import RobotError, plural
+from dhcli.frozen import frozen
 from dhcli.geometry.rank import decided, rank_of
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.robot import Robot, check_robot
@@ -27,7 +27,7 @@ REACHED = 1e-9
 """A velocity is reached if what is left of it is below this share of its size."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Rates:
     """Joint rates and the velocity that they give.
 

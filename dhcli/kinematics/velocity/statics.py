@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Generic, TypeAlias, TypeVar, Unpack
 
 from dhcli.algebra.arithmetic import plus, times
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
+from dhcli.kinematics.coordinates import coordinates
 from dhcli.kinematics.forward import Given
-from dhcli.kinematics.pose import coordinates
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.values import JointInput, Values, given_parameters, joint_values, parameter_values
 from dhcli.kinematics.velocity.jacobian import Jacobian, numeric_jacobian, textbook_jacobian
@@ -24,7 +25,7 @@ Triple: TypeAlias = tuple[N, N, N]
 NOTHING = (0.0, 0.0, 0.0)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Wrench(Generic[N]):
     """A force and a moment about the point it acts at.
 
@@ -42,7 +43,7 @@ class Wrench(Generic[N]):
         return (*self.force, *self.moment)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Torques(Generic[N]):
     """What the joints bear.
 

@@ -11,6 +11,7 @@ from fractions import Fraction
 from typing import Generic, TypeAlias, TypeVar
 
 from dhcli.algebra.arithmetic import Arithmetic, plus, times
+from dhcli.frozen import frozen
 from dhcli.geometry.motion import Rows, dot, rotate
 from dhcli.kinematics.moves import PLANES, Chain, Fixed, Move, Rot, Trans, expressions
 from dhcli.notation.derivative import derivative
@@ -25,7 +26,7 @@ Vector: TypeAlias = list[N | int]
 Offset: TypeAlias = tuple[Expr, Expr, Expr]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Step:
     """A move, and how joints change it.
 

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from typing import TypedDict, Unpack
 
 from dhcli.algebra.sizes import SIZES
 from dhcli.errors import RobotError
+from dhcli.frozen import frozen
+from dhcli.kinematics.coordinates import coordinates
 from dhcli.kinematics.forward import LONGEST, put_in
 from dhcli.kinematics.frames import ORIGIN, Point, between, ends, frame
 from dhcli.kinematics.merge import merge
 from dhcli.kinematics.moves import Chain, Trans, inverse_of, names, substituted
-from dhcli.kinematics.pose import coordinates
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import Values
 from dhcli.kinematics.velocity.steps import Step, fold_columns, steps_of
@@ -42,7 +42,7 @@ class Viewing(TypedDict, total=False):
     point: Sequence[float | str] | None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class MotionView:
     """What a Jacobian is of.
 
@@ -102,7 +102,7 @@ def joints_between(robot: Robot, start: str, end: str) -> tuple[str, ...]:
     return tuple(name for name in robot.variables if name in moving)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Part:
     """A chain from which some columns of a Jacobian follow in one fold.
 
@@ -143,7 +143,7 @@ def parts(
     return way.parts(joints, robot.angles, merged=merged, values=values)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Way:
     """A path in three pieces, of which joints move the middle one.
 

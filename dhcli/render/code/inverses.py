@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from dhcli.algebra.arithmetic import evaluate
 from dhcli.algebra.tape import Number
 from dhcli.algebra.written import Lean, Written, written
+from dhcli.frozen import frozen
 from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive_levels import POSITION, ROTATION
 from dhcli.kinematics.inverse.derive_rules import Step
@@ -17,16 +16,17 @@ from dhcli.kinematics.validity import in_floats
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO, Call, Expr, Product, Sum, Symbol, Trig
 from dhcli.notation.walk import rebuild, symbols, walk
+from dhcli.regex import regex
 from dhcli.render.code.functions import lengths_words, robot_words
 from dhcli.render.code.language import Heading, Spelling
 from dhcli.render.code.languages import LANGUAGES
 from dhcli.render.look import Look
 from dhcli.render.text.forward import frame_words
 
-_PI = re.compile(r"\bpi\b")
+_PI = regex(r"\bpi\b")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Stage:
     """A step in formulas that share their parts with all other steps.
 

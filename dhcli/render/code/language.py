@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from dhcli.frozen import frozen
 from dhcli.notation.styles import THETAS, Joints, Style, plain_name
 from dhcli.notation.tree import Expr, Number
 from dhcli.notation.writer import write
+from dhcli.regex import regex
 from dhcli.render.code.words import RESERVED, TAKEN
 from dhcli.safe import comment, docstring
 
 Cells = Sequence[Sequence[str]]
 
-_FOREIGN = re.compile(r"[^A-Za-z0-9_]")
+_FOREIGN = regex(r"[^A-Za-z0-9_]")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Language:
     """How a language writes.
 
@@ -101,7 +102,7 @@ class Language:
         return "\n".join([*self.first, *above, *first.split("\n"), *lines, *end]) + "\n"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Heading:
     """What stands above the body of a function.
 
@@ -124,7 +125,7 @@ class Heading:
     gives: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Spelling:
     """How a function in a language spells its names.
 

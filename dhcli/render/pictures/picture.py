@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
+from dataclasses import fields, replace
 from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -90,7 +90,10 @@ class Picture(Drawing):
                 "a film strip is no picture in letters", "write .svg, .pdf, .png, .tex, or .html to play it"
             )
         if self.more:
-            each = (replace(self, more=()), *(replace(self, **vars(one)) for one in self.more))
+            each = (
+                replace(self, more=()),
+                *(Picture(*(getattr(one, part.name) for part in fields(one))) for one in self.more),
+            )
             return "\n".join(one.terminal(paper, columns, rows) for one in each)
         paper = paper or Letters()
         columns = columns or min(paper.width, 120)

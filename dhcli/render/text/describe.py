@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import re
 import textwrap
 from collections.abc import Iterator
 from typing import Any
 
 from dhcli.algebra.terms import TERMS
 from dhcli.kinematics.conventions import Convention
-from dhcli.kinematics.describe.description import NAMES, Described
+from dhcli.kinematics.describe.asked import NAMES
+from dhcli.kinematics.describe.description import Described
 from dhcli.kinematics.describe.exact import exact_factor
 from dhcli.kinematics.describe.linear import coordinates_of
 from dhcli.kinematics.describe.process import axis_word
@@ -18,8 +18,10 @@ from dhcli.kinematics.describe.straight import Straightened
 from dhcli.kinematics.describe.words import Step
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import spelled
+from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr
-from dhcli.notation.writer import write
+from dhcli.notation.writer import write, write_angle
+from dhcli.regex import regex
 from dhcli.render.look import Look
 from dhcli.render.text.matrix import matrix_lines
 from dhcli.render.text.prose import heading_text
@@ -29,7 +31,7 @@ from dhcli.render.text.table import table_text
 _PROSE = 100
 """Columns at which the steps are folded at most."""
 
-_POINT = re.compile(r"\([^()]*\)")
+_POINT = regex(r"\([^()]*\)")
 _JOINED = "\N{NO-BREAK SPACE}"
 """A point is not folded."""
 
@@ -49,6 +51,9 @@ def description_table(result: Described, look: Look) -> str:
     origin = " from its axes" if result.steps else ""
     head = f"{result.given.title}{origin} · {NAMES[result.form]} · {_AXIS[result.form]}"
     blocks = [heading_text(head, paper) + "\n"]
+    if result.shared and (result.told or result.form in ("axes", "screws", "body-screws")):
+        shared = " · ".join(f"{name} = {text}" for name, text in _shared(result).items())
+        blocks.append(heading_text(shared, paper) + "\n")
     if result.told and result.steps:
         blocks.append("".join(_steps(result, look)))
     return "".join([*blocks, *_body(result, look), *(f"{paper.spell(line)}\n" for line in _facts(result))])
@@ -64,6 +69,8 @@ def description_content(result: Described, look: Look) -> dict[str, Any]:
         "steps": [_step_content(step) for step in result.steps] if result.told else [],
         "result": robot_content(result.robot, look),
     }
+    if result.shared:
+        found["shared"] = _shared(result)
     if result.straightened:
         found["straightened"] = _straightened_content(result.straightened)
     if result.screws and result.drawing is not None:
@@ -89,6 +96,15 @@ def description_content(result: Described, look: Look) -> dict[str, Any]:
         ]
         found["end"] = " ".join(map(spelled, end_of(result.drawing.end)))
     return found
+
+
+def _shared(result: Described) -> dict[str, str]:
+    """What each joint of the drawing moves by that has no variable of its own, written out."""
+    joints = result.given.writing
+    return {
+        name: write_angle(value, "full", joints) if isinstance(value, Angle) else write(value, "full", joints)
+        for name, value in result.shared.items()
+    }
 
 
 def _straightened_content(straight: Straightened) -> dict[str, Any]:

@@ -17,7 +17,8 @@ from dhcli.files.urdf.model import read_model
 from dhcli.files.urdf.robots import read_urdf
 from dhcli.files.urdf.writing import urdf_text
 from dhcli.files.yaml.robots import load_robot
-from dhcli.kinematics.describe.description import Asked, describe
+from dhcli.kinematics.describe.asked import Asked
+from dhcli.kinematics.describe.description import describe
 from dhcli.kinematics.forward import forward
 from dhcli.kinematics.robot import Robot
 from tests.files.urdf.test_urdf import EXPORTED

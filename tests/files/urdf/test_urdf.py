@@ -15,7 +15,8 @@ from dhcli.files.urdf.numbers import round_degrees
 from dhcli.files.urdf.robots import read_urdf
 from dhcli.files.urdf.writing import urdf_text
 from dhcli.files.yaml.robots import load_robot, read_robot
-from dhcli.kinematics.describe.description import Asked, describe
+from dhcli.kinematics.describe.asked import Asked
+from dhcli.kinematics.describe.description import describe
 from dhcli.kinematics.forward import forward
 from dhcli.kinematics.inverse.asked import inverse
 from dhcli.kinematics.robot import Robot

@@ -9,7 +9,8 @@ import pytest
 from dhcli.errors import FileError
 from dhcli.files.yaml.robots import load_robot, read_robot
 from dhcli.files.yaml.writing import described_text
-from dhcli.kinematics.describe.description import FORMS, Asked, describe, known_values
+from dhcli.kinematics.describe.asked import FORMS, Asked
+from dhcli.kinematics.describe.description import describe, known_values
 from dhcli.kinematics.describe.proof import proved
 from dhcli.kinematics.forward import symbolic
 from tests.coupled import COUPLED

@@ -10,20 +10,20 @@ import numpy as np
 import pytest
 
 from dhcli.algebra.floats import Floats
-from dhcli.errors import DhcliError
 from dhcli.files.urdf.robots import read_urdf
 from dhcli.files.urdf.writing import urdf_text
 from dhcli.files.yaml.robots import load_robot, read_robot
 from dhcli.files.yaml.writing import described_text
 from dhcli.kinematics.conventions import Convention
-from dhcli.kinematics.describe.description import FORMS, Asked, Form, describe, known_values
+from dhcli.kinematics.describe.asked import FORMS, Asked, Form
+from dhcli.kinematics.describe.description import describe, known_values
 from dhcli.kinematics.describe.drawn import Drawing
 from dhcli.kinematics.describe.process import walk
 from dhcli.kinematics.describe.products import chains_of
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.robot import Link, Robot
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import Number
+from dhcli.notation.tree import Number, Symbol
 from tests.kinematics.describe.test_tables import JOINTED, end_by_screws, nasty_arm
 from tests.nightly import NIGHT, cases_for_nights
 
@@ -73,10 +73,6 @@ def test_an_arm_with_axes_as_bad_as_they_come_is_the_same_in_every_description(s
     )
     feet = [abs(x) for leg in walk(drawing).legs for v in leg.normal.end.values() for x in v]
     for form in OTHERS:
-        if form == "urdf" and any(line.pitch for line in drawing.lines):
-            with pytest.raises(DhcliError, match="turns and slides"):
-                urdf_text(robot)
-            continue
         found = again(robot, form)
         reach = max(size, *feet) if form in ("standard", "modified") else size
         given = values_of(found, q) if form == "urdf" else q
@@ -144,18 +140,19 @@ def _decimal(draw: random.Random, size: float) -> Fraction:
 
 
 @pytest.mark.parametrize(
-    ("links", "said"),
+    "links",
     [
-        ("Rot(z, q1) * Trans(p*q1, 0, 0)", "does not move one joint"),
-        ("Trans(0, 0, p*q1), Rot(z, q2), Rot(z, q1)", "does not move one joint"),
-        ("Rot(z, q1), Rot(z, q2), Trans(0, 0, p*q1)", "does not move one joint"),
-        ("Rot(z, q1), Rot(z, q2), Rot(x, q1)", "does not move one joint"),
+        "Rot(z, q1) * Trans(p*q1, 0, 0)",
+        "Trans(0, 0, p*q1), Rot(z, q2), Rot(z, q1)",
+        "Rot(z, q1), Rot(z, q2), Trans(0, 0, p*q1)",
+        "Rot(z, q1), Rot(z, q2), Rot(x, q1)",
     ],
 )
-def test_what_is_no_screw_has_no_axis(links: str, said: str) -> None:
-    """A slide across the axis, or a turn somewhere else."""
+def test_what_is_no_screw_is_described_move_by_move(links: str) -> None:
+    """A slide across the axis, or a turn somewhere else, has a joint of its own."""
     names = "q1, q2" if "q2" in links else "q1"
     text = f"format: 1\ntitle: t\nsource: s\nconvention: product\nvariables: [{names}]\nparameters: {{p: 0.1}}\n"
     rows = "".join(f"  - {link})\n" for link in links.removesuffix(")").split("), "))
-    with pytest.raises(DhcliError, match=said):
-        describe(read_robot(f"{text}links:\n{rows}", "x", "arm"), Asked("screws"))
+    found = describe(read_robot(f"{text}links:\n{rows}", "x", "arm"), Asked("screws"))
+    assert len(found.screws) == names.count("q") + 1
+    assert list(found.shared.values()) in ([Symbol("p") * Symbol("q1")], [Angle.of("q1")])

@@ -14,7 +14,8 @@ from dhcli.errors import RobotError
 from dhcli.files.yaml.robots import read_robot
 from dhcli.files.yaml.writing import described_text
 from dhcli.geometry.vectors import cross, dot, length, plus
-from dhcli.kinematics.describe.description import FORMS, Asked, describe, known_values
+from dhcli.kinematics.describe.asked import FORMS, Asked
+from dhcli.kinematics.describe.description import describe, known_values
 from dhcli.kinematics.describe.drawn import Drawing, Frame, Line, drawing_of, same_direction
 from dhcli.kinematics.describe.straight import straightened
 from dhcli.kinematics.robot import Robot

@@ -17,8 +17,9 @@ from dhcli.files.yaml.robots import load_robot
 from dhcli.geometry.twists import about, along, displacements
 from dhcli.geometry.vectors import dot
 from dhcli.kinematics.conventions import Convention, moves_of
+from dhcli.kinematics.describe.asked import Asked
 from dhcli.kinematics.describe.choices import Choices
-from dhcli.kinematics.describe.description import Asked, describe, known_values
+from dhcli.kinematics.describe.description import describe, known_values
 from dhcli.kinematics.describe.drawn import Drawing, Frame, Line, drawing_of
 from dhcli.kinematics.describe.exact import exact_angle
 from dhcli.kinematics.describe.linear import LettersError, Point

@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from dhcli.kinematics.inverse.arm import Arm, Axis
-from dhcli.kinematics.inverse.polishing import product
+from dhcli.kinematics.inverse.polishing import SINGULAR, extent, jacobian, product
+from dhcli.kinematics.inverse.running import FULL, Found
 from dhcli.kinematics.inverse.tasks import TASKS, TaskName, for_task
 
 
@@ -97,6 +98,18 @@ def measured(arm: Arm, by: float, rng: np.random.Generator) -> Arm:
         point = np.array(axis.point) + by * rng.normal(size=3) * axis.turns
         axes.append(replace(axis, direction=tuple(along.tolist()), point=tuple(point.tolist())))
     return replace(arm, axes=(*axes, *arm.axes[arm.joints :]))
+
+
+def odd(kind: Class, arm: Arm, found: Found, poses: int) -> int:
+    """How many of some poses have an odd number of solutions, a double root counted twice: one of them was lost.
+
+    Solutions come in pairs where six joints meet the six conditions of a pose; elsewhere none is odd.
+    """
+    if kind.task != "pose" or len(kind.joints) != FULL:
+        return 0
+    _, slope = jacobian(arm, TASKS[kind.task], found.motions)
+    double = np.linalg.svd(slope, compute_uv=False)[:, -1] < SINGULAR * extent(arm, found.motions) ** -2
+    return int((np.bincount(found.index, 1 + double, minlength=poses) % 2).sum())
 
 
 def random_motions(arm: Arm, count: int, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:

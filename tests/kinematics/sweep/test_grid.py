@@ -11,9 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from dhcli.kinematics.robot import Value
-from dhcli.kinematics.sweep import run
+from dhcli.kinematics.sweep import walk
 from dhcli.kinematics.sweep.grid import Axis, Grid
-from dhcli.kinematics.sweep.run import slabs, tables_of
+from dhcli.kinematics.sweep.walk import slabs, tables_of
 from dhcli.kinematics.validity import in_floats
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import number
@@ -56,7 +56,7 @@ def test_the_rows_of_a_grid_are_the_product_of_its_axes(axes: list[Axis], block:
     """In the order of itertools.product, whatever the blocks; and the exact pose of each number is its row."""
     grid = Grid(tuple(Axis(f"q{k}", axis.first, axis.last, axis.count) for k, axis in enumerate(axes)))
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(run, "BLOCK", block)
+        patch.setattr(walk, "BLOCK", block)
         blocks = [slab.rows(tables_of(grid)) for slab in slabs(grid)]
     rows = [tuple(row) for rows in blocks for row in rows.tolist()]
     assert rows == list(product(*(axis.floats() for axis in grid.axes)))
@@ -70,4 +70,4 @@ def test_a_large_grid_costs_nothing_until_it_is_walked() -> None:
     grid = Grid(tuple(Axis(f"q{k}", number(0), number(1), 1000) for k in range(6)))
     assert grid.count == 10**18
     assert in_floats(grid.at(10**18 - 1)["q0"]) == 1.0
-    assert run.BLOCK / 2 < len(next(slabs(grid)).rows(tables_of(grid))) <= run.BLOCK
+    assert walk.BLOCK / 2 < len(next(slabs(grid)).rows(tables_of(grid))) <= walk.BLOCK

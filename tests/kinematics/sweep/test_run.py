@@ -14,12 +14,14 @@ from dhcli import Robot, forward, load_robot
 from dhcli import sweep as ask
 from dhcli.errors import RobotError
 from dhcli.kinematics.frames import View
-from dhcli.kinematics.sweep import run
+from dhcli.kinematics.sweep import walk
 from dhcli.kinematics.sweep.grid import Axis, Grid
+from dhcli.kinematics.sweep.highest import SLACK, Highest
 from dhcli.kinematics.sweep.plan import plan
 from dhcli.kinematics.sweep.ranges import read_over
-from dhcli.kinematics.sweep.run import SLACK, Highest, sweep, tables_of, walked
+from dhcli.kinematics.sweep.run import sweep
 from dhcli.kinematics.sweep.target import Target, target_of
+from dhcli.kinematics.sweep.walk import Walk, slabs, tables_of
 from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import joint_values
 from dhcli.notation.tree import ZERO, number
@@ -42,9 +44,8 @@ def _asked(name: str, point: str = "", start: str | None = None, end: str | None
 
 def all_rows(target: Target, grid: Grid) -> np.ndarray:
     """Joint values and positions of every pose, in the order of the grid."""
-    return np.concatenate(
-        [np.concatenate((slab.rows(tables_of(grid)), p.T), axis=1) for slab, p in walked(target, grid)]
-    )
+    way = Walk(target, grid)
+    return np.concatenate([np.column_stack((slab.rows(tables_of(grid)), way.places(slab).T)) for slab in slabs(grid)])
 
 
 def _seen(target: Target, q: tuple[float, ...]) -> tuple[float, ...]:
@@ -65,7 +66,7 @@ def test_the_extremes_are_those_of_all_poses_one_by_one(
     monkeypatch: pytest.MonkeyPatch, name: str, point: str, start: str | None, end: str | None
 ) -> None:
     """The first pose of each extreme, but for rounding, with its joint values and its position."""
-    monkeypatch.setattr(run, "BLOCK", 17)
+    monkeypatch.setattr(walk, "BLOCK", 17)
     target, grid = _asked(name, point, start, end)
     found = sweep(target, grid)
     seen = [_seen(target, q) for q in product(*(axis.floats() for axis in grid.axes))]
@@ -99,6 +100,29 @@ def test_every_block_is_handed_on() -> None:
     assert np.array_equal(np.concatenate(taken), all_rows(target, grid))
 
 
+@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("threads", [2, 3, 200])
+def test_threads_find_the_same(monkeypatch: pytest.MonkeyPatch, name: str, threads: int) -> None:
+    """The same poses of those that are extreme alike, and the same rows in the same order, to the last digit."""
+    monkeypatch.setattr(walk, "BLOCK", 7)
+    target, grid = _asked(name)
+    rows: dict[int, list[np.ndarray]] = {1: [], threads: []}
+    counts: list[int] = []
+    alone = sweep(target, grid, rows[1].append)
+    assert sweep(target, grid, rows[threads].append, threads=threads, tell=counts.append) == alone
+    assert sweep(target, grid, threads=threads) == alone
+    assert np.array_equal(np.concatenate(rows[threads]), np.concatenate(rows[1]))
+    assert counts == sorted(counts)
+    assert counts[-1] == grid.count
+
+
+@pytest.mark.parametrize("threads", [0, -2, 1.5, "2", None, True])
+def test_what_is_no_number_of_threads_is_refused(threads: object) -> None:
+    """As by `forward_batch`."""
+    with pytest.raises(RobotError, match="threads is a number from 1, not"):
+        ask(load_robot("planar-2r"), threads=threads)  # type: ignore[arg-type]
+
+
 def test_exact_angles_give_exact_positions() -> None:
     """The arm stretched along y is at x = 0, not at 4e-17."""
     found = sweep(*_asked("planar-2r"))
@@ -106,13 +130,14 @@ def test_exact_angles_give_exact_positions() -> None:
     assert found.box == ((-0.7, 0.7), (-0.7, 0.7), (0.0, 0.0))
 
 
-def test_a_position_beyond_all_floats_is_refused() -> None:
+@pytest.mark.parametrize("threads", [1, 2])
+def test_a_position_beyond_all_floats_is_refused(threads: int) -> None:
     """Not handed on as infinity."""
     robot = load_robot("cartesian")
     target = target_of(robot)
     axes = tuple(Axis(name, ZERO, number(10**300), 3) for name in robot.variables)
     with pytest.raises(RobotError, match="too large"):
-        sweep(target, Grid(axes))
+        sweep(target, Grid(axes), threads=threads)
 
 
 heights = st.lists(
@@ -121,14 +146,22 @@ heights = st.lists(
 )
 
 
-@given(heights, st.integers(1, 7))
-def test_the_highest_is_the_first_within_rounding_of_the_maximum(values: list[float], block: int) -> None:
-    """However the numbers are cut into blocks."""
-    highest = Highest()
+@given(heights, st.integers(1, 7), st.sampled_from([1, -1]), st.integers(1, 5))
+def test_the_highest_is_the_first_within_rounding_of_the_maximum(
+    values: list[float], block: int, sign: int, late: int
+) -> None:
+    """However the numbers are cut into blocks, and however many of these are looked at before the first is taken."""
+    highest = Highest(sign)
+    waiting = []
     for first in range(0, len(values), block):
-        highest.take(np.array(values[first : first + block]), first)
-    top = max(values)
-    assert highest.index == next(i for i, v in enumerate(values) if v >= top - SLACK * max(1, abs(top)))
+        waiting.append(highest.records(np.array(values[first : first + block]), first))
+        if len(waiting) == late:
+            highest.take(waiting.pop(0))
+    for records in waiting:
+        highest.take(records)
+    heights = [sign * value for value in values]
+    top = max(heights)
+    assert highest.index == next(i for i, v in enumerate(heights) if v >= top - SLACK * max(1, abs(top)))
 
 
 @pytest.mark.parametrize(

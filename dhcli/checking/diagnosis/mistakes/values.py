@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from typing import TypeAlias
 
 from dhcli.checking.diagnosis.mistakes.changes import OFFSETS, scale_of
 from dhcli.checking.diagnosis.terms import flipped, shown
 from dhcli.checking.diagnosis.work import Setting
 from dhcli.checking.exercise import Exercise
+from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import has_angle_unit
 from dhcli.notation.tree import Expr, Sum, Trig, Unit, add, multiply, negate, number
@@ -19,7 +19,7 @@ from dhcli.notation.walk import rebuild, substitute, symbols, walk
 ValueMaker: TypeAlias = Callable[[Expr, Exercise], Iterator[tuple[str, Expr]]]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ValueMistake:
     """A kind of mistake in a value.
 
