@@ -9,7 +9,7 @@ from functools import cache, wraps
 from pathlib import Path
 
 from dhcli.checking.exercise import Exercise
-from dhcli.errors import DhcliError
+from dhcli.errors import UnknownNameError
 from dhcli.files.library import lookup
 from dhcli.files.library.lookup import Kind, find, full_id
 from dhcli.files.yaml import exercises, robots
@@ -21,14 +21,13 @@ _of_library = cache(_anew)
 
 
 @wraps(_anew)  # the manual shows what it says
-@wraps(_anew)
 def load_exercise(name: str | Path) -> Exercise:
     """The exercise that dhcli loads, which is kept if it is the library's own and has only the library beside it."""
-    if not isinstance(name, str | Path):
+    if not isinstance(name, str | Path):  # as of who calls the library with anything else
         return _anew(name)
     try:
         path = name if isinstance(name, Path) else find(Kind.EXERCISES, full_id(name))
-    except DhcliError:
+    except UnknownNameError:
         return _anew(name)
     return _of_library(path) if path.is_relative_to(LIBRARY) and _is_alone() else _anew(name)
 
