@@ -148,8 +148,19 @@ def _init_4(a: _Put, b: _Put, c: _Put, d: _Put) -> FunctionType:
     return cast("FunctionType", init)
 
 
-_PLAIN: tuple[Callable[..., FunctionType], ...] = (_init_1, _init_2, _init_3, _init_4)
-"""What takes one value, two, three, four: most records have no more, and the trees of formulas are made of these."""
+def _init_5(a: _Put, b: _Put, c: _Put, d: _Put, e: _Put) -> FunctionType:
+    def init(self: object, p: object, q: object, r: object, s: object, t: object) -> None:
+        a(self, p)
+        b(self, q)
+        c(self, r)
+        d(self, s)
+        e(self, t)
+
+    return cast("FunctionType", init)
+
+
+_PLAIN: tuple[Callable[..., FunctionType], ...] = (_init_1, _init_2, _init_3, _init_4, _init_5)
+"""What takes one value to five: most records have no more, and formulas and their tokens are made of these."""
 
 
 def _arranged(

@@ -114,8 +114,8 @@ def test_the_other_ways_of_many_poses_have_their_rows(monkeypatch: pytest.Monkey
 
     monkeypatch.setattr(poses, "find_spec", lambda name: None)
     monkeypatch.setattr(poses, "PEERS", poses.PEERS[:1])
-    rows = [*poses.threads(1, sizes=(50,)), *poses.sweeps(1, counts=(4,))]
-    assert [row.work for row in rows] == ["5e1 poses of puma560", "a grid of 4x4x4"]
+    rows = [*poses.threads(1, sizes=(50,), count=3), *poses.sweeps(1, counts=(4,))]
+    assert [row.work for row in rows] == ["5e1 poses of puma560", "a grid of 3x3x3", "a grid of 4x4x4"]
     assert all(row.pairs for row in rows)
     assert [row.peer for row in poses.fast(1, sizes=(50,))] == ["numba"]
     assert [row.peer for row in arrays.rows(1, sizes=(50,))] == ["JAX, jit and vmap", "PyTorch Kinematics"]
@@ -164,6 +164,48 @@ def test_what_takes_long_is_measured_once(monkeypatch: pytest.MonkeyPatch) -> No
     assert row.cells()[6] == "one pair"
 
 
+def test_rounds_are_fewer_where_they_would_take_long(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As many as the time allows, two at least."""
+    import measure
+
+    times = iter([(0.5, None), (0.5, None)] * 3)
+    monkeypatch.setattr(measure, "timed", lambda work: next(times))
+    monkeypatch.setattr(measure, "seconds", lambda work, often: 0.5)
+    task = measure.Task("", lambda: None)
+    for longest, count in ((3.0, 3), (1.2, 2), (9.0, 5)):
+        monkeypatch.setattr(measure, "LONGEST", longest)
+        assert len(measure.side_by_side("work", task, task, lambda ours, theirs: True, rounds=5).pairs) == count
+
+
+def test_where_dhcli_is_behind_is_said() -> None:
+    """The furthest first; not where it is ahead, nor where there is no peer."""
+    from measure import Row, behind
+
+    rows = [Row("a", "ours", "x", ((2.0, 1.0),)), Row("b", "ours", "y", ((1.0, 2.0),))]
+    rows += [Row("c", "ours", "z", ((8.0, 2.0),)), Row("d", "ours", "none")]
+    assert behind(rows) == ["c, ours: 4.0 times z", "a, ours: 2.0 times x"]
+
+
+def test_a_processor_can_do_without_what_numpy_chooses_its_code_by() -> None:
+    """Where there is AVX-512, a program that is told so says that there is none, and has nothing more to do without."""
+    import processor
+
+    environment = processor.without_wide()
+    assert ("AVX-512" in processor.processor().split(", ")) is bool(environment)
+    if environment:
+        program = "import processor; print(processor.processor(), processor.without_wide())"
+        done = subprocess.run(
+            [sys.executable, "-c", program],
+            cwd=BENCH,
+            env=environment,
+            capture_output=True,
+            encoding="utf-8",
+            check=True,
+        )
+        assert "no AVX-512" in done.stdout
+        assert done.stdout.endswith("{}\n")
+
+
 @pytest.mark.parametrize(
     ("value", "text"),
     [
@@ -202,14 +244,18 @@ def test_start_up_has_a_row_for_every_command_that_ends() -> None:
     assert {typed.split()[0] for typed in TIMED} == {"--help", *COMMANDS} - {"watch"}
 
 
-def test_start_up_is_held_against_what_the_command_imports(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """No rich where nothing is drawn, no numpy where nothing is counted; a command that fails is not timed."""
+def test_start_up_is_held_against_one_unit(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """By time, and by instructions where perf counts them; a command that fails is not timed."""
     import startup
+    from measure import Row
 
-    monkeypatch.setenv("PYTHONPYCACHEPREFIX", str(tmp_path / "bytecode"))  # the group sets these; put back at the end
+    for name in ("PYTHONPYCACHEPREFIX", "XDG_DATA_HOME"):  # the group sets these; put back at the end
+        monkeypatch.setenv(name, "")
     monkeypatch.setenv("PYTHONDONTWRITEBYTECODE", "1")
-    needed = startup.imported("fk scara --q 0.3,0.5,0.1", str(tmp_path))
-    assert startup.NAMED.intersection(needed) == {"typer", "yaml"}
-    assert not any(name.startswith("dhcli") for name in needed)
+    row = Row("a command", "the whole process", startup.UNIT, ((0.3, 0.2), (0.2, 0.2), (0.4, 0.2)))
+    assert startup.in_units(row, 300, 200) == "1.50 units, 1.50 by instructions"
+    assert startup.in_units(row, 0, 0) == "1.50 units"
+    counted = startup.instructions([sys.executable, "-c", ""], str(tmp_path))
+    assert counted == 0 or counted > 1_000_000
     with pytest.raises(SystemExit, match="do not say the same"):
         list(startup.rows(1, ("fk no-such-robot",)))

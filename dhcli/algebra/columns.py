@@ -13,11 +13,11 @@ if TYPE_CHECKING:
 
 
 class Columns:
-    """The registers of a program, for blocks of one length.
+    """The registers of a program, for blocks of up to one length.
 
     Attributes:
         program: What is played.
-        length: Rows in a block.
+        length: Most rows in a block.
     """
 
     def __init__(self, program: Program, length: int) -> None:
@@ -25,7 +25,7 @@ class Columns:
 
         Args:
             program: What to play.
-            length: Rows in a block.
+            length: Most rows in a block.
         """
         self.program, self.length = program, length
         registers = np.empty((program.registers, length))
@@ -42,13 +42,14 @@ class Columns:
         """The results for a block; they stay until the next one.
 
         Args:
-            values: Values of the variables, shape (variables, length); radians and metres.
+            values: Values of the variables, shape (variables, N), at most `length` of each; radians and metres.
 
         Returns:
-            Shape (results, length); NaN where a result has no value.
+            Shape (results, N); NaN where a result has no value.
         """
-        self._inputs[:] = values
+        count = values.shape[1]
+        self._inputs[:, :count], self._inputs[:, count:] = values, 0.0
         with np.errstate(all="ignore"):
             for ufunc, columns in self._calls:
                 ufunc(*columns)
-        return self._results
+        return self._results[:, :count]

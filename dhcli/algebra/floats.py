@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from dhcli.algebra.arithmetic import evaluate, evaluate_settled, right_angle
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import Expr, Number
+from dhcli.notation.tree import ZERO, Expr, Number
 
 _EXACT_SINES = {0: 0.0, 30: 0.5, 90: 1.0}
 
@@ -27,9 +27,16 @@ class Floats:
         values = values or {}
         self._angles = {name: value for name, value in values.items() if isinstance(value, Angle)}
         self._floats = {name: float(value) for name, value in values.items() if not isinstance(value, Angle)}
+        self._turned: dict[Angle, tuple[float | int, float | int]] = {}
 
     def cos_sin(self, angle: Angle) -> tuple[float | int, float | int]:
         """Cosine and sine; exact where the angle is exact, NaN where it is too large."""
+        found = self._turned.get(angle)
+        if found is None:
+            found = self._turned[angle] = self._cos_sin(angle)
+        return found
+
+    def _cos_sin(self, angle: Angle) -> tuple[float | int, float | int]:
         try:
             angle = angle.substitute(self._angles)
         except OverflowError:  # so small a part of a sum that it has no exact form
@@ -50,6 +57,8 @@ class Floats:
 
     def length(self, expr: Expr) -> float | int:
         """Value of an expression of lengths [m]."""
+        if expr is ZERO:
+            return 0
         if type(expr) is Number:
             return 0 if not expr.value else float(expr.value)
         return evaluate(expr, self)

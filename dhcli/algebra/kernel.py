@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
@@ -13,7 +14,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from dhcli.algebra.loop import ADD, ADD_TO, MULTIPLY, MULTIPLY_BY, RAISE_TO, SUBTRACT, TAKE_FROM, TURN, loop
+from dhcli.algebra.loop import ADD, ADD_TO, MULTIPLY, MULTIPLY_BY, RAISE_TO, SET, SUBTRACT, TAKE_FROM, TURN, loop
 from dhcli.algebra.program import Instruction, Program
 
 if TYPE_CHECKING:
@@ -43,30 +44,27 @@ class Kernel:
             KeyError: It has a step that the loop does not know.
         """
         self._spare = program.registers
-        steps = list(self._encoded(program.instructions))
+        steps = [((SET, 0, 0, register), value) for register, value in program.constants.items()]
+        steps += self._encoded(program.instructions)
         self._steps = np.array([step for step, _ in steps], dtype=np.int64).reshape(-1, 4)
         self._constants = np.array([constant for _, constant in steps], dtype=np.float64)
-        self._known = program.constants
-        self._results = program.inputs.start
 
-    def play(self, q: NDArray[np.float64], found: NDArray[Any], *, width: int = WIDTH) -> bool:
+    def play(self, q: NDArray[np.float64], found: NDArray[Any], *, most: float = math.inf, width: int = WIDTH) -> bool:
         """Play it over rows.
 
         Args:
             q: Values of the variables, shape (N, variables), in C order; radians and metres.
             found: Where the results go, shape (N, results), in C order; float64 or float32.
+            most: Up to which size they are taken; by default whatever they are.
             width: Rows at a time.
 
         Returns:
-            Whether all went well; if not, an angle was too large for the loop, and numpy must play the rows again.
+            Whether all went well; if not, a value was too large, and the rows must be played in another way.
         """
-        registers = np.empty((self._spare + 1, width))
-        for register, value in self._known.items():
-            registers[register] = value
         rows = q.view()
         rows.flags.writeable = False  # so that there is one kind of array, and one loop compiled for it
         play = loop if _LOADED.loop is None else _LOADED.loop
-        return bool(play(self._steps, self._constants, registers, self._results, rows, found))
+        return bool(play(self._steps, self._constants, self._spare + 1, width, rows, most, found))
 
     def _encoded(self, instructions: Sequence[Instruction]) -> Iterator[tuple[Step, float]]:
         """Each step in four numbers, and its constant; a cosine and the sine of the same angle are one step."""
@@ -163,9 +161,10 @@ def _signature(kind: Any) -> Any:  # noqa: ANN401  types of numba
     """What the loop takes and gives, with results of a kind."""
     from numba import types
 
-    table, row = types.Array(types.float64, 2, "C"), types.Array(types.float64, 1, "C")
-    steps, values = types.Array(types.int64, 2, "C"), types.Array(types.float64, 2, "C", readonly=True)
-    return types.boolean(steps, row, table, types.int64, values, types.Array(kind, 2, "C"))
+    number, count = types.float64, types.int64
+    steps, constants = types.Array(count, 2, "C"), types.Array(number, 1, "C")
+    values = types.Array(number, 2, "C", readonly=True)
+    return types.boolean(steps, constants, count, count, values, number, types.Array(kind, 2, "C"))
 
 
 def _forget(folder: Path) -> None:

@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
     Places = NDArray[np.int64]
 
-ADD, SUBTRACT, MULTIPLY, ADD_TO, TAKE_FROM, MULTIPLY_BY, RAISE_TO, TURN = range(8)
-"""What a step does: of two registers; of one and a constant; cosine and sine of one."""
+ADD, SUBTRACT, MULTIPLY, ADD_TO, TAKE_FROM, MULTIPLY_BY, RAISE_TO, TURN, SET = range(9)
+"""What a step does: of two registers; of one and a constant; cosine and sine of one; a constant alone."""
 
 QUARTERS = 2.0 / math.pi
 LONG, MIDDLE, SHORT = (float.fromhex(f"0x1.{part}") for part in ("921fb544p+0", "0b4611a6p-34", "3198a2e037073p-69"))
@@ -26,33 +26,51 @@ LONG, MIDDLE, SHORT = (float.fromhex(f"0x1.{part}") for part in ("921fb544p+0", 
 MOST_QUARTERS = 2.0**20
 """Right angles up to which an angle is reduced here, 1.6 million radians; what is larger is left to numpy."""
 
+TILE = 8
+"""Rows that are turned into columns at a time: as many as a line of the cache holds numbers."""
+
 S3, S5, S7, S9, S11, S13, S15 = ((-1) ** k / math.factorial(2 * k + 1) for k in range(1, 8))
 C2, C4, C6, C8, C10, C12, C14, C16 = ((-1) ** k / math.factorial(2 * k) for k in range(1, 9))
 """Taylor's coefficients: at 45° the first term that is left out is 5e-17 of the sine and 2e-18 of the cosine."""
 
 
-def loop(steps: Places, constants: Floats, registers: Floats, results: int, q: Floats, found: Floats) -> bool:
+def loop(  # noqa: PLR0913, PLR0917  only numbers and arrays: it is compiled
+    steps: Places, constants: Floats, size: int, width: int, q: Floats, most: float, found: Floats
+) -> bool:
     """Play a program.
 
     Args:
         steps: What to do, shape (steps, 4): one of the codes above, two registers that are read, one that is written;
-            TURN reads one and writes the cosine to the second, the sine to the third.
+            TURN reads one and writes the cosine to the second, the sine to the third; SET reads none.
         constants: A number for each step, shape (steps,).
-        registers: Shape (registers, width); the first are the results, the next ones begin as the values of a row.
-        results: How many results there are.
+        size: How many registers there are; the first are the results, the next ones begin as the values of a row.
+        width: Rows at a time.
         q: Values of the variables, shape (N, variables); radians and metres.
+        most: Up to which size they are taken; if that is infinite, whatever they are.
         found: Where the results go, shape (N, results).
 
     Returns:
-        Whether all angles could be reduced; otherwise what was found is not all right.
+        Whether all values were taken and all angles could be reduced; otherwise what was found is not all right.
     """
-    width = registers.shape[1]
+    registers = np.empty((size, width))  # numba lays it where no vector of numbers crosses a line of the cache
+    results = found.shape[1]
     near = True
     for first in range(0, len(q), width):
         count = min(width, len(q) - first)
-        for k in range(q.shape[1]):
-            for j in range(count):
+        whole = count - count % TILE
+        for j in range(0, whole, TILE):
+            for k in range(q.shape[1]):
+                for i in range(TILE):
+                    registers[results + k, j + i] = q[first + j + i, k]
+        for j in range(whole, count):
+            for k in range(q.shape[1]):
                 registers[results + k, j] = q[first + j, k]
+        if most < math.inf:
+            for k in range(q.shape[1]):
+                for j in range(count):
+                    near &= abs(registers[results + k, j]) <= most
+            if not near:
+                return False
         for i in range(len(steps)):
             code, a, b, c = steps[i, 0], steps[i, 1], steps[i, 2], steps[i, 3]
             constant = constants[i]
@@ -77,6 +95,9 @@ def loop(steps: Places, constants: Floats, registers: Floats, results: int, q: F
             elif code == RAISE_TO:
                 for j in range(count):
                     registers[c, j] = registers[a, j] ** constant
+            elif code == SET:
+                for j in range(count):
+                    registers[c, j] = constant
             else:
                 far = False
                 for j in range(count):

@@ -7,7 +7,6 @@ itself stands in `asking`, what it returns in `returned`.
 
 from __future__ import annotations
 
-import re
 import shlex
 from abc import abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -20,6 +19,7 @@ from dhcli.checking.credit import USUAL, Shares
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.returned import Causes, Judged, Matrices, Overlaid, Points, Reading, Shown
 from dhcli.checking.tolerance import DEFAULT, Tolerance
+from dhcli.checking.units import on_sheet
 from dhcli.checking.verdicts import Mark
 from dhcli.checking.written import Printed, Range, Trial, answer_scope
 from dhcli.errors import DhcliError, Place, RobotError, UnknownNameError, did_you_mean
@@ -31,12 +31,17 @@ from dhcli.kinematics.validity import Finding
 from dhcli.notation.quantity import LENGTH_UNITS, value_text
 from dhcli.notation.scope import Scope
 from dhcli.notation.styles import THETAS, Joints
+from dhcli.notation.tree import Expr
+from dhcli.regex import regex
 
 if TYPE_CHECKING:
     from dhcli.kinematics.values import Values
 
 T = TypeVar("T")
 R = TypeVar("R")
+
+MOST_RECENT = 500
+"""Things of one kind that answers bring along and that are kept: entries, mostly, that many students write alike."""
 
 MISPRINTED = "this is what the document prints; it is a misprint"
 
@@ -64,6 +69,21 @@ class Memo:
         if key not in self._known:
             self._known[key] = make()
         return cast("R", self._known[key])
+
+    def recent(self, kind: object, key: object, make: Callable[[], R]) -> R:
+        """The same for things that answers bring along, of which no more are kept than a class has alike.
+
+        Args:
+            kind: What they are, which has a store of its own.
+            key: One of them.
+            make: Works it out.
+        """
+        known: dict[object, R] = self.of(kind, dict)
+        if key not in known:
+            if len(known) >= MOST_RECENT:
+                known.clear()
+            known[key] = make()
+        return known[key]
 
 
 class Question(Asking, Generic[T]):
@@ -205,7 +225,7 @@ class Question(Asking, Generic[T]):
         return None
 
 
-_FRAME = re.compile(r"\bframe \w+")
+_FRAME = regex(r"\bframe \w+")
 
 
 @frozen
@@ -300,11 +320,13 @@ class Exercise:
 
     def __post_init__(self) -> None:
         """Work out what follows from the rest."""
-        values: Mapping[str, Value] = self.given
-        if self.robot and self.numeric:
-            values = replaced(self.robot.derived, self.robot.parameters, self.given)
         object.__setattr__(self, "scope", answer_scope(self.robot, (*self.given, *self.names)))
-        object.__setattr__(self, "values", values)
+        object.__setattr__(self, "values", self.known if self.numeric else self.given)
+
+    @property
+    def known(self) -> Mapping[str, Value]:
+        """All values there are, given or the robot's own, for what is asked in numbers whatever the other parts are."""
+        return replaced(self.robot.derived, self.robot.parameters, self.given) if self.robot else self.given
 
     def part(self, name: str) -> Part:
         """A part by its name.
@@ -365,6 +387,10 @@ class Exercise:
     def metres(self) -> Fraction:
         """Metres in a bare length of the sheet; 1 where the task has no unit."""
         return LENGTH_UNITS.get(self.unit, Fraction(1))
+
+    def on_sheet(self, length: Expr) -> Expr:
+        """A length in metres as it is written on the sheet: its bare numbers are in the unit of that."""
+        return on_sheet(length, self.metres, self.scope)
 
     @property
     def writing(self) -> Joints:

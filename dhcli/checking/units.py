@@ -26,7 +26,7 @@ MOST_POWER = 64
 def degree(expr: Expr, scope: Scope) -> Fraction:
     """The power of a length that an expression is: 1 for a length, 0 for an angle or a plain number."""
     if isinstance(expr, Symbol):
-        return Fraction(not scope.is_angle(expr.name))
+        return Fraction(_is_length(expr.name, scope))
     if isinstance(expr, Unit):
         return Fraction(expr.name in LENGTH_UNITS)
     if isinstance(expr, Sum):
@@ -103,18 +103,23 @@ def move_in_metres(move: Move, unit: Fraction, scope: Scope) -> Move:
 
 
 def _scaled(expr: Expr, unit: Fraction, scope: Scope, power_of: Fraction) -> Expr:
-    """What has a letter or a unit stays; of a product one bracket is scaled, of a root what stands below it."""
+    """What has a letter or a unit stays; of a product its brackets are scaled, of a root what stands below it."""
     if isinstance(expr, Sum):
         return add(*(_scaled(term, unit, scope, power_of) for term in expr.terms))
     if isinstance(expr, Power) and _is_measured(expr.base, scope):
         return power(_scaled(expr.base, unit, scope, power_of / expr.exponent), expr.exponent)
     if isinstance(expr, Product):
-        found = [k for k, factor in enumerate(expr.factors) if _is_measured(factor, scope)]
-        if found and all(isinstance(expr.factors[k], Sum | Power) for k in found):
-            k = found[0]
-            scaled = _scaled(expr.factors[k], unit, scope, power_of)
-            return multiply(*expr.factors[:k], scaled, *expr.factors[k + 1 :])
-    if _is_measured(expr, scope) or power_of.denominator != 1 or abs(power_of) > MOST_POWER:
+        powers = [degree(factor, scope) for factor in expr.factors]
+        if any(powers):
+            pairs = zip(expr.factors, powers, strict=True)
+            scaled = (_scaled(factor, unit, scope, of) if of else factor for factor, of in pairs)
+            return _times(multiply(*scaled), unit, max(power_of - sum(powers), Fraction(0)))
+    return expr if _is_measured(expr, scope) else _times(expr, unit, power_of)
+
+
+def _times(expr: Expr, unit: Fraction, power_of: Fraction) -> Expr:
+    """An expression times a power of a unit, if that is a power anybody has use for."""
+    if not power_of or power_of.denominator != 1 or abs(power_of) > MOST_POWER:
         return expr
     factor = unit ** int(power_of)
     return multiply(Number(factor, _places(factor)), expr)
@@ -128,7 +133,12 @@ def _places(factor: Fraction) -> int:
 def _is_measured(expr: Expr, scope: Scope) -> bool:
     """Whether a letter that is a length, or a unit, stands in an expression; inside an angle there is none."""
     return any(
-        (isinstance(node, Symbol) and not scope.is_angle(node.name))
+        (isinstance(node, Symbol) and _is_length(node.name, scope))
         or (isinstance(node, Unit) and node.name in LENGTH_UNITS)
         for node in walk(expr)
     )
+
+
+def _is_length(name: str, scope: Scope) -> bool:
+    """Whether a letter is a length; an angle is none, nor is the rate dtheta1 of the angle theta1."""
+    return not scope.is_angle(name) and not (name.startswith("d") and scope.is_angle(name[1:]))

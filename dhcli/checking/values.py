@@ -10,7 +10,7 @@ from dhcli.checking.entries import check_names
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.pasted import UnreadableError, WrongUnitError, without_label
 from dhcli.checking.tolerance import NOT_EXACT, Tolerance, is_rounding_of, judge, without_unit
-from dhcli.checking.units import in_metres, is_measure, on_sheet
+from dhcli.checking.units import in_metres, is_measure
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
 from dhcli.errors import Place
 from dhcli.frozen import frozen
@@ -85,18 +85,42 @@ def mark_value(exercise: Exercise, right: Quantity, answer: TypedValue, toleranc
     """
     typed = _as_asked(answer.expr, right, exercise, "deg")
     check_names(exercise, typed.value.names if isinstance(typed.value, Angle) else symbols(typed.value))
+    verdict = _verdict_in_unit(exercise, typed, right, answer, tolerance)
     reading, shown = spelled_value(typed, exercise), spelled_value(right, exercise)
-    verdict = _verdict(exercise, typed, right, answer.expr, tolerance)
-    if right.is_angle and verdict is not Verdict.RIGHT:
-        in_radians = _as_asked(answer.expr, right, exercise, "rad")
-        if _verdict(exercise, in_radians, right, answer.expr, tolerance) is Verdict.RIGHT:
-            raise WrongUnitError("radians", f"a bare angle is in degrees: write {shown} or {answer.text} rad")
     remarks: tuple[str, ...] = ()
     if tolerance.exact and verdict is Verdict.RIGHT and not _is_exact(typed, right, exercise):
         verdict, remarks = Verdict.ROUNDED, (NOT_EXACT,)
     note = _note(typed, right, exercise) if verdict is Verdict.WRONG else ""
     earned = float(verdict in (Verdict.RIGHT, Verdict.ROUNDED))
     return Mark(verdict, reading, (CellMark(0, 0, verdict, reading, shown, note),), remarks, earned, shown)
+
+
+def is_right_value(exercise: Exercise, right: Quantity, answer: TypedValue, tolerance: Tolerance) -> bool:
+    """Whether a single angle, length or number is right, be it rounded; nothing is said about it.
+
+    Raises:
+        UnreadableError: As `mark_value` does.
+    """
+    typed = _as_asked(answer.expr, right, exercise, "deg")
+    check_names(exercise, typed.value.names if isinstance(typed.value, Angle) else symbols(typed.value))
+    return _verdict_in_unit(exercise, typed, right, answer, tolerance) in (Verdict.RIGHT, Verdict.ROUNDED)
+
+
+def _verdict_in_unit(
+    exercise: Exercise, typed: Quantity, right: Quantity, answer: TypedValue, tolerance: Tolerance
+) -> Verdict:
+    """The verdict.
+
+    Raises:
+        WrongUnitError: Only the unit of an angle is wrong.
+    """
+    verdict = _verdict(exercise, typed, right, answer.expr, tolerance)
+    if right.is_angle and verdict is not Verdict.RIGHT:
+        in_radians = _as_asked(answer.expr, right, exercise, "rad")
+        if _verdict(exercise, in_radians, right, answer.expr, tolerance) is Verdict.RIGHT:
+            shown = spelled_value(right, exercise)
+            raise WrongUnitError("radians", f"a bare angle is in degrees: write {shown} or {answer.text} rad")
+    return verdict
 
 
 def spelled_value(right: Quantity, exercise: Exercise) -> str:
@@ -109,7 +133,7 @@ def spelled_value(right: Quantity, exercise: Exercise) -> str:
 
         return shown_angle(value, exercise)
     if right.is_length:
-        value = on_sheet(value, exercise.metres, exercise.scope)
+        value = exercise.on_sheet(value)
     return write(value, "short", exercise.writing)
 
 

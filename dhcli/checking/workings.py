@@ -101,7 +101,7 @@ def _product(exercise: Exercise, chain: Chain) -> Rows:
 def _in_unit_of_sheet(rows: Entries, exercise: Exercise) -> Entries:
     """A matrix in symbols with the numbers in its lengths in the unit of the sheet."""
     *upper, bottom = rows
-    return (*((*row[:3], on_sheet(row[3], exercise.metres, exercise.scope)) for row in upper), bottom)
+    return (*((*row[:3], exercise.on_sheet(row[3])) for row in upper), bottom)
 
 
 def _values(exercise: Exercise, chain: Chain) -> str:
@@ -137,7 +137,7 @@ def _written(question: Wanted, rows: tuple[tuple[Expr, ...], ...], exercise: Exe
 
     def shown(entry: Expr, row: int, column: int) -> Expr:
         length = is_length(question, row, column)
-        return on_sheet(entry, exercise.metres, exercise.scope) if length else entry
+        return exercise.on_sheet(entry) if length else entry
 
     return [
         [write(shown(entry, r, c), style, exercise.writing) for c, entry in enumerate(row)]

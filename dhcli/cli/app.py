@@ -6,6 +6,7 @@ import os
 import sys
 from importlib import import_module
 from inspect import cleandoc
+from types import ModuleType
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -51,12 +52,27 @@ class _PlainHelp:
         """Write the help as ever, once rich knows."""
         if not os.environ.get("TERMINAL_WIDTH", "").isdigit():
             os.environ.pop("TERMINAL_WIDTH", None)  # typer takes it for a number
-        from typer import rich_utils
-
         from dhcli.render.paper import is_colour_wanted
 
-        rich_utils.COLOR_SYSTEM = "auto" if is_colour_wanted() else None
+        _help_writer().COLOR_SYSTEM = "auto" if is_colour_wanted() else None
         super().format_help(ctx, formatter)  # type: ignore[misc]
+
+
+def _help_writer() -> Any:  # noqa: ANN401  a module
+    """What typer writes help with, had without the two readers that it imports for others, and that cost most of it.
+
+    They read Markdown and tracebacks; a stand-in is there for each while it is imported, unless the reader itself is.
+    """
+    spared = {"rich.markdown", "rich.traceback"} - sys.modules.keys()
+    for name in spared:
+        stand_in: Any = ModuleType(name)
+        stand_in.__getattr__ = lambda _: object
+        sys.modules[name] = stand_in
+    try:
+        return import_module("typer.rich_utils")
+    finally:
+        for name in spared:
+            del sys.modules[name]
 
 
 class Group(_PlainHelp, TyperGroup):

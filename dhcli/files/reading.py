@@ -126,7 +126,8 @@ def decode(content: bytes, source: str, *, before: tuple[int, int] = (0, 0)) -> 
         raise FileError(
             Problem(f"is not UTF-8: byte {before[0] + error.start + 1} is 0x{byte:02X}", place, hint)
         ) from None
-    return text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
+    text = text.removeprefix("\ufeff")
+    return text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text
 
 
 def _read_standard_input(limit: int) -> bytes:

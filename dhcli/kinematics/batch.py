@@ -19,6 +19,9 @@ from dhcli.kinematics.values import numbers, parameter_values
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, DTypeLike, NDArray
 
+KINDS = (np.dtype(np.float64), np.dtype(np.float32))
+"""Numbers in which results are given."""
+
 
 def forward_batch(  # noqa: PLR0913  each by its name
     robot: Robot,
@@ -96,15 +99,15 @@ def room(out: object, shape: tuple[int, ...], dtype: DTypeLike | None) -> NDArra
         kind = np.dtype(np.float64 if dtype is None else dtype)
     except (ValueError, TypeError):
         raise RobotError(f"dtype is no kind of number: {dtype!r:.60}", "float64 or float32") from None
-    if kind not in {np.dtype(np.float64), np.dtype(np.float32)}:
+    if kind not in KINDS:
         raise RobotError(f"results are no numbers of {kind}", "float64 or float32")
     if out is None:
         return np.empty(shape, kind)
     if not isinstance(out, np.ndarray):
         raise RobotError(f"out is no numpy array but {type(out).__name__}", f"np.empty({shape}) makes one")
-    kinds = {"float64", "float32"} if dtype is None else {kind.name}
-    if out.shape != shape or out.dtype.name not in kinds or not out.dtype.isnative:
-        wanted = " or ".join(sorted(kinds, reverse=True))
+    kinds = KINDS if dtype is None else (kind,)
+    if out.shape != shape or out.dtype not in kinds:
+        wanted = " or ".join(map(str, kinds))
         raise RobotError(f"out has the shape {out.shape} of {out.dtype}, not {shape} of {wanted}")
     if not out.flags.writeable:
         raise RobotError("out is read-only", "give an array of your own, or leave out= out")

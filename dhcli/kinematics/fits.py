@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
-from dataclasses import field, replace
+from collections.abc import Sequence
+from dataclasses import field
+from itertools import pairwise
 
 from dhcli.frozen import frozen
 from dhcli.geometry.rigid import Rigid
@@ -24,6 +26,9 @@ from dhcli.kinematics.axes import Screw
 
 ALONG = 1e-3
 """What is left of a unit vector that counts as lying in a span."""
+
+AMPLY = 10
+"""How many times more than one axis two together may be off, where they are only looked at first."""
 
 
 @frozen
@@ -81,18 +86,37 @@ def held_by(fit: Fit, one: Screw, other: Screw, limits: Limits) -> Fit | None:
         there = across(plus(other.point, through, -1), axis)
         if min(length(here), length(there)) > limits.coincident:
             turn = Rigid.turn(axis, angle_about(axis, here, there), through)
-            aimed = replace(aimed, g=turn @ aimed.g, line=None)
+            aimed = Fit(turn @ aimed.g, None, aimed.spread, aimed.anything)
     gap = across(plus(other.point, aimed.g.moved(one.point), -1), other.direction)
     step, left = _solved(gap, aimed.spread, other.direction)
     if length(left) > limits.shift:
         return None
     slides = length(plus(other.direction, within(other.direction, aimed.spread), -1)) <= limits.parallel
-    return replace(
-        aimed,
-        g=Rigid.shift(step) @ aimed.g,
-        line=None if aimed.line is None else (other.direction, other.point),
-        spread=(other.direction,) if slides else (),
+    line = None if aimed.line is None else (other.direction, other.point)
+    return Fit(Rigid.shift(step) @ aimed.g, line, (other.direction,) if slides else (), aimed.anything)
+
+
+def may_be_alike(one: Sequence[Screw], other: Sequence[Screw], limits: Limits) -> bool:
+    """Whether each two joints that follow one another lie alike, in whichever sense they count: a cheap look first.
+
+    Robots that are the same have the same angle between such axes and, where both turn, the same distance.
+    """
+    if [(screw.name, screw.turns) for screw in one] != [(screw.name, screw.turns) for screw in other]:
+        return False
+    return all(
+        abs(first - second) <= AMPLY * (limits.shift if is_length else limits.turn)
+        for (a, b), (c, d) in zip(pairwise(one), pairwise(other), strict=True)
+        for first, second, is_length in zip(_between(a, b), _between(c, d), (False, True), strict=True)
     )
+
+
+def _between(one: Screw, other: Screw) -> tuple[float, float]:
+    """The cosine of the angle between two axes whose sense does not count, and their distance, 0 for a slide."""
+    normal = cross(one.direction, other.direction)
+    sine = length(normal)
+    gap = plus(other.point, one.point, -1)
+    away = abs(dot(gap, normal)) / sine if sine > ALONG else length(across(gap, one.direction))
+    return abs(dot(one.direction, other.direction)), away if one.turns and other.turns else 0.0
 
 
 def _aimed(fit: Fit, one: Vector, other: Vector, limits: Limits) -> Fit | None:
@@ -108,7 +132,7 @@ def _aimed(fit: Fit, one: Vector, other: Vector, limits: Limits) -> Fit | None:
     if fit.line is not None and length(cross(here, fit.line[0])) > limits.parallel:
         axis, through = fit.line
         turn = Rigid.turn(axis, angle_about(axis, here, other), through)
-        fit = replace(fit, g=turn @ fit.g, line=None)
+        fit = Fit(turn @ fit.g, None, fit.spread, fit.anything)
         here = turn.turned(here)
     return fit if length(plus(here, other, -1)) <= limits.turn else None
 
@@ -116,11 +140,11 @@ def _aimed(fit: Fit, one: Vector, other: Vector, limits: Limits) -> Fit | None:
 def released(held: Fit, screw: Screw) -> Fit:
     """The maps behind a joint: its zero is free."""
     if screw.turns:
-        return replace(held, line=(screw.direction, screw.point))
+        return Fit(held.g, (screw.direction, screw.point), held.spread, held.anything)
     new = plus(screw.direction, within(screw.direction, held.spread), -1)
     if length(new) <= ALONG:  # it slides along it already
         return held
-    return replace(held, spread=(*held.spread, scaled(new, 1 / length(new))))
+    return Fit(held.g, held.line, (*held.spread, scaled(new, 1 / length(new))), held.anything)
 
 
 def slid(g: Rigid, held: Fit, screw: Screw) -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import field
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,11 +13,12 @@ from dhcli.errors import RobotError
 from dhcli.frozen import frozen
 from dhcli.geometry.euler import Order
 from dhcli.geometry.many import rotations, table
-from dhcli.kinematics.batch import forward_batch
-from dhcli.kinematics.frames import ORIGIN, View
+from dhcli.kinematics.frames import View
 from dhcli.kinematics.placement import ORIENTATIONS, check_forms
+from dhcli.kinematics.playing import play
+from dhcli.kinematics.recorded import Recording, recorded_pose
 from dhcli.kinematics.robot import Robot, Value
-from dhcli.kinematics.values import numbers
+from dhcli.kinematics.values import numbers, parameter_values
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -39,9 +41,10 @@ class PoseRows:
     parameters: Mapping[str, Value]
     forms: tuple[str, ...] = ("matrix",)
     every: bool = False
+    _made: tuple[tuple[Recording, list[float]], ...] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        """Refuse what cannot be computed for any row, before there are any.
+        """Refuse what cannot be computed for any row, before there are any; record the rest, once for all rows.
 
         Raises:
             RobotError: The robot has no joint, or a length has no value.
@@ -50,21 +53,25 @@ class PoseRows:
         list(check_forms(self.forms))
         if not self.robot.variables:
             raise RobotError(f"{self.robot.name} has no joint, so all its poses are one", "leave --in out")
-        self.poses(np.empty((0, len(self.robot.variables))))
+        values = numbers(parameter_values(self.robot, self.parameters))
+        floats = Floats(values)
+        recordings = (recorded_pose(self.robot, view.reference, view.frame, values) for view in self.views)
+        points = ([floats.value(length) for length in view.coordinates] for view in self.views)
+        object.__setattr__(self, "_made", tuple(zip(recordings, points, strict=True)))
 
-    def poses(self, q: NDArray[np.float64]) -> NDArray[np.float64]:
+    def poses(self, q: NDArray[np.float64], threads: int = 1) -> NDArray[np.float64]:
         """The poses, shape (N, F, 4, 4), NaN where one is not a real number.
 
         Args:
             q: Joint values, shape (N, n); radians and metres.
+            threads: How many threads share the work.
         """
         poses = np.empty((len(q), len(self.views), 4, 4))
-        for k, view in enumerate(self.views):
+        for k, (recording, point) in enumerate(self._made):
             out = poses[:, k]
-            forward_batch(self.robot, q, start=view.reference, end=view.frame, parameters=self.parameters, out=out)
-            if view.coordinates != ORIGIN:
-                floats = Floats(numbers(self.parameters))
-                out[:, :3, 3] += out[:, :3, :3] @ np.array([floats.value(length) for length in view.coordinates])
+            play(recording, q, out, threads)
+            if any(point):
+                out[:, :3, 3] += out[:, :3, :3] @ np.array(point)
         return poses
 
     def said(self, poses: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -90,9 +97,13 @@ def _said(poses: NDArray[np.float64], form: str) -> NDArray[np.float64]:
     return poses[:, :3, 3] if form == "position" else table(ORIENTATIONS[form], poses)
 
 
-def is_real(poses: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """In which rows of poses, shape (N, F, 4, 4), every entry is a real number; shape (N,)."""
-    return np.all(np.isfinite(poses), axis=(1, 2, 3))  # type: ignore[no-any-return]  # numpy: or one bool
+def is_real(results: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """In which rows of poses or Jacobians, shape (N, ...), every entry is a real number; shape (N,)."""
+    with np.errstate(all="ignore"):
+        if np.isfinite(results.sum()):  # a sum of what is not finite never is
+            return np.ones(len(results), dtype=np.bool_)
+    where = tuple(range(1, results.ndim))
+    return np.all(np.isfinite(results), axis=where)  # type: ignore[no-any-return]  # numpy: or one bool
 
 
 def numbered(rows: Sequence[int], kept: NDArray[np.bool_] | slice, said: NDArray[np.float64]) -> NDArray[np.float64]:

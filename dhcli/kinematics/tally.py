@@ -48,15 +48,19 @@ class Tally:
         """
         self.rows += len(q)
         self._locked.update(locked or {})
+        if not len(q):
+            return
         outside = np.zeros(len(q), dtype=np.bool_)
-        for k, joint in enumerate(self._robot.joints):
-            if joint.name in self._limits:
-                low, high = self._limits[joint.name]
-                beyond = (q[:, k] < low - SLACK) | (q[:, k] > high + SLACK)
+        columns = np.ascontiguousarray(q.T)  # along rows numpy finds the least in a tenth of the time
+        extremes = zip(columns.min(axis=1).tolist(), columns.max(axis=1).tolist(), strict=True)
+        for k, (joint, (least, most)) in enumerate(zip(self._robot.joints, extremes, strict=True)):
+            low, high = self._limits.get(joint.name, (-math.inf, math.inf))
+            if least < low - SLACK or most > high + SLACK:
+                beyond = (columns[k] < low - SLACK) | (columns[k] > high + SLACK)
                 self._outside[joint.name] += int(beyond.sum())
                 outside |= beyond
-            if in_radians[k] and joint.kind == "revolute":
-                self._turning[joint.name] += int((np.abs(q[:, k]) > math.tau).sum())
+            if in_radians[k] and joint.kind == "revolute" and max(-least, most) > math.tau:
+                self._turning[joint.name] += int((np.abs(columns[k]) > math.tau).sum())
         self._any_outside += int(outside.sum())
 
     def warnings(self) -> Iterator[str]:

@@ -22,8 +22,21 @@ FINEST = 1 << 1000
 """Largest denominator in a sum of angles; fractions beyond it make every step of the work a long one."""
 
 
+class Hashed:
+    """What is hashed once: the cosines in a formula are few, and are gathered again and again."""
+
+    __slots__ = ("_hashed",)
+    _hashed: int
+
+    def hashed(self, key: object) -> int:
+        """The hash of what an object is made of; its own, kept, if there is one."""
+        found = hash(key)
+        object.__setattr__(self, "_hashed", found)
+        return found
+
+
 @frozen
-class Angle:
+class Angle(Hashed):
     """An affine sum of named angles, with exact coefficients.
 
     Attributes:
@@ -38,8 +51,11 @@ class Angle:
 
     def __hash__(self) -> int:
         """Cheaper than hashing fractions, which costs a power modulo a prime each."""
-        first = self.terms[0][0] if self.terms else ""
-        return hash((first, len(self.terms), self.degrees.numerator))
+        try:
+            return self._hashed
+        except AttributeError:
+            first = self.terms[0][0] if self.terms else ""
+            return self.hashed((first, len(self.terms), self.degrees.numerator))
 
     @classmethod
     def of(cls, name: str) -> Angle:
@@ -89,9 +105,10 @@ class Angle:
 
     def quarter_turns(self) -> int | None:
         """How many right angles this is, 0 to 3, or None if it is not a whole number of them."""
-        if self.terms or self.radians or self.degrees % 90:
+        if self.terms or self.radians or self.degrees.denominator != 1:
             return None
-        return int(self.degrees // 90) % 4
+        quarters, rest = divmod(self.degrees.numerator, 90)
+        return None if rest else quarters % 4
 
     def substitute(self, values: Mapping[str, Angle]) -> Angle:
         """The same sum with some names replaced by their angles."""
@@ -111,7 +128,7 @@ class Angle:
 
     def constant(self) -> float:
         """The constant part [rad]."""
-        return math.radians(self.degrees) + float(self.radians)
+        return (math.radians(self.degrees) if self.degrees else 0.0) + (float(self.radians) if self.radians else 0.0)
 
 
 def _plus(first: Fraction, second: Fraction) -> Fraction:

@@ -3,16 +3,20 @@ r"""Functions and their arguments: `cos(theta1)`, `sin^2 θ1`, `\frac{1}{2}`, `s
 from __future__ import annotations
 
 from abc import abstractmethod
+from collections.abc import Sequence
 from fractions import Fraction
 
 from dhcli.notation.angle import FULL_TURN_IN_RADIANS, Angle
 from dhcli.notation.glued import in_degrees
-from dhcli.notation.operators import OPENING, Operators
+from dhcli.notation.operators import CLOSING, OPENING, Operators
 from dhcli.notation.quantity import ANGLE_UNITS, DimensionError, to_angle
-from dhcli.notation.tokens import Token
+from dhcli.notation.tokens import Token, spelling
 from dhcli.notation.tree import HALF, Call, Expr, Number, Sum, Unit, multiply, power
 from dhcli.notation.trig import cosine, sine
 from dhcli.notation.walk import walk
+
+LONGEST_KEPT = 16
+"""Tokens of the longest argument of a function that is remembered with its brackets."""
 
 
 class Calls(Operators):
@@ -43,17 +47,45 @@ class Calls(Operators):
                 raise self.error(f"{name} to a negative power can be read in two ways", hint, token)
             exponent = self._operand()
         if self.token.kind == "sign" and self.token.text in OPENING:
-            closing = OPENING[self.advance().text]
-            arguments = [self.expression()]
-            while self.take(","):
-                arguments.append(self.expression())
-            self.expect(closing, f"after the argument of {name}")
-        elif self.token.kind in ("number", "word"):
+            value = self._called(name, token)
+            return value if exponent is None else self._raised(value, exponent, token)
+        if self.token.kind in ("number", "word"):
             arguments = [self._bare_argument()]
         else:
             raise self.error(f"{self.shown()} where the argument of {name} was expected", f"write {name}(theta1)")
         value = self._apply(name, arguments, token)
         return value if exponent is None else self._raised(value, exponent, token)
+
+    def _called(self, name: str, token: Token) -> Expr:
+        """A function with arguments in brackets; short ones are read once, for a formula repeats few of them."""
+        short = self._short_bracket()
+        key = f"{name}\0{spelling(short)}" if short else ""
+        known = self.scope.read.get(key)
+        if known is not None and self._has_room(known[1], len(short)):
+            self.position += len(short)
+            self._nodes += known[1]
+            return known[0]
+        nodes = self._nodes
+        closing = OPENING[self.advance().text]
+        arguments = [self.expression()]
+        while self.take(","):
+            arguments.append(self.expression())
+        self.expect(closing, f"after the argument of {name}")
+        value = self._apply(name, arguments, token)
+        if short:
+            self.scope.keep(key, value, self._nodes - nodes)
+        return value
+
+    def _short_bracket(self) -> Sequence[Token]:
+        """The tokens of the bracket that comes next; none where it is long."""
+        depth = 0
+        for at in range(self.position, min(self.position + LONGEST_KEPT, len(self.tokens))):
+            token = self.tokens[at]
+            if token.kind == "sign":
+                depth += (token.text in OPENING) - (token.text in CLOSING)
+                if depth == 0:
+                    return self.tokens[self.position : at + 1]
+        return ()
 
     def _bare_argument(self) -> Expr:
         """What `cos` without brackets applies to: a number with its unit and name, or one name."""

@@ -10,6 +10,8 @@ from dhcli.notation.quantity import UNITS
 from dhcli.notation.tokens import Source, Token
 
 _OPENING = {"(": ")", "[": "]", "{": "}"}
+STEPS = {**dict.fromkeys("([{", 1), **dict.fromkeys(")]}", -1)}
+"""How much deeper one is behind a bracket."""
 _RULES = frozenset("-|:+=")
 
 
@@ -19,10 +21,11 @@ def matching(tokens: Sequence[Token], start: int) -> int:
         return -1
     depth = 0
     for i in range(start, len(tokens)):
-        if tokens[i].kind == "sign":
-            depth += (tokens[i].text in _OPENING) - (tokens[i].text in _OPENING.values())
-        if depth == 0:
-            return i
+        step = STEPS.get(tokens[i].text)
+        if step is not None:
+            depth += step
+            if depth == 0:
+                return i
     return -1
 
 
@@ -35,8 +38,7 @@ def rows_in(tokens: list[Token]) -> Iterator[list[Token]]:
     row: list[Token] = []
     depth = 0
     for token in tokens:
-        if token.kind == "sign":
-            depth += (token.text in _OPENING) - (token.text in _OPENING.values())
+        depth += STEPS.get(token.text, 0)
         if depth == 0 and (token.kind == "newline" or token.text == ";"):
             yield row
             row = []
@@ -70,8 +72,10 @@ def cells_in(source: Source, row: list[Token]) -> list[list[Token]]:
     """The cells of a row: separated by commas, `&` or bars if there are any, else by blanks."""
     if all(token.kind == "sign" and token.text in _RULES for token in row) or all(token.text == "&" for token in row):
         return []
+    texts = {token.text for token in row}
     for separator in ("&", ",", "|"):
-        marks = [i for i, (token, depth) in enumerate(with_depths(row)) if token.text == separator and depth == 0]
+        both = enumerate(with_depths(row)) if separator in texts else ()
+        marks = [i for i, (token, depth) in both if depth == 0 and token.text == separator]
         if marks:
             cells = [row[start + 1 : end] for start, end in pairwise((-1, *marks, len(row)))]
             if separator == "&":
@@ -116,7 +120,9 @@ def with_depths(row: Sequence[Token]) -> Iterator[tuple[Token, int]]:
     """Each token with the bracket depth it stands at; a bracket stands outside itself."""
     depth = 0
     for token in row:
-        closing = token.kind == "sign" and token.text in _OPENING.values()
-        depth -= closing
+        step = STEPS.get(token.text, 0)
+        if step < 0:
+            depth += step
         yield token, depth
-        depth += token.kind == "sign" and token.text in _OPENING
+        if step > 0:
+            depth += step

@@ -26,6 +26,7 @@ P = ParamSpec("P")
 _SUM, _PRODUCT, _POWER = 10, 20, 30
 OPENING = {"(": ")", "[": "]", "{": "}"}
 """Brackets and what closes them."""
+CLOSING = frozenset(OPENING.values())
 
 
 class Operators(Cursor, ABC):
@@ -197,6 +198,10 @@ class Operators(Cursor, ABC):
             raise self.error("a division by zero", "", token) from None
         except OverflowError:
             raise self.error("the number becomes too large", "", token) from None
+
+    def _has_room(self, parts: int, levels: int) -> bool:
+        """Whether so many parts more, nested so deep at most, are below the caps; else the cap is met where it is."""
+        return self._nodes + parts <= MOST_NODES * 2 and self._depth + levels <= DEEPEST
 
     def _count(self) -> None:
         self._nodes += 1

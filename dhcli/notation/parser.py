@@ -7,7 +7,7 @@ bounded: characters, nodes, depth and exponents are capped.
 
 from __future__ import annotations
 
-import re
+from collections.abc import Sequence
 
 from dhcli.errors import NotationError, Place
 from dhcli.notation.calls import Calls
@@ -17,15 +17,16 @@ from dhcli.notation.names import GREEK_NAMES, canonical, parts, suggestion
 from dhcli.notation.operators import OPENING
 from dhcli.notation.quantity import ANGLE_UNITS, UNITS, DimensionError, is_inverse, to_angle, to_length
 from dhcli.notation.scope import OPEN, Scope, trig_name
-from dhcli.notation.tokens import Source, Token, tokenize
+from dhcli.notation.tokens import Source, Token, spelling, tokenize
 from dhcli.notation.tree import PI, Expr, Symbol, Trig, Unit, add, multiply
 from dhcli.notation.walk import symbols, walk
+from dhcli.regex import regex
 
 RESERVED = frozenset(FUNCTIONS) | {"pi", "frac", "inv", "Rot", "Trans", "nan", "inf", "infinity"}
 """Words that cannot name a joint or a length."""
 
-_FUNCTION = re.compile("(cos|sin)")
-_PIECES = re.compile(r"[^\W\d_]+(?:[0-9₀-₉]+|_\{[^{}]*\}|_[A-Za-z]+[0-9]*|_[0-9]+)?")
+_FUNCTION = regex("(cos|sin)")
+_PIECES = regex(r"[^\W\d_]+(?:[0-9₀-₉]+|_\{[^{}]*\}|_[A-Za-z]+[0-9]*|_[0-9]+)?")
 """One name inside a run of letters and digits: `a1c1` is two."""
 
 
@@ -68,6 +69,23 @@ def parse_quantity(text: str, scope: Scope = OPEN, place: Place | None = None) -
         source = Source(text, place or Place("expression"))
         raise source.error(len(text) - len(text.lstrip()), error.message, error.hint) from None
     return expr
+
+
+def read_all(source: Source, tokens: Sequence[Token], scope: Scope) -> Expr:
+    """Read an expression that some tokens of a text are, a cell of a matrix for one; many are the same in a class.
+
+    Raises:
+        NotationError: With the column, what is wrong there, and what would be read.
+    """
+    key = spelling(tokens)
+    found = scope.read.get(key)
+    if found is None:
+        end = tokens[-1].end if tokens else 0
+        parser = Parser(source, [*tokens, Token("end", "", end, end, spaced=False)], scope)
+        found = parser.expression(), 0
+        parser.finish()
+        scope.keep(key, *found)
+    return found[0]
 
 
 class Parser(Calls):

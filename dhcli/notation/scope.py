@@ -16,6 +16,9 @@ LONGEST_WORD = 200
 MOST_READ = 10_000
 """Words whose readings are remembered: a scope may live as long as the answers of a whole class are marked."""
 
+MOST_KEPT = 2_000
+"""Functions and cells that are remembered as well."""
+
 
 @frozen
 class Scope:
@@ -28,6 +31,8 @@ class Scope:
         aliases: Other spellings in canonical form, such as q1 for theta1.
         is_open: Whether any other name stands for itself.
         is_usual: Whether such a name must look like one in a formula, a letter with an index; others are asked about.
+        read: What was read with these names: functions with their arguments and cells of matrices, by their tokens,
+            each with how many parts were counted.
     """
 
     joints: tuple[str, ...] = ()
@@ -36,6 +41,7 @@ class Scope:
     aliases: Mapping[str, str] = field(default_factory=dict)
     is_open: bool = False
     is_usual: bool = False
+    read: dict[str, tuple[Expr, int]] = field(default_factory=dict, init=False, repr=False, compare=False)
     _known: dict[str, str] = field(default_factory=dict, init=False, repr=False, compare=False)
     _read: dict[str, tuple[Expr, ...]] = field(default_factory=dict, init=False, repr=False, compare=False)
 
@@ -65,6 +71,12 @@ class Scope:
                 self._read.clear()
             self._read[word] = self._readings(word)
         return self._read[word]
+
+    def keep(self, spelling: str, expr: Expr, parts_counted: int) -> None:
+        """Remember what some tokens were read as."""
+        if len(self.read) >= MOST_KEPT:
+            self.read.clear()
+        self.read[spelling] = expr, parts_counted
 
     def _readings(self, word: str) -> tuple[Expr, ...]:
         known = self._known.get(canonical(word))

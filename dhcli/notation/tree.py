@@ -11,10 +11,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import field
 from fractions import Fraction
+from itertools import pairwise
+from operator import itemgetter
 from typing import Literal
 
 from dhcli.frozen import frozen
-from dhcli.notation.angle import Angle
+from dhcli.notation.angle import Angle, Hashed
 from dhcli.notation.names import natural_key
 from dhcli.notation.roots import square_root
 
@@ -26,7 +28,7 @@ MOST_BITS = 1000
 """Numbers above this size are refused: no float holds them, and towers of powers must not run away."""
 
 
-class Expr:
+class Expr(Hashed):
     """Base of every node; gives the four operations."""
 
     __slots__ = ()
@@ -113,6 +115,13 @@ class Trig(Expr):
     function: Literal["cos", "sin"]
     angle: Angle
 
+    def __hash__(self) -> int:
+        """Kept; see `Hashed`."""
+        try:
+            return self._hashed
+        except AttributeError:
+            return self.hashed((self.function, self.angle))
+
 
 @frozen
 class Sum(Expr):
@@ -120,12 +129,26 @@ class Sum(Expr):
 
     terms: tuple[Expr, ...]
 
+    def __hash__(self) -> int:
+        """Kept; see `Hashed`."""
+        try:
+            return self._hashed
+        except AttributeError:
+            return self.hashed(("+", self.terms))
+
 
 @frozen
 class Product(Expr):
     """Two or more factors; a number, if any, comes first."""
 
     factors: tuple[Expr, ...]
+
+    def __hash__(self) -> int:
+        """Kept; see `Hashed`."""
+        try:
+            return self._hashed
+        except AttributeError:
+            return self.hashed(("*", self.factors))
 
 
 @frozen
@@ -210,6 +233,9 @@ def add(*terms: Expr) -> Expr:
 
 def multiply(*factors: Expr) -> Expr:
     """The product, flat, numbers collected in front, equal bases gathered, no bracket expanded."""
+    plain = _plain_product(factors)
+    if plain is not None:
+        return plain
     number_part = ONE
     radicand = Fraction(1)
     powers: dict[Expr, Fraction] = {}
@@ -238,6 +264,29 @@ def multiply(*factors: Expr) -> Expr:
         if exponent or type(base) is Unit
     ]
     return _scale(number_part, *sorted(kept, key=factor_key))
+
+
+def _plain_product(factors: tuple[Expr, ...]) -> Expr | None:
+    """The product of names, cosines and sines, all of them others, and one bracket at most, as most products are.
+
+    None where numbers or equal bases have to be gathered. What is the same has the same place in the order.
+    """
+    ordered, brackets = [], 0
+    for factor in _flat(factors, Product):
+        kind = type(factor)
+        if kind is Sum:
+            brackets += 1
+            if brackets > 1 or is_negative(factor.terms[0]):  # type: ignore[attr-defined]
+                return None
+        elif kind is not Symbol and kind is not Trig:
+            return None
+        ordered.append((factor_key(factor), factor))
+    if len(ordered) < 2:  # noqa: PLR2004
+        return None
+    ordered.sort(key=itemgetter(0))
+    if any(one[0] == other[0] for one, other in pairwise(ordered)):
+        return None
+    return Product(tuple([factor for _, factor in ordered]))
 
 
 def power(base: Expr, exponent: Fraction | int) -> Expr:

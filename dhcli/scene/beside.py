@@ -1,4 +1,7 @@
-"""Two tables of one arm in one picture: the right one drawn, the other a line over it, the first difference marked."""
+"""Two tables of one arm in one picture: the right one drawn, the other beside it, the first difference marked.
+
+The axes of the other are wide and pale under those of the arm, so that both are seen where they are the same.
+"""
 
 from __future__ import annotations
 
@@ -13,18 +16,21 @@ from dhcli.scene.camera import Camera
 from dhcli.scene.choice import with_examples
 from dhcli.scene.ink import Ink
 from dhcli.scene.labels import Rect, Wish, placed
-from dhcli.scene.overlay import frames, pins
+from dhcli.scene.overlay import END_ON, HEAD, frames, pins
 from dhcli.scene.painter import painted
 from dhcli.scene.primitives import Arrow
 from dhcli.scene.shapes import Figure, Shape, arrowhead, ring
 from dhcli.scene.skeleton import Skeleton
 from dhcli.scene.staging import Paper, fitted, foot, stage_arm, values_at
 from dhcli.scene.traced import Traced, paired, traced
-from dhcli.scene.vectors import Frame, Vec, along, norm, sub
+from dhcli.scene.vectors import Flat, Frame, Vec, along, dot, norm, sub
 from dhcli.scene.words import Run, Words
 
 FAR = 4.0
 """How far from the base a picture reaches, in parts of the farthest frame of the arm."""
+
+RIM = 3.5
+"""How far an axis of the other is seen around the same axis of the arm [px]."""
 
 
 def beside_figure(  # noqa: PLR0913  what a figure of one robot takes, and the other
@@ -59,7 +65,7 @@ def beside_figure(  # noqa: PLR0913  what a figure of one robot takes, and the o
     values = values_at(robot, q, pose, parameters, bare)
     skeleton = Skeleton.of(robot, values)
     theirs = other if isinstance(other, Traced) else traced_robot(other, robot, values)
-    number, size = first_difference(skeleton, theirs), 0.8 * staged.scene.unit
+    number, size = first_difference(skeleton, theirs), staged.scene.unit
     near = [point for point in theirs.line if _is_near(point, skeleton)]
     near += [
         along(frame.origin, axis, ARROW * size)
@@ -73,21 +79,22 @@ def beside_figure(  # noqa: PLR0913  what a figure of one robot takes, and the o
         *painted(staged.scene, camera, turns=False),
     ]
     axes, wishes = frames(staged.scene, camera)
-    lines = [Shape(tuple(map(camera.flat, theirs.line)), "theirs")] if len(theirs.line) > 1 else []
+    under = [Shape(tuple(map(camera.flat, theirs.line)), "theirs")] if len(theirs.line) > 1 else []
     at = dict(theirs.frames)
     for arrow in arrows(tuple(at.values()), tuple(zip(at, range(len(at)), strict=True)), size):
         frame = theirs.frames[arrow.start.state][1]
         if not _is_near(frame.origin, skeleton):
             continue
         drawn, wish = _their_arrow(arrow, frame, camera)
-        lines += drawn
+        under += drawn
         if number is not None and any(run.text == number for run in arrow.words if run.below):
             wishes.append(wish)
     is_near = number is None or _is_near(at[number].origin, skeleton)
+    mark = []
     if number is not None and is_near:
-        lines.append(Shape(ring(camera.flat(at[number].origin), 13.0, 28), "theirs-mark", closed=True))
+        mark.append(Shape(ring(camera.flat(at[number].origin), 18.0, 28), "theirs-mark", closed=True))
     ink = Ink(paper.width, paper.height)
-    ink.add([*shapes, *axes, *lines])
+    ink.add([*shapes, *under, *axes, *mark])
     leaders, texts = placed(
         wishes, ink, Rect(3, 3, paper.width - 3, paper.height - max(paper.foot, 3)), paper.lettering
     )
@@ -95,7 +102,7 @@ def beside_figure(  # noqa: PLR0913  what a figure of one robot takes, and the o
     told = f"no frame {does}" if number is None else f"frame {number} is the first that {does}{theirs.note}"
     aside = "" if is_near else ", far outside the picture"
     caption = f"{staged.caption} · over it {theirs.name}: {told}{aside}"
-    everything = (*shapes, *leaders, *axes, *lines)
+    everything = (*shapes, *under, *leaders, *axes, *mark)
     return Figure(
         paper.width, paper.height, everything, (*texts, *foot(robot.title, caption, paper)), robot.title, caption
     )
@@ -159,6 +166,18 @@ def _their_arrow(arrow: Arrow, frame: Frame, camera: Camera) -> tuple[list[Shape
     tip = camera.flat(along(frame.origin, frame.direction(arrow.direction), arrow.length))
     words: Words = tuple(Run(run.text + "′", below=True) if run.below else run for run in arrow.words)
     wish = Wish((tip,), words, "theirs", (tip[0] - tail[0], tip[1] - tail[1]))
-    if math.dist(tail, tip) < 1:
-        return [], wish
-    return [Shape((tail, tip), "theirs"), Shape(arrowhead(tip, tail, 8.0), "theirs-head", closed=True)], wish
+    if math.dist(tail, tip) < END_ON * arrow.length * camera.scale:
+        return _their_end(tail, towards=dot(frame.direction(arrow.direction), camera.towards) > 0), wish
+    dx, dy = ((b - a) / math.dist(tail, tip) for a, b in zip(tail, tip, strict=True))
+    head = arrowhead((tip[0] + RIM * dx, tip[1] + RIM * dy), tail, HEAD + 2.2 * RIM)
+    neck = (head[1][0] + head[2][0]) / 2, (head[1][1] + head[2][1]) / 2
+    return [Shape((tail, neck), "theirs-axis"), Shape(head, "theirs-axis-head", closed=True)], wish
+
+
+def _their_end(at: Flat, *, towards: bool) -> list[Shape]:
+    """⊙ or ⊗ around that of the arm, whose circle leaves a rim of it: its cross goes on past the circle."""
+    x, y = at
+    circle = Shape(ring(at, 6.5 + RIM / 2 + 1.0, 24), "theirs-ring", closed=True)
+    if towards:
+        return [circle, Shape(ring(at, 3.0, 12), "theirs-axis-head", closed=True)]
+    return [circle, *(Shape(((x - s * 11, y - 11), (x + s * 11, y + 11)), "theirs-ring") for s in (1, -1))]

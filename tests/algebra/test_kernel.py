@@ -49,10 +49,10 @@ def program(*texts: str) -> Program:
     return assemble(tape, [evaluate_settled(parse(text), tape) for text in texts])
 
 
-def played(made: Program, rows: NDArray[np.float64], dtype: type = np.float64) -> NDArray[Any]:
+def played(made: Program, rows: NDArray[np.float64], dtype: type = np.float64, width: int = 19) -> NDArray[Any]:
     """What the loop says; it must have gone well."""
     found = np.empty((len(rows), made.inputs.start), dtype)
-    assert Kernel(made).play(rows, found, width=3)
+    assert Kernel(made).play(rows, found, width=width)
     return found
 
 
@@ -108,6 +108,28 @@ def test_the_loop_says_what_columns_say() -> None:
     for texts in (TEXTS, *((text,) for text in TEXTS)):
         made = program(*texts)
         assert played(made, rows) == pytest.approx(Columns(made, 8).play(rows.T).T, abs=1e-15)
+
+
+@pytest.mark.parametrize("count", [1, 7, 8, 9, 40, 41])
+def test_rows_are_played_alike_however_many_at_a_time(count: int) -> None:
+    """Fewer than are turned into columns at once, as many, and some left over."""
+    rows = np.random.default_rng(count).uniform(0.1, 4, (count, 2))
+    made = program(*TEXTS)
+    one = played(made, rows, width=1)
+    for width in (3, 8, 19, 300):
+        assert np.allclose(played(made, rows, width=width), one, rtol=1e-14, atol=1e-15)
+
+
+def test_values_are_taken_up_to_a_size() -> None:
+    """Of either sign, in any row and column; what is no number is not of a size, but taken where any is."""
+    made, found = program("a + b"), np.empty((21, 1))
+    for place in ((0, 0), (13, 1), (20, 0)):
+        for value, is_taken in ((3.0, True), (-3.0, True), (3.1, False), (-math.inf, False), (math.nan, False)):
+            rows = np.ones((21, 2))
+            rows[place] = value
+            assert Kernel(made).play(rows, found, most=3.0, width=10) is is_taken
+            assert Kernel(made).play(rows, found, width=10)
+            assert np.array_equal(found, rows.sum(axis=1, keepdims=True), equal_nan=True)
 
 
 def test_a_step_that_the_loop_does_not_know_is_said() -> None:

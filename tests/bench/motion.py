@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from importlib.util import find_spec
 
 import numpy as np
 import sympy
 from measure import Row, Task, number, side_by_side
 from peers import SLIDE, TURN, Array, Peer, links
-from poses import equal, joint_values
+from poses import by_numpy_alone, by_the_loop, equal, joint_values
 from sympy.core.cache import clear_cache
 
 from dhcli import Robot, forward, forward_batch, jacobian, load_robot, singularities, symbolic, symbolic_jacobian
@@ -22,12 +23,29 @@ from dhcli.notation.walk import operations
 
 ROBOTS = ("planar-2r", "articulated", "cylindrical", "spherical-wrist", "stanford", "puma560")
 ROBOTS = (*ROBOTS, "puma200", "zhou-6r", "ur5e", "panda")
+ARMS = ("stanford", "puma560", "panda")
 MANY = 50_000
 CLOSE = 1e-9
 
 
-def batch(rounds: int, robots: tuple[str, ...] = ROBOTS, size: int = MANY) -> Iterator[Row]:
-    """Many Jacobians, beside as many poses and beside each peer."""
+def batch(rounds: int, robots: tuple[str, ...] = ARMS, size: int = MANY) -> Iterator[Row]:
+    """Many Jacobians by numpy alone, beside as many poses and beside each peer."""
+    with by_numpy_alone():
+        yield from beside_each(rounds, robots, size)
+
+
+def fast(rounds: int, robots: tuple[str, ...] = ARMS, size: int = MANY) -> Iterator[Row]:
+    """The same by the compiled loop."""
+    if not find_spec("numba"):
+        yield Row(f"{size} Jacobians", "by the loop", "numba")
+        return
+    with by_the_loop():
+        for row in beside_each(rounds, robots, size):
+            yield replace(row, ours=f"{row.ours}, by the loop")
+
+
+def beside_each(rounds: int, robots: tuple[str, ...], size: int) -> Iterator[Row]:
+    """Many Jacobians of each robot beside as many poses, and beside each peer."""
     for robot in map(load_robot, robots):
         q = joint_values(robot, size)
         ours = Task("jacobian(robot, Q)", lambda robot=robot, q=q: jacobian(robot, q))

@@ -53,6 +53,17 @@ def test_json_has_the_formulas(dhcli: Run) -> None:
     assert (data["operations"], data["cosines_and_sines"]) == (7, 4)
 
 
+def test_a_way_back_takes_the_lengths_that_are_not_put_in(dhcli: Run) -> None:
+    """Those typed stand as numbers, also in what a derivation writes; with its values all of them do."""
+    assert "def inverse(T, a2=0.3):" in dhcli("ik", "planar-2r", "--code", "python", "--set", "a1=0.5").out
+    text = dhcli("ik", "planar-2r", "--code", "python", "--with-values", "--set", "a1=0.5").out
+    assert "def inverse(T):" in text
+    assert "0.5 + 0.3*c2" in text
+    derived = dhcli("ik", "planar-2r", "--derive", "--set", "a1=0.5").out
+    assert " a1" not in derived
+    assert "(0.5 + a2*c2)^2" in derived
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [
@@ -64,6 +75,9 @@ def test_json_has_the_formulas(dhcli: Run) -> None:
         (("fk", "scara", "--code", "c", "--format", "numpy"), "--code says the language, and --format another"),
         (("fk", "scara", "--code", "c", "--in", "q.csv"), "--code does not go with --in"),
         (("ik", "planar-2r", "--code", "c", "--why"), "--code and --why ask for different things"),
+        (("ik", "planar-2r", "--with-values"), "--with-values is for --code"),
+        (("ik", "planar-2r", "--in", "T.csv", "--with-values"), "--with-values does not go with --in"),
+        (("ik", "planar-2r", "--derive", "--near", "0,0"), "--derive and --near ask for different things"),
         (("ik", "planar-2r", "--code", "c", "--position", "0.5,0,0"), "is in letters and takes no pose"),
         (("ik", "panda", "--code", "c"), "has no textbook form"),
         (("ik", "planar-2r", "--derive", "--format", "c"), "a function that runs is --code c"),

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
+
 import pytest
 
 from dhcli import load_robot
@@ -58,3 +61,40 @@ def test_an_arm_with_other_joints_is_refused() -> None:
     """A sliding joint has no angle."""
     with pytest.raises(RobotError, match=r"RRR.*RRP"):
         beside_figure(load_robot("articulated"), load_robot("scara"))
+
+
+def test_the_same_axes_are_seen_one_under_the_other() -> None:
+    """Wide and pale, with a rim around the whole of the narrow arrow, which is painted later."""
+    figure = beside_figure(robot_of(RIGHT, NAMES), robot_of(RIGHT, NAMES), Q)
+    looks = [shape.look for shape in figure.shapes]
+    wide = [shape for shape in figure.shapes if shape.look == "theirs-axis-head"]
+    narrow = [shape for shape in figure.shapes if shape.look in ("x-head", "z-head")]
+    assert max(k for k, look in enumerate(looks) if look.startswith("theirs-axis")) < looks.index("halo")
+    assert len(wide) == len(narrow) > 4
+    tips = {tuple(map(round, shape.points[0])): shape for shape in wide}
+    for shape in narrow:
+        nearest = min(tips, key=lambda tip: math.dist(tip, shape.points[0]))
+        rim = tips[nearest].points
+        assert all(_is_inside(point, rim) for point in shape.points)
+
+
+def _is_inside(point: tuple[float, float], corners: Sequence[tuple[float, float]]) -> bool:
+    """Whether a point is on the same side of all edges of a triangle."""
+    turns = [
+        (b[0] - a[0]) * (point[1] - a[1]) - (b[1] - a[1]) * (point[0] - a[0])
+        for a, b in zip(corners, (*corners[1:], corners[0]), strict=True)
+    ]
+    return all(turn > 0 for turn in turns) or all(turn < 0 for turn in turns)
+
+
+def test_an_axis_seen_end_on_shows_both_senses() -> None:
+    """The cross of one that points away goes on past the circle of one that points at the reader."""
+    rows = ["{a: 0.4, alpha: 0, d: 0, theta: theta1}", "{a: 0.3, alpha: 0, d: 0, theta: theta2}"]
+    turned = [rows[0].replace("alpha: 0", "alpha: 180°"), rows[1].replace("theta2", "-theta2")]
+    names = NAMES[:2]
+    figure = beside_figure(robot_of(rows, names), robot_of(turned, names), Q[:2])
+    rings = [shape for shape in figure.shapes if shape.look == "theirs-ring"]
+    assert sum(shape.closed for shape in rings) == 3
+    assert sum(not shape.closed for shape in rings) == 4, "z1 and z2 point away"
+    inner = max(math.dist(shape.points[0], shape.points[10]) for shape in figure.shapes if shape.look == "z-ring")
+    assert all(math.dist(*shape.points) > inner for shape in rings if not shape.closed)

@@ -87,6 +87,11 @@ class Bench:
         """The finished matrix, shape (4, 4)."""
         return _finished(work, self._multiplied(work))
 
+    def needed(self, index: int, total: Matrix[float]) -> Matrix[float]:
+        """What would have to stand in the place of one factor of the right work, so that its product is another."""
+        tail = self._tails[len(self._base) - 1 - index]
+        return product(product(inverse(self._heads[index]), total), inverse(tail))
+
     def matrix_of(self, step: Factor) -> Matrix[float]:
         """The matrix of one factor."""
         if step not in self._known:

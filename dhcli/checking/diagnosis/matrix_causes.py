@@ -14,7 +14,6 @@ from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.other_unit import plain_unit
 from dhcli.checking.returned import Causes
 from dhcli.checking.truth import is_length, truth_of
-from dhcli.checking.units import on_sheet
 from dhcli.checking.wanted import Wanted
 from dhcli.notation.quantity import LENGTH_UNITS
 from dhcli.notation.writer import write
@@ -75,7 +74,7 @@ def typed_text(case: Case, work: Work) -> str:
         rows = [
             [
                 write(
-                    on_sheet(entry, exercise.metres, exercise.scope) if is_length(question, r, c) else entry,
+                    exercise.on_sheet(entry) if is_length(question, r, c) else entry,
                     "short",
                     exercise.writing,
                 )

@@ -8,7 +8,7 @@ from dataclasses import replace
 from dhcli.checking.diagnosis.mistakes import BY_ID, MISTAKES, Level, Mistake
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.diagnosis.work import Factor, Setting, Work
-from dhcli.checking.exercise import Exercise
+from dhcli.checking.exercise import Exercise, Memo
 from dhcli.checking.wanted import Wanted
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import Convention, Row
@@ -83,29 +83,55 @@ def slip_of(mistake: Mistake, where: str) -> Slip:
     return Slip(name, mistake.words.format(**place), mistake.hint.format(**place), mistake.rank)
 
 
-def table_candidates(exercise: Exercise, convention: Convention, name: str = "") -> tuple[Candidate, ...]:
+def table_candidates(
+    exercise: Exercise, convention: Convention, name: str = "", work: Work | None = None
+) -> tuple[Candidate, ...]:
     """Single mistakes in the cells of the right table, or those of the kind that is named.
 
     None where the robot has no table in this convention. An angle that stands in two rows is not among them: it cannot
-    be read. Of cells that several mistakes lead to, one that is made in several rows is not named.
+    be read. Of cells that several mistakes lead to, one that is made in several rows is not named. They share the rows
+    of the right table that they leave alone, those of `work` where it is given.
     """
     robot = exercise.robot
     if robot is None or robot.convention is not convention:
         return ()
-    work = table_work(robot)
+    work = work or table_work(robot)
     right = _rows(work)
-    seen, kept = {right}, []
+    unchanged = _changed(right, right)
+    seen: set[object] = {unchanged}
+    kept: list[Candidate] = []
     setting = replace(setting_of(exercise), numeric=False)
     among = [mistake for mistake in MISTAKES if mistake.level is Level.TABLE]
     for candidate in candidates(work, setting, among=among, name=name):
         rows, mistake = _rows(candidate.work), candidate.mistake
+        changed = _changed(rows, right)
         angles = [angle for row in rows for angle in row.theta.names & set(robot.variables)]
         is_readable = len(angles) == len(set(angles))
-        is_known = rows == right or (mistake.alone and rows in seen)
+        is_known = changed == unchanged or (mistake.alone and changed in seen)
         if mistake.level is Level.TABLE and is_readable and not is_known:
             kept.append(candidate)
-            seen.add(rows)
+            seen.add(changed)
     return tuple(kept)
+
+
+def table_slips(memo: Memo, convention: Convention) -> tuple[Candidate, ...]:
+    """All of them for an exercise, worked out once."""
+    return memo.of(
+        ("table slips", convention),
+        lambda: table_candidates(memo.exercise, convention, work=right_table(memo)),
+    )
+
+
+def right_table(memo: Memo) -> Work | None:
+    """The rows of the robot that these leave alone, the same objects; None where there is no robot."""
+    robot = memo.exercise.robot
+    return memo.of("right table", lambda: table_work(robot)) if robot is not None else None
+
+
+def _changed(rows: Sequence[Row], right: Sequence[Row]) -> tuple[object, ...]:
+    """How many rows there are, and those that are not the right ones, each with its place: a short key to a table."""
+    both = enumerate(zip(rows, right, strict=False))
+    return (len(rows), *((k, row) for k, (row, own) in both if row is not own and row != own))
 
 
 def _rows(work: Work) -> tuple[Row, ...]:

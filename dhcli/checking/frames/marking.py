@@ -9,8 +9,7 @@ from dhcli.checking.frames.reading import TypedFrame
 from dhcli.checking.frames.rows import table_of
 from dhcli.checking.frames.rules import ORIGIN_CELL, X_CELL, Z_CELL, Broken, Rules
 from dhcli.checking.frames.sketch import Sketch
-from dhcli.checking.tables.cells import dh_table_text
-from dhcli.checking.units import on_sheet
+from dhcli.checking.tables.cells import dh_table_text, on_sheet
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
 from dhcli.geometry.vectors import dot
 from dhcli.kinematics.describe.drawn import Frame
@@ -39,7 +38,8 @@ def mark_frames(exercise: Exercise, rules: Rules, typed: Sequence[TypedFrame]) -
     expected = frames_text(sketch.frames, exercise)
     if not broken:
         remarks = tuple(_freedoms(rules, typed))
-        rows = dh_table_text(table_of(sketch, [one.frame for one in typed]), sketch.robot.columns, exercise.writing)
+        table = on_sheet(table_of(sketch, [one.frame for one in typed]), exercise)
+        rows = dh_table_text(table, sketch.robot.columns, exercise.writing)
         told = (*remarks, f"your frames give the table {rows}") if remarks else ()
         return Mark(Verdict.RIGHT, reading, remarks=told, earned=1.0, expected=expected)
     cells = tuple(_cells(exercise, sketch, typed, broken))
@@ -58,7 +58,7 @@ def frames_text(frames: Sequence[Frame], exercise: Exercise) -> str:
 
 def frame_text(frame: Frame, exercise: Exercise, *, left: bool = False) -> str:
     """A frame as a person would type it: `(a1, 0, 0) +x +z`; a left-handed one with its y axis."""
-    coordinates = (on_sheet(expr, exercise.metres, exercise.scope) for expr in coordinates_of(frame.origin))
+    coordinates = (exercise.on_sheet(expr) for expr in coordinates_of(frame.origin))
     origin = f"({', '.join(write(expr, 'short', exercise.writing) for expr in coordinates)})"
     x, z = (_direction(vector) for vector in (frame.x, frame.z))
     if left:

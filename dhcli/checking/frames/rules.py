@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.frames.reading import TypedFrame
-from dhcli.checking.frames.sketch import Sketch, point_text
+from dhcli.checking.frames.sketch import Sketch
 from dhcli.checking.tables.comparing import BASE, END, SENSE
 from dhcli.checking.tolerance import SLACK, Tolerance
 from dhcli.frozen import frozen
@@ -136,7 +136,7 @@ class Rules:
             elif not self._along(frame.x, right.x, same=True):
                 yield Broken(TASK, k, X_CELL, f"{fixed}: {self.name('x', k)} is {axis_word(right.x)}")
             elif self.amount(moved(frame.origin, right.origin, -1)):
-                yield Broken(TASK, k, ORIGIN_CELL, f"{fixed}: its origin is {point_text(right.origin)}")
+                yield Broken(TASK, k, ORIGIN_CELL, f"{fixed}: its origin is {self.sketch.written(right.origin)}")
 
     def name(self, letter: str, k: int) -> str:
         """An axis or an origin by its letter and the number of its frame."""
@@ -150,7 +150,7 @@ class Rules:
         if len(kept) == 1:
             letter, vector = next(iter(kept.items()))
             return self._written({letter: length(vector)})
-        return point_text(kept)
+        return self.sketch.written(kept)
 
     @property
     def _ruler(self) -> Ruler:

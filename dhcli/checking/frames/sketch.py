@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from typing import TypeAlias
 
@@ -15,16 +15,18 @@ from dhcli.geometry.vectors import Vector, length, plus, scaled
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.derived import replaced
 from dhcli.kinematics.describe.asked import DRAWN
-from dhcli.kinematics.describe.description import in_numbers, known_values
+from dhcli.kinematics.describe.description import known_values
 from dhcli.kinematics.describe.drawn import Frame, Line, drawing_of
 from dhcli.kinematics.describe.linear import Point, coordinates_of
 from dhcli.kinematics.describe.process import Walk, axis_word, frames_of, walk
 from dhcli.kinematics.describe.retold import retold
 from dhcli.kinematics.moves import Chain
 from dhcli.kinematics.robot import Robot, Value
+from dhcli.kinematics.valued import in_numbers
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import value_text
 from dhcli.notation.tree import ZERO as NOTHING
+from dhcli.notation.tree import Expr
 from dhcli.notation.writer import write
 
 ZERO = "zero"
@@ -45,6 +47,7 @@ class Sketch:
         values: Value of each letter that has one.
         size: How far the farthest point of the drawing is from the base [m].
         stated: What the task fixes, in the words of `comparing.STATED`.
+        measured: A length in metres as it is written on the sheet.
     """
 
     robot: Robot
@@ -56,6 +59,7 @@ class Sketch:
     values: Mapping[str, Angle | float]
     size: float
     stated: frozenset[str]
+    measured: Callable[[Expr], Expr]
 
     @property
     def first(self) -> int:
@@ -71,6 +75,10 @@ class Sketch:
         """The frame whose z axis x of frame k, from 0, has to be perpendicular to and to meet; None where x is free."""
         other = k - 1 if self.convention is Convention.STANDARD else k + 1
         return other if 0 <= other < len(self.frames) else None
+
+    def written(self, point: Point) -> str:
+        """A point as it is written on the sheet."""
+        return f"({', '.join(write(self.measured(expr)) for expr in coordinates_of(point))})"
 
     def joint(self, line: Line) -> str:
         """A joint by its number and its variable."""
@@ -107,6 +115,7 @@ def sketch_of(exercise: Exercise, convention: Convention, pose: str) -> Sketch:
         known_values(robot),
         size,
         stated,
+        exercise.on_sheet,
     )
 
 
@@ -151,13 +160,8 @@ def at_values(point: Point, over: Floats) -> Vector:
 def axes_text(sketch: Sketch) -> Iterator[str]:
     """Each joint axis in words: `theta1 +z through (0, 0, 0)`."""
     for line in sketch.axes:
-        where = "" if line.through is None else f" through {point_text(line.through)}"
+        where = "" if line.through is None else f" through {sketch.written(line.through)}"
         yield f"{line.name} {axis_word(line.direction)}{where}{'' if line.turns else ' (slides)'}"
-
-
-def point_text(point: Point) -> str:
-    """A point as it is written."""
-    return f"({', '.join(write(expr) for expr in coordinates_of(point))})"
 
 
 def _valued(robot: Robot, exercise: Exercise) -> Robot:

@@ -13,18 +13,20 @@ from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.solving.goal import of_robot, read_target, solutions
 from dhcli.checking.solving.question import GoalQuestion
-from dhcli.checking.solving.vectors import Range, Vector, in_radians, read_vectors, spelled
+from dhcli.checking.solving.reading import Vector, read_vectors, spelled
+from dhcli.checking.solving.vectors import Range, in_radians
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.validity import Finding
 from dhcli.notation.angle import Angle
 from dhcli.notation.scope import Scope
+from dhcli.regex import regex
 
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.solutions import Solutions
 
-_WHICH = re.compile(
+_WHICH = regex(
     r"(?P<limits>within\s+limits\s*)?(?:(?P<all>all)|(?P<any>any)|branch\s+(?P<branch>[\w +,-]+))?", re.DOTALL
 )
 Vectors = tuple[Vector, ...]
@@ -89,7 +91,7 @@ class JointsQuestion(GoalQuestion[Vectors]):
     def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
         robot = needed(exercise.robot)
         lengths = {name for name, value in robot.parameters.items() if value is None}
-        return tuple(sorted((self.target.names | lengths) - exercise.values.keys()))
+        return tuple(sorted((self.target.names | lengths) - exercise.known.keys()))
 
     def expected(self, case: Case, _style: str = "short") -> str:
         wanted = self.wanted(case)
@@ -107,16 +109,18 @@ class JointsQuestion(GoalQuestion[Vectors]):
             yield from steps_shown(derivation)
         found = solutions(case, self.target)
         field = self.range_of(case)
+        named = (found.named(k, limits=self.within_limits) for k in range(len(found)))
         lines = [
-            f"{self._text(field, q)}{f' ({branch})' if branch else ''}"
-            for q, branch in zip(field.solutions, found.branches, strict=True)
+            f"{self._text(field, q)}{f' ({name})' if name else ''}"
+            for q, name in zip(field.solutions, named, strict=True)
         ]
         yield Shown("\n".join((f"In numbers that is {plural(len(lines), 'solution')}:", *lines)))
 
     def read(self, case: Case, text: str, place: Place | None = None) -> Vectors:
         exercise = case.exercise
         robot = needed(exercise.robot)
-        found = read_vectors(exercise, robot, self._joints(exercise), text, place or Place("answer"))
+        joints, several = self._joints(exercise), self.which == "all"
+        found = read_vectors(exercise, robot, joints, text, place or Place("answer"), several=several)
         if len(found) > 1 and self.which != "all":
             raise UnreadableError(f"{len(found)} rows, and one solution is asked for")
         return tuple(found)
@@ -212,16 +216,13 @@ class JointsQuestion(GoalQuestion[Vectors]):
         from dhcli.kinematics.values import numbers
 
         exercise = case.exercise
+        known = exercise.known
         robot, found = needed(exercise.robot), solutions(case, self.target)
         joints = self._joints(exercise)
         at = [robot.variables.index(name) for name in joints]
-        rows = self.target.rows(exercise.values)
-        over = Floats(numbers(exercise.values))
-        lengths = [
-            abs(over.length(v))
-            for n, v in exercise.values.items()
-            if n in robot.parameters and not isinstance(v, Angle)
-        ]
+        rows = self.target.rows(known)
+        over = Floats(numbers(known))
+        lengths = [abs(over.length(v)) for n, v in known.items() if n in robot.parameters and not isinstance(v, Angle)]
         return Range(
             robot,
             joints,
@@ -231,6 +232,6 @@ class JointsQuestion(GoalQuestion[Vectors]):
             tuple(frozenset(name for way in ways for name in way.joints) for ways in found.free),
             exercise,
             sum(lengths) or max((abs(row[3]) for row in rows[:3]), default=1.0),
-            merge(put_in(between(robot, *self.target.ends(robot)), of_robot(robot, exercise.values))),
-            numbers(of_robot(robot, exercise.values)),
+            merge(put_in(between(robot, *self.target.ends(robot)), of_robot(robot, known))),
+            numbers(of_robot(robot, known)),
         )

@@ -88,7 +88,7 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         exercise = case.exercise
         for robot in (exercise.robot, exercise.also and exercise.also[0]):
             if robot is not None and exercise.robot is not None and robot.convention is self.convention:
-                yield from process_lines(robot)
+                yield from process_lines(robot, exercise)
                 yield Shown("4  Each row leads from one frame to the next:\n" + "\n".join(MEANINGS[self.convention]))
                 lines = table_lines(own_rows(robot), exercise.robot.columns, robot.first, exercise)
                 yield Shown("Row by row:\n" + "\n".join(lines))
@@ -129,19 +129,19 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         return answer_of(case.memo, self.convention, reading.value, compare_of(case), case.tolerance)
 
     def slips(self, case: Case) -> Iterable[Slip]:
-        from dhcli.checking.diagnosis.slips import table_candidates
+        from dhcli.checking.diagnosis.slips import table_slips
 
-        return (one.slips[0] for one in table_candidates(case.exercise, self.convention))
+        return (one.slips[0] for one in table_slips(case.memo, self.convention))
 
     def answer_with(self, case: Case, name: str) -> str | None:
         from dhcli.checking.diagnosis.slips import table_candidates
-        from dhcli.checking.tables.cells import dh_table_text
+        from dhcli.checking.tables.cells import dh_table_text, on_sheet
 
         robot = case.exercise.robot
         for one in table_candidates(case.exercise, self.convention, name) if robot is not None else ():
             if one.slips[0].name == name and robot is not None:
                 rows = tuple(step.row for step in one.work.steps if step.row is not None)
-                return dh_table_text(rows, robot.columns, case.exercise.writing)
+                return dh_table_text(on_sheet(rows, case.exercise), robot.columns, case.exercise.writing)
         return None
 
     def causes(self, case: Case, reading: Reading[tuple[TypedRow, ...]]) -> Causes:

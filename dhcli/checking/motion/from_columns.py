@@ -131,7 +131,7 @@ class ColumnsQuestion(MotionQuestion):
             yield from self.besides(case, changed)
 
     def _seen(self, case: Case, grid: Grid) -> Numbers:
-        return grid.numbers(case.exercise) if case.exercise.numeric else self.at_points(case.exercise, grid)[0]
+        return grid.numbers_in(case.memo) if case.exercise.numeric else self.at_points(case.exercise, grid)[0]
 
     def paired_causes(self, case: Case, entries: Entries) -> Causes:
         """Pairs of slips that give just this answer, where it says enough for that not to be chance."""
@@ -227,7 +227,8 @@ def axes_step(case: Case, columns: Columns) -> Shown:
         if exercise.numeric and not frozenset().union(*map(symbols, entries)) - exercise.values.keys():
             arithmetic = Floats(numbers(exercise.values))
             return ", ".join(rounded(arithmetic.value(one) / scale_of(exercise, power)) for one in entries)
-        return ", ".join(write(one, "short", exercise.writing) for one in entries)
+        shown = map(exercise.on_sheet, entries) if power == 1 else entries
+        return ", ".join(write(one, "short", exercise.writing) for one in shown)
 
     lines = [f"Vectors along the axes of frame {columns.view.axes}; p = ({vector(columns.point, 1)})"]
     for one in columns.each:

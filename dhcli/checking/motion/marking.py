@@ -133,9 +133,11 @@ def _in_rows(cells: Sequence[str], width: int) -> str:
 
 
 def _in_symbols(exercise: Exercise, right: Grid, entries: Entries) -> tuple[CellMark, ...]:
+    shown = right.on_sheet(exercise)
+
     def cell(entry: Entry, r: int, c: int) -> CellMark:
         truth, counted = right.rows[r][c], not right.is_same_for_all(r, c)
-        expected, note = write(truth, "short", exercise.writing), ""
+        expected, note = write(shown[r][c], "short", exercise.writing), ""
         verdict = Verdict.WRONG
         read = partial(as_read, exercise, right.powers[r][c])
         if same(entry.expr, truth, exercise.values, exercise):

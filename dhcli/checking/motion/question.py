@@ -194,7 +194,7 @@ class MotionQuestion(Question[Entries]):
         known = [self.at_points(exercise, right)]
         for slip, grid in self.every(case, right):
             try:
-                seen = grid.numbers(exercise) if exercise.numeric else ()
+                seen = grid.numbers_in(case.memo) if exercise.numeric else ()
                 limits = self._limits(case, grid) if exercise.numeric else ()
                 points = self.at_points(exercise, grid)
             except (DhcliError, KeyError, ZeroDivisionError, OverflowError):
@@ -278,7 +278,7 @@ class MotionQuestion(Question[Entries]):
         """A step with a table: in numbers in the unit of the sheet."""
         exercise = case.exercise
         if not exercise.numeric or grid.names - exercise.values.keys():
-            return Shown(text, grid.rows)
+            return Shown(text, grid.on_sheet(exercise))
         pairs = zip(grid.numbers(exercise), grid.powers, strict=True)
         return Shown(
             text,

@@ -25,6 +25,7 @@ from dhcli.notation.quantity import DimensionError, to_length
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import ZERO, Expr, number
 from dhcli.notation.walk import symbols
+from dhcli.regex import regex
 
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.solutions import Solutions
@@ -35,14 +36,14 @@ Rows: TypeAlias = tuple[tuple[float, ...], ...]
 TASKS = ("pose", "position", "orientation", "axis", "direction")
 """What of a pose may be given."""
 
-_GOAL = re.compile(
+_GOAL = regex(
     r"(?:(?P<start>base|\d{1,4})\s*\.\.\s*(?P<end>tool|\d{1,4})\s+)?(?:of\s+|at\s+)?(?P<task>pose|position|orientation|pointing)"
     r"\s*(?P<rest>.*)",
     re.DOTALL,
 )
-_QUOTED = re.compile(r"(?P<mark>[\"'])(?P<text>.+?)(?P=mark)\s*(?P<rest>.*)", re.DOTALL)
-_BRACKET = re.compile(r"(?P<text>\(.*?\)|\[.*\])\s*(?P<rest>.*)", re.DOTALL)
-_POINTING = re.compile(r"pointing\s*(?P<text>\(.*?\))\s*(?P<rest>.*)", re.DOTALL)
+_QUOTED = regex(r"(?P<mark>[\"'])(?P<text>.+?)(?P=mark)\s*(?P<rest>.*)", re.DOTALL)
+_BRACKET = regex(r"(?P<text>\(.*?\)|\[.*\])\s*(?P<rest>.*)", re.DOTALL)
+_POINTING = regex(r"pointing\s*(?P<text>\(.*?\))\s*(?P<rest>.*)", re.DOTALL)
 EXAMPLE = 'of position (0.5, 0.3, 0), or of pose "Trans(0.4, 0, 0.3) Rot(y, 90°)"'
 
 
@@ -113,9 +114,9 @@ class Target:
         """What is given, as a sheet says it: its numbers."""
         start, end = self.ends(exercise.robot)
         seen = f"frame {end} seen from frame {start}"
-        if self.names - exercise.values.keys():
+        if self.names - exercise.known.keys():
             return f"the {self.task} {self.text} of {seen}"
-        rows, per = self.rows(exercise.values), float(exercise.metres)
+        rows, per = self.rows(exercise.known), float(exercise.metres)
         place = ", ".join(_short(row[3] / per) for row in rows[:3])
         unit = "" if exercise.unit == "none" else f" {exercise.unit}"
         if self.task == "position":
@@ -232,7 +233,7 @@ def solutions(case: Case, target: Target) -> Solutions:
 
     def solved() -> Solutions:
         exercise = case.exercise
-        return solve(needed(exercise.robot), target, exercise.values, target.rows(exercise.values))
+        return solve(needed(exercise.robot), target, exercise.known, target.rows(exercise.known))
 
     return case.memo.of(("solutions", target), solved)
 

@@ -45,4 +45,4 @@ class GoalQuestion(Question[T]):
 
     def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
         """Those of the pose that have no value."""
-        return tuple(sorted(self.target.names - exercise.values.keys()))
+        return tuple(sorted(self.target.names - exercise.known.keys()))

@@ -13,7 +13,8 @@ from dhcli.checking.orientations import transposed
 from dhcli.checking.returned import Reading
 from dhcli.checking.solving.derived import derivation_of, slipped, values_at
 from dhcli.checking.solving.goal import Rows, solve
-from dhcli.checking.solving.vectors import FULL_TURN, Range, Vector, apart
+from dhcli.checking.solving.reading import Vector
+from dhcli.checking.solving.vectors import FULL_TURN, Range, apart
 from dhcli.checking.solving.wanted_joints import WantedJoints
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import DhcliError
@@ -121,7 +122,7 @@ def _of_formulas(question: WantedJoints, case: Case, field: Range) -> Iterator[t
     entries |= {f"p{axis}": field.rows[i][3] for i, axis in enumerate("xyz")}
 
     def vectors(one: object) -> list[Joints]:
-        found = values_at(one, field.robot, case.exercise.values, entries)  # type: ignore[arg-type]
+        found = values_at(one, field.robot, case.exercise.known, entries)  # type: ignore[arg-type]
         rows = [[q[name] for name in field.joints] for q in found if all(n in q for n in field.joints)]
         return [tuple(map(_wrapped, field.joints, row)) for row in rows]
 
@@ -142,7 +143,7 @@ def _of_pose(case: Case, field: Range) -> Iterator[tuple[Slip, list[Joints]]]:
 
     def found(other: Robot, pose: Rows, **changes: object) -> list[Joints]:
         try:
-            answer = solve(other, replace(target, **changes), case.exercise.values, pose)  # type: ignore[arg-type]
+            answer = solve(other, replace(target, **changes), case.exercise.known, pose)  # type: ignore[arg-type]
         except DhcliError:
             return []
         return [tuple(float(row[k]) for k in at) for row in answer.q]

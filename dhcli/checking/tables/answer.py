@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
+from functools import partial
 
 from dhcli.checking.exercise import Exercise, Memo
 from dhcli.checking.pasted import WrongUnitError
 from dhcli.checking.tables.cells import given_values, mark_cells, own_values, settled
 from dhcli.checking.tables.comparing import LITERAL, SAME_MOTION
 from dhcli.checking.tables.freedoms import Drawn, Slack, end_freedoms, frame_freedoms, joint_freedoms
-from dhcli.checking.tables.motions import LARGEST, Comparison, Outcome, is_but_for_end
+from dhcli.checking.tables.motions import LARGEST, Outcome, TwoArms, is_but_for_end
 from dhcli.checking.tables.right import RightArm
-from dhcli.checking.tables.samples import Values, size_of_arm
+from dhcli.checking.tables.samples import Values
 from dhcli.checking.tables.typed_rows import TypedRow, misplaced, variable_of
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import CellMark, Verdict, worst
@@ -27,9 +28,6 @@ from dhcli.notation.tree import ZERO
 
 FULL_TURN = 7
 """Above this many radians a bare number was meant in degrees."""
-
-MOST_COMPARED = 8
-"""Tables whose comparison is kept: those of the answer at hand, in either convention and in every unit."""
 
 FINER = 3
 """How often what counts as no difference is made smaller, until the freedom that was used is seen."""
@@ -132,24 +130,22 @@ class TableAnswer:
             return ended if ended.match is not None and is_but_for_end(ended.match) else same
         return compared.same_robot(end_free=self.end_free or end_free)
 
-    def _compared(self, rows: tuple[Row, ...], convention: Convention) -> Comparison:
+    def _compared(self, rows: tuple[Row, ...], convention: Convention) -> TwoArms:
         """Some rows beside the right robot; what is judged is asked for again when it is explained."""
-        known: dict[object, Comparison] = self.memo.of("compared", dict)
-        key = convention, self.tolerance, rows
-        if key not in known:
-            if len(known) >= MOST_COMPARED:
-                known.clear()
-            known[key] = Comparison(self._right, self.arm(rows, convention), self.tolerance)
-        return known[key]
+        made = partial(self._two_arms, rows, convention)
+        return self.memo.recent("compared", (convention, self.tolerance, rows), made)
+
+    def _two_arms(self, rows: tuple[Row, ...], convention: Convention) -> TwoArms:
+        return TwoArms(self._right, self.arm(rows, convention), self.tolerance)
 
     def agreeing(self, rows: Iterable[Row], outcome: Outcome) -> int:
         """How many joints agree from the first one with other rows in their place, where an outcome was decided."""
-        return Comparison(self._right, self.arm(rows, self.convention), self.tolerance).agreeing(outcome)
+        return self._two_arms(tuple(rows), self.convention).agreeing(outcome)
 
     def is_oversized(self, outcome: Outcome) -> bool:
         """Whether lengths were typed that no robot of this size has."""
         arm = self.arm(self.plain, self.convention)
-        return not size_of_arm(arm, outcome.point) <= LARGEST * outcome.size
+        return not arm.size(outcome.point) <= LARGEST * outcome.size
 
     def is_right(self, rows: tuple[Row, ...]) -> bool:
         """Whether other rows in the place of these would be right."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 
 from dhcli.algebra.floats import Floats
@@ -47,6 +48,11 @@ def spelled(value: Value, joints: Joints) -> str:
 def dh_table_text(rows: Sequence[Row], columns: Sequence[str], joints: Joints) -> str:
     """A table as a matrix that can be read again."""
     return bracketed((spelled(getattr(row, column), joints) for column in columns) for row in rows)
+
+
+def on_sheet(rows: Sequence[Row], exercise: Exercise) -> tuple[Row, ...]:
+    """Rows in metres as they are written on a sheet: its bare lengths are in the unit of that."""
+    return tuple(replace(row, a=exercise.on_sheet(row.a), d=exercise.on_sheet(row.d)) for row in rows)
 
 
 def settled(row: Row, tolerance: Tolerance) -> Row:
@@ -100,8 +106,8 @@ def _mark(  # noqa: PLR0913, PLR0917  everything a cell is judged by
             unit = "radians" if other.radians else "degrees"
             note = f"{typed.cells[column].text} would be right in {unit}: write the unit"
     counted = right != Angle() and right != Number(Fraction(0))
-    joints = exercise.writing
-    return CellMark(*place, verdict, typed.cells[column].text, spelled(right, joints), note, counted)
+    shown = spelled(right if isinstance(right, Angle) else exercise.on_sheet(right), exercise.writing)
+    return CellMark(*place, verdict, typed.cells[column].text, shown, note, counted)
 
 
 def _judged(value: Value, right: Value, exercise: Exercise, tolerance: Tolerance, size: float) -> Verdict:
@@ -128,6 +134,8 @@ def _judged(value: Value, right: Value, exercise: Exercise, tolerance: Tolerance
 
 
 def _settled(angle: Angle, tolerance: Tolerance) -> Angle:
+    if not angle.radians and angle.degrees.denominator == 1 and angle.degrees.numerator % STEP == 0:
+        return angle
     degrees = angle.degrees + Fraction(math.degrees(angle.radians)) if angle.radians else angle.degrees
     meant = STEP * round(degrees / STEP)
     if not abs(degrees - meant) <= tolerance.angle:

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from dhcli.checking.exercise import Exercise, Memo
 from dhcli.checking.tables.answer import TableAnswer, ends_on_axis, own_rows, robot_of
-from dhcli.checking.tables.cells import dh_table_text
+from dhcli.checking.tables.cells import dh_table_text, on_sheet
 from dhcli.checking.tables.comparing import LITERAL, SAME_ROBOT, gives
 from dhcli.checking.tables.motions import Outcome
 from dhcli.checking.tables.reasons import reason_of
@@ -35,7 +35,7 @@ def mark_table(answer: TableAnswer) -> Mark:
         mark = Mark(Verdict.RIGHT, cells=cells, earned=1.0)
     else:
         mark = _by_cells(answer, cells) if answer.compare == LITERAL else _by_motion(answer, cells)
-    reading = dh_table_text(answer.plain, answer.robot.columns, answer.exercise.writing)
+    reading = dh_table_text(on_sheet(answer.plain, answer.exercise), answer.robot.columns, answer.exercise.writing)
     return replace(mark, reading=reading, expected=_own_table(answer.exercise, answer.convention))
 
 
@@ -85,7 +85,7 @@ def _own_table(exercise: Exercise, convention: Convention) -> str:
     robots = [robot for robot in (exercise.robot, exercise.also and exercise.also[0]) if robot is not None]
     for robot in robots:
         if robot.convention is convention:
-            return dh_table_text(own_rows(robot), robots[0].columns, exercise.writing)
+            return dh_table_text(on_sheet(own_rows(robot), exercise), robots[0].columns, exercise.writing)
     return ""
 
 

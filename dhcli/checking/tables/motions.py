@@ -7,13 +7,13 @@ from functools import cached_property
 from itertools import islice
 
 from dhcli.checking.tables.right import EXACT, RightArm
-from dhcli.checking.tables.samples import has_numbers, points_of_values, size_of_arm
+from dhcli.checking.tables.samples import has_numbers, points_of_values
 from dhcli.checking.tolerance import CLOSE_FACTOR, SLACK, Tolerance
 from dhcli.checking.verdicts import Verdict, worst
 from dhcli.frozen import frozen
 from dhcli.geometry.rigid import Rigid
 from dhcli.kinematics.axes import Arm, Point
-from dhcli.kinematics.fits import Limits
+from dhcli.kinematics.fits import Limits, may_be_alike
 from dhcli.kinematics.same_robot import MOST_LEAVES, Match, Miss, Registration, error_of, identity
 
 DRAWS = 3
@@ -50,7 +50,7 @@ class Outcome:
     is_free: bool = False
 
 
-class Comparison:
+class TwoArms:
     """A table beside the right arm: each thing that is asked of the two is worked out once."""
 
     def __init__(self, right: RightArm, other: Arm, tolerance: Tolerance) -> None:
@@ -68,7 +68,7 @@ class Comparison:
         truth, other = self._truth, self._other
         claim, joints = identity(truth), len(truth.variables)
         point = self._point
-        size = size_of_arm(truth, point)
+        size = truth.size(point)
         if truth.variables != other.variables:
             return Outcome(Verdict.WRONG, None, 0, point, size)
         if self._right.equals(other.chain):
@@ -77,7 +77,7 @@ class Comparison:
             points = self._points
             verdict = worst(_verdict(claim, truth, other, at, self._tolerance) for at in points)
             if verdict is not Verdict.WRONG:
-                return Outcome(verdict, claim, joints, points[0], size_of_arm(truth, points[0]), rounded=True)
+                return Outcome(verdict, claim, joints, points[0], truth.size(points[0]), rounded=True)
         return Outcome(Verdict.WRONG, None, 0, point, size)
 
     def same_robot(self, *, end_free: bool = False) -> Outcome:
@@ -95,16 +95,31 @@ class Comparison:
         truth, other = self._truth, self._other
         if self._is_numeric or has_numbers(truth.chain):
             point = self._points[0]
-            limits = _rounded(self._tolerance, size_of_arm(truth, point), FAR)
+            limits = _rounded(self._tolerance, truth.size(point), FAR)
         else:
             point = self._point
-            limits = Limits.exact(size_of_arm(truth, point) + size_of_arm(other, point))
+            limits = Limits.exact(truth.size(point) + other.size(point))
+            if not may_be_alike(truth.screws(point)[0], other.screws(point)[0], limits):
+                return False
         return next(Registration(truth, other, point, limits, end_free=end_free).matches(), None) is not None
 
     def agreeing(self, outcome: Outcome) -> int:
         """How many joints agree from the first one, where an outcome was decided; what else must agree is not asked."""
         limits = _rounded(self._tolerance, outcome.size, NEAR) if outcome.rounded else Limits.exact(outcome.size)
         search = Registration(self._truth, self._other, outcome.point, limits, end_free=True)
+        next(search.matches(), None)
+        return search.deepest
+
+    def beside(self, right: RightArm) -> TwoArms:
+        """The same arm compared with another right one."""
+        other = TwoArms(right, self._other, self._tolerance)
+        other._is_numeric = self._is_numeric
+        return other
+
+    def reach(self) -> int:
+        """How many joints agree from the first one, letters alone, whatever the end frame is."""
+        limits = Limits.exact(self._truth.size(self._point) + self._other.size(self._point))
+        search = Registration(self._truth, self._other, self._point, limits, end_free=True)
         next(search.matches(), None)
         return search.deepest
 
@@ -126,7 +141,7 @@ class Comparison:
         if same.verdict is Verdict.RIGHT:
             return same
         points = self._points if self._is_numeric else (same.point,)
-        if any(not size_of_arm(other, at) <= LARGEST * size_of_arm(truth, at) for at in points):
+        if any(not other.size(at) <= LARGEST * truth.size(at) for at in points):
             return same
         about = self._about(points, end_free=end_free) if self._is_numeric else same
         if about.verdict is Verdict.RIGHT:
@@ -176,7 +191,7 @@ def _rounded(tolerance: Tolerance, size: float, times: float) -> Limits:
 
 def _exact(truth: Arm, other: Arm, point: Point, most: int, *, end_free: bool) -> Outcome:
     """Decide at one point; among so many matches the plainest is taken, and checked on the chains themselves."""
-    size = size_of_arm(truth, point)
+    size = truth.size(point)
     search = Registration(truth, other, point, Limits.exact(size), end_free=end_free)
     for match in sorted(islice(search.matches(), most), key=oddity)[:TRIED]:
         turn, shift = error_of(match, truth, other, point, size, (EXACT, EXACT * size))
@@ -186,7 +201,7 @@ def _exact(truth: Arm, other: Arm, point: Point, most: int, *, end_free: bool) -
 
 
 def _about_at(truth: Arm, other: Arm, point: Point, tolerance: Tolerance, *, end_free: bool) -> Outcome:
-    size = size_of_arm(truth, point)
+    size = truth.size(point)
     best: tuple[Verdict, Match | None] = (Verdict.WRONG, None)
     search = Registration(truth, other, point, _rounded(tolerance, size, FAR), end_free=end_free)
     for found in sorted(islice(search.matches(), MOST_LEAVES), key=oddity)[:TRIED]:
@@ -202,7 +217,7 @@ def _about_at(truth: Arm, other: Arm, point: Point, tolerance: Tolerance, *, end
 
 
 def _verdict(match: Match, truth: Arm, other: Arm, point: Point, tolerance: Tolerance) -> Verdict:
-    size = size_of_arm(truth, point)
+    size = truth.size(point)
     turn = max(tolerance.rotation, 1e-12)
     shift = max(tolerance.rotation * size if tolerance.position is None else tolerance.position, 1e-12 * size)
     far = CLOSE_FACTOR * (1 + SLACK)

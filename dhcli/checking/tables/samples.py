@@ -6,12 +6,11 @@ import math
 from collections.abc import Iterator, Mapping
 from itertools import islice
 
-from dhcli.algebra.floats import Floats
 from dhcli.algebra.points import GENERAL, draws, general
 from dhcli.checking.symbolic import has_decimals
 from dhcli.frozen import frozen
 from dhcli.kinematics.axes import Arm, Point
-from dhcli.kinematics.moves import Chain, Fixed, Rot, angle_names, expressions, names
+from dhcli.kinematics.moves import Chain, Rot, angle_names, expressions, names
 from dhcli.kinematics.robot import Value
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
@@ -96,18 +95,6 @@ def has_lengths(chain: Chain) -> bool:
         for expr in expressions((move,))
         for term in (expr.terms if isinstance(expr, Sum) else (expr,))
     )
-
-
-def size_of_arm(arm: Arm, point: Point) -> float:
-    """Sum of all lengths in the zero pose [m], or one metre where there is none."""
-    over = Floats({**point, **dict.fromkeys(arm.variables, 0.0)})
-    total = 0.0
-    for move in arm.chain:
-        if isinstance(move, Fixed):
-            total += sum(abs(over.value(row[3])) for row in move.rows)
-        elif not isinstance(move, Rot):
-            total += sum(abs(over.value(expr)) for expr in move.offset)
-    return total or 1.0
 
 
 def _known(values: Values) -> dict[str, Angle | float]:

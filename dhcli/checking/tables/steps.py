@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.returned import Shown
-from dhcli.checking.tables.cells import spelled
+from dhcli.checking.tables.cells import on_sheet, spelled
 from dhcli.errors import RobotError
 from dhcli.kinematics.conventions import Convention, Row
 from dhcli.kinematics.robot import Robot
@@ -32,33 +32,38 @@ MEANINGS = {
 """What the four parameters of a row measure, in the order of `COLUMNS`."""
 
 
-def process_lines(robot: Robot) -> Iterator[Shown]:
+def process_lines(robot: Robot, exercise: Exercise) -> Iterator[Shown]:
     """The first three steps of the process, in words: the z axes, frame 0, and each x axis with its four cells.
 
     They are told with all joints at 0, and every free choice as the table makes it. Nothing is told of a table with a
     row without a joint, nor where a twist is a letter.
+
+    Args:
+        robot: The robot.
+        exercise: The exercise, for how it writes lengths.
     """
     from dhcli.kinematics.describe.words import written
 
-    yield from map(Shown, written(_steps(robot)))
+    yield from map(Shown, written(_steps(robot, exercise)))
 
 
-def cell_lines(robot: Robot, column: str, number: int) -> Iterator[Shown]:
+def cell_lines(robot: Robot, column: str, number: int, exercise: Exercise) -> Iterator[Shown]:
     """The step of the process in which one cell of a table is found.
 
     Args:
         robot: The robot.
         column: The column.
         number: The number of the row.
+        exercise: The exercise, for how it writes lengths.
     """
     is_before = robot.convention is Convention.MODIFIED and column in ("a", "alpha")
     subject = f"x{number - is_before}"
-    for step in _steps(robot):
+    for step in _steps(robot, exercise):
         if step.subject == subject:
             yield Shown("\n".join(step.lines()))
 
 
-def _steps(robot: Robot) -> tuple[Step, ...]:
+def _steps(robot: Robot, exercise: Exercise) -> tuple[Step, ...]:
     """The process as a robot's own table has gone it, up to the y axes; nothing where it cannot be told."""
     from dhcli.kinematics.describe.retold import retold
     from dhcli.kinematics.describe.words import Speaker
@@ -67,7 +72,7 @@ def _steps(robot: Robot) -> tuple[Step, ...]:
         walked = retold(robot)
     except RobotError:
         return ()
-    return tuple(Speaker(walked, robot.convention, robot.first, robot.writing).drawn())
+    return tuple(Speaker(walked, robot.convention, robot.first, robot.writing, exercise.on_sheet).drawn())
 
 
 def table_lines(rows: Sequence[Row], columns: Sequence[str], first: int, exercise: Exercise) -> Iterator[str]:
@@ -77,9 +82,12 @@ def table_lines(rows: Sequence[Row], columns: Sequence[str], first: int, exercis
         rows: The rows.
         columns: The columns in the robot's order.
         first: Number of the first row.
-        exercise: The exercise, for how it writes angles.
+        exercise: The exercise, for how it writes angles and lengths.
     """
-    cells = [[f"{column} = {spelled(getattr(row, column), exercise.writing)}" for column in columns] for row in rows]
+    cells = [
+        [f"{column} = {spelled(getattr(row, column), exercise.writing)}" for column in columns]
+        for row in on_sheet(rows, exercise)
+    ]
     widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
     for number, row in enumerate(cells, first):
         texts = (text.ljust(width) for text, width in zip(row, widths, strict=True))

@@ -180,7 +180,7 @@ def _in_unit(expr: Expr, unit: str) -> Expr:
     """Bare lengths in the unit of the sheet; what has a name or a unit stays."""
     if isinstance(expr, Sum):
         return add(*(_in_unit(term, unit) for term in expr.terms))
-    if unit == "m" or symbols(expr) or any(isinstance(node, Unit) for node in walk(expr)):
+    if unit in ("m", "none") or symbols(expr) or any(isinstance(node, Unit) for node in walk(expr)):
         return expr
     return multiply(expr, Number(LENGTH_UNITS[unit]))
 

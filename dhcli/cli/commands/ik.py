@@ -13,6 +13,7 @@ from dhcli.cli.shell.options import (
     Digits,
     Overwrite,
     SkipBad,
+    WithValues,
     complete_pose,
     format_option,
     output_option,
@@ -178,15 +179,12 @@ def ik(
     ] = False,
     format_: Annotated[str | None, format_option("table", "json", "csv", "latex", "md")] = None,
     code: Code = None,
+    with_values: WithValues = False,
     digits: Digits = None,
     output: Annotated[str | None, output_option(".json", ".csv", ".tex", ".md", ".txt")] = None,
     overwrite: Overwrite = False,
 ) -> int:
     """Inverse kinematics: every way to hold the joints so that the end frame stands in a pose."""
-    import os
-
-    # a second thread does nothing for matrices this small but be started
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     from dhcli.cli.shell.delivery import Delivery
     from dhcli.cli.shell.given import robot_of
     from dhcli.cli.shell.goal import Goal, asked
@@ -206,24 +204,31 @@ def ik(
         others |= {"--quaternion": quaternion, "--pointing": pointing, "--branch": branch, "--family": family}
         others |= {"--all-turns": all_turns, "--derive": derive, "--digits": digits}
         others |= {"--euler": euler, "--why": why, "TARGET": goal_, "--code": code}
+        others |= {"--with-values": with_values}
         rows = RowWish(in_, each, task, near, hold or [], within_limits, follow, skip_bad)
         return solve_rows(chosen, rows, others, format_, output, overwrite=overwrite)
-    kind = "inverse function" if code is not None else "derivation" if derive else "inverse"
-    if code is not None:
+    writes_code = code is not None or with_values
+    kind = "inverse function" if writes_code else "derivation" if derive else "inverse"
+    besides: dict[str, object] = {"--near": near, "--branch": branch, "--family": family, "--hold": hold}
+    besides |= {"--why": why, "--within-limits": within_limits, "--all-turns": all_turns}
+    if writes_code:
         from dhcli.cli.shell.coding import code_delivery
 
-        besides: dict[str, object] = {"--near": near, "--branch": branch, "--family": family, "--hold": hold}
-        besides |= {"--why": why, "--digits": digits, "--within-limits": within_limits, "--all-turns": all_turns}
+        besides |= {"--digits": digits}
         delivery = code_delivery(kind, "ik", code, besides, format_, output, overwrite=overwrite)
     else:
+        if derive:
+            from dhcli.cli.shell.coding import check_alone
+
+            check_alone("--derive", besides)
         delivery = Delivery("ik", format_, digits, None, output, overwrite)
         delivery.chosen(kind)
     arm = robot_of(chosen)
     if goal_ is not None and target is not None:
         raise DhcliError("the pose is given in two ways", "leave --target out, it is the same as the second word")
     goal = Goal(goal_ if target is None else target, position, rpy, quaternion, euler, pointing, task)
-    if derive or code is not None:
-        delivery.hand_over(kind, derived(arm, goal, chosen))
+    if derive or writes_code:
+        delivery.hand_over(kind, derived(arm, goal, chosen, with_own=with_values))
         return ExitStatus.DONE
     question = asked(arm, goal, chosen)
     wish = near_of(arm, near, chosen.bare)

@@ -38,10 +38,23 @@ def code_delivery(
     if language not in LANGUAGES:
         hint = did_you_mean(language, LANGUAGES) or f"languages: {', '.join(LANGUAGES)}"
         raise UnknownNameError(f"--code knows no language {language}", hint)
-    if given := [option for option, value in others.items() if value]:
-        raise DhcliError(f"--code and {' and '.join(given)} ask for different things", "leave one of the two out")
+    check_alone("--code", others)
     if format_ not in {None, "json"}:
         raise DhcliError("--code says the language, and --format another", "leave --format out; json gives formulas")
     delivery = Delivery(command, format_ or language, output=output, overwrite=overwrite)
     delivery.chosen(kind)
     return delivery
+
+
+def check_alone(option: str, others: Mapping[str, object]) -> None:
+    """Refuse options that ask for something else than one does.
+
+    Args:
+        option: That one.
+        others: Those options, with what was given for them.
+
+    Raises:
+        DhcliError: One of them was given.
+    """
+    if given := [other for other, value in others.items() if value]:
+        raise DhcliError(f"{option} and {' and '.join(given)} ask for different things", "leave one of the two out")

@@ -59,16 +59,26 @@ def only_branches(found: Solutions, wanted: Sequence[str]) -> Solutions:
     return replace(found.take(kept), why="" if kept else f"no solution is {' and '.join(words)}")
 
 
-def derived(robot: Robot, goal: Goal, chosen: Chosen) -> Derivation:
-    """The formulas for a robot, for all of its pose or for the position.
+def derived(robot: Robot, goal: Goal, chosen: Chosen, *, with_own: bool = False) -> Derivation:
+    """The formulas for a robot, for all of its pose or for the position; lengths that are typed stand in numbers.
+
+    Args:
+        robot: The robot.
+        goal: The pose, of which nothing may be given.
+        chosen: The robot, as it was asked for.
+        with_own: Whether the robot's own lengths stand in numbers as well.
 
     Raises:
         DhcliError: A pose is given, or something else of it counts, or there are no formulas.
     """
+    from dhcli.cli.shell.given import lengths_of
     from dhcli.kinematics.inverse.derive import derive
+    from dhcli.kinematics.valued import with_values
 
     if any((chosen.q, chosen.pose, *astuple(replace(goal, task=None)))):
         raise DhcliError("a derivation is in letters and takes no pose", "leave it out, or --derive and --code")
     if goal.task not in {None, "pose", "position"}:
         raise DhcliError(Problem(f"a derivation knows no task {goal.task}", Place("--task"), "pose or position"))
+    own = {name: value for name, value in robot.parameters.items() if value is not None} if with_own else {}
+    robot = with_values(robot, {**own, **lengths_of(robot, chosen, symbolic=True)})
     return derive(robot, start=chosen.from_, end=chosen.end, task=goal.task or "")

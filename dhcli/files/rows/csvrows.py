@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import io
 import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
@@ -12,17 +11,18 @@ import numpy as np
 
 from dhcli.errors import FileError, Place, Problem, plural
 from dhcli.files.rows.blocks import Block, Sieve, cell_problem
-from dhcli.files.rows.cells import PLAIN, CellError, is_number, read_cell
+from dhcli.files.rows.cells import CellError, is_number, plain_table, read_cell
 from dhcli.files.rows.columns import JointColumns, JointTable
 from dhcli.files.rows.source import Source, text_blocks
+from dhcli.regex import regex
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-_DECLARED = re.compile(r'\s*"?sep=(?P<sign>[;,\t|])"?\s*', re.IGNORECASE)
+_DECLARED = regex(r'\s*"?sep=(?P<sign>[;,\t|])"?\s*', re.IGNORECASE)
 """The line with which Excel says what stands between cells."""
 
-_BETWEEN_BLANKS = re.compile(r"\S+(?:[ ]{1,40}[\[(][^\])]{0,40}[\])])?")
+_BETWEEN_BLANKS = regex(r"\S+(?:[ ]{1,40}[\[(][^\])]{0,40}[\])])?")
 """A cell between blanks; a unit may stand apart from its name."""
 
 
@@ -102,14 +102,8 @@ class CsvRows:
         if self._has_decimal_commas and "." not in text:
             text = text.replace(",", ".")
         text = text.replace(f"{self._separator}\n", "\n")  # of a line that has a cell too few without it, too
-        if text.encode().translate(None, PLAIN + self._separator.encode()) or text.isspace():
-            return None
-        try:
-            separator = None if self._separator == " " else self._separator
-            table = np.loadtxt(io.StringIO(text), delimiter=separator, comments=None, ndmin=2)
-        except ValueError:
-            return None
-        return table if table.shape == (count, width) and np.isfinite(table).all() else None
+        table = plain_table(text, self._separator, width)
+        return table if table is not None and len(table) == count and np.isfinite(table).all() else None
 
     def _line_by_line(self, first: int, text: str, columns: JointColumns) -> Block:
         """The same with an eye on every cell."""

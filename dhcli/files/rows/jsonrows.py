@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import json
 import math
-import re
 from collections.abc import Callable, Iterator
+from itertools import chain
 from operator import itemgetter
-from typing import Any, NoReturn
+from typing import Any
 
 import numpy as np
 
@@ -16,9 +16,11 @@ from dhcli.files.rows.blocks import Block, Sieve, cell_problem
 from dhcli.files.rows.cells import NUMBER, CellError, shown
 from dhcli.files.rows.columns import JointColumns, JointTable
 from dhcli.files.rows.source import Source, text_blocks
+from dhcli.notation.decimals import read_json
+from dhcli.regex import regex
 
 _ONE_A_LINE = "JSON Lines has a row in each line: {\"theta1\": 0.1, ...} or [0.1, ...]; jq -c '.[]' makes it of a list"
-_ONE_LIST = re.compile(r"\s*(?:\[[ \t]*(?:\n|[\[{])|\{[ \t]*\n)")
+_ONE_LIST = regex(r"\s*(?:\[[ \t]*(?:\n|[\[{])|\{[ \t]*\n)")
 _WORDS = {"True": "true", "False": "false", "None": "null"}
 _MOST_HEADERS = 100
 """Sets of names that are remembered."""
@@ -68,18 +70,22 @@ class JsonRows:
         text = ",".join(lines)
         if (
             not all(line.startswith(begin) and line.endswith(end) for line in lines)
-            or "true" in text
-            or "false" in text
+            or ("u" in text and "true" in text)  # most names have no u, and one letter is found sooner than a word
+            or ("f" in text and "false" in text)
         ):
             return None
         try:
-            rows = json.loads(f"[{text}]", parse_constant=_refuse)
+            rows = read_json(f"[{text}]")
             names = tuple(rows[0]) if begin == "{" else ()
             columns = self._columns(names, Place("")) if names else self._in_order
             # Twice as many quotes as names: no name comes twice in an object, and no value is text.
             if len(rows) != len(lines) or text.count('"') != 2 * len(names) * len(rows):
                 return None
-            table = np.array([*map(_picker(names), rows)] if names else rows, dtype=np.float64)
+            if names:
+                table = np.fromiter(chain.from_iterable(map(_picker(names), rows)), np.float64, len(rows) * len(names))
+                table = table.reshape(len(rows), len(names))
+            else:
+                table = np.array(rows, dtype=np.float64)
         except (ValueError, TypeError, KeyError, OverflowError, RecursionError, FileError):
             return None
         if table.shape != (len(rows), columns.width) or not np.isfinite(table).all():
@@ -193,7 +199,3 @@ def _picker(names: tuple[str, ...]) -> Callable[[Any], Any]:
     """What takes the values of these names out of an object, if it has no others."""
     pick = itemgetter(*names) if len(names) > 1 else lambda row: (row[names[0]],)
     return lambda row: pick(row) if len(row) == len(names) else ()
-
-
-def _refuse(constant: str) -> NoReturn:
-    raise ValueError(constant)

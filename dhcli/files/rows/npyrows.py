@@ -13,7 +13,7 @@ from dhcli.errors import FileError, Place, Problem
 from dhcli.files.rows.blocks import MOST, Block, cell_problem
 from dhcli.files.rows.cells import CellError
 from dhcli.files.rows.columns import JointTable
-from dhcli.files.rows.source import PIECE, Source
+from dhcli.files.rows.source import Source
 from dhcli.kinematics.playing import BLOCK
 
 if TYPE_CHECKING:
@@ -22,6 +22,12 @@ if TYPE_CHECKING:
 MAGIC = b"\x93NUMPY"
 _HEADER = 1 << 16
 """Most bytes of a header; those of plain arrays have 128."""
+ROWS = 4 * BLOCK
+"""Most rows at a time, and as many for each of some threads."""
+MOST_BYTES = 1 << 20
+"""Most bytes of those, unless one row has more."""
+MOST_THREADS = 4
+"""Threads up to which blocks grow; more share one of that length, and memory stays small."""
 _SAVE = "np.save('q.npy', np.ascontiguousarray(Q, dtype=float))"
 """What makes a file that is read."""
 
@@ -29,9 +35,10 @@ _SAVE = "np.save('q.npy', np.ascontiguousarray(Q, dtype=float))"
 class NpyRows:
     """Reads the rows of an array, shape (N, n), joints in their order; what follows them is nobody's joint."""
 
-    def __init__(self, source: Source, asked: JointTable) -> None:
-        """Read the joint values of a robot."""
+    def __init__(self, source: Source, asked: JointTable, threads: int = 1) -> None:
+        """Read the joint values of a robot, blocks long enough for so many threads."""
         self._source = source
+        self._threads = min(threads, MOST_THREADS)
         self._asked = asked
         self._columns = asked.in_joint_order()
 
@@ -47,9 +54,7 @@ class NpyRows:
         """
         count, kind = self._header()
         width = self._columns.width
-        at_once = max(1, PIECE // (width * kind.itemsize))
-        if at_once > BLOCK:
-            at_once -= at_once % BLOCK  # so that none is played but whole blocks, and the last one
+        at_once = min(ROWS, max(1, MOST_BYTES // (width * kind.itemsize))) * self._threads
         for first in range(0, count, at_once):
             wanted = min(at_once, count - first)
             content = self._bytes(wanted * width * kind.itemsize)
@@ -57,14 +62,14 @@ class NpyRows:
             if whole < wanted:
                 message = f"is cut off: it holds {first + whole} of the {count} rows that it promises"
                 raise FileError(Problem(message, Place(self._source.name)))
-            yield self._block(first, np.frombuffer(content, kind).reshape(wanted, width).astype(np.float64))
+            yield self._block(first, np.frombuffer(content, kind).reshape(wanted, width).astype(np.float64, copy=False))
 
     def _block(self, first: int, table: NDArray[np.float64]) -> Block:
+        columns = self._columns
+        if np.isfinite(table).all():
+            return Block(columns.values(table), range(first, first + len(table)), columns.in_radians)
         finite = np.isfinite(table[:, : len(self._asked.open)])
         good = finite.all(axis=1)
-        columns = self._columns
-        if good.all():
-            return Block(columns.values(table), range(first, first + len(table)), columns.in_radians)
         bad = []
         for row, k in np.argwhere(~finite)[:MOST]:
             error = CellError(f"is {table[row, k]}, not a finite number")

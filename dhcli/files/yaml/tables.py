@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from pathlib import Path
 
-from dhcli.checking.tables.motions import Comparison
+from dhcli.checking.tables.motions import TwoArms
 from dhcli.checking.tables.right import RightArm
 from dhcli.checking.tables.samples import Values
 from dhcli.checking.tolerance import Tolerance
@@ -26,8 +25,9 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import substitute
 from dhcli.notation.writer import write, write_angle
+from dhcli.regex import regex
 
-_LENGTH = re.compile(r"[\d.)]\s{0,9}(mm|cm|m|in)\b")
+_LENGTH = regex(r"[\d.)]\s{0,9}(mm|cm|m|in)\b")
 """The unit of a length behind its number."""
 
 
@@ -116,7 +116,7 @@ def _besides(robot: Robot, reference: Robot) -> str:
 
 def _same(one: Arm, other: Arm) -> bool:
     exactly = Tolerance(rotation=1e-9, position=1e-9)
-    return Comparison(RightArm(one, Values({}, {})), other, exactly).same_motion.verdict is Verdict.RIGHT
+    return TwoArms(RightArm(one, Values({}, {})), other, exactly).same_motion.verdict is Verdict.RIGHT
 
 
 def _at_values(chain: Chain, robot: Robot) -> Arm:

@@ -19,9 +19,9 @@ from dhcli.kinematics.describe.repairing import repaired, with_table
 from dhcli.kinematics.describe.screws import ScrewAxis, Side, lines_of, screws_of
 from dhcli.kinematics.describe.straight import Straightened, straightened
 from dhcli.kinematics.describe.words import Speaker, Step
-from dhcli.kinematics.forward import link_with, put_in
 from dhcli.kinematics.moves import Chain, spelled
 from dhcli.kinematics.robot import Link, Robot, Value
+from dhcli.kinematics.valued import in_numbers
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
 
@@ -132,21 +132,6 @@ def _named(robot: Robot, form: Form) -> Robot:
     note = f"Made by `dhcli describe {robot.name} --as {form}`: the same motion from base to tool."
     known = "".join(f"\n{line}" for line in robot.notes.rstrip().split("\n")) if robot.notes else ""
     return replace(robot, title=f"{robot.title}, as {NAMES[form]}", notes=note + known, path=None)
-
-
-def in_numbers(robot: Robot) -> Robot:
-    """The robot with the values of its lengths in their place.
-
-    Raises:
-        RobotError: A length has no value.
-    """
-    values = {name: value for name, value in robot.parameters.items() if value is not None}
-    if lacking := [name for name, value in robot.parameters.items() if value is None]:
-        raise RobotError(f"{', '.join(lacking)} has no value", "numbers need one: --set NAME=VALUE")
-    base, tool = put_in(robot.base, values), put_in(robot.tool, values)
-    links = tuple(link_with(link, values, robot.convention) for link in robot.links)
-    tools = {name: put_in(chain, values) for name, chain in robot.tools.items()}
-    return replace(robot, links=links, base=base, tool=tool, tools=tools, parameters={}, derived={})
 
 
 def _regrouped(robot: Robot, form: Form) -> Described:

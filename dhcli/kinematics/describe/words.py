@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 
 from dhcli.frozen import frozen
 from dhcli.geometry.vectors import angle_about, dot
@@ -68,12 +68,14 @@ class Speaker:
         convention: Which axis a frame stands on.
         first: Number of the first link.
         joints: How joint angles are written.
+        measured: A length in metres as it is written, where that is in another unit.
     """
 
     walk: Walk
     convention: Convention
     first: int
     joints: Joints
+    measured: Callable[[Expr], Expr] = lambda length: length
 
     def steps(self) -> Iterator[Step]:
         """The process from the first axis to the product."""
@@ -119,12 +121,17 @@ class Speaker:
     def point(self, point: Point) -> str:
         """A point as it is written; the base's origin is o."""
         shown = coordinates_of(point)
-        return f"({', '.join(self._length(expr, point) for expr in shown)})" if point else "o"
+        return f"({', '.join(self._coordinate(expr, point) for expr in shown)})" if point else "o"
 
-    def _length(self, expr: Expr, letters: Point) -> str:
-        if is_plain(letters) and isinstance(expr, Number):
-            return f"{float(expr.value):.6g}"
-        return write(expr, "short", self.joints)
+    def length(self, expr: Expr) -> str:
+        """A length as it is written."""
+        return write(self.measured(expr), "short", self.joints)
+
+    def _coordinate(self, expr: Expr, letters: Point) -> str:
+        shown = self.measured(expr)
+        if is_plain(letters) and isinstance(shown, Number):
+            return f"{float(shown.value):.6g}"
+        return write(shown, "short", self.joints)
 
     def _axes(self) -> Iterator[Step]:
         for k, line in enumerate(self.walk.lines[1:-1], 1):
@@ -155,7 +162,7 @@ class Speaker:
 
     def _cells(self, leg: Leg) -> tuple[str, ...]:
         k = self.number(leg.number)
-        a, d = (write(way.length, "short", self.joints) for way in (leg.along_x, leg.along_z))
+        a, d = (self.length(way.length) for way in (leg.along_x, leg.along_z))
         alpha, theta = (write_angle(way.turn, "short", self.joints) for way in (leg.along_x, leg.along_z))
         is_row = leg.number or self.convention is Convention.MODIFIED or not leg.along_x.is_none
         is_last = leg.number == len(self.walk.legs) - 1 and self.convention is Convention.MODIFIED
@@ -179,7 +186,7 @@ def _meet(speaker: Speaker, leg: Leg) -> tuple[str, str]:
 
 def _parallel(speaker: Speaker, leg: Leg) -> tuple[str, str]:
     k = speaker.number(leg.number)
-    apart = write(length_of(leg.normal.apart), "short", speaker.joints)
+    apart = speaker.length(length_of(leg.normal.apart))
     said = f"are parallel, {apart} apart: {axis_word(leg.normal.x)}, through {speaker.point(leg.normal.start)}"
     if not leg.number:
         return said, "the height of the normal; 0 is chosen"

@@ -9,6 +9,7 @@ from itertools import product as every
 from dhcli.algebra.arithmetic import CannotHoldError
 from dhcli.errors import RobotError
 from dhcli.kinematics.forward import Given
+from dhcli.kinematics.recorded import kept
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.singular.arm import Arm, Point
 from dhcli.kinematics.singular.conditions import UnreadableError, conditions, moving
@@ -69,13 +70,17 @@ def singularities(
 
 
 def find(robot: Robot, view: MotionView, part: Which | None, values: Values) -> Singularities:
-    """The same for a view, with values that are known; see `singularities`."""
-    arm = arm_of(robot, view, values)
-    try:
-        return put_back(_found(arm, part), arm.constants)
-    except CannotHoldError:
-        message = f"{robot.name} has a number for which singularities cannot be proved"
-        raise RobotError(message, "give it a name, and its value under parameters") from None
+    """The same for a view, with values that are known, kept with the robot; see `singularities`."""
+
+    def found() -> Singularities:
+        arm = arm_of(robot, view, values)
+        try:
+            return put_back(_found(arm, part), arm.constants)
+        except CannotHoldError:
+            message = f"{robot.name} has a number for which singularities cannot be proved"
+            raise RobotError(message, "give it a name, and its value under parameters") from None
+
+    return kept(robot, ("singular", view, part, tuple(values.items())), found)
 
 
 def _found(arm: Arm, part: Which | None) -> Singularities:

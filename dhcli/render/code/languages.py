@@ -8,21 +8,6 @@ from dataclasses import replace
 from dhcli.notation.styles import Style
 from dhcli.render.code.language import Cells, Language
 
-_FORMULAS = Style(
-    "python", caret="**", pi="math.pi", degrees=None, prefix="math.", decimal=True, functions={"abs": "fabs"}
-)
-_NUMPY = {"atan2": "arctan2", "acos": "arccos", "asin": "arcsin", "atan": "arctan"}
-
-_STYLES: Mapping[str, Style] = {
-    "python": _FORMULAS,
-    "numpy": replace(_FORMULAS, pi="np.pi", prefix="np.", functions=_NUMPY),
-    "c": replace(_FORMULAS, pi="pi", prefix="", power="pow({}, {})"),
-    "matlab": replace(_FORMULAS, pi="pi", prefix="", caret="^", functions={}),
-    "julia": replace(_FORMULAS, pi="pi", prefix="", caret="^", functions={"atan2": "atan"}),
-    "javascript": replace(_FORMULAS, pi="Math.PI", prefix="Math.", power="Math.pow({}, {})", functions={}),
-}
-"""How each language spells formulas; a minus before a power is a fault in JavaScript."""
-
 
 def _lists(_shape: Sequence[str], _name: str, cells: Cells) -> list[str]:
     return ["return [", *(f"    [{', '.join(row)}]," for row in cells), "]"]
@@ -58,129 +43,122 @@ def _in_script(shape: Sequence[str], name: str, cells: Cells) -> list[str]:
     return [*lines[:-1], "];"]
 
 
+_PYTHON = Language(
+    "python",
+    style=Style(
+        "python", caret="**", pi="math.pi", degrees=None, prefix="math.", decimal=True, functions={"abs": "fabs"}
+    ),
+    mark="#",
+    first=("import math", "", ""),
+    head="def {}({}):",
+    argument="{}",
+    preset="{}={}",
+    let="{} = {}",
+    end="",
+    returned=_lists,
+    entry="{}[{}][{}]",
+    base=0,
+    signs="for {} in (1, -1):",
+    turns="for {} in (0, math.pi):",
+    skip="if {}:\n    continue",
+    begin="solutions = []",
+    append="solutions.append([{}])",
+    finish="return solutions",
+)
+
+_NUMPY = replace(
+    _PYTHON,
+    name="numpy",
+    style=replace(
+        _PYTHON.style,
+        pi="np.pi",
+        prefix="np.",
+        functions={"atan2": "arctan2", "acos": "arccos", "asin": "arcsin", "atan": "arctan"},
+    ),
+    first=("import numpy as np", "", ""),
+    returned=_array,
+    turns="for {} in (0, np.pi):",
+)
+
+_C = Language(
+    "c",
+    style=replace(_PYTHON.style, pi="pi", prefix="", power="pow({}, {})"),
+    mark="//",
+    first=("#include <math.h>", ""),
+    head="{2} {0}({1})\n{{",
+    argument="double {}",
+    preset="double {}",
+    let="const double {} = {};",
+    end="}",
+    returned=_stored,
+    entry="{}[{}][{}]",
+    base=0,
+    signs="for (double {0} = 1; {0} > -2; {0} -= 2) {{",
+    turns="for (double {0} = 0; {0} < 4; {0} += pi) {{",
+    skip="if ({})\n    continue;",
+    begin="int found = 0;",
+    append="",
+    finish="return found;",
+)
+
+_MATLAB = Language(
+    "matlab",
+    style=replace(_PYTHON.style, pi="pi", prefix="", caret="^", functions={}),
+    mark="%",
+    first=(),
+    head="function {2} = {0}({1})",
+    argument="{}",
+    preset="{}",
+    let="{} = {};",
+    end="end",
+    returned=_in_commas,
+    entry="{}({}, {})",
+    base=1,
+    signs="for {} = [1, -1]",
+    turns="for {} = [0, pi]",
+    skip="if {}, continue, end",
+    begin="solutions = [];",
+    append="solutions(end + 1, :) = [{}];",
+    finish="",
+)
+
+_JULIA = replace(
+    _PYTHON,
+    name="julia",
+    style=replace(_MATLAB.style, functions={"atan2": "atan"}),
+    first=(),
+    head="function {}({})",
+    end="end",
+    returned=_in_blanks,
+    entry="{}[{}, {}]",
+    base=1,
+    signs="for {} in (1, -1)",
+    turns="for {} in (0, pi)",
+    skip="if {}\n    continue\nend",
+    begin="solutions = Vector{Float64}[]",
+    append="push!(solutions, [{}])",
+)
+
+_JAVASCRIPT = replace(
+    _C,
+    name="javascript",
+    # a minus before a power is a fault there
+    style=replace(_C.style, pi="Math.PI", prefix="Math.", power="Math.pow({}, {})", functions={}),
+    first=(),
+    head="function {}({}) {{",
+    argument="{}",
+    preset="{} = {}",
+    let="const {} = {};",
+    returned=_in_script,
+    signs="for (const {} of [1, -1]) {{",
+    turns="for (const {} of [0, Math.PI]) {{",
+    skip="if ({}) continue;",
+    begin="const solutions = [];",
+    append="solutions.push([{}]);",
+    finish="return solutions;",
+)
+
 LANGUAGES: Mapping[str, Language] = {
-    language.name: language
-    for language in (
-        Language(
-            "python",
-            style=_STYLES["python"],
-            mark="#",
-            first=("import math", "", ""),
-            head="def {}({}):",
-            argument="{}",
-            preset="{}={}",
-            let="{} = {}",
-            end="",
-            returned=_lists,
-            entry="{}[{}][{}]",
-            base=0,
-            signs="for {} in (1, -1):",
-            turns="for {} in (0, math.pi):",
-            skip="if {}:\n    continue",
-            begin="solutions = []",
-            append="solutions.append([{}])",
-            finish="return solutions",
-        ),
-        Language(
-            "numpy",
-            style=_STYLES["numpy"],
-            mark="#",
-            first=("import numpy as np", "", ""),
-            head="def {}({}):",
-            argument="{}",
-            preset="{}={}",
-            let="{} = {}",
-            end="",
-            returned=_array,
-            entry="{}[{}][{}]",
-            base=0,
-            signs="for {} in (1, -1):",
-            turns="for {} in (0, np.pi):",
-            skip="if {}:\n    continue",
-            begin="solutions = []",
-            append="solutions.append([{}])",
-            finish="return solutions",
-        ),
-        Language(
-            "c",
-            style=_STYLES["c"],
-            mark="//",
-            first=("#include <math.h>", ""),
-            head="{2} {0}({1})\n{{",
-            argument="double {}",
-            preset="double {}",
-            let="const double {} = {};",
-            end="}",
-            returned=_stored,
-            entry="{}[{}][{}]",
-            base=0,
-            signs="for (double {0} = 1; {0} > -2; {0} -= 2) {{",
-            turns="for (double {0} = 0; {0} < 4; {0} += pi) {{",
-            skip="if ({})\n    continue;",
-            begin="int found = 0;",
-            append="",
-            finish="return found;",
-        ),
-        Language(
-            "matlab",
-            style=_STYLES["matlab"],
-            mark="%",
-            first=(),
-            head="function {2} = {0}({1})",
-            argument="{}",
-            preset="{}",
-            let="{} = {};",
-            end="end",
-            returned=_in_commas,
-            entry="{}({}, {})",
-            base=1,
-            signs="for {} = [1, -1]",
-            turns="for {} = [0, pi]",
-            skip="if {}, continue, end",
-            begin="solutions = [];",
-            append="solutions(end + 1, :) = [{}];",
-            finish="",
-        ),
-        Language(
-            "julia",
-            style=_STYLES["julia"],
-            mark="#",
-            first=(),
-            head="function {}({})",
-            argument="{}",
-            preset="{}={}",
-            let="{} = {}",
-            end="end",
-            returned=_in_blanks,
-            entry="{}[{}, {}]",
-            base=1,
-            signs="for {} in (1, -1)",
-            turns="for {} in (0, pi)",
-            skip="if {}\n    continue\nend",
-            begin="solutions = Vector{Float64}[]",
-            append="push!(solutions, [{}])",
-            finish="return solutions",
-        ),
-        Language(
-            "javascript",
-            style=_STYLES["javascript"],
-            mark="//",
-            first=(),
-            head="function {}({}) {{",
-            argument="{}",
-            preset="{} = {}",
-            let="const {} = {};",
-            end="}",
-            returned=_in_script,
-            entry="{}[{}][{}]",
-            base=0,
-            signs="for (const {} of [1, -1]) {{",
-            turns="for (const {} of [0, Math.PI]) {{",
-            skip="if ({}) continue;",
-            begin="const solutions = [];",
-            append="solutions.push([{}]);",
-            finish="return solutions;",
-        ),
-    )
+    language.name: language for language in (_PYTHON, _NUMPY, _C, _MATLAB, _JULIA, _JAVASCRIPT)
 }
-"""The languages by the name the user gives them."""
+"""The languages by the name the user gives them; where one writes as another does, it is told from that one."""

@@ -14,7 +14,7 @@ from dhcli.render.code.rows import Group, Layout
 
 _AXES = "xyz"
 _MATRIX = tuple(head for i in range(3) for head in (*(f"r{i + 1}{k}" for k in (1, 2, 3)), f"p_{_AXES[i]}"))
-_ROW = "[%r, %r, %r, %r]"
+_ROW = "[%s, %s, %s, %s]"
 
 GROUPS = {
     "matrix": Group("matrix", _MATRIX, f"[{_ROW}, {_ROW}, {_ROW}, [0.0, 0.0, 0.0, 1.0]]"),
@@ -23,12 +23,12 @@ GROUPS = {
     "quaternion": Group.named("quaternion", {name: f"q_{name}" for name in "wxyz"}),
     "rotation-vector": Group.listed("rotation-vector", ("r_x", "r_y", "r_z")),
     **{form: Group.listed(form, [f"{form}_{k}" for k in (1, 2, 3)]) for form in FORMS if form.endswith(AXES)},
-    "axis-angle": Group("axis-angle", ("axis_x", "axis_y", "axis_z", "angle"), '{"axis": [%r, %r, %r], "angle": %r}'),
+    "axis-angle": Group("axis-angle", ("axis_x", "axis_y", "axis_z", "angle"), '{"axis": [%s, %s, %s], "angle": %s}'),
 }
 """The numbers of each way to say a pose; JSON nests them as `--format json` does for one pose. Angles in radians."""
 
 
-INDEX = Group("row", ("row",), "%d", "%d")
+INDEX = Group("row", ("row",), "%s", is_whole=True)
 """Where the joint values stand in their file."""
 
 

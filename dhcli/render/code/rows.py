@@ -24,25 +24,25 @@ class Group:
     Attributes:
         key: What JSON Lines calls them.
         heads: What CSV calls each of them.
-        body: How JSON Lines writes them, with `%r` in the place of each number.
-        number: How CSV writes each of them.
+        body: How JSON Lines writes them, with `%s` in the place of each number.
+        is_whole: Whether they are written without a point, such as the number of a line.
     """
 
     key: str
     heads: tuple[str, ...]
     body: str
-    number: str = "%r"
+    is_whole: bool = False
 
     @classmethod
     def listed(cls, key: str, heads: Iterable[str]) -> Group:
         """Numbers in a list: `[0.1, 0.2, 0.3]`."""
         heads = tuple(heads)
-        return cls(key, heads, f"[{', '.join(['%r'] * len(heads))}]")
+        return cls(key, heads, f"[{', '.join(['%s'] * len(heads))}]")
 
     @classmethod
     def named(cls, key: str, heads: Mapping[str, str]) -> Group:
         """Numbers by name: `{"roll": 0.1, "pitch": 0.2}`; the heads of CSV by those names."""
-        return cls(key, tuple(heads.values()), _object([Group(name, (), "%r") for name in heads]))
+        return cls(key, tuple(heads.values()), _object([Group(name, (), "%s") for name in heads]))
 
     @classmethod
     def within(cls, key: str, groups: Iterable[Group]) -> Group:
@@ -84,9 +84,9 @@ class RowText:
     def __init__(self, layout: Layout, format_: str) -> None:
         """Write in one of the formats `csv` and `jsonl`."""
         self.heading = csv_line(layout.heads) if format_ == "csv" else ""
-        self._width = layout.width
-        cells = (group.number for group in layout.groups for _ in group.heads)
-        self._row = (",".join(cells) if format_ == "csv" else _object(layout.groups)) + "\n"
+        whole = [group.is_whole for group in layout.groups for _ in group.heads]
+        self._whole = [k for k, is_whole in enumerate(whole) if is_whole]
+        self._row = (",".join(["%s"] * layout.width) if format_ == "csv" else _object(layout.groups)) + "\n"
 
     def lines(self, block: NDArray[np.float64]) -> str:
         """A line for each row.
@@ -94,7 +94,11 @@ class RowText:
         Args:
             block: Finite numbers, shape (N, width).
         """
-        numbers = (block + 0.0).ravel().tolist()  # no minus zero
+        from dhcli.notation.decimals import spelled  # numpy
+
+        numbers = spelled(block)
+        for k in self._whole:
+            numbers[k :: block.shape[1]] = map(int, block[:, k])
         return (self._row * len(block)) % tuple(numbers)  # one template for all rows: twice as fast as row by row
 
 

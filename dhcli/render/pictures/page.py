@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
@@ -11,6 +10,7 @@ from dhcli.errors import DhcliError
 from dhcli.kinematics.conventions import NAMES, ORDER
 from dhcli.kinematics.robot import Robot
 from dhcli.mobility.linkage import Linkage
+from dhcli.regex import regex
 from dhcli.render.pictures.looks import COLOURS, LOOKS, TEXTS, UPRIGHT
 from dhcli.render.pictures.page_arm import arm_model
 from dhcli.render.pictures.page_linkage import plane_model, space_model
@@ -21,12 +21,12 @@ from dhcli.scene.shapes import Figure
 if TYPE_CHECKING:
     from dhcli.scene.drawing import Drawing
 
-_LITERAL = re.compile(r"""(`[^`]*`|"[^"\n]*"|(?<=\()/(?:[^/\n\\[]|\\.|\[[^\]]*\])+/\w*)""")
+_LITERAL = regex(r"""(`[^`]*`|"[^"\n]*"|(?<=\()/(?:[^/\n\\[]|\\.|\[[^\]]*\])+/\w*)""")
 """A text or a pattern inside a script; no script has `+ +` or `- -`, where a blank would mean something."""
 
-_MATHS = re.compile(r"\bMath\.(\w+)")
-_BLANKS = re.compile(r" *([-=+*/%<>,?:&|!{}();\[\]]+) *")
-_INDEX = re.compile(r"_(?:\{([^}]*)\}|(\w))")
+_MATHS = regex(r"\bMath\.(\w+)")
+_BLANKS = regex(r" *([-=+*/%<>,?:&|!{}();\[\]]+) *")
+_INDEX = regex(r"_(?:\{([^}]*)\}|(\w))")
 """An index as a terminal writes it: `a_i`, `a_{i-1}`."""
 
 _ONLY_FLAT = frozenset({"bar", "wheel", "pin", "axis", "axis-dot"})
@@ -38,9 +38,7 @@ _ONLY_IN_SPACE = frozenset(
 _ONLY_OF_ARMS = frozenset({"cloud", "dim-head", "slide-head", "turn-head", "halo", "plate", "hatch", "break", "hand"})
 _ONLY_OF_ARMS |= {name for name in LOOKS if name[0] in "xyz" or LOOKS[name].stroke in ("dim", "turn")}
 _ONLY_OF_ARMS |= {"pin-ground", "ground-line", "hatch-line", "extension"}
-_NEVER = frozenset(
-    {f"density-{level}" for level in range(1, 6)} | {"rule", "moment", "theirs", "theirs-head", "theirs-mark"}
-)
+_NEVER = frozenset({"rule", "moment", *(name for name in LOOKS if name.startswith(("density", "theirs")))})
 
 _FIGURE = '<svg id="figure" viewBox="0 0 820 640" tabindex="0" role="img" aria-label="{label}"></svg>'
 
@@ -140,7 +138,7 @@ def _read(name: str) -> str:
 
 def _colours(scripts: tuple[str, ...], *, dark: bool) -> str:
     """The colours as variables, by day and by night."""
-    left_out = {"theirs", *(f"density-{level}" for level in (1, 2, 3, 5))}
+    left_out = {"theirs", "theirs-pale", *(f"density-{level}" for level in (1, 2, 3, 5))}
     left_out |= set() if "arm" in scripts else {"hand", "y", "turn", "density-4"}
     inks = {name: ink for name, ink in COLOURS.items() if name not in left_out}
     day, night = ("".join(f"--{name}:{ink[column]};" for name, ink in inks.items()) for column in (0, 1))

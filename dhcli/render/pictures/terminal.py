@@ -16,6 +16,12 @@ from dhcli.scene.words import Words, plain
 WIDE, HIGH = 8.0, 16.0
 """Width and height of a letter, in the pixels of a figure."""
 
+RAIL = 1.0
+"""How far the sides of a wide line are from its middle, in dots."""
+
+COLON = ":"
+"""What a wide line is made of where there are only plain characters."""
+
 LEAST = (16, 8)
 """The fewest columns and rows that show anything."""
 
@@ -28,11 +34,13 @@ _INKS = {
     "z": "cyan",
     "turn": "yellow",
     "theirs": "yellow",
+    "theirs-pale": "yellow",
     "dim": "dim",
     "thin": "dim",
     "hatch": "dim",
 }
 _LEFT_OUT = frozenset({"halo", "hatch", "extension"})
+_WIDE = frozenset({"theirs-axis"})
 _SPARSE = frozenset({"dim", "slide", "leader", "axis"})
 
 
@@ -98,7 +106,14 @@ class _Canvas:
         if look.stroke:
             ends = [*points, points[0]] if shape.closed else points
             for a, b in pairwise(ends):
-                self.line(a, b, _INKS.get(look.stroke, ""), sparse=shape.look in _SPARSE)
+                for c, d in self.rails(a, b) if shape.look in _WIDE else ((a, b),):
+                    self.line(c, d, _INKS.get(look.stroke, ""), sparse=shape.look in _SPARSE)
+
+    def rails(self, a: Flat, b: Flat) -> tuple[tuple[Flat, Flat], ...]:
+        """A wide line as its two sides, between which there is room for a line of one dot."""
+        length = math.dist(a, b) or 1.0
+        nx, ny = (a[1] - b[1]) / length * RAIL, (b[0] - a[0]) / length * RAIL
+        return tuple(((a[0] + s * nx, a[1] + s * ny), (b[0] + s * nx, b[1] + s * ny)) for s in (1, -1))
 
     def scaled(self, point: Flat) -> Flat:
         """A point in dots."""
@@ -169,6 +184,11 @@ class _Plain(_Canvas):
         super().__init__(columns, rows, (1, 1))
         self.cells = [[" "] * columns for _ in range(rows)]
         self.letter = "-"
+        self.is_wide = False
+
+    def rails(self, a: Flat, b: Flat) -> tuple[tuple[Flat, Flat], ...]:
+        """A wide line is one of colons."""
+        return ((a, b),)
 
     def slope(self, a: Flat, b: Flat) -> None:
         """Take note of the direction of the line that comes next."""
@@ -182,6 +202,7 @@ class _Plain(_Canvas):
 
     def draw(self, shape: Shape) -> None:
         """As ever, but the head of an arrow is one letter at its tip."""
+        self.is_wide = shape.look in _WIDE
         if not shape.look.endswith("head"):
             super().draw(shape)
             return
@@ -192,10 +213,13 @@ class _Plain(_Canvas):
         self.dot(math.floor(x), math.floor(y), set_=True, ink=_INKS.get(LOOKS[shape.look].fill, ""))
 
     def dot(self, i: int, j: int, *, set_: bool, ink: str) -> None:
-        """Write or clear one letter."""
-        if 0 <= i < self.columns and 0 <= j < self.rows:
-            self.cells[j][i] = self.letter if set_ else " "
-            self.inks[j][i] = ink
+        """Write or clear one letter; of a wide line every second one stays where another runs along it."""
+        if not (0 <= i < self.columns and 0 <= j < self.rows):
+            return
+        if set_ and not self.is_wide and self.cells[j][i] == COLON and (i + j) % 2:
+            return
+        self.cells[j][i] = (COLON if self.is_wide else self.letter) if set_ else " "
+        self.inks[j][i] = ink
 
     def letters(self) -> list[list[str]]:
         """A letter for each cell."""

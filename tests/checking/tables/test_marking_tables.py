@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from dhcli import check, load_exercise
-from dhcli.checking.exercise import Exercise
+from dhcli.checking.exercise import Exercise, Memo
 from dhcli.checking.kinds.made import question_about_table
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.tables.cells import dh_table_text
@@ -63,7 +63,7 @@ def judged(
     """The judgement of a table, in the convention of the robot if no other one is asked for."""
     arm = task.robot
     rows = read_table(text, arm, task.scope, arm.columns, task.unit)
-    return mark_table(answer_of(task, convention or arm.convention, rows, compare, **flags))
+    return mark_table(answer_of(Memo(task), convention or arm.convention, rows, compare, **flags))
 
 
 def changed(text: str, old: str, new: str) -> str:

@@ -13,6 +13,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from dhcli.checking.exercise import Memo
 from dhcli.checking.judge import Judge
 from dhcli.checking.kinds.made import question_about_table
 from dhcli.checking.pasted import UnreadableError
@@ -122,7 +123,7 @@ def test_an_answer_that_writes_its_units_is_believed() -> None:
     exercise = question_about_table(robot("puma560"), robot("puma560").convention)
 
     def marked(text: str) -> Mark:
-        return mark_table(answer_of(exercise, robot("puma560").convention, rows_read(text, robot("puma560"))))
+        return mark_table(answer_of(Memo(exercise), robot("puma560").convention, rows_read(text, robot("puma560"))))
 
     with pytest.raises(UnreadableError, match="right in mm; this sheet is in m"):
         marked(table.format(u=""))

@@ -9,7 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from dhcli.checking.tables.motions import same_motion, same_robot
+from dhcli.checking.tables.motions import Outcome, TwoArms
+from dhcli.checking.tables.right import RightArm
 from dhcli.checking.tables.samples import Values
 from dhcli.checking.tolerance import DEFAULT
 from dhcli.checking.verdicts import Verdict
@@ -43,6 +44,16 @@ NOTHING = Values({}, {})
 names = st.sampled_from(NAMES)
 
 
+def same_motion(truth: Arm, other: Arm, values: Values = NOTHING) -> Outcome:
+    """What comes of two arms of which the same motion is asked."""
+    return TwoArms(RightArm(truth, values), other, DEFAULT).same_motion
+
+
+def same_robot(truth: Arm, other: Arm, values: Values = NOTHING, *, end_free: bool = False) -> Outcome:
+    """What comes of two arms that may be drawn with other frames."""
+    return TwoArms(RightArm(truth, values), other, DEFAULT).same_robot(end_free=end_free)
+
+
 def floats(point: object) -> dict[str, float]:
     """A point of names and floats, as it comes out of a comparison without given angles."""
     assert isinstance(point, dict)
@@ -61,7 +72,7 @@ def test_moves_that_keep_the_motion_keep_it_for_numpy_and_for_dhcli(name: str, m
         other = move(other, convention)
     point = {n: 0.3 + 0.1 * k for k, n in enumerate((*robot(name).parameters, "delta", *variables))}
     assert np.allclose(fk(rows, convention, point), fk(other, convention, point), atol=1e-9)
-    outcome = same_motion(arm(rows, convention, variables), arm(other, convention, variables), NOTHING, DEFAULT)
+    outcome = same_motion(arm(rows, convention, variables), arm(other, convention, variables))
     assert outcome.verdict is Verdict.RIGHT
 
 
@@ -93,7 +104,7 @@ def test_other_frames_senses_zeros_and_base_are_the_same_robot(
     else:
         other = (Row(add(first.a, base), first.alpha + Angle.in_degrees(30), first.d, first.theta), *other[1:])
     truth, answer = arm(rows, convention, variables), arm(other, convention, variables)
-    outcome = same_robot(truth, answer, NOTHING, DEFAULT)
+    outcome = same_robot(truth, answer)
     assert outcome.verdict is Verdict.RIGHT
     assert outcome.match is not None
     assert holds(outcome.match, rows, other, convention, variables, floats(outcome.point))
@@ -160,9 +171,9 @@ def test_any_base_sense_zero_and_tool_is_found(
     rows, variables = table
     truth = arm(rows, convention, variables)
     without = Arm.of((*base, *moved(truth.chain, variables, signs, shifts)), variables)
-    assert same_robot(truth, without, NOTHING, DEFAULT).verdict is Verdict.RIGHT
+    assert same_robot(truth, without).verdict is Verdict.RIGHT
     whole = Arm.of((*without.chain, *tool), variables)
-    outcome = same_robot(truth, whole, NOTHING, DEFAULT, end_free=True)
+    outcome = same_robot(truth, whole, end_free=True)
     assert outcome.verdict is Verdict.RIGHT
     assert outcome.match is not None
 
@@ -177,7 +188,7 @@ def test_other_frames_of_any_robot_keep_its_motion(
     for move in moves:
         other = move(other, convention)
     truth, answer = arm(rows, convention, variables), arm(other, convention, variables)
-    assert same_motion(truth, answer, NOTHING, DEFAULT).verdict is Verdict.RIGHT
+    assert same_motion(truth, answer).verdict is Verdict.RIGHT
     size = 10.0
     point = dict.fromkeys(("k1", "k2", "k3", "delta"), 0.0) | {"k1": 0.37, "k2": 0.81, "k3": 1.13, "delta": 0.29}
     search = Registration(truth, answer, point, Limits.exact(size))
@@ -194,7 +205,7 @@ def test_a_slip_that_is_accepted_has_kept_the_motion(name: str) -> None:
     convention, variables, rows = robot(name).convention, robot(name).variables, rows_of(name)
     truth = arm(rows, convention, variables)
     for slip, other in some([*mutations(rows, variables)], 4):
-        outcome = same_robot(truth, arm(other, convention, variables), NOTHING, DEFAULT)
+        outcome = same_robot(truth, arm(other, convention, variables))
         point = {**floats(outcome.point), "b9": 0.777}
         if outcome.verdict is Verdict.RIGHT:
             assert outcome.match is not None
@@ -218,11 +229,11 @@ def test_a_slip_stays_found_among_other_frames(name: str, moves: list[Move], dat
     for move in moves:
         hidden = move(hidden, convention)
     truth = arm(rows, convention, variables)
-    plain = same_robot(truth, arm(wrong, convention, variables), NOTHING, DEFAULT)
-    other = same_robot(truth, arm(hidden, convention, variables), NOTHING, DEFAULT)
+    plain = same_robot(truth, arm(wrong, convention, variables))
+    other = same_robot(truth, arm(hidden, convention, variables))
     assert other.verdict is plain.verdict, slip
     assert other.joints == plain.joints, slip
-    again = same_robot(arm(wrong, convention, variables), arm(hidden, convention, variables), NOTHING, DEFAULT)
+    again = same_robot(arm(wrong, convention, variables), arm(hidden, convention, variables))
     assert again.verdict is Verdict.RIGHT, slip
 
 
@@ -244,7 +255,7 @@ def test_the_first_wrong_joint_is_told_by_the_motion(name: str, row: int, change
     cells = {"a": old.a, "alpha": old.alpha, "d": old.d, "theta": old.theta}
     cells[changed] = cells[changed] + Angle.in_degrees(20) if changed == "alpha" else add(cells[changed], Symbol("b9"))
     other = (*rows[:row], Row(**cells), *rows[row + 1 :])
-    outcome = same_robot(arm(rows, convention, variables), arm(other, convention, variables), NOTHING, DEFAULT)
+    outcome = same_robot(arm(rows, convention, variables), arm(other, convention, variables))
     assert outcome.verdict is Verdict.WRONG
     assert outcome.joints == joints
 
@@ -257,11 +268,11 @@ def test_a_wrong_letter_is_wrong_even_where_its_value_is_the_same() -> None:
     other = (*rows[:3], Row(rows[3].a, rows[3].alpha, Symbol("a2"), rows[3].theta), *rows[4:])
     truth = arm(rows, puma.convention, puma.variables)
     assert puma.parameters["a2"] == puma.parameters["d4"]
-    assert same_robot(truth, arm(other, puma.convention, puma.variables), own, DEFAULT).verdict is Verdict.WRONG
+    assert same_robot(truth, arm(other, puma.convention, puma.variables), own).verdict is Verdict.WRONG
     mixed = (*other[:2], Row(rows[2].a, rows[2].alpha, number(Fraction(15005, 100000)), rows[2].theta), *other[3:])
-    assert same_robot(truth, arm(mixed, puma.convention, puma.variables), own, DEFAULT).verdict is Verdict.WRONG
+    assert same_robot(truth, arm(mixed, puma.convention, puma.variables), own).verdict is Verdict.WRONG
     right = (*rows[:2], mixed[2], *rows[3:])
-    assert same_robot(truth, arm(right, puma.convention, puma.variables), own, DEFAULT).verdict is Verdict.RIGHT
+    assert same_robot(truth, arm(right, puma.convention, puma.variables), own).verdict is Verdict.RIGHT
 
 
 # --- numbers ---------------------------------------------------------------------------------------------------------
@@ -301,7 +312,7 @@ def test_numbers_to_a_millimetre_are_right_in_any_frames(name: str, moves: list[
     for move in moves:
         other = move(other, convention)
     truth, answer = arm(rows, convention, variables), arm(other, convention, variables)
-    assert same_robot(truth, answer, own, DEFAULT).verdict is Verdict.RIGHT
+    assert same_robot(truth, answer, own).verdict is Verdict.RIGHT
 
 
 @pytest.mark.parametrize(
@@ -313,7 +324,7 @@ def test_numbers_are_judged_by_the_pose_they_give(typed: str, verdict: str) -> N
     own = Values({}, {k: v for k, v in puma.parameters.items() if v is not None})
     other = (*rows[:2], Row(number(Fraction(typed), 4), rows[2].alpha, rows[2].d, rows[2].theta), *rows[3:])
     truth = arm(rows_of("puma560"), puma.convention, puma.variables)
-    assert same_robot(truth, arm(other, puma.convention, puma.variables), own, DEFAULT).verdict is Verdict[verdict]
+    assert same_robot(truth, arm(other, puma.convention, puma.variables), own).verdict is Verdict[verdict]
 
 
 # --- chains ----------------------------------------------------------------------------------------------------------
@@ -328,7 +339,7 @@ def test_a_product_of_moves_and_a_table_are_the_same_robot() -> None:
         scope,
     )
     truth = Arm.of(tuple(move for link in scara.links for move in link.moves), scara.variables)
-    assert same_motion(truth, Arm.of(table, scara.variables), NOTHING, DEFAULT).verdict is Verdict.RIGHT
+    assert same_motion(truth, Arm.of(table, scara.variables)).verdict is Verdict.RIGHT
 
 
 def test_a_variable_that_moves_two_joints_is_refused() -> None:
@@ -340,15 +351,15 @@ def test_a_variable_that_moves_two_joints_is_refused() -> None:
 def test_a_joint_that_turns_twice_as_fast_is_another_joint() -> None:
     """2*q1 is no freedom."""
     one, two = Arm.of((Rot("z", Angle.of("q1")),), ("q1",)), Arm.of((Rot("z", Angle.of("q1") * 2),), ("q1",))
-    assert same_robot(one, two, NOTHING, DEFAULT).verdict is Verdict.WRONG
-    assert same_robot(two, two, NOTHING, DEFAULT).verdict is Verdict.RIGHT
+    assert same_robot(one, two).verdict is Verdict.WRONG
+    assert same_robot(two, two).verdict is Verdict.RIGHT
 
 
 def test_a_turning_and_a_sliding_joint_are_never_the_same() -> None:
     """The kind of a joint is no freedom either."""
     one = Arm.of((Rot("z", Angle.of("q1")),), ("q1",))
     two = Arm.of((Trans(ZERO, ZERO, Symbol("q1")),), ("q1",))
-    assert same_robot(one, two, NOTHING, DEFAULT).verdict is Verdict.WRONG
+    assert same_robot(one, two).verdict is Verdict.WRONG
 
 
 @given(st.tuples(*[st.floats(-3, 3)] * 4), st.tuples(*[st.floats(-3, 3)] * 3))

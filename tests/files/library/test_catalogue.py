@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 from pathlib import Path
 
 import pytest
 
 from dhcli.files.library import catalogue as room
+from dhcli.files.library import lookup
 from dhcli.files.library.catalogue import catalogue
 from dhcli.files.library.lookup import Kind
 from dhcli.storage.cache import place
@@ -23,9 +25,25 @@ links:
 """
 
 
+ALL = lookup._built_in_root()
+ONE_OF_EACH = ("robots/planar-2r.yaml", "robots/linkages/watt.yaml", "exercises/yim/planar-in-numbers.yaml")
+
+
+@pytest.fixture(scope="module")
+def one_of_each(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A library with one thing of each kind: all of dhcli's takes long to read anew in each test."""
+    folder = tmp_path_factory.mktemp("library")
+    for name in ONE_OF_EACH:
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ALL / name, path)
+    return folder
+
+
 @pytest.fixture(autouse=True)
-def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder with one robot of the user's own."""
+def home(tmp_path: Path, one_of_each: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with one robot of the user's own, and a dhcli that brings along one thing of each kind."""
+    monkeypatch.setattr(lookup, "_built_in_root", lambda: one_of_each)
     monkeypatch.chdir(tmp_path)
     (tmp_path / "robots").mkdir()
     (tmp_path / "robots" / "mine.yaml").write_text(ARM.format("Mine"), "utf-8")
@@ -51,8 +69,9 @@ def titles() -> list[str]:
     return [one.title for one in catalogue([Kind.ROBOTS]) if one.entry.origin == "./robots"]
 
 
-def test_the_second_list_reads_no_file(read: list[str]) -> None:
-    """And says the same as the first."""
+def test_the_second_list_reads_no_file(read: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    """And says the same as the first, of everything that dhcli brings along."""
+    monkeypatch.setattr(lookup, "_built_in_root", lambda: ALL)
     first = catalogue()
     assert len(read) == len(first) > 100
     read.clear()
@@ -98,12 +117,15 @@ def test_a_broken_index_is_made_again(content: str) -> None:
     assert json.loads(path.read_text("utf-8"))["rows"]
 
 
-def test_a_library_with_a_broken_file_is_read_each_time(home: Path) -> None:
-    """So that what is wrong with it is told as long as it is."""
+def test_a_broken_file_is_read_each_time(home: Path, read: list[str]) -> None:
+    """And it alone, so that what is wrong with it is told as long as it is."""
     (home / "robots" / "mine.yaml").write_text("format: 1\n", "utf-8")
-    assert any(one.problems for one in catalogue([Kind.ROBOTS]))
-    assert not place(room.INDEX).exists()
-    assert any(one.problems for one in catalogue([Kind.ROBOTS]))
+    first = catalogue()
+    assert len(read) == len(first) == 1 + len(ONE_OF_EACH)
+    read.clear()
+    assert catalogue() == first
+    assert read == ["mine"]
+    assert [bool(one.problems) for one in first if one.entry.name == "mine"] == [True]
 
 
 def test_where_nothing_can_be_kept_the_list_comes_all_the_same(home: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -13,6 +13,8 @@ from dhcli.errors import FileError
 from dhcli.files.rows.csvrows import CsvRows
 from tests.files.rows.tables import bad, read, rows
 
+pytestmark = pytest.mark.usefixtures("json_by")
+
 ROW = [0.1, 0.2, 0.3]
 finite = st.floats(allow_nan=False, allow_infinity=False, width=64)
 

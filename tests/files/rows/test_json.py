@@ -14,6 +14,8 @@ from dhcli.errors import FileError
 from dhcli.files.rows.jsonrows import JsonRows
 from tests.files.rows.tables import bad, read, rows
 
+pytestmark = pytest.mark.usefixtures("json_by")
+
 finite = st.floats(allow_nan=False, allow_infinity=False)
 json_values = st.recursive(
     st.none() | st.booleans() | st.integers(-9, 9) | finite | st.sampled_from(["", "1", "theta1", '"']),

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from dhcli import load_robot
+from dhcli.kinematics.inverse import rule_all
 from dhcli.kinematics.inverse.anatomy import NOTHING
 from dhcli.kinematics.inverse.asked import ask
 from dhcli.kinematics.inverse.planning import find_plan
@@ -144,3 +145,18 @@ def test_an_arm_as_it_was_built_finds_its_joint_values_again_beside_singular_pos
     apart = found.motions[:, None] - found.motions
     apart = np.abs(np.where(arm.turning, np.angle(np.exp(1j * apart)), apart)).max(axis=2)
     assert (apart > 1e-9).sum() == len(gap) * (len(gap) - 1), "a solution is given twice"
+
+
+def test_where_three_joints_have_no_real_angles_nothing_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As at poses that an arm with joints to spare does not reach with these held: no roots, and so no rows."""
+    eigen = rule_all._eigen
+
+    def complex_roots(pencil: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        values, vectors = eigen(pencil)
+        return values.real + 1j, vectors
+
+    monkeypatch.setattr(rule_all, "_eigen", complex_roots)
+    draw = np.random.default_rng(1)
+    sides = draw.normal(size=(1, 14, 3, 3, 3)), draw.normal(size=(1, 14, 3, 3))
+    at, angles = rule_all.solved(*sides, (0.1, 0.2, 0.3), [True] * 3)
+    assert (len(at), [len(angle) for angle in angles]) == (0, [0, 0, 0])

@@ -18,6 +18,7 @@ from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive import derive
 from dhcli.kinematics.inverse.derive_rules import Step
 from dhcli.kinematics.inverse.derive_terms import name_of
+from dhcli.kinematics.valued import in_numbers
 from dhcli.notation.tree import ZERO, Symbol, add, negate, power
 from dhcli.render.code.inverses import inverse_code, lengths_used, shared
 from dhcli.render.code.languages import LANGUAGES
@@ -25,13 +26,14 @@ from dhcli.render.look import Look
 from tests.render.code.running import HERE, Call, results
 
 ROBOTS = ("planar-2r", "scara-yim", "cylindrical", "stanford", "puma560", "ur5e")
+IN_NUMBERS = ("planar-2r", "stanford")
 Q = (0.4, 0.7, 0.5, -0.6, 0.8, 1.1)
 
 
 @cache
-def derived(name: str) -> Derivation:
-    """The derivation of a robot, worked out once."""
-    return derive(load_robot(name))
+def derived(name: str, *, in_its_numbers: bool = False) -> Derivation:
+    """The derivation of a robot, worked out once; with its letters, or with its lengths in their place."""
+    return derive(in_numbers(load_robot(name)) if in_its_numbers else load_robot(name))
 
 
 def code(derivation: Derivation, language: str) -> str:
@@ -56,10 +58,11 @@ def _lengths(derivation: Derivation) -> list[str]:
 
 @pytest.mark.parametrize("language", HERE)
 def test_every_solution_comes_back(language: str, tmp_path: Path) -> None:
-    """As many as the engine finds, each of them, and each once; with the robot's own lengths."""
+    """As many as the engine finds, each of them, and each once; with the robot's own lengths, given or put in."""
     poses = {name: forward(load_robot(name), Q[: len(load_robot(name).variables)]) for name in ROBOTS}
     calls = [call(derived(name), language, pose.matrix) for name, pose in poses.items()]
-    for name, rows in zip(ROBOTS, results(language, calls, tmp_path), strict=True):
+    calls += [call(derived(name, in_its_numbers=True), language, poses[name].matrix) for name in IN_NUMBERS]
+    for name, rows in zip((*ROBOTS, *IN_NUMBERS), results(language, calls, tmp_path), strict=True):
         found = np.array(rows)
         task = "position" if derived(name).place_only else "pose"
         engine = inverse(load_robot(name), poses[name], task=task)
