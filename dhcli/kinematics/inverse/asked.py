@@ -16,11 +16,11 @@ from dhcli.kinematics.forward import Given
 from dhcli.kinematics.frames import between, ends
 from dhcli.kinematics.inverse.branches import branch_names, factors
 from dhcli.kinematics.inverse.prepared import Prepared, prepare
-from dhcli.kinematics.inverse.running import CONFIRMED
 from dhcli.kinematics.inverse.solutions import Free, Solutions, in_numbers, relation, shown_value, turning_joints
 from dhcli.kinematics.inverse.solving import Solved, solve
 from dhcli.kinematics.inverse.targets import EXACT, read_targets
 from dhcli.kinematics.inverse.tasks import TaskName
+from dhcli.kinematics.inverse.trying import CONFIRMED
 from dhcli.kinematics.inverse.turns import limits_of, placed
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.robot import Robot, check_robot
