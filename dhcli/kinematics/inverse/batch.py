@@ -10,7 +10,7 @@ import numpy as np
 from dhcli.errors import RobotError, did_you_mean
 from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.forward import Given
-from dhcli.kinematics.inverse.asked import Question, ask
+from dhcli.kinematics.inverse.question import Question, ask
 from dhcli.kinematics.inverse.running import run
 from dhcli.kinematics.inverse.solutions import turning_joints
 from dhcli.kinematics.inverse.solving import least_singular, representatives, tries
