@@ -144,6 +144,11 @@ def calls() -> Iterator[tuple[str, Callable[[Any], Any]]]:
         yield f"{function.__name__} Q", lambda junk, f=function: f(robot, junk)
         for name in names:
             yield f"{function.__name__} {name}", lambda junk, f=function, n=name: f(robot, [q], **{n: junk})
+    over = ["theta1=0..1 n 3", "d3=0..0.1 n 2"]
+    yield "sweep robot", lambda junk: dhcli.sweep(junk, over)
+    yield "sweep over", lambda junk: dhcli.sweep(robot, junk)
+    for name in ("q", "start", "end", "point", "parameters", "threads"):
+        yield f"sweep {name}", lambda junk, n=name: dhcli.sweep(robot, over, **{n: junk})
     for name in ("tool", "base", "links", "variables", "parameters", "limits", "poses", "convention"):
         yield f"replace {name}", lambda junk, n=name: replace(robot, **{n: junk})
     yield from makers()
