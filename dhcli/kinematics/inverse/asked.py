@@ -17,14 +17,22 @@ from dhcli.kinematics.frames import between, ends
 from dhcli.kinematics.inverse.branches import branch_names, factors
 from dhcli.kinematics.inverse.prepared import Prepared, prepare
 from dhcli.kinematics.inverse.running import CONFIRMED
-from dhcli.kinematics.inverse.solutions import Free, Solutions, in_numbers, relation, shown_value, turning_joints
+from dhcli.kinematics.inverse.solutions import (
+    Free,
+    Solutions,
+    held_values,
+    in_numbers,
+    relation,
+    shown_value,
+    turning_joints,
+)
 from dhcli.kinematics.inverse.solving import Solved, solve
 from dhcli.kinematics.inverse.targets import EXACT, read_targets
-from dhcli.kinematics.inverse.tasks import TaskName
+from dhcli.kinematics.inverse.tasks import TaskName, task_called
 from dhcli.kinematics.inverse.turns import limits_of, placed
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.robot import Robot, check_robot
-from dhcli.kinematics.values import JointInput, joint_values, numbers, parameter_values, require
+from dhcli.kinematics.values import JointInput, joint_values, numbers, parameter_values, require, size
 from dhcli.notation.angle import Angle
 
 if TYPE_CHECKING:
@@ -92,6 +100,7 @@ def ask(  # noqa: PLR0913  what may be asked of a robot
     start: str | int | None = None,
     end: str | int | None = None,
     parameters: Given | None = None,
+    tolerance: float = CONFIRMED,
 ) -> tuple[Question, dict[int, float]]:
     """Make a robot ready for a question.
 
@@ -99,16 +108,18 @@ def ask(  # noqa: PLR0913  what may be asked of a robot
         The question, and the motions of the joints that are to be held by their number.
 
     Raises:
-        RobotError: A length has no value, or the task cannot be computed.
-        UnknownNameError: The robot has no such frame, joint or length.
+        RobotError: A length has no value, the task cannot be computed, or the tolerance is no size of a residual.
+        UnknownNameError: The robot has no such frame, joint or length, or there is no such task.
     """
     check_robot(robot)
+    task_called(task)
+    size(tolerance, "tolerance")
     from dhcli.kinematics.validity import in_floats
 
     chain = between(robot, *ends(robot, start, end))
     lengths = parameter_values(robot, parameters)
     require(robot, chain, {**lengths, **dict.fromkeys(robot.variables, Angle())})
-    given = joint_values(robot, dict(hold or {}))
+    given = joint_values(robot, dict(held_values(hold)))
     known = tuple(sorted(numbers(lengths).items()))
     ready = prepare(chain, robot.variables, known, task, tuple(sorted(given, key=robot.variables.index)))
     names = [axis.name for axis in ready.arm.axes[: ready.arm.joints]]
@@ -172,7 +183,9 @@ def inverse(  # noqa: PLR0913  what may be asked of a pose
         }
         asked |= {"task": task, "family": family, "end": end, "parameters": parameters, "tolerance": tolerance}
         return through(inverse, robot, T, **asked)
-    question, held = ask(robot, task, near=near, hold=hold, start=start, end=end, parameters=parameters)
+    question, held = ask(
+        robot, task, near=near, hold=hold, start=start, end=end, parameters=parameters, tolerance=tolerance
+    )
     ready = question.ready
     poses, changed = read_targets(T, ready.task)
     if len(poses) != 1:
