@@ -23,6 +23,8 @@ _of_library = cache(_anew)
 @wraps(_anew)  # the manual shows what it says
 def load_exercise(name: str | Path) -> Exercise:
     """The exercise that dhcli loads, which is kept if it is the library's own and has only the library beside it."""
+    if not isinstance(name, str | Path):  # as of who calls the library with anything else
+        return _anew(name)
     try:
         path = name if isinstance(name, Path) else find(Kind.EXERCISES, full_id(name))
     except UnknownNameError:
