@@ -7,12 +7,12 @@ above to these functions (`tests/cli/test_foreign_text.py`).
 
 from __future__ import annotations
 
-import html as _html
-import json
 import re
 
+from dhcli.regex import regex
+
 _FORMULA = tuple("=+-@＝＋－＠")  # noqa: RUF001  the wide ones begin a formula as well
-_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*(?:/[A-Za-z0-9_-]+)?")
+_NAME = regex(r"[A-Za-z][A-Za-z0-9_-]*(?:/[A-Za-z0-9_-]+)?")
 _LATEX = {
     "\\": r"\textbackslash{}",
     "{": r"\{",
@@ -21,8 +21,8 @@ _LATEX = {
     "~": r"\textasciitilde{}",
     **{sign: f"\\{sign}" for sign in "$&#%_"},
 }
-_MARKDOWN_SIGN = re.compile(r"[!-/:-@\[-`{-~]")
-_LATEX_SIGN = re.compile(r"[\\{}^~$&#%_]")
+_MARKDOWN_SIGN = regex(r"[!-/:-@\[-`{-~]")
+_LATEX_SIGN = regex(r"[\\{}^~$&#%_]")
 
 
 def one_line(text: str) -> str:
@@ -61,8 +61,11 @@ def yaml_scalar(text: str) -> str:
     """A text as one value in YAML; in quotes unless it is plainly a name, or the id of an exercise."""
     if _NAME.fullmatch(text):
         return text
-    # Controls and letters without width stand in double quotes, spelled by their numbers.
-    return "'" + text.replace("'", "''") + "'" if text.isprintable() else json.dumps(text)
+    if text.isprintable():
+        return "'" + text.replace("'", "''") + "'"
+    import json
+
+    return json.dumps(text)  # controls and letters without width in double quotes, spelled by their numbers
 
 
 def latex(text: str) -> str:
@@ -91,7 +94,9 @@ def markdown_code(text: str) -> str:
 
 def html(text: str) -> str:
     """Plain text in HTML and SVG, also between the quotes of an attribute."""
-    return _html.escape(one_line(text), quote=True)
+    from html import escape
+
+    return escape(one_line(text), quote=True)
 
 
 def xml_attribute(text: str) -> str:

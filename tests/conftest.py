@@ -3,11 +3,11 @@
 typer reads some of these variables when it is imported, so they are set here, before any test module is.
 """
 
+import gc
 import os
 import signal
 import sys
 from collections.abc import Iterator
-from functools import cache
 from importlib.util import find_spec
 from itertools import count
 from pathlib import Path
@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, settings
 
-from dhcli.files.yaml import robots
+from tests import once
 
 collect_ignore = ["bench"]  # programs of their own, not modules with examples to run
 
@@ -49,12 +49,11 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
 if hasattr(signal, "SIGHUP") and signal.getsignal(signal.SIGHUP) is signal.SIG_IGN:
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
-# A robot is frozen: one that was read from the same text, under the same name, is the same.
-robots.read_robot = cache(robots.read_robot)
+once.remember()
 
 # A busy machine is not a failure: no deadline, and no health check that looks at the clock. At the desk other examples
 # are tried each time, in CI always the same few; `--hypothesis-profile nightly` tries many, and runs what is nightly.
-_PATIENT = settings(max_examples=30, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+_PATIENT = settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.register_profile("default", _PATIENT)
 settings.register_profile("ci", _PATIENT, database=None, derandomize=True, print_blob=True)
 settings.register_profile("nightly", settings.get_profile("ci"), max_examples=500)
@@ -72,6 +71,12 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         items[:] = [item for item in items if not item.get_closest_marker("nightly")]
 
 
+def pytest_collection_finish() -> None:
+    """Spare the collector of garbage the thousands of tests that were found, which live to the end."""
+    gc.freeze()
+    gc.set_threshold(20_000, 10, 10)
+
+
 @pytest.fixture(scope="session")
 def homes(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     """Names of folders that nobody has made yet; a folder for each test would cost seconds in all."""
@@ -80,12 +85,11 @@ def homes(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
 
 
 @pytest.fixture(autouse=True)
-def user_data(monkeypatch: pytest.MonkeyPatch, homes: Iterator[Path]) -> Path:
+def user_data(homes: Iterator[Path]) -> Path:
     """The test's own folder for user data, not made yet; no robots of the person who runs the tests."""
     folder = next(homes)
-    monkeypatch.setenv("XDG_DATA_HOME", str(folder))
-    monkeypatch.setenv("XDG_CACHE_HOME", f"{folder}-cache")
-    monkeypatch.delenv("DHCLI_PATH", raising=False)
+    os.environ["XDG_DATA_HOME"], os.environ["XDG_CACHE_HOME"] = str(folder), f"{folder}-cache"  # until the next test
+    os.environ.pop("DHCLI_PATH", None)
     return folder
 
 

@@ -7,7 +7,8 @@ from functools import lru_cache
 
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Exercise, Part
-from dhcli.checking.judge import Judge, SheetMark
+from dhcli.checking.judge import Judge
+from dhcli.checking.marked import SheetMark
 from dhcli.checking.returned import Shown
 from dhcli.checking.variants import vary as judge_of_variant
 from dhcli.checking.verdicts import Mark

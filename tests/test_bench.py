@@ -165,14 +165,14 @@ def test_what_takes_long_is_measured_once(monkeypatch: pytest.MonkeyPatch) -> No
 
 
 def test_rounds_are_fewer_where_they_would_take_long(monkeypatch: pytest.MonkeyPatch) -> None:
-    """As many as the time allows, one at least."""
+    """As many as the time allows, two at least."""
     import measure
 
-    times = iter([(0.5, None), (0.5, None)] * 2)
+    times = iter([(0.5, None), (0.5, None)] * 3)
     monkeypatch.setattr(measure, "timed", lambda work: next(times))
     monkeypatch.setattr(measure, "seconds", lambda work, often: 0.5)
     task = measure.Task("", lambda: None)
-    for longest, count in ((3.0, 3), (1.2, 1)):
+    for longest, count in ((3.0, 3), (1.2, 2), (9.0, 5)):
         monkeypatch.setattr(measure, "LONGEST", longest)
         assert len(measure.side_by_side("work", task, task, lambda ours, theirs: True, rounds=5).pairs) == count
 
@@ -244,14 +244,18 @@ def test_start_up_has_a_row_for_every_command_that_ends() -> None:
     assert {typed.split()[0] for typed in TIMED} == {"--help", *COMMANDS} - {"watch"}
 
 
-def test_start_up_is_held_against_what_the_command_imports(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """No rich where nothing is drawn, no numpy where nothing is counted; a command that fails is not timed."""
+def test_start_up_is_held_against_one_unit(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """By time, and by instructions where perf counts them; a command that fails is not timed."""
     import startup
+    from measure import Row
 
-    monkeypatch.setenv("PYTHONPYCACHEPREFIX", str(tmp_path / "bytecode"))  # the group sets these; put back at the end
+    for name in ("PYTHONPYCACHEPREFIX", "XDG_DATA_HOME"):  # the group sets these; put back at the end
+        monkeypatch.setenv(name, "")
     monkeypatch.setenv("PYTHONDONTWRITEBYTECODE", "1")
-    needed = startup.imported("fk scara --q 0.3,0.5,0.1", str(tmp_path))
-    assert startup.NAMED.intersection(needed) == {"typer", "yaml"}
-    assert not any(name.startswith("dhcli") for name in needed)
+    row = Row("a command", "the whole process", startup.UNIT, ((0.3, 0.2), (0.2, 0.2), (0.4, 0.2)))
+    assert startup.in_units(row, 300, 200) == "1.50 units, 1.50 by instructions"
+    assert startup.in_units(row, 0, 0) == "1.50 units"
+    counted = startup.instructions([sys.executable, "-c", ""], str(tmp_path))
+    assert counted == 0 or counted > 1_000_000
     with pytest.raises(SystemExit, match="do not say the same"):
         list(startup.rows(1, ("fk no-such-robot",)))

@@ -92,3 +92,9 @@ def test_what_is_frozen_is_made_by_the_one_maker() -> None:
     found = {module_of(path): frozen_otherwise(path.read_text("utf-8")) for path in ROOT.rglob("*.py")}
     assert not {name: classes for name, classes in found.items() if classes}
     assert frozen_otherwise("@dataclass(frozen=True)\nclass A: ...\n@frozen\nclass B: ...") == ["A"]
+
+
+def test_what_is_looked_for_is_compiled_when_it_is() -> None:
+    """No file compiles a regular expression while it is imported: `regex` does, when it is used."""
+    found = [path.name for path in ROOT.rglob("*.py") if "re.compile(" in path.read_text("utf-8")]
+    assert found == ["regex.py"]

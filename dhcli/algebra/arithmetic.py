@@ -76,30 +76,26 @@ def evaluate(expr: Expr, over: Evaluator[N]) -> N | int:
         expr: The tree.
         over: The arithmetic, which knows the values of the names.
     """
-    kind = type(expr)  # by hand, the commonest first: a match would ask each node for each of its kinds in turn
-    if kind is Product:
+    # The commonest first; a match would look for the names of their parts besides.
+    if isinstance(expr, Product):
         product: N | int = 1
-        for factor in expr.factors:  # type: ignore[attr-defined]
+        for factor in expr.factors:
             part: N | int = evaluate(factor, over)
             product = times(product, part)
         return product
-    if kind is Trig:
-        return over.cos_sin(expr.angle)[expr.function == "sin"]  # type: ignore[attr-defined]
-    if kind is Symbol:
-        return over.symbol(expr.name)  # type: ignore[attr-defined]
-    if kind is Sum:
+    if isinstance(expr, Trig):
+        return over.cos_sin(expr.angle)[expr.function == "sin"]
+    if isinstance(expr, Symbol):
+        return over.symbol(expr.name)
+    if isinstance(expr, Sum):
         total: N | int = 0
-        for term in expr.terms:  # type: ignore[attr-defined]
+        for term in expr.terms:
             part = evaluate(term, over)
             total = plus(total, part)
         return total
-    if kind is Number:
-        value: Fraction = expr.value  # type: ignore[attr-defined]
+    if isinstance(expr, Number):
+        value = expr.value  # asked of two integers: to compare a fraction takes ten times as long
         return value.numerator if value.denominator == 1 and -1 <= value.numerator <= 1 else over.number(value)
-    return _evaluate_rare(expr, over)
-
-
-def _evaluate_rare(expr: Expr, over: Evaluator[N]) -> N:
     match expr:
         case Power(base, exponent):
             return over.power(evaluate_settled(base, over), exponent)

@@ -7,7 +7,6 @@ itself stands in `asking`, what it returns in `returned`.
 
 from __future__ import annotations
 
-import re
 import shlex
 from abc import abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -33,6 +32,7 @@ from dhcli.notation.quantity import LENGTH_UNITS, value_text
 from dhcli.notation.scope import Scope
 from dhcli.notation.styles import THETAS, Joints
 from dhcli.notation.tree import Expr
+from dhcli.regex import regex
 
 if TYPE_CHECKING:
     from dhcli.kinematics.values import Values
@@ -225,7 +225,7 @@ class Question(Asking, Generic[T]):
         return None
 
 
-_FRAME = re.compile(r"\bframe \w+")
+_FRAME = regex(r"\bframe \w+")
 
 
 @frozen

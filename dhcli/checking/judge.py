@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
@@ -10,58 +9,17 @@ from typing import Any
 from dhcli.checking.diagnosis.result import Diagnosis, Slip
 from dhcli.checking.earning import earned
 from dhcli.checking.exercise import MISPRINTED, Case, Exercise, Memo, Part
+from dhcli.checking.marked import PartMark, SheetMark
 from dhcli.checking.pasted import UnreadableError, WrongUnitError, refuse_blanks
 from dhcli.checking.returned import Causes, Judged, Reading, Shown
-from dhcli.checking.verdicts import COUNTED, INVERSE, TOO_FEW, TRANSPOSED, UNSOLVED, Mark, Verdict, worst
+from dhcli.checking.verdicts import COUNTED, INVERSE, TOO_FEW, TRANSPOSED, UNSOLVED, Mark, Verdict
 from dhcli.errors import DhcliError, NotationError, Place, UnknownNameError, did_you_mean
-from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Value
 from dhcli.kinematics.validity import Finding
+from dhcli.regex import regex
 
-BLANK = re.compile(r"[\s\[\](){},;.…_?–-]*")  # noqa: RUF001
+BLANK = regex(r"[\s\[\](){},;.…_?–-]*")  # noqa: RUF001
 MISPRINT = Slip("misprint", MISPRINTED, "the document may be wrong: work it out yourself")
-
-
-@frozen
-class PartMark:
-    """The judgement of one part."""
-
-    part: Part
-    mark: Mark
-
-
-@frozen
-class SheetMark:
-    """The judgement of a sheet.
-
-    Attributes:
-        exercise: The exercise.
-        parts: The parts that were looked at, in order.
-        withdrawn: Parts that it answers and that are not asked any more; they neither earn nor cost anything.
-        why: Whether a person has asked for the names of slips; else there are only hints.
-        walked: Whether it is judged part by part while a person answers, who may type `why` and `hint`.
-    """
-
-    exercise: Exercise
-    parts: tuple[PartMark, ...]
-    why: bool = False
-    walked: bool = False
-    withdrawn: tuple[Part, ...] = ()
-
-    @property
-    def verdict(self) -> Verdict:
-        """The verdict of the worst part."""
-        return worst(part.mark.verdict for part in self.parts)
-
-    @property
-    def earned(self) -> float:
-        """Credit earned."""
-        return sum(part.mark.earned * part.part.credit for part in self.parts)
-
-    @property
-    def credit(self) -> float:
-        """Credit there was to earn."""
-        return sum(part.part.credit for part in self.parts)
 
 
 class Judge:

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import re
-
 from dhcli.notation.pasted import EntriesError, rows_of
 from dhcli.notation.pasted import without_label as _without_label
+from dhcli.regex import regex
 
 __all__ = ["UnreadableError", "WrongUnitError", "as_matrix", "refuse_blanks", "without_label", "without_number_word"]
 
-_EQUATION = re.compile(r"[\s\d.,+*/^()·×−-]{1,60}=")  # noqa: RUF001
-_UNFILLED = re.compile(r"(?<![\w}])_(?![\w{])")
+_EQUATION = regex(r"[\s\d.,+*/^()·×−-]{1,60}=")  # noqa: RUF001
+_UNFILLED = regex(r"(?<![\w}])_(?![\w{])")
 
 _NUMBER_WORDS = (
     *("zero", "one", "two", "three", "four", "five", "six"),

@@ -9,8 +9,9 @@ from dhcli.checking.exercise import Exercise
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import symbols_of
+from dhcli.regex import regex
 
-_COORDINATE = re.compile(r"[pnoasdr]?_?[xyz]\d*(_.*)?|r_?\d\d|[xyz]_?\w{1,2}", re.IGNORECASE)
+_COORDINATE = regex(r"[pnoasdr]?_?[xyz]\d*(_.*)?|r_?\d\d|[xyz]_?\w{1,2}", re.IGNORECASE)
 """Names of coordinates and direction cosines, `px`, `y3`, `r11`, which have both signs; lengths are positive."""
 
 

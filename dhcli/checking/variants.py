@@ -7,7 +7,6 @@ by plain rules (see `degenerate`), then by making every mistake that dhcli knows
 
 from __future__ import annotations
 
-import hashlib
 import unicodedata
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
@@ -152,6 +151,8 @@ def _judge_of(judge: Judge, seed: str, drawn: Mapping[str, Value]) -> Judge:
 
 def _drawn(range_: Range, exercise: Exercise, seed: str, name: str, attempt: int) -> Value:
     """A value by hash; the exercise goes in by its last name, which is the same from the library and from a file."""
+    from hashlib import sha256  # it loads all of OpenSSL
+
     words = "\n".join((seed, exercise.id.split("/")[-1], name, str(attempt)))
-    number = int.from_bytes(hashlib.sha256(words.encode()).digest())
+    number = int.from_bytes(sha256(words.encode()).digest())
     return range_.values[number % len(range_.values)]

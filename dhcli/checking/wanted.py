@@ -20,6 +20,7 @@ from dhcli.notation.matrix import parse_matrix
 from dhcli.notation.quantity import DimensionError, to_length
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr
+from dhcli.regex import regex
 
 
 class NotAskedError(Exception):
@@ -77,17 +78,17 @@ class Wanted:
         return {"pose": (4, 4), "rotation": (3, 3), "entry": (1, 1)}.get(self.piece, (3, 1))
 
 
-_PIECE = re.compile(
+_PIECE = regex(
     r"(?P<piece>rotation|position|entry\s+(?P<row>[1-3])\s+(?P<column>[1-4])|axis\s+(?P<axis>[xyz])"
     r"|(?P<kind>point|vector)\s*(?P<point>\(.*\)))\s+(?:of\s+)?(?P<rest>.+)",
     re.DOTALL,
 )
-_POSE = re.compile(r"(?:pose\s+)?(?P<start>base|\d{1,4})\s*\.\.\s*(?P<end>tool|base|\d{1,4})")
-_OF_LINK = re.compile(r"\blink\s+\d+\s*$")
-_LINK = re.compile(r"link\s+(?P<link>\d{1,4})")
-_FROM = re.compile(r"rotation\s+from\s+(?P<text>.+)", re.DOTALL)
-_PRODUCT = re.compile(r"product\s+[\"“'](?P<text>.+)[\"”']", re.DOTALL)
-_INVERSE = re.compile(r"inverse\s+of\s+(?P<rest>.+)", re.DOTALL)
+_POSE = regex(r"(?:pose\s+)?(?P<start>base|\d{1,4})\s*\.\.\s*(?P<end>tool|base|\d{1,4})")
+_OF_LINK = regex(r"\blink\s+\d+\s*$")
+_LINK = regex(r"link\s+(?P<link>\d{1,4})")
+_FROM = regex(r"rotation\s+from\s+(?P<text>.+)", re.DOTALL)
+_PRODUCT = regex(r"product\s+[\"“'](?P<text>.+)[\"”']", re.DOTALL)
+_INVERSE = regex(r"inverse\s+of\s+(?P<rest>.+)", re.DOTALL)
 
 
 def read_wanted(text: str, scope: Scope, place: Place | None) -> Wanted:
@@ -148,6 +149,8 @@ def _source(text: str, scope: Scope, place: Place | None) -> tuple[Source, bool]
         if match["start"] == match["end"]:
             raise NotationError(Problem("a frame seen from itself is no question", place, "write pose 0..1"))
         return View(match["start"], match["end"]), inverse
+    if match := _FROM.fullmatch(text):
+        return _rotation_from(match["text"], scope, place).source, inverse
     if match := _PRODUCT.fullmatch(text):
         return Composed(read_chain(match["text"], scope, place), match["text"]), inverse
     raise NotAskedError(text)

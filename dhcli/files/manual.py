@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import os
-import re
 from pathlib import Path
 
 from dhcli.errors import UnknownNameError, nearest
 from dhcli.files.reading import read_text
 from dhcli.frozen import frozen
+from dhcli.regex import regex
 
 FOLDER = Path(__file__).parents[1] / "manual"
 GROUPS = {"tutorial": "Tutorials", "howto": "How to", "reference": "Reference", "explanation": "Explanations"}
@@ -17,7 +17,7 @@ LEAST_TYPED = 3
 """Letters by which pages are found that have them anywhere."""
 MOST_PAGES = 4
 """Pages that are named for a word in them."""
-_COMMAND = re.compile(r"`dhcli ([a-z]+)[^`]*`")
+_COMMAND = regex(r"`dhcli ([a-z]+)[^`]*`")
 
 
 @frozen

@@ -59,17 +59,17 @@ class PoseRows:
         points = ([floats.value(length) for length in view.coordinates] for view in self.views)
         object.__setattr__(self, "_made", tuple(zip(recordings, points, strict=True)))
 
-    def poses(self, q: NDArray[np.float64], jobs: int = 1) -> NDArray[np.float64]:
+    def poses(self, q: NDArray[np.float64], threads: int = 1) -> NDArray[np.float64]:
         """The poses, shape (N, F, 4, 4), NaN where one is not a real number.
 
         Args:
             q: Joint values, shape (N, n); radians and metres.
-            jobs: How many threads share the work.
+            threads: How many threads share the work.
         """
         poses = np.empty((len(q), len(self.views), 4, 4))
         for k, (recording, point) in enumerate(self._made):
             out = poses[:, k]
-            play(recording, q, out, jobs)
+            play(recording, q, out, threads)
             if any(point):
                 out[:, :3, 3] += out[:, :3, :3] @ np.array(point)
         return poses
@@ -97,11 +97,13 @@ def _said(poses: NDArray[np.float64], form: str) -> NDArray[np.float64]:
     return poses[:, :3, 3] if form == "position" else table(ORIENTATIONS[form], poses)
 
 
-def is_real(poses: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """In which rows of poses, shape (N, F, 4, 4), every entry is a real number; shape (N,)."""
-    if np.isfinite(poses.sum()):  # a sum of what is not finite never is
-        return np.ones(len(poses), dtype=np.bool_)
-    return np.all(np.isfinite(poses), axis=(1, 2, 3))  # type: ignore[no-any-return]  # numpy: or one bool
+def is_real(results: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """In which rows of poses or Jacobians, shape (N, ...), every entry is a real number; shape (N,)."""
+    with np.errstate(all="ignore"):
+        if np.isfinite(results.sum()):  # a sum of what is not finite never is
+            return np.ones(len(results), dtype=np.bool_)
+    where = tuple(range(1, results.ndim))
+    return np.all(np.isfinite(results), axis=where)  # type: ignore[no-any-return]  # numpy: or one bool
 
 
 def numbered(rows: Sequence[int], kept: NDArray[np.bool_] | slice, said: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -92,8 +92,11 @@ def _one_by_one(recording: Recording, q: NDArray[np.float64], found: NDArray[Any
         rows = [recording.one(row) for row in q.tolist()]
     except (ArithmeticError, ValueError):
         return False
-    with np.errstate(over="ignore"):  # what float32 does not hold is infinite in it
-        found[...] = np.array(rows).reshape(found.shape)
+    values = np.array(rows)
+    if found.dtype != values.dtype:
+        with np.errstate(over="ignore"):  # what float32 does not hold is infinite in it
+            values = values.astype(found.dtype)
+    found[...] = values.reshape(found.shape)
     return True
 
 
@@ -122,10 +125,11 @@ def _by_columns(
     rows, target = q[chunk], found[chunk]
     with np.errstate(all="ignore"):  # a thread has its own
         length = block or _length(recording.program(merged=True, tangents=True))
-        for first in range(0, len(rows), length):
+        length = -(-len(rows) // max(1, -(-len(rows) // length)))  # as many in each part, so that one size serves all
+        for first in range(0, len(rows), max(1, length)):
             part = rows[first : first + length]
-            merged = bool(np.abs(part).max(initial=0.0) <= MODEST)
-            columns = _columns(recording.program(merged=merged, tangents=True), _roomy(len(part)))
+            merged = bool(part.max(initial=0.0) <= MODEST and part.min(initial=0.0) >= -MODEST)
+            columns = _columns(recording.program(merged=merged, tangents=True), len(part))
             results = columns.play(part.T).reshape(*target.shape[1:], -1)
             target[first : first + length] = np.moveaxis(results, -1, 0)
             _IDLE.append(columns)
@@ -133,23 +137,20 @@ def _by_columns(
 
 def _length(program: Program) -> int:
     """Rows at a time of a program: fewer where it has so many columns that they would not fit the cache."""
-    rows = min(BLOCK, max(FEWEST, CACHE // (8 * program.registers)))
-    return rows - rows % 16 + 8  # an odd number of the lines of a cache
+    return min(BLOCK, max(FEWEST, CACHE // (8 * program.registers)))
 
 
-def _roomy(rows: int) -> int:
-    """Rows of the columns for so many, an eighth more at most: so that one size serves calls that differ a little."""
-    step = max(16, 1 << rows.bit_length() >> 4)
-    return -(-rows // step) * step + 8
+def _columns(program: Program, rows: int) -> Columns:
+    """Columns of a program for so many rows: idle ones that are long enough and not much longer, if there are any.
 
-
-def _columns(program: Program, length: int) -> Columns:
-    """Columns for a program, idle ones if there are any."""
+    A large block takes milliseconds to be handed out by the system, so calls that differ a little share one.
+    """
     for columns in tuple(_IDLE):
-        if columns.program is program and columns.length == length:
+        if columns.program is program and rows <= columns.length <= rows + max(16, rows // 8):
             try:
                 _IDLE.remove(columns)
             except ValueError:  # another thread was quicker
                 continue
             return columns
-    return Columns(program, length)
+    step = max(16, 1 << rows.bit_length() >> 8)
+    return Columns(program, -(-(rows - 8) // step) * step + 8)  # an odd number of the lines of a cache

@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import field
-from fractions import Fraction
+from collections.abc import Sequence
+from dataclasses import field, fields
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
 from dhcli.algebra.arithmetic import plus
 from dhcli.algebra.floats import Floats
-from dhcli.errors import NotationError, RobotError
+from dhcli.errors import RobotError
 from dhcli.frozen import frozen
 from dhcli.geometry.motion import dot, inverse, product
+from dhcli.kinematics.coordinates import are_floats, coordinates, in_floats, rows_of
 from dhcli.kinematics.entries import DIGITS, cells_of, in_columns, latex_of
-from dhcli.notation.parser import parse
-from dhcli.notation.quantity import DimensionError, to_length
-from dhcli.notation.scope import OPEN
 from dhcli.notation.styles import THETAS, Joints, identifier
-from dhcli.notation.tree import Expr, number
+from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
 
 if TYPE_CHECKING:
@@ -57,8 +54,8 @@ class Pose(Generic[N]):
 
     def __post_init__(self) -> None:
         """Refuse what is no matrix, and make tuples of lists."""
-        if not _are_floats(self.rows):
-            object.__setattr__(self, "rows", _rows_of(self.rows))
+        if not are_floats(self.rows):
+            object.__setattr__(self, "rows", rows_of(self.rows))
 
     @property
     def is_symbolic(self) -> bool:
@@ -201,7 +198,7 @@ class Pose(Generic[N]):
             return self._of_points(other)  # type: ignore[arg-type]
         if len(other) != 3:  # noqa: PLR2004
             raise RobotError(f"a point has three coordinates, not {len(other)}")
-        point: Sequence[N] = coordinates(other) if self.is_symbolic else _in_floats(other)  # type: ignore[assignment]
+        point: Sequence[N] = coordinates(other) if self.is_symbolic else in_floats(other)  # type: ignore[assignment]
         return tuple(plus(dot(row, point), row[3]) for row in self.rows[:3])  # type: ignore[misc]  # no integers in a pose
 
     def _of_points(self, points: NDArray[Any]) -> NDArray[np.float64]:
@@ -262,68 +259,26 @@ class Pose(Generic[N]):
         return f"$\\displaystyle {self.latex()}$"
 
 
-def coordinates(point: Iterable[Any]) -> list[Expr]:
-    """Coordinates as expressions: of numbers as they are typed [m], and of text with any names, `"a6"` or `"30mm"`.
-
-    Raises:
-        RobotError: One is neither, or the point is no list of them.
-        NotationError: A text cannot be read, or is no length.
-    """
-    found: list[Expr] = []
-    if not isinstance(point, Iterable):
-        raise RobotError(f"a point has three coordinates, and {point!r:.60} has none", "write (0, 0, 0.1)")
-    for coordinate in point:
-        if isinstance(coordinate, Expr):
-            found.append(coordinate)
-        elif isinstance(coordinate, str):
-            try:
-                found.append(to_length(parse(coordinate, OPEN)))
-            except DimensionError as error:
-                raise NotationError(error.message, error.hint) from None
-        else:
-            try:
-                found.append(number(Fraction(repr(float(coordinate)))))
-            except (TypeError, ValueError):
-                raise RobotError(f"{coordinate!r} is no coordinate", 'write 0.1 or "a6"') from None
-    return found
-
-
-def _in_floats(point: Iterable[Any]) -> list[float]:
-    """Coordinates for a pose in numbers [m]."""
-    try:
-        return [float(coordinate) for coordinate in point]
-    except (TypeError, ValueError):
-        raise RobotError(f"a point of a pose in numbers has three numbers [m], not {tuple(point)}") from None
-
-
 def matrix_name(reference: str, frame: str) -> str:
     """What the matrix between two frames is called: `T_03`, `T_{base,tool}`."""
     is_short = len(reference) == 1 and len(frame) == 1
     return f"T_{reference}{frame}" if is_short else f"T_{{{reference},{frame}}}"
 
 
-def _are_floats(given: object) -> bool:
-    """Whether something is four tuples of four floats, as most poses are: the checks of `_rows_of` in one glance."""
-    if type(given) is not tuple or list(map(type, given)) != [tuple] * 4 or list(map(len, given)) != [4] * 4:
-        return False
-    first, second, third, fourth = given
-    return {*map(type, first + second + third + fourth)} == {float}
+def computed(rows: tuple[tuple[float, ...], ...], reference: str, frame: str, joints: Joints) -> Pose[float]:
+    """A pose of numbers that were just computed, and need no look: to look takes as long as to compute them.
 
-
-def _rows_of(given: object) -> tuple[tuple[Any, ...], ...]:
-    """The entries of a matrix as tuples.
-
-    Raises:
-        RobotError: It is none.
+    Args:
+        rows: Entries, shape (4, 4), each a float; translation in metres.
+        reference: The frame it is seen from.
+        frame: The frame it describes.
+        joints: The robot's joint angles, for shorthand.
     """
-    hint = "four rows of four numbers or expressions, the last row 0 0 0 1"
-    try:
-        rows = tuple(map(tuple, given))  # type: ignore[call-overload]
-    except TypeError:
-        raise RobotError(f"a pose is a 4x4 matrix, and {given!r:.60} is none", hint) from None
-    if [len(row) for row in rows] != [4] * 4:
-        raise RobotError(f"a pose is a 4x4 matrix, and {given!r:.60} is none", hint)
-    for entry in (entry for row in rows for entry in row):
-        if not isinstance(entry, int | float | Expr) and not hasattr(entry, "__float__"):
-            raise RobotError(f"a pose has numbers or expressions in it, and {entry!r:.60} is neither", hint)
-    return rows
+    made: Pose[float] = object.__new__(Pose)
+    for name, value in zip(_FIELDS, (rows, reference, frame, "", joints), strict=True):
+        _PUT(made, name, value)
+    return made
+
+
+_FIELDS = tuple(each.name for each in fields(Pose))
+_PUT = object.__setattr__

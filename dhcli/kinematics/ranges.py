@@ -14,8 +14,9 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import UNITS
 from dhcli.notation.tokens import Source, tokenize
 from dhcli.notation.tree import Number, number
+from dhcli.regex import regex
 
-_RANGE = re.compile(r"(?P<low>.*?)(?:\.\.(?P<high>.*?)(?:\s(?P<word>step|n)(?P<more>(?:\s.*)?))?)?", re.DOTALL)
+_RANGE = regex(r"(?P<low>.*?)(?:\.\.(?P<high>.*?)(?:\s(?P<word>step|n)(?P<more>(?:\s.*)?))?)?", re.DOTALL)
 """Matches any text, in one go: nothing in it is tried twice."""
 
 _LONGEST_COUNT = 40

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import field, replace
 from functools import cached_property
@@ -30,10 +29,11 @@ from dhcli.notation.quantity import DimensionError, to_angle, to_plain_length
 from dhcli.notation.scope import Scope, usual
 from dhcli.notation.tree import ZERO, Expr, Trig
 from dhcli.notation.walk import symbols, walk
+from dhcli.regex import regex
 
 MOST_IN_LETTERS = 80
 """Moves whose frames are all computed in letters; the formula of each may be as long as there are moves before it."""
-_JSON = re.compile(r"\s*\{\s*\"")
+_JSON = regex(r"\s*\{\s*\"")
 _SHORT = 60
 """Characters of a matrix that stands in a heading as it was typed."""
 

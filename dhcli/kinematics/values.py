@@ -21,6 +21,7 @@ from dhcli.notation.quantity import Bare, DimensionError, to_angle, to_plain_len
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr, Number
 from dhcli.notation.walk import symbols
+from dhcli.regex import regex
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -31,7 +32,7 @@ Values: TypeAlias = Mapping[str, Value]
 JointInput: TypeAlias = "str | Sequence[float | str | Angle] | NDArray[Any] | Mapping[str, float | str | Angle] | None"
 """What a caller may give for the joints: text, a list or an array in joint order, a mapping by name, or nothing."""
 
-_ONE_VALUE = re.compile(r"([^\s=,;]+=)?[-+−–]?(\d|\.|√|π|pi|\()[^\s;]*(?<!,)")  # noqa: RUF001
+_ONE_VALUE = regex(r"([^\s=,;]+=)?[-+−–]?(\d|\.|√|π|pi|\()[^\s;]*(?<!,)")  # noqa: RUF001
 """A value without a blank in it, or a name with one."""
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from dhcli.algebra.floats import Floats
@@ -21,8 +20,9 @@ from dhcli.lint.wording import unfinished
 from dhcli.notation.quantity import value_text
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
+from dhcli.regex import regex
 
-_IN_BRACKETS = re.compile(r"\(([^()]*(?:\([^()]*\)[^()]*)*)\)")
+_IN_BRACKETS = regex(r"\(([^()]*(?:\([^()]*\)[^()]*)*)\)")
 
 LARGEST_ROTATION = 0.1
 """A direction cosine that may be off by more says nothing: 6° and more."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from dhcli.algebra.floats import Floats
@@ -16,12 +15,13 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import value_text
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
+from dhcli.regex import regex
 
 LONGEST = 10.0
 """Metres; an arm with a longer link was measured in millimetres."""
 
 FULL_TURN = 360
-_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
+_NAME = regex(r"[A-Za-z0-9][A-Za-z0-9_-]*")
 
 
 def findings(robot: Robot) -> Iterator[Finding]:

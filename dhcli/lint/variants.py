@@ -15,11 +15,12 @@ from dhcli.kinematics.robot import Value
 from dhcli.kinematics.validity import Finding, in_floats
 from dhcli.notation.names import canonical
 from dhcli.notation.quantity import value_text
+from dhcli.regex import regex
 
 SEEDS = tuple(str(number) for number in range(1, 201))
 """So many students are tried."""
 
-_ASSIGNED = re.compile(r"(?<!\w)(\\?[^\W\d_]+_?\{?\d*\}?)\s*=\s*[-−]?\d")  # noqa: RUF001  the sign of a document
+_ASSIGNED = regex(r"(?<!\w)(\\?[^\W\d_]+_?\{?\d*\}?)\s*=\s*[-−]?\d")  # noqa: RUF001  the sign of a document
 
 
 def written(exercise: Exercise) -> Iterator[Finding]:

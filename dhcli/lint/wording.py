@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 
 from dhcli.kinematics.validity import Finding
+from dhcli.regex import regex
 
-_UNFINISHED = re.compile(r"\b(?:TODO|FIXME|XXX|TBD)\b|\bwrite here\b[^.;\n]*")
+_UNFINISHED = regex(r"\b(?:TODO|FIXME|XXX|TBD)\b|\bwrite here\b[^.;\n]*")
 
 
 def unfinished(texts: Mapping[tuple[str | int, ...], str]) -> Iterator[Finding]:

@@ -13,6 +13,7 @@ import numpy as np
 from dhcli.frozen import frozen
 from dhcli.geometry.rank import orthonormal, spaces
 from dhcli.geometry.twists import Array
+from dhcli.mobility.draws import Draws
 from dhcli.mobility.landing import FARTHEST, ROUNDING, close
 from dhcli.mobility.model import Model
 from dhcli.mobility.motion import residual
@@ -134,11 +135,11 @@ class _Near:
 
     def meets(self, count: int, smalls: tuple[float, ...]) -> tuple[Array, float] | None:
         """So many random conditions, `rows (q - landing) = values`, that are met near by, with their size; or None."""
-        draw = np.random.default_rng(count)
+        draw = Draws(count)
         for small in smalls if count else ():
             for _ in range(2):
-                rows = np.linalg.qr(draw.normal(size=(self.motions.shape[1], count)))[0].T @ self.motions.T
-                values = draw.normal(size=count)
+                rows = np.linalg.qr(draw.normal(self.motions.shape[1], count))[0].T @ self.motions.T
+                values = draw.normal(count)
                 if self._moved(rows, small * values / np.linalg.norm(values)) is not None:
                     return rows, small
         return None

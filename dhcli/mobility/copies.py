@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from dhcli.geometry.twists import Array
+from dhcli.mobility.draws import Draws
 from dhcli.mobility.linkage import Joint, Linkage, Vector
 
 POINTS = ("point", "other")
@@ -26,29 +27,29 @@ def disturbed(linkage: Linkage, amount: float, seed: int) -> Linkage:
     points = [np.array(p) for joint in linkage.joints for p in (joint.point, joint.other) if p is not None]
     size = float(np.sqrt(np.mean([np.sum((p - np.mean(points, axis=0)) ** 2) for p in points]))) if points else 1.0
     size = size or 1.0  # all joints at one point
-    draw = np.random.default_rng(seed)
+    draw = Draws(seed)
     free = [1, 1, 0] if linkage.space.is_planar else [1, 1, 1]
-    move = _shared(lambda: amount * size * draw.normal(size=3) * free, size)
+    move = _shared(lambda: amount * size * draw.normal(3) * free, size)
     return mapped(linkage, lambda p: p + move(p), lambda d: d)
 
 
 def twisted(linkage: Linkage, amount: float, seed: int) -> Linkage:
     """A copy whose joint directions are turned at random by some radians, each by itself."""
-    draw = np.random.default_rng(seed)
-    return mapped(linkage, lambda p: p, lambda d: d / np.linalg.norm(d) + amount * draw.normal(size=3))
+    draw = Draws(seed)
+    return mapped(linkage, lambda p: p, lambda d: d / np.linalg.norm(d) + amount * draw.normal(3))
 
 
 def generic(linkage: Linkage, seed: int) -> Linkage:
     """A copy with the same joint graph and random points and directions; a planar one stays planar."""
-    draw = np.random.default_rng(seed)
+    draw = Draws(seed)
     flat = linkage.space.is_planar
-    place = _shared(lambda: draw.normal(size=3) * ([1, 1, 0] if flat else [1, 1, 1]), 1.0)
+    place = _shared(lambda: draw.normal(3) * ([1, 1, 0] if flat else [1, 1, 1]), 1.0)
 
     def point(p: Array) -> Array:
-        return place(p) if flat else draw.normal(size=3)
+        return place(p) if flat else draw.normal(3)
 
     def direction(d: Array) -> Array:
-        return d if flat and abs(d[2]) > 0 else draw.normal(size=3) * ([1, 1, 0] if flat else [1, 1, 1])
+        return d if flat and abs(d[2]) > 0 else draw.normal(3) * ([1, 1, 0] if flat else [1, 1, 1])
 
     return mapped(linkage, point, direction)
 

@@ -121,7 +121,7 @@ def certain(model: Model, rank: Rank, equations: int, instantaneous: int) -> str
     if rank.rank == equations:
         return "exact: the loop equations are independent here, so every instantaneous motion goes on"
     if generic_freedoms(model) == instantaneous:
-        return "exact: no other places of these pins leave fewer motions, so every instantaneous motion goes on"
+        return "exact: no other places of these joints leave fewer motions, so every instantaneous motion goes on"
     return ""
 
 

@@ -19,6 +19,7 @@ from dhcli.geometry.rank import TIGHT, Rank, rank_of
 from dhcli.geometry.twists import Array
 from dhcli.mobility.constraints import Rows, constraints
 from dhcli.mobility.decision import Truth, certain
+from dhcli.mobility.draws import Draws
 from dhcli.mobility.loops import closure, lambdas
 from dhcli.mobility.model import Model
 from dhcli.mobility.pairs import LinkageError
@@ -141,7 +142,7 @@ def _placed(model: Model) -> tuple[list[Rows], float]:
 
 def _largest_value(equations: list[Rows], size: int, links: int) -> float:
     """The largest singular value of all equations, by power iteration; a few digits are enough for a scale."""
-    x = np.random.default_rng(4).normal(size=(links * size, 1))
+    x = Draws(4).normal(links * size, 1)
     largest = 0.0
     for _ in range(POWERS):
         ahead = np.zeros_like(x)
@@ -188,7 +189,7 @@ def eliminate(equations: list[Rows], links: int, size: int, shift: float) -> lis
 def smallest_values(blocks: list[Block], equations: list[Rows], unknown: int, wanted: int) -> Array:
     """The smallest singular values of the equations in rising order, by subspace iteration with the inverse."""
     size = len(blocks[0].own)
-    x = np.linalg.qr(np.random.default_rng(2).normal(size=(unknown, wanted)))[0]
+    x = np.linalg.qr(Draws(2).normal(unknown, wanted))[0]
     for _ in range(PASSES):
         x = np.linalg.qr(_solved(blocks, _solved_transposed(blocks, x, size), size))[0]
     # rows of zeros: with fewer equations than columns there are singular values that are zero

@@ -6,6 +6,7 @@ import numpy as np
 
 from dhcli.geometry.rank import spaces
 from dhcli.geometry.twists import Array
+from dhcli.mobility.draws import Draws
 from dhcli.mobility.landing import AMPLITUDES, CLOSED, close
 from dhcli.mobility.model import Model
 from dhcli.mobility.motion import residual
@@ -64,7 +65,7 @@ def motion_nearby(model: Model, motions: Array, tolerance: float) -> str:
 
 def twists_nearby(model: Model, motions: Array, tolerance: float) -> Array | None:
     """World twists a little away from the given position, in a random direction; None if it is not reached."""
-    weights = np.random.default_rng(3).normal(size=motions.shape[1])
+    weights = Draws(3).normal(motions.shape[1])
     direction = motions @ (weights / np.linalg.norm(weights))
     q, error = close(model, AMPLITUDES[1] * direction, direction[None, :], np.array(AMPLITUDES[1:2]))
     return None if error > max(CLOSED, tolerance) else residual(model, q)[1]

@@ -12,6 +12,7 @@ from dhcli.geometry.rank import TIGHT, orthonormal, spaces
 from dhcli.geometry.twists import Array
 from dhcli.mobility.branches import LANDED, branch_at
 from dhcli.mobility.decision import Decision, Landed, Setting, Truth, certain, decided
+from dhcli.mobility.draws import Draws
 from dhcli.mobility.idle import idle_freedoms, still_idle
 from dhcli.mobility.landing import SHAKY, Path, Trial, attempt
 from dhcli.mobility.large import large_mobility
@@ -152,13 +153,13 @@ def _try_out(setting: Setting, directions: list[Array], equations: int) -> tuple
 def _directions(free: Array, forms: Array) -> tuple[list[Array], bool]:
     """Unit vectors among the instantaneous motions, both ways along each; whether they pass the second order test."""
     k = free.shape[1]
-    draw = np.random.default_rng(7)
-    random = np.linalg.qr(draw.normal(size=(k, k)))[0] if k < DIRECTIONS else _units(draw.normal(size=(DIRECTIONS, k)))
+    draw = Draws(7)
+    random = np.linalg.qr(draw.normal(k, k))[0] if k < DIRECTIONS else _units(draw.normal(DIRECTIONS, k))
     if not forms.size or float(np.abs(forms).max()) < CLEAR:
         return [sign * free @ way for way in random[: DIRECTIONS if k > 1 else 1] for sign in (1.0, -1.0)], bool(
             len(forms)
         )
-    starts = draw.permutation(cover(forms))[:STARTS] if k <= MOST_DIRECTIONS else _units(draw.normal(size=(STARTS, k)))
+    starts = draw.shuffled(cover(forms))[:STARTS] if k <= MOST_DIRECTIONS else _units(draw.normal(STARTS, k))
     found: list[Array] = []
     for start in starts:
         zero = common_zero(forms, start)

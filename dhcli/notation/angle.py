@@ -128,7 +128,7 @@ class Angle(Hashed):
 
     def constant(self) -> float:
         """The constant part [rad]."""
-        return math.radians(self.degrees) + float(self.radians)
+        return (math.radians(self.degrees) if self.degrees else 0.0) + (float(self.radians) if self.radians else 0.0)
 
 
 def _plus(first: Fraction, second: Fraction) -> Fraction:

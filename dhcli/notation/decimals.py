@@ -7,12 +7,13 @@ in the very middle of two floats orjson may read the one, Python the other.)
 from __future__ import annotations
 
 import json
-import re
 from contextlib import suppress
 from functools import cache
 from typing import TYPE_CHECKING, Any, NoReturn
 
 import numpy as np
+
+from dhcli.regex import regex
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 _LEAST, _MOST = 1e-4, 1e16
 """Between these Python writes no exponent."""
 
-_WHOLE_ZERO = re.compile(r"-0[ ,]")
+_WHOLE_ZERO = regex(r"-0[ ,]")
 """A zero with a sign and without a point: for JSON a whole number, which has none."""
 
 

@@ -5,7 +5,6 @@ Reads the spelling only; what a move does to a frame is the business of kinemati
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import groupby
@@ -23,6 +22,7 @@ from dhcli.notation.quarters import with_right_angles
 from dhcli.notation.scope import OPEN, Scope
 from dhcli.notation.tokens import Source, Token, tokenize
 from dhcli.notation.tree import ONE, ZERO, Expr
+from dhcli.regex import regex
 
 MOST_FACTORS = 200
 LONGEST = 20_000
@@ -30,8 +30,8 @@ LONGEST = 20_000
 Axis = Literal["x", "y", "z"]
 AXES: tuple[Axis, ...] = ("x", "y", "z")
 
-_ROTATION = re.compile(r"(?:Rot|rot|Rotate|R)_?\{?([xyz])?\}?")
-_TRANSLATION = re.compile(r"(?:Trans|trans|Transl|transl|Translate|T|D)_?\{?([xyz])?\}?")
+_ROTATION = regex(r"(?:Rot|rot|Rotate|R)_?\{?([xyz])?\}?")
+_TRANSLATION = regex(r"(?:Trans|trans|Transl|transl|Translate|T|D)_?\{?([xyz])?\}?")
 _INVERSE = frozenset(("inv", "inverse", "Inv"))
 _WHERE = frozenset(("fixed", "current"))
 _TURNS = {"rpy": 3, "euler": 4, "quaternion": 4, "quat": 4, "rotvec": 3, "rotation_vector": 3}

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 from dhcli.notation.names import GREEK_NAMES, canonical
 from dhcli.notation.quantity import ANGLE_UNITS
 from dhcli.notation.scope import Scope
 from dhcli.notation.tokens import Token
+from dhcli.regex import regex
 
-_GLUED = re.compile(r"(?P<head>.*?)(?P<function>cos|sin|tan|sqrt)(?P<digits>\d*)")
-_NAMES = re.compile(r"[^\W\d_]|(?:[^\W\d_](?:[0-9]+|_\{[^{}]*\}|_[0-9]+))+")
+_GLUED = regex(r"(?P<head>.*?)(?P<function>cos|sin|tan|sqrt)(?P<digits>\d*)")
+_NAMES = regex(r"[^\W\d_]|(?:[^\W\d_](?:[0-9]+|_\{[^{}]*\}|_[0-9]+))+")
 """What nobody doubts where any name stands for itself: a letter, or letters each with an index."""
 
 

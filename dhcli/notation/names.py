@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import re
 import unicodedata
 from collections.abc import Iterable
 from functools import lru_cache
 
 from dhcli.errors import did_you_mean
+from dhcli.regex import regex
 
 GREEK = {
     "α": "alpha",
@@ -41,9 +41,9 @@ GREEK_NAMES = frozenset(GREEK.values()) | {"vartheta", "varphi", "varepsilon"}
 MOST_SUGGESTIONS = 3
 _VARIANTS = {"vartheta": "theta", "varphi": "phi", "varepsilon": "epsilon"}
 _SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
-_SPLIT = re.compile(r"(\D*)(\d*)")
-_TRIG = re.compile(rf"(?:cos|sin|[cs])(?={'|'.join(sorted(GREEK_NAMES))})")
-_STEM = re.compile(r"(?P<stem>[A-Za-z]+)(?P<index>\d*)(?:_(?P<letters>.+))?")
+_SPLIT = regex(r"(\D*)(\d*)")
+_TRIG = regex(rf"(?:cos|sin|[cs])(?={'|'.join(sorted(GREEK_NAMES))})")
+_STEM = regex(r"(?P<stem>[A-Za-z]+)(?P<index>\d*)(?:_(?P<letters>.+))?")
 
 
 @lru_cache(maxsize=4096)

@@ -7,7 +7,6 @@ bounded: characters, nodes, depth and exponents are capped.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 from dhcli.errors import NotationError, Place
@@ -21,12 +20,13 @@ from dhcli.notation.scope import OPEN, Scope, trig_name
 from dhcli.notation.tokens import Source, Token, spelling, tokenize
 from dhcli.notation.tree import PI, Expr, Symbol, Trig, Unit, add, multiply
 from dhcli.notation.walk import symbols, walk
+from dhcli.regex import regex
 
 RESERVED = frozenset(FUNCTIONS) | {"pi", "frac", "inv", "Rot", "Trans", "nan", "inf", "infinity"}
 """Words that cannot name a joint or a length."""
 
-_FUNCTION = re.compile("(cos|sin)")
-_PIECES = re.compile(r"[^\W\d_]+(?:[0-9₀-₉]+|_\{[^{}]*\}|_[A-Za-z]+[0-9]*|_[0-9]+)?")
+_FUNCTION = regex("(cos|sin)")
+_PIECES = regex(r"[^\W\d_]+(?:[0-9₀-₉]+|_\{[^{}]*\}|_[A-Za-z]+[0-9]*|_[0-9]+)?")
 """One name inside a run of letters and digits: `a1c1` is two."""
 
 

@@ -8,17 +8,18 @@ import re
 from dhcli.errors import NotationError
 from dhcli.notation.matrix import bracketed, parse_matrix
 from dhcli.notation.screens import equations, plain, with_factor, with_points
+from dhcli.regex import regex
 
-_LABEL = re.compile(r"\s*(?:[^=+*/\[\](){},;|<>\n-]|\{[^{}=\n]{0,20}\}|\([^()=\n]{0,20}\)){1,40}=\s*&?\s*(?=[^\s=])")
+_LABEL = regex(r"\s*(?:[^=+*/\[\](){},;|<>\n-]|\{[^{}=\n]{0,20}\}|\([^()=\n]{0,20}\)){1,40}=\s*&?\s*(?=[^\s=])")
 """`T_03 =`, `{}^{0}_{3}T =`, `p_{x} &=`: names with indices, nothing that computes."""
-_NAMED_MATRIX = re.compile(
+_NAMED_MATRIX = regex(
     r"\s*(?:[^=\n]{0,200}=){1,4}[\s&]*(?=[^=\n&;,]{0,60}(?:\[|\\begin|\\left|array|np\.|Matrix|matrix))"
 )
 """`A B = C D =` before a matrix, with a factor or without."""
-_CONTINUED = re.compile(r"\.\.\.[^\S\n]*(?=\n)")
-_SCREEN = re.compile(r"[⎡⎢⎣][^\n⎡⎢⎣⎤⎥⎦]*[⎤⎥⎦]")
-_DECLARED = re.compile(r"^[^\S\n]*syms\b[^\n]*$", re.MULTILINE)
-_ENTRY = re.compile(
+_CONTINUED = regex(r"\.\.\.[^\S\n]*(?=\n)")
+_SCREEN = regex(r"[⎡⎢⎣][^\n⎡⎢⎣⎤⎥⎦]*[⎤⎥⎦]")
+_DECLARED = regex(r"^[^\S\n]*syms\b[^\n]*$", re.MULTILINE)
+_ENTRY = regex(
     r"(?:^|[\n,;])[^\S\n]*(?:\{\})?(?:\^\{?[0-9]\}?)?(?:_\{?[0-9]\}?)?([rRnoapPT])_?\{?([1-3]{2}|[xyz])\}?[^\S\n]*&?=\s*&?"
 )
 """What stands before an entry in a list of them; no blank lines, or each would be gone through from all before it."""

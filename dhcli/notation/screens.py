@@ -9,28 +9,30 @@ from __future__ import annotations
 
 import re
 
+from dhcli.regex import regex
+
 LONGEST = 200_000
 """Characters of a text with the brackets of `--let` put in."""
 
-_DISPLAY = re.compile(
+_DISPLAY = regex(
     r"\\(?:begin|end)\{(?:equation|align|aligned|alignat|gather|gathered|split|displaymath|math|multline)\*?\}"
     r"|\\(?:tag|label)\{[^{}]{0,60}\}|\\(?:nonumber|notag|hline)\b|\\(?:over|under)brace\{[^{}]{0,60}(?:\{[^{}]{0,60}\}[^{}]{0,60}){0,4}\}[\^_]\{[^{}]{0,20}\}"
     r"|\$\$?|\\\[(?!\s*-?[\d.]+\s*(?:pt|ex|em|mm|cm|in)\s*\])|\\[\]()]"
 )
 """What sets a formula apart and is no part of it; a `\\[2pt]` at the end of a row is."""
 
-_NUMBER_OF_EQUATION = re.compile(r"\\q?quad\s{0,9}\([0-9]{1,3}\.[0-9]{1,3}\)\s{0,99}$")
-_ROWS_OF_EQUATIONS = re.compile(r"^\s*\\begin\{array\}\s*\{[rcl ]{1,9}\}|\\end\{array\}\s*$")
-_HEADING = re.compile(
+_NUMBER_OF_EQUATION = regex(r"\\q?quad\s{0,9}\([0-9]{1,3}\.[0-9]{1,3}\)\s{0,99}$")
+_ROWS_OF_EQUATIONS = regex(r"^\s*\\begin\{array\}\s*\{[rcl ]{1,9}\}|\\end\{array\}\s*$")
+_HEADING = regex(
     r"^(?:\S{1,20} of .{1,80}: frame \S{1,12} seen from frame \S{1,12}|(?:standard DH|modified DH|product of moves)\b.*"
     r"|[xyz]' points along .*)$"
 )
-_MORE_HEADING = re.compile(r"^[^=⎡⎢⎣\[]{1,20} = [^·]{1,40}(?: · .*)?$|^lengths in \w+$")
-_LET = re.compile(r"^[^\S\n]*(?:let[^\S\n]+)?(k[0-9]{1,3})[^\S\n]*=[^\S\n]*(\S.*)$")
-_NAME_OF_BRACKET = re.compile(r"(?<![\w.])k[0-9]{1,3}(?![\w])")
-_COMMON_FACTOR = re.compile(r"\s*([0-9](?:\.[0-9]{1,20})?[eE][+-]?[0-9]{1,3})[^\S\n]*\*[^\S\n]*\n")
-_GRID = re.compile(r"[\s0-9,;.eE\[\]()+−–-]*")  # noqa: RUF001
-_NUMBER = re.compile(r"[+−–-]?[0-9]{1,30}(?:,[0-9]{1,30})?(?:[eE][+-]?[0-9]{1,3})?")  # noqa: RUF001
+_MORE_HEADING = regex(r"^[^=⎡⎢⎣\[]{1,20} = [^·]{1,40}(?: · .*)?$|^lengths in \w+$")
+_LET = regex(r"^[^\S\n]*(?:let[^\S\n]+)?(k[0-9]{1,3})[^\S\n]*=[^\S\n]*(\S.*)$")
+_NAME_OF_BRACKET = regex(r"(?<![\w.])k[0-9]{1,3}(?![\w])")
+_COMMON_FACTOR = regex(r"\s*([0-9](?:\.[0-9]{1,20})?[eE][+-]?[0-9]{1,3})[^\S\n]*\*[^\S\n]*\n")
+_GRID = regex(r"[\s0-9,;.eE\[\]()+−–-]*")  # noqa: RUF001
+_NUMBER = regex(r"[+−–-]?[0-9]{1,30}(?:,[0-9]{1,30})?(?:[eE][+-]?[0-9]{1,3})?")  # noqa: RUF001
 _SIDES = (3, 4)
 
 

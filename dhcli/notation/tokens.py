@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from functools import lru_cache
 from typing import Literal
 
 from dhcli.errors import NotationError, Place, Problem
 from dhcli.frozen import frozen
 from dhcli.notation.names import GREEK, GREEK_NAMES, describe, foreign_letter
 from dhcli.notation.styles import SPOKEN_FOR
+from dhcli.regex import regex
 
 MOST_CHARACTERS = 2000
 """Longest expression that is read; nobody types more into a cell."""
@@ -32,27 +32,29 @@ _OPERATORS = {
     "″": '"',
 }
 _SIGNS = {**_OPERATORS, "**": "^"}
-_SUPERSCRIPT = re.compile("(⁻?)([⁰¹²³⁴⁵⁶⁷⁸⁹]+)")
+_SUPERSCRIPT = regex("(⁻?)([⁰¹²³⁴⁵⁶⁷⁸⁹]+)")
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
 _LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _NOISE = "─━═┄┈╌┌┬┐├┼┤└┴┘┏┳┓┡╇┩┢┣╋┫┗┻┛╔╦╗╠╬╣╚╩╝╭╮╯╰⎡⎢⎣⎤⎥⎦⎛⎜⎝⎞⎟⎠$"
 """What frames a table or a formula on a screen and means nothing."""
 _GREEK_LETTERS = "".join(GREEK)
 _LONGEST_WORD = 12
-_DECIMAL_COMMA = re.compile(r"\d+,\d+(?![\d,.])", re.ASCII)
+_DECIMAL_COMMA = regex(r"\d+,\d+(?![\d,.])", re.ASCII)
 _WORD = rf"π|[A-Za-z{_GREEK_LETTERS}](?:[A-Za-z0-9{_GREEK_LETTERS}₀-₉]|_\{{[^{{}}]*\}}|_(?=[A-Za-z0-9]))*"
-_NAME = re.compile(_WORD)
-_PIECE = re.compile(
+_NAME = regex(_WORD)
+_LATEX_COMMA = r"0\{,\}[0-9]+|[0-9]+\{,\}(?![0-9]{3}(?![0-9]))[0-9]+"
+"""A decimal comma as LaTeX has it, `0{,}866`; `1{,}234` may be a thousand and more, and stays a question."""
+_PIECE = regex(
     rf"(?P<blank>[ \t\u00a0\u2009\u202f{_NOISE}]+|\.(?=[*/^]))"
     r"|(?P<module>(?:np|numpy|math|sp|sympy|sym)\.(?=[A-Za-z]))"
     rf"|(?P<word>{_WORD})"
-    r"|(?P<number>(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
+    rf"|(?P<number>(?:{_LATEX_COMMA}|[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
     rf"|(?P<sign>\*\*|[{re.escape(''.join(_OPERATORS))}])"
 )
 """Everything but LaTeX, superscripts and decimal commas."""
-_COMMAND = re.compile(r"\\([A-Za-z]+|.)", re.DOTALL)
-_SUBSCRIPT = re.compile(r"\s*(_\{[^{}]*\}|_[A-Za-z0-9])")
-_WRAPPED = re.compile(r"\s*\{\s*([A-Za-z0-9]+)\s*\}((?:_\{[^{}]*\}|_[A-Za-z0-9])?)")
+_COMMAND = regex(r"\\([A-Za-z]+|.)", re.DOTALL)
+_SUBSCRIPT = regex(r"\s*(_\{[^{}]*\}|_[A-Za-z0-9])")
+_WRAPPED = regex(r"\s*\{\s*([A-Za-z0-9]+)\s*\}((?:_\{[^{}]*\}|_[A-Za-z0-9])?)")
 _LATEX_SPACES = frozenset(",;:! ") | {"quad", "qquad", "displaystyle", "left", "right", "limits"}
 _LATEX_SIGNS = {
     "\\": ";",
@@ -67,22 +69,12 @@ _LATEX_SIGNS = {
 _LATEX_WRAPPERS = frozenset(("mathrm", "text", "operatorname", "mathbf", "mathit", "rm", "boldsymbol"))
 
 
-@lru_cache(maxsize=1)
-def _escaped() -> re.Pattern[str]:
-    """A keyword before the underscore that makes it a name in a program; compiled when an underscore stands alone."""
-    return re.compile(rf"(?<![A-Za-z0-9_])(?:{'|'.join(sorted(SPOKEN_FOR))})$")
-
-
-@lru_cache(maxsize=1)
-def _row_room() -> re.Pattern[str]:
-    r"""The room below a row of LaTeX, `\\[2pt]`."""
-    return re.compile(r"\s{0,9}\[\s{0,9}-?[0-9.]{1,9}\s{0,9}(?:pt|ex|em|mm|cm|in)\s{0,9}\]")
-
-
-@lru_cache(maxsize=1)
-def _index() -> re.Pattern[str]:
-    r"""The index of `\theta 1`, which TeX sets on the line."""
-    return re.compile(r" ?([0-9]{1,2})(?![0-9.,])")
+_ESCAPED = regex(rf"(?<![A-Za-z0-9_])(?:{'|'.join(sorted(SPOKEN_FOR))})$")
+"""A keyword before the underscore that makes it a name in a program."""
+_ROW_ROOM = regex(r"\s{0,9}\[\s{0,9}-?[0-9.]{1,9}\s{0,9}(?:pt|ex|em|mm|cm|in)\s{0,9}\]")
+r"""The room below a row of LaTeX, `\\[2pt]`."""
+_INDEX = regex(r" ?([0-9]{1,2})(?![0-9.,])")
+r"""The index of `\theta 1`, which TeX sets on the line."""
 
 
 @frozen
@@ -177,7 +169,7 @@ def tokenize(source: Source, *, decimal_comma: bool = False, most: int = MOST_CH
             position, spaced = end, False
         elif match and kind == "number" and (depth or not decimal_comma):
             end = match.end()
-            tokens.append(Token("number", match[0], position, end, spaced))
+            tokens.append(Token("number", match[0].replace("{,}", "."), position, end, spaced))
             position, spaced = end, False
         elif match and kind in ("blank", "module"):
             position, spaced = match.end(), spaced or kind == "blank"
@@ -203,7 +195,7 @@ def _rare(source: Source, start: int, *, spaced: bool) -> tuple[tuple[Token, ...
         minus = (Token("sign", "-", start, start + 1, spaced=False),) if match[1] else ()
         number = Token("number", match[2].translate(_RAISED), match.start(2), match.end(), spaced=False)
         return (power, *minus, number), match.end()
-    if text[start] == "_" and _escaped().search(text, max(start - _LONGEST_WORD, 0), start):
+    if text[start] == "_" and _ESCAPED.search(text, max(start - _LONGEST_WORD, 0), start):
         return (), start + 1  # `lambda_` and `E_` in code that dhcli has written
     raise _strange(source, start)
 
@@ -218,7 +210,7 @@ def _latex(source: Source, start: int, *, spaced: bool) -> tuple[tuple[Token, ..
     if command in _LATEX_SPACES:
         return (), end
     if command in _LATEX_SIGNS:
-        if command == "\\" and (room := _row_room().match(text, end)):
+        if command == "\\" and (room := _ROW_ROOM.match(text, end)):
             end = room.end()
         return (Token("sign", _LATEX_SIGNS[command], start, end, spaced),), end
     if command in _LATEX_WRAPPERS:
@@ -228,7 +220,7 @@ def _latex(source: Source, start: int, *, spaced: bool) -> tuple[tuple[Token, ..
         return (Token("word", inner[1] + inner[2], start, inner.end(), spaced),), inner.end()
     if not command.isalpha():
         raise source.error(start, f"\\{command} is not understood")
-    if (tail := _SUBSCRIPT.match(text, end)) or (command in GREEK_NAMES and (tail := _index().match(text, end))):
+    if (tail := _SUBSCRIPT.match(text, end)) or (command in GREEK_NAMES and (tail := _INDEX.match(text, end))):
         command, end = command + tail[1], tail.end()
     return (Token("word", command, start, end, spaced),), end
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Literal, TypeAlias
@@ -12,11 +11,12 @@ from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import DimensionError
 from dhcli.notation.tree import HALF, ONE, ZERO, Constant, Expr, Number, Power, Product, Sum, multiply, power
+from dhcli.regex import regex
 
 Axis = Literal["x", "y", "z"]
 Rows: TypeAlias = tuple[tuple[Expr, ...], ...]
 
-EULER = re.compile(r"(?P<fixed>fixed)?[-_ ]?(?P<axes>[xyz]{3})")
+EULER = regex(r"(?P<fixed>fixed)?[-_ ]?(?P<axes>[xyz]{3})")
 EXAMPLES = {
     "rpy": "rpy(10°, 20°, 30°): roll, pitch, yaw",
     "euler": "euler(zyz, 10°, 20°, 30°)",

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from typing import NamedTuple, TypeAlias
 
 from dhcli.notation.names import GREEK, parts
+from dhcli.regex import regex
 
 _LETTERS = {name: letter for letter, name in reversed(GREEK.items())}
-_NAME = re.compile(r"[A-Za-z]+\d*(?:_(?:\{[^}]*\}|\w+))?")
+_NAME = regex(r"[A-Za-z]+\d*(?:_(?:\{[^}]*\}|\w+))?")
 _OTHER_WORDS = frozenset({"sqrt", "pi", "cos", "sin", "tan", "atan", "atan2", "acos", "asin"})
 
 

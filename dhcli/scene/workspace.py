@@ -1,10 +1,11 @@
-"""The workspace of a robot on paper: from the side and from above, darker where more poses lead, with the arm in it."""
+"""The workspace of a robot on paper: from two sides, or one; darker where more poses lead, with the arm in it."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import NamedTuple
 
 from dhcli.kinematics.sweep.workspace import Counts, Workspace
 from dhcli.scene.camera import VIEWS, Camera
@@ -16,10 +17,18 @@ from dhcli.scene.staging import Paper, Staged, extent, foot
 from dhcli.scene.vectors import WORLD, Flat, Vec
 from dhcli.scene.words import Run, spelled
 
+FLAT = 0.05
+"""Points that go less far along an axis, in parts of the farthest, are seen along that axis alone."""
+
+WIDER = 1.5
+"""From the front, not from the side, are seen points that go so much farther along y than along x."""
+
 LEVELS = 5
 """Shades of density."""
 
-PANEL = (520.0, 520.0)
+PANEL, ALONE = (520.0, 520.0), (680.0, 640.0)
+"""Width and height of a view beside another, and of one by itself [px]."""
+
 ROOM = 46.0
 SEAM = 0.3
 """What one rectangle reaches over the next, so that no line is seen between them [px]."""
@@ -31,30 +40,53 @@ MOST, FEWEST, HOLES = 64, 16, 0.04
 are made larger: then they are finer than the grid of poses."""
 
 
+class View(NamedTuple):
+    """One view of the points.
+
+    Attributes:
+        name: That of the view.
+        right: The axis to the right.
+        up: The axis upwards.
+        counts: Points in each cell.
+    """
+
+    name: str
+    right: str
+    up: str
+    counts: Counts
+
+    def place(self, right: float, up: float) -> Vec:
+        """A point of the plane that is seen, in space."""
+        at = {self.right: right, self.up: up}
+        return at.get("x", 0.0), at.get("y", 0.0), at.get("z", 0.0)
+
+
 def workspace_figure(staged: Staged, workspace: Workspace) -> Figure:
-    """Two views of the points, with axes in metres.
+    """The points from the side and from above, with axes in metres; points of a plane from where that is seen whole.
 
     Args:
         staged: The arm, to be drawn where the points are seen from its base.
         workspace: The points.
     """
-    paper = Paper(*PANEL)
-    side, top = workspace.side, workspace.top
-    while len(side) > MOST or (len(side) > FEWEST and max(_holes(side), _holes(top)) > HOLES):
-        side, top = _coarser(side), _coarser(top)
-    views = [("side", "x", "z", side), ("top", "x", "y", top)]
+    views = views_of(workspace)
+    paper = Paper(*(PANEL if len(views) > 1 else ALONE))
+    while len(views[0].counts) > MOST or (
+        len(views[0].counts) > FEWEST and max(_holes(view.counts) for view in views) > HOLES
+    ):
+        views = [view._replace(counts=_coarser(view.counts)) for view in views]
     shown = is_at_base(staged.scene, workspace)
     arm = replace(staged.scene, arrows=(), dimensions=()) if shown else None
-    cameras = [_camera(name, arm, counts, workspace, paper) for name, _, _, counts in views]
+    cameras = [_camera(view, arm, workspace, paper) for view in views]
     scale = min(camera.scale for camera in cameras)
     figures = []
-    for (name, right, up, counts), fitted in zip(views, cameras, strict=True):
+    for view, fitted in zip(views, cameras, strict=True):
         camera = _scaled(fitted, scale)
-        cells = sorted(_cells(counts, workspace.half, camera, up), key=lambda shape: shape.look)
+        cells = sorted(_cells(view, workspace.half, camera), key=lambda shape: shape.look)
         shapes = [*cells, *_axes(camera, paper)]
         if arm is not None:
             shapes += painted(arm, camera, turns=False)
-        texts = [*_marks(camera, right, up, paper), *foot(f"{name}: {right} and {up} in metres", "", paper)]
+        told = f"{view.name}: {view.right} and {view.up} in metres"
+        texts = [*_marks(camera, view.right, view.up, paper), *foot(told, "", paper)]
         figures.append(Figure(paper.width, paper.height, tuple(shapes), tuple(texts), staged.title))
     sheet = on_one_sheet(figures, staged.title)
     what = f"frame {workspace.frame}, seen from frame {workspace.reference}"
@@ -63,24 +95,41 @@ def workspace_figure(staged: Staged, workspace: Workspace) -> Figure:
     return replace(sheet, height=low.height, texts=(*sheet.texts, *foot(staged.title, caption, low)), caption=caption)
 
 
+def views_of(workspace: Workspace) -> list[View]:
+    """From where the points are seen: from above and from a side; along an axis alone along which they hardly go.
+
+    The side is the one from which they go farther; x is to the right unless y goes clearly farther.
+    """
+    side, top, front = (
+        View("side", "x", "z", workspace.side),
+        View("top", "x", "y", workspace.top),
+        View("front", "y", "z", workspace.front),
+    )
+    x, y, z = workspace.extents
+    if min(x, y, z) < FLAT * max(x, y, z):
+        return [min((z, top), (y, side), (x, front), key=lambda one: one[0])[1]]
+    return [front if y > WIDER * x else side, top]
+
+
 def is_at_base(scene: Scene, workspace: Workspace) -> bool:
     """Whether the points are seen from where the arm is drawn: its base, and no base before it."""
     return scene.states[0] == WORLD and workspace.reference in ("0", "base") and bool(scene.rods or scene.solids)
 
 
-def _camera(name: str, arm: Scene | None, counts: Counts, workspace: Workspace, paper: Paper) -> Camera:
+def _camera(view: View, arm: Scene | None, workspace: Workspace, paper: Paper) -> Camera:
     """Everything on paper: the cells that were reached, and the arm."""
+    counts = view.counts
     size = 2 * workspace.half / len(counts)
     rows = [j for j, row in enumerate(counts) if any(row)]
     columns = [i for row in counts for i, count in enumerate(row) if count]
     corners = [
-        _place(i * size - workspace.half, j * size - workspace.half, "z" if name == "side" else "y")
+        view.place(i * size - workspace.half, j * size - workspace.half)
         for i in (min(columns, default=0), max(columns, default=0) + 1)
         for j in (min(rows, default=0), max(rows, default=0) + 1)
     ]
     points = corners + (extent(arm) if arm is not None else [])
     room = (ROOM, ROOM * 0.6, paper.width - ROOM * 0.6, paper.height - paper.foot - ROOM)
-    return Camera.at(*VIEWS[name]).fitted(points, room, math.inf)
+    return Camera.at(*VIEWS[view.name]).fitted(points, room, math.inf)
 
 
 def _scaled(camera: Camera, scale: float) -> Camera:
@@ -89,12 +138,9 @@ def _scaled(camera: Camera, scale: float) -> Camera:
     return replace(camera, scale=scale, centre=(camera.centre[0] * part, camera.centre[1] * part))
 
 
-def _place(right: float, up: float, axis: str) -> Vec:
-    return (right, 0.0, up) if axis == "z" else (right, up, 0.0)
-
-
-def _cells(counts: Counts, half: float, camera: Camera, up: str) -> Iterator[Shape]:
+def _cells(view: View, half: float, camera: Camera) -> Iterator[Shape]:
     """Cells of one shade that follow each other in a row, as one rectangle."""
+    counts = view.counts
     shades = _shades(counts)
     size = 2 * half / len(counts)
     for j, row in enumerate(counts):
@@ -104,8 +150,8 @@ def _cells(counts: Counts, half: float, camera: Camera, up: str) -> Iterator[Sha
             if here == level:
                 continue
             if level:
-                left, low = camera.flat(_place(start * size - half, j * size - half, up))
-                right, high = camera.flat(_place(i * size - half, (j + 1) * size - half, up))
+                left, low = camera.flat(view.place(start * size - half, j * size - half))
+                right, high = camera.flat(view.place(i * size - half, (j + 1) * size - half))
                 corners = ((left, low + SEAM), (right + SEAM, low + SEAM), (right + SEAM, high), (left, high))
                 yield Shape(corners, f"density-{level}", closed=True)
             start, level = i, here

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import errno
 import os
-import re
 import stat
 import time
 from collections.abc import Iterator
@@ -14,9 +13,10 @@ from pathlib import Path
 from typing import BinaryIO
 
 from dhcli.errors import FileError, Place, Problem
+from dhcli.regex import regex
 
 _DISK_FULL = {errno.ENOSPC, errno.EDQUOT}
-_TEMPORARY = re.compile(r"\.dhcli-[0-9a-f]{12}\.tmp")
+_TEMPORARY = regex(r"\.dhcli-[0-9a-f]{12}\.tmp")
 _LEFT_AFTER = 24 * 3600
 """Seconds after which nobody writes to a file any more."""
 _MOST_LOOKED_AT = 10_000

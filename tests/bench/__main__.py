@@ -90,7 +90,7 @@ def main(arguments: list[str] | None = None) -> None:
         done += found
         print(f"\n{name}\n\n{table(found)}", flush=True)
     if slower := behind(done):
-        print("\nwhere dhcli takes longer than a peer\n", *slower, sep="\n- ", flush=True)
+        print("\nwhere dhcli takes longer than what it is held against\n", *slower, sep="\n- ", flush=True)
     again, environment = [name for name in names if name in WIDE], without_wide()
     if again and environment:
         print("\nWithout AVX-512:\n", flush=True)

@@ -14,8 +14,8 @@ from typing import Generic, TypeVar
 SHORTEST = 0.01
 """Quicker work is repeated until it takes this long, and the time divided [s]."""
 
-LONGEST = 6.0
-"""A pair that takes longer is not measured again, and all rounds of one that takes less may take so long [s]."""
+LONGEST = 3.0
+"""A pair that takes longer is not measured again; one that takes less, as often as this allows, but twice [s]."""
 
 HEADS = ("work", "dhcli", "peer", "dhcli takes", "peer takes", "peer/dhcli", "spread", "note")
 
@@ -106,7 +106,7 @@ def side_by_side(
         return Row(work, ours.name, peer.name, ((own, theirs),), note)
     del own_result, peer_result  # a batch is a gigabyte
     often = [max(1, math.ceil(SHORTEST / once)) for once in (own, theirs)]
-    rounds = max(1, min(rounds, round(LONGEST / (own + theirs))))
+    rounds = min(rounds, max(2, round(LONGEST / (own + theirs))))
     pairs = tuple((seconds(ours.work, often[0]), seconds(peer.work, often[1])) for _ in range(rounds))
     return Row(work, ours.name, peer.name, pairs, note)
 
@@ -141,7 +141,7 @@ def one_core() -> Iterator[None]:
 
 
 def behind(rows: list[Row]) -> list[str]:
-    """Where dhcli takes longer than a peer, the furthest behind first."""
+    """Where dhcli takes longer than what it is held against, the furthest behind first."""
     slower = [(statistics.median(row.ratios), row) for row in rows if row.pairs]
     slower = sorted((pair for pair in slower if pair[0] < 1), key=lambda pair: pair[0])
     return [f"{row.work}, {row.ours}: {number(1 / ratio)} times {row.peer}" for ratio, row in slower]

@@ -23,7 +23,7 @@ from dhcli.notation.walk import operations
 
 ROBOTS = ("planar-2r", "articulated", "cylindrical", "spherical-wrist", "stanford", "puma560")
 ROBOTS = (*ROBOTS, "puma200", "zhou-6r", "ur5e", "panda")
-ARMS = ("planar-2r", "stanford", "puma560", "panda")
+ARMS = ("stanford", "puma560", "panda")
 MANY = 50_000
 CLOSE = 1e-9
 

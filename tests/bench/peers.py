@@ -159,12 +159,14 @@ class Peer:
         package: The package that must be installed.
         build: From one of our robots to a function from joint values, shape (n,), to a pose, shape (4, 4).
         stacks: Whether that function takes many, shape (N, n), at once; else it is called in a loop.
+        most: How many it is asked for: of ten million some take minutes, and ten gigabytes.
     """
 
     name: str
     package: str
     build: Callable[[Robot], Callable[[Array], Array]]
     stacks: bool = True
+    most: int = 1_000_000
 
     @property
     def version(self) -> str:
@@ -190,7 +192,7 @@ def loop(pose: Callable[[Array], Array], q: Array) -> Array:
 
 PEERS = (
     Peer("numpy, matrices multiplied", "numpy", by_numpy),
-    Peer("Robotics Toolbox, ets.eval", "roboticstoolbox-python", by_toolbox),
+    Peer("Robotics Toolbox, ets.eval", "roboticstoolbox-python", by_toolbox, most=10_000_000),
     Peer("JAX, jit and vmap", "jax", by_jax),
-    Peer("pinocchio, forwardKinematics", "pin", by_pinocchio, stacks=False),
+    Peer("pinocchio, forwardKinematics", "pin", by_pinocchio, stacks=False, most=100_000),
 )

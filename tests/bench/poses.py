@@ -19,9 +19,6 @@ from dhcli.algebra import kernel
 PUMA, PANDA = "puma560", "panda"
 SIZES = (1000, 10_000, 100_000, 1_000_000, 10_000_000)
 MANY = 100_000
-LOOPS = 100_000
-"""A peer that takes one pose at a time is run for at most so many."""
-
 CLOSE = 1e-12
 LOADER = kernel._LOADED
 """What has the compiled loop, or will."""
@@ -123,7 +120,7 @@ def beside_each(rounds: int, sizes: tuple[int, ...]) -> Iterator[Row]:
     """Batches of each size beside each peer."""
     robot = load_robot(PUMA)
     for size, peer in product(sizes, PEERS):
-        if peer.stacks or size <= LOOPS:
+        if size <= peer.most:
             yield of_many(robot, size, peer, rounds)
 
 

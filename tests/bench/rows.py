@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import hashlib
 import json
 import os
 import tempfile
@@ -11,43 +12,103 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
+from unittest.mock import patch
 
 import numpy as np
 from measure import Row, Task, side_by_side
 
 from dhcli import forward_batch, load_robot
 from dhcli.cli.main import main
+from dhcli.files.rows.npyrows import ROWS
+from dhcli.kinematics.frames import View
+from dhcli.kinematics.many import PoseRows
+from dhcli.kinematics.values import parameter_values
+from dhcli.notation import decimals
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-POSES = 200_000
+POSES = {"npy": 1_000_000, "csv": 50_000, "jsonl": 50_000}
 ROBOT = load_robot("puma560")
 WIDTH = 12
 """Numbers of a pose in text: the upper three rows of the matrix."""
 
 
 def rows(rounds: int) -> Iterator[Row]:
-    """PUMA 560, a million numbers in and twice as many out, in each format."""
+    """PUMA 560, six numbers in and twelve or sixteen out, in each format, with orjson and without."""
+    yield _blocks(rounds)
     with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
-        _write_joint_values(np.random.default_rng(1).uniform(-1, 0.7, (POSES, 6)))
         for kind, (peer, work) in PEERS.items():
-            row = side_by_side(
-                f"{POSES} rows of {kind}",
-                Task(f"dhcli fk --in q.{kind}", partial(_dhcli, kind)),
-                Task(peer, work),
-                _same,
-                rounds=rounds,
-            )
-            yield replace(row, note=f"{POSES / row.seconds:,.0f} rows a second")
+            _write_joint_values(np.random.default_rng(1).uniform(-1, 0.7, (POSES[kind], 6)), kind)
+            ways = {"": _dhcli} if kind == "npy" else {", orjson": _dhcli, ", plain Python": _plainly}
+            for name, ours in ways.items():
+                row = side_by_side(
+                    f"{POSES[kind]} rows of {kind}",
+                    Task(f"fk --in{name}", partial(ours, kind)),
+                    Task(peer, work),
+                    _same,
+                    rounds=rounds,
+                )
+                yield replace(row, note=f"{POSES[kind] / row.seconds:,.0f} rows a second")
+            if kind != "npy":
+                yield side_by_side(
+                    f"{POSES[kind]} rows of {kind}",
+                    Task("fk --in, orjson", partial(_whole, _dhcli, kind)),
+                    Task("fk --in, plain Python", partial(_whole, _plainly, kind)),
+                    bytes.__eq__,
+                    rounds=rounds,
+                    note="the same bytes",
+                )
 
 
-def _write_joint_values(q: NDArray[np.float64]) -> None:
-    """The same joint values in each format."""
-    np.save("q.npy", q)
-    np.savetxt("q.csv", q, fmt="%.17g", delimiter=",", header=",".join(ROBOT.variables), comments="")
-    lines = (json.dumps(dict(zip(ROBOT.variables, row, strict=True))) for row in q.tolist())
-    Path("q.jsonl").write_text("\n".join(lines), encoding="utf-8")
+def _blocks(rounds: int) -> Row:
+    """What a pose costs in the blocks in which rows come, and in one call."""
+    q = np.random.default_rng(1).uniform(-1, 0.7, (POSES["npy"], 6))
+    wanted = PoseRows(ROBOT, (View.of(ROBOT),), parameter_values(ROBOT, {}))
+    row = side_by_side(
+        f"{len(q)} poses",
+        Task(
+            f"blocks of {ROWS}, as fk --in",
+            lambda: [wanted.poses(q[k : k + ROWS])[-1, 0].copy() for k in _starts(len(q))],
+        ),
+        Task("forward_batch, one call", lambda: forward_batch(ROBOT, q)),
+        lambda own, whole: all(np.array_equal(last, whole[min(k + ROWS, len(q)) - 1]) for k, last in _pairs(own, q)),
+        rounds=rounds,
+    )
+    return replace(row, note=f"{row.seconds / len(q) * 1e9:.0f} ns a pose")
+
+
+def _starts(count: int) -> range:
+    return range(0, count, ROWS)
+
+
+def _pairs(own: list[NDArray[np.float64]], q: NDArray[np.float64]) -> Iterator[tuple[int, NDArray[np.float64]]]:
+    return zip(_starts(len(q)), own, strict=True)
+
+
+def _write_joint_values(q: NDArray[np.float64], kind: str) -> None:
+    """Joint values in a format."""
+    match kind:
+        case "npy":
+            np.save("q.npy", q)
+        case "csv":
+            np.savetxt("q.csv", q, fmt="%.17g", delimiter=",", header=",".join(ROBOT.variables), comments="")
+        case _:
+            lines = (json.dumps(dict(zip(ROBOT.variables, row, strict=True))) for row in q.tolist())
+            Path("q.jsonl").write_text("\n".join(lines), encoding="utf-8")
+
+
+def _plainly(kind: str) -> NDArray[np.float64]:
+    """The same as where orjson is not installed."""
+    with patch.object(decimals, "quick_json", lambda: None):
+        return _dhcli(kind)
+
+
+def _whole(work: Callable[[str], object], kind: str) -> bytes:
+    """All that is in the file then, in short."""
+    work(kind)
+    with open(f"p.{kind}", "rb") as file:  # noqa: PTH123
+        return hashlib.file_digest(file, "sha256").digest()
 
 
 def _dhcli(kind: str) -> NDArray[np.float64]:
@@ -85,7 +146,7 @@ def _jsonl() -> NDArray[np.float64]:
 
 
 def _npy() -> NDArray[np.float64]:
-    np.save("peer.npy", forward_batch(ROBOT, np.load("q.npy")))
+    np.save("peer.npy", forward_batch(load_robot(ROBOT.name), np.load("q.npy")))
     return _last("npy", "peer")
 
 

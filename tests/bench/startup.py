@@ -1,16 +1,21 @@
-"""Start-up: each command as a whole process, beside Python importing what that command imports from outside."""
+"""Start-up: each command as a whole process, beside Python importing typer, the tables of rich, and yaml."""
 
 from __future__ import annotations
 
-import json
 import os
+import shutil
+import statistics
 import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 from measure import Row, Task, side_by_side
+
+UNIT = "import typer, rich.table, yaml"
+"""What a start is held against: the libraries a program like this cannot do without, and nothing done with them."""
 
 COMMANDS = (
     "--help",
@@ -40,66 +45,62 @@ COMMANDS = (
     "help fk",
     "ik puma560 --pose nominal",
 )
-"""What is typed for each command but `watch`, which does not end; run in a folder of its own."""
+"""What is typed for each command but `watch`, which does not end; run in a folder that `furnish` has filled."""
 
-NAMED = {"numpy", "rich", "sympy", "typer", "yaml"}
-"""What dhcli itself imports from outside; these bring modules of their own, which the peer imports, too."""
-
-REPORT = """
-import atexit, json, runpy, sys
-before = set(sys.modules)
-
-@atexit.register
-def report(path=sys.argv.pop(1)):
-    found = [name for name, module in sys.modules.items() if name not in before and getattr(module, "__spec__", None)]
-    with open(path, "w") as file:
-        json.dump(found, file)
-
-sys.argv[0] = "dhcli"
-runpy.run_module("dhcli", run_name="__main__", alter_sys=True)
-"""
+SHEETS = 5
+"""What is to be graded."""
 
 
 def rows(rounds: int, commands: tuple[str, ...] = COMMANDS) -> Iterator[Row]:
     """A row for each command, each with its bytecode at hand as in an installation."""
+    peer = [sys.executable, "-c", UNIT]
     with tempfile.TemporaryDirectory() as home:
-        workplace(Path(home))
+        os.environ["PYTHONPYCACHEPREFIX"] = str(Path(home, "bytecode"))
+        os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+        os.environ["XDG_DATA_HOME"] = str(Path(home, "user-data"))
+        furnish(Path(home))
         for typed in commands:
             ours = [sys.executable, "-m", "dhcli", *typed.split()]
-            needed = imported(typed, home)
-            peer = [sys.executable, "-c", f"import {', '.join(needed)}"]
-            yield side_by_side(
+            row = side_by_side(
                 f"dhcli {typed}",
                 Task("the whole process", lambda command=ours: run(command, home)),
-                Task(
-                    f"importing {', '.join(sorted(NAMED.intersection(needed)))}",
-                    lambda command=peer: run(command, home),
-                ),
+                Task(UNIT, lambda: run(peer, home)),
                 both_work,
                 rounds=rounds,
             )
+            yield replace(row, note=in_units(row, instructions(ours, home), instructions(peer, home)))
 
 
-def workplace(home: Path) -> None:
-    """A folder with what the commands need, and the variables that keep them in it."""
-    os.environ["PYTHONPYCACHEPREFIX"] = str(home / "bytecode")
-    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+def in_units(row: Row, counted: int, unit: int) -> str:
+    """How often the unit goes into a command: by time, and by instructions where they were counted."""
+    by_time = f"{1 / statistics.median(row.ratios):.2f} units"
+    return f"{by_time}, {counted / unit:.2f} by instructions" if counted and unit else by_time
+
+
+def furnish(home: Path) -> None:
+    """Fill a folder with what the commands need."""
     (home / "q.csv").write_text("theta1,theta2,theta3,theta4,theta5,theta6\n0,0.1,0.2,0.3,0.4,0.5\n", encoding="utf-8")
-    os.environ["XDG_DATA_HOME"] = str(home / "user-data")
+    sheets = home / "sheets"
+    sheets.mkdir(exist_ok=True)
     for typed in (
         "start planar-two-links -o sheets/student.yaml",
         "new exercise my-course/first --robot planar-2r -o exercise.yaml",
     ):
-        (home / "sheets").mkdir(exist_ok=True)
         run([sys.executable, "-m", "dhcli", *typed.split()], str(home))
+    for number in range(1, SHEETS):
+        shutil.copy(sheets / "student.yaml", sheets / f"student-{number}.yaml")
 
 
-def imported(typed: str, home: str) -> list[str]:
-    """The modules that a command imports, without Python's own and dhcli's."""
-    path = Path(home, "modules.json")
-    run([sys.executable, "-c", REPORT, str(path), *typed.split()], home)
-    own = {*sys.stdlib_module_names, "__mp_main__", "dhcli"}
-    return [name for name in json.loads(path.read_text("utf-8")) if name.partition(".")[0] not in own]
+def instructions(command: list[str], folder: str) -> int:
+    """How many instructions a command takes outside the kernel, as perf counts them; 0 where it cannot.
+
+    They tell more of a busy machine than the time does.
+    """
+    if not shutil.which("perf"):
+        return 0
+    said = run(["perf", "stat", "-x,", "-e", "instructions:u", "--", *command], folder).stderr
+    counts = [line.split(",")[0] for line in said.splitlines() if "instructions:u" in line]
+    return int(counts[0]) if counts and counts[0].isdigit() else 0
 
 
 def both_work(ours: subprocess.CompletedProcess[str], theirs: subprocess.CompletedProcess[str]) -> bool:

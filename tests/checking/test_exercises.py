@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import cache
 from pathlib import Path
 
 import pytest
@@ -36,7 +35,6 @@ Rows = list[list[str]]
 exercises = pytest.mark.parametrize("name", NAMES)
 
 
-@cache
 def loaded(name: str) -> Exercise:
     """An exercise of this checkout."""
     return load_exercise(ROOT / "exercises" / f"{name}.yaml")

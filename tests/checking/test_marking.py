@@ -13,9 +13,10 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.judge import SheetMark, check
+from dhcli.checking.judge import check
 from dhcli.checking.kinds.made import question_about
 from dhcli.checking.kinds.table import TableQuestion
+from dhcli.checking.marked import SheetMark
 from dhcli.checking.orientations import angle_between, not_orthonormal
 from dhcli.checking.tolerance import is_rounding_of, judge, typed_decimals
 from dhcli.checking.verdicts import TOO_FEW, Mark, Verdict
@@ -443,7 +444,7 @@ def sane(judged: Mark) -> None:
 
 def shown(exercise: Exercise, part: Part, judged: Mark) -> str:
     """The judgement as a terminal shows it."""
-    from dhcli.checking.judge import PartMark
+    from dhcli.checking.marked import PartMark
 
     text = render("marks", SheetMark(exercise, (PartMark(part, judged),)), Look(paper=Paper()))
     assert part.heading(exercise).split("\n")[0][:10] in text

@@ -20,8 +20,7 @@ from dhcli.checking.verdicts import Verdict
 from dhcli.checking.written import Range
 from dhcli.errors import DhcliError
 from dhcli.files.library.lookup import Kind, entries
-from dhcli.files.yaml.exercises import load_exercise as load_anew
-from dhcli.files.yaml.exercises import read_exercise
+from dhcli.files.yaml.exercises import load_exercise, read_exercise
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Number
 from tests.judging import expected, hidden, judge_of, mark, vary
@@ -30,9 +29,6 @@ from tests.nightly import NIGHT, examples
 VARIED = ("yim/planar-in-numbers", "yim/scara-in-numbers", "yim/stanford-in-numbers", "zhou/three-r-arm-tip-in-numbers")
 SEEDS = [str(number) for number in range(1, 41 if NIGHT else 10)]
 FIFTY = [str(number) for number in range(1, 51 if NIGHT else 16)]
-
-load_exercise = cache(load_anew)
-"""Once for all tests: what the draws of an exercise share is worked out when the first is drawn."""
 
 
 @cache
@@ -246,7 +242,7 @@ def test_a_search_that_is_moved_to_a_draw_is_that_of_the_draw(name: str) -> None
 def test_what_draws_share_stays_in_its_bounds(monkeypatch: pytest.MonkeyPatch) -> None:
     """However many values the ranges of a class have; what was forgotten is worked out again."""
     monkeypatch.setattr(bench, "MOST_KNOWN", 7)
-    exercise = load_anew("yim/planar-in-numbers")
+    exercise = replace(load_exercise("yim/planar-in-numbers"))  # one that shares nothing with the other tests
     question = next(part.question for part in exercise.parts if isinstance(part.question, MatrixQuestion))
     shared = search_of(question, judge_of(exercise).memo)
     for seed in SEEDS[:5]:
@@ -325,8 +321,8 @@ def test_a_parameter_of_the_robot_may_vary() -> None:
 
 def test_the_library_has_exercises_with_variants() -> None:
     """These four at least."""
-    with_variants = [entry.name for entry in entries(Kind.EXERCISES) if load_exercise(entry.name).variants]
-    assert set(VARIED) <= set(with_variants)
+    with_variants = {entry.name for entry in entries(Kind.EXERCISES) if load_exercise(entry.name).variants}
+    assert set(VARIED) <= with_variants
 
 
 def test_what_a_document_prints_answers_the_numbers_of_the_file_alone() -> None:

@@ -234,6 +234,20 @@ def test_open_writes_a_page_and_opens_it(dhcli: Run, monkeypatch: pytest.MonkeyP
     assert opened[1].endswith("/puma560.svg")
 
 
+def test_the_picture_of_a_solution_follows_the_rule_and_words_of_the_solution(dhcli: Run) -> None:
+    """What is yet to try is named with how to; a part that was tried no more; --yes shows it all the same."""
+    name = "yim/planar-two-links"
+    refused = dhcli("draw", name, "--solution", "-o", "a.svg").err
+    assert "never tried: table, blocks\n" in refused
+    assert f"dhcli check {name} --part table asks for table; --yes shows what was not tried" in refused
+    assert dhcli("solution", name, "--part", "blocks").err.endswith("asks for it; --yes shows what was not tried\n")
+    assert dhcli("check", name, "--part", "table", "--answer", "[0, 0, 0, 0]").code in (1, 2)
+    tried = dhcli("draw", name, "--solution", "-o", "a.svg").err
+    assert "never tried: blocks\n" in tried
+    assert "--part blocks asks for it" in tried
+    assert dhcli("draw", name, "--solution", "--yes", "-o", "a.svg").code == 0
+
+
 @pytest.mark.parametrize(
     ("words", "message"),
     [
@@ -271,6 +285,7 @@ def test_open_writes_a_page_and_opens_it(dhcli: Run, monkeypatch: pytest.MonkeyP
         ("yim/stanford-arm --pose zero", "yim/stanford-arm is an exercise"),
         ("yim/stanford-arm --solution", "never tried"),
         ("stanford --solution", "stanford is no exercise"),
+        ("stanford --yes", "stanford is no exercise"),
     ],
 )
 def test_what_cannot_be_drawn_is_refused_in_words(

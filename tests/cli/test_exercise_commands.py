@@ -60,6 +60,7 @@ def test_start_overwrites_nothing_unless_it_must(dhcli: Run, tmp_path: Path) -> 
     done = dhcli("start", PLANAR)
     assert done.code == 2
     assert "exists already" in done.err
+    assert "it may hold answers: -o OTHER.yaml writes another; --overwrite overwrites it" in done.err
     assert (tmp_path / SHEET).read_text() == "hours of work"
     assert dhcli("start", PLANAR, "--overwrite").code == 0
     assert "answers:" in (tmp_path / SHEET).read_text("utf-8")
@@ -137,6 +138,7 @@ def test_a_solution_is_not_shown_to_a_script_before_a_try(dhcli: Run) -> None:
     done = dhcli("solution", PLANAR, "--part", "a1")
     assert (done.code, done.out) == (2, "")
     assert "never tried: a1" in done.err
+    assert f"dhcli check {PLANAR} --part a1 asks for it; --yes" in done.err
     assert dhcli("solution", PLANAR, "--part", "a1", "--yes").code == 0
 
 
@@ -144,7 +146,9 @@ def test_a_solution_is_shown_after_a_try(dhcli: Run) -> None:
     """Of that part, and of no other."""
     dhcli("check", PLANAR, "--part", "a1", "--answer", "[1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1]")
     assert dhcli("solution", PLANAR, "--part", "a1").code == 0
-    assert "never tried: table, a2" in dhcli("solution", PLANAR).err
+    refused = dhcli("solution", PLANAR).err
+    assert "never tried: table, a2" in refused
+    assert f"dhcli check {PLANAR} --part table asks for table; --yes shows" in refused
 
 
 def test_a_solution_goes_step_by_step(dhcli: Run) -> None:

@@ -115,6 +115,14 @@ def test_no_rows_make_an_array_of_none(dhcli: Run, tmp_path: Path) -> None:
     assert np.load(tmp_path / "a.npy").shape == (0, 4, 4)
 
 
+def test_any_number_of_jobs_says_the_same(dhcli: Run, tmp_path: Path) -> None:
+    """Whatever share of the rows each of them takes."""
+    np.save("q.npy", puma(20_001))
+    for jobs in ("1", "2", "7"):
+        assert dhcli("fk", "puma560", "--in", "q.npy", "-o", f"{jobs}.npy", "--jobs", jobs).code == 0
+    assert len({(tmp_path / f"{jobs}.npy").read_bytes() for jobs in (1, 2, 7)}) == 1
+
+
 @POSIX
 def test_npy_goes_through_a_pipe(process: Run, tmp_path: Path) -> None:
     """In and out, from one command to the next program."""
@@ -139,6 +147,9 @@ def test_npy_goes_through_a_pipe(process: Run, tmp_path: Path) -> None:
         ("fk scara --in q.csv --q d3=0.1", "d3 has a column, and --q gives it too"),
         ("fk scara --in q.csv --q q1=0,q2=0,d3=0.1", "leave --in out, or a joint to the file"),
         ("fk scara --index --pose pick", "name their file with --in FILE"),
+        ("fk scara --jobs 2 --pose pick", "name their file with --in FILE"),
+        ("fk scara --in q.csv --jobs 0", "'--jobs': 0 is not in the range"),
+        ("fk scara --in q.csv --jobs all", "'--jobs': 'all' is not a whole number"),
         ("fk scara --in q.csv --let", "--let"),
         ("fk scara --in q.csv --style full --digits 0", "--style and --digits"),
         ("fk scara --skip-bad --pose pick", "name their file with --in FILE"),

@@ -115,6 +115,11 @@ def test_rows_give_a_jacobian_each(dhcli: Run) -> None:
     assert np.array(nested) == pytest.approx(expected)
     assert dhcli(*words, "-o", "j.npy").code == 0
     assert np.load("j.npy") == pytest.approx(expected)
+    np.save("many.npy", np.random.default_rng(4).uniform(-3, 3, (20_000, 2)))
+    for jobs in ("1", "3"):
+        assert dhcli("jacobian", "planar-2r", "--rows", "many.npy", "-o", f"{jobs}.npy", "--jobs", jobs).code == 0
+    assert Path("1.npy").read_bytes() == Path("3.npy").read_bytes()
+    assert "name their file with --rows FILE" in dhcli("jacobian", "planar-2r", "--jobs", "2", "--symbolic").err
     assert dhcli(*words, "--index").out.splitlines()[1].startswith("2,")
     Path("bad.csv").write_text("0.1,0.2\n0.3,nan\n", encoding="utf-8")
     assert dhcli("jacobian", "planar-2r", "--rows", "bad.csv").code == 2

@@ -35,7 +35,7 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("fk", "planar-2r", "-s", "--factors", "1", "--format", "sympy"),
     ("fk", "stanford", "-s", "--frames"),
     ("fk", "stanford", "--links", "--q", "0,0,0.2,0,0,0", "--format", "csv"),
-    ("fk", "scara", "--in", "q.csv", "--ignore-columns", "--skip-bad", "--index", "--deg"),
+    ("fk", "scara", "--in", "q.csv", "--ignore-columns", "--skip-bad", "--index", "--deg", "--jobs", "2"),
     ("fk", "scara", "--pose", "pick", "-o", "out.m", "--overwrite"),
     (
         "sweep",
@@ -99,7 +99,7 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("jacobian", "scara", "--pose", "pick", "--space"),
     ("jacobian", "scara", "--pose", "pick", "--body"),
     ("jacobian", "scara", "--pose", "pick", "--in", "tool", "--tool", "Trans(0,0,l1) Rot(z,30°)"),
-    ("jacobian", "scara", "--rows", "q.csv", "--skip-bad", "--ignore-columns", "--index"),
+    ("jacobian", "scara", "--rows", "q.csv", "--skip-bad", "--ignore-columns", "--index", "--jobs", "2"),
     (
         "singularities",
         "planar-2r",
@@ -203,7 +203,8 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("check", "./motors.yaml", "--motors", "--pose", "folded", "--entry", "1,4", "--answer", "0"),
     ("describe", "ur5e", "--as", "standard", "--straighten", "0.01°", "--format", "json"),
     ("describe", "./motors.yaml", "--as", "motors"),
-    ("draw", "yim/planar-in-numbers", "--variant", "alice", "--solution", "--worksheet", "-o", "w.svg"),
+    ("describe", "./motors.yaml", "--motors", "--as", "standard"),
+    ("draw", "yim/planar-in-numbers", "--variant", "alice", "--solution", "--yes", "--worksheet", "-o", "w.svg"),
     ("ik", "planar-2r", "--q", "10,20", "--deg", "--set", "a1=1", "--task", "position", "--from", "0", "--to", "2"),
     ("ik", "puma560", "--pose", "ready", "--near", "ready", "--branch", "elbow up", "--within-limits", "--digits", "3"),
     ("ik", "puma560", "--target", "Trans(0.4,0.15,0.3) Rot(y,90°)", "--all-turns", "--format", "json", "-o", "i.json"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cache
 
 from dhcli import load_robot
 from dhcli.files.library.kinds import Kind
@@ -46,10 +47,11 @@ PAN_TILT = hinges("pan-tilt", ("a1", 90, ""), ("a2", 0, ""))
 """Two axes at right angles."""
 
 
+@cache
 def moving_robots() -> Sequence[str]:
     """Every robot of the library that has a joint."""
     names = [entry.name for entry in entries(Kind.ROBOTS)]
-    return [name for name in names if load_robot(name).variables]
+    return tuple(name for name in names if load_robot(name).variables)
 
 
 def with_values(robot: Robot) -> dict[str, str | float]:

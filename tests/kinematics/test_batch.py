@@ -145,6 +145,14 @@ def test_threads_change_nothing(threads: int, player: str, monkeypatch: pytest.M
     assert np.array_equal(forward_batch(robot, q, threads=threads, out=np.zeros((77, 4, 4))), alone)
 
 
+@pytest.mark.usefixtures("player")
+@pytest.mark.parametrize("count", [0, 1, 2])
+def test_more_threads_than_rows_are_no_matter(count: int) -> None:
+    """Nor are more than a machine could start."""
+    q = np.full((count, 3), 0.1)
+    assert np.array_equal(forward_batch(load_robot("scara"), q, threads=10**9), forward_batch(load_robot("scara"), q))
+
+
 @pytest.mark.parametrize("count", [0, 1, BLOCK - 1, BLOCK, 2 * BLOCK + 1, CHUNK, CHUNK + 1, 1_000_000])
 @pytest.mark.parametrize("threads", [1, 2, 3, 7])
 def test_threads_have_equal_shares(count: int, threads: int) -> None:
@@ -185,6 +193,20 @@ def test_columns_that_nobody_uses_are_used_again(monkeypatch: pytest.MonkeyPatch
     assert len(playing._IDLE) == 2
 
 
+def test_threads_and_one_thread_in_turn_make_their_columns_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Blocks of a call are equally long, so that no odd rest takes the place of what the next call needs."""
+    made = []
+    plain = playing.Columns
+    monkeypatch.setattr(playing, "Columns", lambda *given: made.append(given[1]) or plain(*given))
+    monkeypatch.setattr(kernel, "_LOADED", SimpleNamespace(loop=None, is_ready=lambda count: False))
+    monkeypatch.setattr(playing, "_IDLE", type(playing._IDLE)(maxlen=4))
+    robot, q = load_robot("scara"), np.zeros((CHUNK + 30_001, 3))
+    for threads in (1, 2, 1, 2):
+        forward_batch(robot, q, threads=threads)
+    assert 2 <= len(made) <= 3
+    assert max(made) < CHUNK
+
+
 @pytest.mark.parametrize("rows", [[[0.1, 0.2, 0.3], [0.1]], [["a", "b", "c"]]])
 def test_what_is_no_array_of_numbers_is_refused(rows: list[list[float]]) -> None:
     """Rows of different lengths, text."""
@@ -215,6 +237,8 @@ def test_arguments_that_cannot_be_used_are_refused_in_words() -> None:
         forward_batch(robot, [[0, 0, 0]], out=[1])  # type: ignore[arg-type]
     with pytest.raises(RobotError, match="not \\(1, 4, 4\\) of float64 or float32"):
         forward_batch(robot, [[0, 0, 0]], out=np.zeros((1, 4, 4), dtype=np.int64))
+    with pytest.raises(RobotError, match="of >f8, not"):
+        forward_batch(robot, [[0, 0, 0]], out=np.zeros((1, 4, 4), dtype=">f8"))
     with pytest.raises(RobotError, match="of float32, not"):
         forward_batch(robot, [[0, 0, 0]], out=np.zeros((1, 4, 4), dtype=np.float32), dtype=float)
     for dtype in (int, "f2", "nonsense", complex):

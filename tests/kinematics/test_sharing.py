@@ -7,6 +7,7 @@ from threading import Barrier, Event, get_ident
 
 import pytest
 
+from dhcli.kinematics import sharing
 from dhcli.kinematics.sharing import AHEAD, shared
 
 
@@ -22,6 +23,12 @@ def test_threads_work_at_the_same_time() -> None:
     meeting = Barrier(3, timeout=60)
     assert len({ident for ident, _ in shared(lambda _: (get_ident(), meeting.wait()), range(3), 3)}) == 3
     assert list(shared(lambda _: get_ident(), range(2), 1)) == [get_ident()] * 2
+
+
+def test_threads_are_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
+    """However many are asked for."""
+    monkeypatch.setattr(sharing, "MOST", 3)
+    assert len(set(shared(lambda _: get_ident(), range(200), 10**9))) <= 3
 
 
 def test_only_few_parts_are_taken_ahead() -> None:

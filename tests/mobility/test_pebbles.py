@@ -6,6 +6,7 @@ Source: Jacobs and Hendrickson 1997; Laman 1970 for the count 2|V| - 3 of every 
 from __future__ import annotations
 
 import random
+from itertools import combinations
 
 import numpy as np
 import pytest
@@ -18,7 +19,7 @@ from dhcli.mobility.counting import Counts
 from dhcli.mobility.large import _placed, _widest, eliminate, large_mobility
 from dhcli.mobility.linkage import Joint, Linkage, Vector
 from dhcli.mobility.model import model_of
-from dhcli.mobility.pairs import LETTERS, PLANAR, pair_of
+from dhcli.mobility.pairs import LETTERS, PLANAR, SPATIAL, pair_of
 from dhcli.mobility.pebbles import generic_freedoms, independent
 from dhcli.mobility.truth import true_mobility
 from tests.mobility.mechanisms import MECHANISMS
@@ -38,18 +39,46 @@ def placed_rank(edges: list[Edge], points: list[Vector]) -> int:
 
 def test_the_game_knows_a_triangle_and_a_braced_square() -> None:
     """K4 has one bar too many."""
-    assert independent(3, [(0, 1), (1, 2), (2, 0)]) == 3
-    assert independent(4, [(a, b) for a in range(4) for b in range(a)]) == 5
-    assert independent(4, [(0, 1), (1, 2), (2, 3), (3, 0)]) == 4
+    assert independent([2] * 3, [(0, 1), (1, 2), (2, 0)]) == 3
+    assert independent([2] * 4, [(a, b) for a in range(4) for b in range(a)]) == 5
+    assert independent([2] * 4, [(0, 1), (1, 2), (2, 3), (3, 0)]) == 4
+
+
+def test_the_game_counts_what_an_angle_ties_together() -> None:
+    """Of two points and an angle two equations count, of three points four; a point and an angle alone have none."""
+    assert independent([2, 2, 1], [(0, 1, 2)] * 3) == 2
+    assert independent([2, 2, 2, 1], [(0, 1, 3), (1, 2, 3), (2, 0, 3)] * 2) == 4
+    assert independent([2, 1], [(0, 1)]) == 0
+
+
+def largest_independent(pebbles: list[int], edges: list[tuple[int, ...]]) -> int:
+    """By the definition: the most edges of which no part is larger than the pebbles of its vertices less 3."""
+
+    def is_sparse(chosen: tuple[tuple[int, ...], ...]) -> bool:
+        parts = (part for size in range(1, len(chosen) + 1) for part in combinations(chosen, size))
+        return all(len(part) <= sum(pebbles[v] for v in set().union(*part)) - 3 for part in parts)
+
+    sizes = range(len(edges), -1, -1)
+    return next(size for size in sizes if any(map(is_sparse, combinations(edges, size))))
+
+
+@pytest.mark.parametrize("seed", range(25))
+def test_the_game_finds_as_many_edges_as_the_definition(seed: int) -> None:
+    """With vertices of one and of two pebbles, edges of two ends and of three, and the same edge twice."""
+    draw = random.Random(seed)  # noqa: S311  labels, no secret
+    pebbles = [2, 2, 2, 2, 1, 1]
+    edges = [tuple(draw.sample(range(6), draw.choice([2, 3]))) for _ in range(6)]
+    edges += draw.sample(edges, 2)
+    assert independent(pebbles, edges) == largest_independent(pebbles, edges)
 
 
 @pytest.mark.parametrize("seed", range(60))
 def test_the_game_counts_the_rank_of_random_places(seed: int) -> None:
     """Which is that of almost all."""
     vertices, edges = framework(seed)
-    assert independent(vertices, edges) == placed_rank(edges, places(vertices, seed))
+    assert independent([2] * vertices, edges) == placed_rank(edges, places(vertices, seed))
     order = random.Random(seed).sample(edges, len(edges))  # noqa: S311  labels, no secret
-    assert independent(vertices, [(b, a) for a, b in order]) == independent(vertices, edges)
+    assert independent([2] * vertices, [(b, a) for a, b in order]) == independent([2] * vertices, edges)
 
 
 def framework(seed: int) -> tuple[int, list[Edge]]:
@@ -92,7 +121,7 @@ def test_random_bars_have_the_mobility_of_their_equations(seed: int) -> None:
 
 
 def net(links: int, joints: int, seed: int, kinds: str = "pin") -> Linkage:
-    """Links tied at random: by pins, pins through three links, bars, or welds."""
+    """Links tied at random: by pins, pins through three links, sliders, pins in slots, bars, or welds."""
     draw = random.Random(seed)  # noqa: S311  labels, no secret
     names, found = [f"b{i}" for i in range(links)], list[Joint]()
     while len(found) < joints:
@@ -100,13 +129,30 @@ def net(links: int, joints: int, seed: int, kinds: str = "pin") -> Linkage:
         a, b = (names[draw.randrange(first)], names[first]) if first < links else draw.sample(names, 2)
         kind = draw.choice(kinds.split())
         at, far = places(2, draw.randrange(1 << 30))
-        found.append(Joint(pair_of(kind), (a, b), str(len(found)), at, other=far if kind == "bar" else None))
+        other, axis = far if kind == "bar" else None, far if kind == "slider" else None
+        slide = far if kind == "slot" else None
+        found.append(Joint(pair_of(kind), (a, b), str(len(found)), at, axis=axis, other=other, slide=slide))
         if kind == "pin" and not draw.randrange(6) and len(found) >= links:
             found.append(Joint(pair_of(kind), (b, draw.choice([n for n in names if n not in (a, b)])), "more", at))
     return Linkage("net", PLANAR, tuple(found), names[0], names[-1])
 
 
-@pytest.mark.parametrize("kinds", ["pin", "pin pin bar", "pin pin bar weld"])
+@pytest.mark.parametrize(
+    "kinds",
+    [
+        "pin",
+        "pin pin bar",
+        "pin pin bar weld",
+        "slider",
+        "pin slider",
+        "pin pin pin slider",
+        "pin slider bar weld",
+        "slot",
+        "pin slot",
+        "pin slider slot",
+        "pin slot bar weld",
+    ],
+)
 @pytest.mark.parametrize("seed", range(12))
 def test_no_placement_has_fewer_motions_than_the_game_says(seed: int, kinds: str) -> None:
     """Random ones have as many, and those in which all pins lie on one line as many or more."""
@@ -116,7 +162,7 @@ def test_no_placement_has_fewer_motions_than_the_game_says(seed: int, kinds: str
     model = model_of(linkage)
     game = generic_freedoms(model)
     assert game == model.motions - rank_of(model.jacobian()).rank
-    special = model_of(mapped(linkage, lambda p: p * [1, 0, 0], lambda d: d))
+    special = model_of(mapped(linkage, lambda p: p * [1, 0, 0], lambda d: d * [0, 1, 0]))
     coarse = generic_freedoms(special)
     assert coarse is not None
     assert coarse <= special.motions - rank_of(special.jacobian()).rank
@@ -129,28 +175,39 @@ def test_the_game_never_counts_more_than_the_truth(name: str) -> None:
     assert game is None or game <= MECHANISMS[name]["truth"]["dof"]
 
 
-def test_the_game_leaves_sliders_and_space_alone() -> None:
-    """It knows pins with parallel axes."""
+def test_the_game_leaves_space_alone() -> None:
+    """It knows pins with parallel axes, and what slides across them."""
     assert generic_freedoms(model_of(mechanism("bennett"))) is None
     assert generic_freedoms(model_of(mechanism("spherical4r"))) is None
     assert generic_freedoms(model_of(mechanism("fourbar_spatial"))) == 1  # all of its axes are parallel
-    slides = Joint(LETTERS["P"], ("g", "a"), axis=(1.0, 0.0, 0.0))
-    assert generic_freedoms(model_of(Linkage("slider", PLANAR, (slides,), "g"))) is None
+    for axis, freedoms in (((1.0, 0.0, 0.0), 1), ((0.0, 0.0, 1.0), None)):
+        slides = Joint(LETTERS["P"], ("g", "a"), axis=axis)
+        assert generic_freedoms(model_of(Linkage("slider", SPATIAL, (slides,), "g"))) == freedoms
+
+
+def test_three_links_that_slide_along_one_another_in_a_ring_keep_a_freedom() -> None:
+    """Gruebler counts none: none of them can turn against another, which is held three times."""
+    ways = {("g", "a"): (1.0, 0.0, 0.0), ("a", "b"): (0.6, 0.8, 0.0), ("b", "g"): (0.0, 1.0, 0.0)}
+    ring = Linkage("ring", PLANAR, tuple(Joint(LETTERS["P"], ends, axis=way) for ends, way in ways.items()), "g")
+    assert Counts.of(ring).gruebler == 0
+    assert generic_freedoms(model_of(ring)) == 1
+    assert true_mobility(ring).mobility == 1
 
 
 @pytest.mark.parametrize("seed", range(6))
 def test_what_the_game_certifies_is_found_by_moving_too(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Amplitudes imposed on over-braced nets close, with as many freedoms and the same motion of the output."""
-    linkage = net(10, 14, seed)
+    linkage = net(10, 14, seed, "pin pin slider slot" if seed % 2 else "pin")
     certified = true_mobility(linkage)
     monkeypatch.setattr(decision, "generic_freedoms", lambda model: None)
     moved = true_mobility(linkage)
     assert (certified.mobility, certified.motion) == (moved.mobility, moved.motion)
 
 
-def test_over_braced_nets_of_four_hundred_links_are_decided() -> None:
+@pytest.mark.parametrize("kinds", ["pin", "pin pin pin slider"])
+def test_over_braced_nets_of_four_hundred_links_are_decided(kinds: str) -> None:
     """Though they have more equations than are independent."""
-    found = true_mobility(net(400, 580, 1))
+    found = true_mobility(net(400, 580, 1, kinds))
     assert found.mobility == found.instantaneous
     assert found.mobility is not None
     assert found.mobility > Counts.of(found.model.linkage).gruebler  # type: ignore[operator]

@@ -17,6 +17,8 @@ from dhcli.kinematics.sweep.result import Sweep
 from dhcli.kinematics.sweep.run import sweep
 from dhcli.kinematics.sweep.target import target_of
 from dhcli.kinematics.sweep.workspace import Workspace
+from dhcli.scene.camera import VIEWS
+from dhcli.scene.workspace import views_of
 
 Place = tuple[float, ...]
 
@@ -39,10 +41,10 @@ def test_every_point_is_counted_in_the_cell_where_it_is() -> None:
     """Against a count of all points in plain Python, from both sides."""
     every, found, seen = _swept("scara", "theta1=-90°..90° n 31", "theta2 n 37", "d3=0..0.2 n 5")
     size = 2 * seen.half / CELLS
-    for counts, axis in ((seen.side, 2), (seen.top, 1)):
+    for counts, right, up in ((seen.side, 0, 2), (seen.top, 0, 1), (seen.front, 1, 2)):
         known: dict[tuple[int, int], int] = {}
         for place in every:
-            cell = int((place[axis] + seen.half) / size), int((place[0] + seen.half) / size)
+            cell = int((place[up] + seen.half) / size), int((place[right] + seen.half) / size)
             known[cell] = known.get(cell, 0) + 1
         assert {(j, i): count for j, row in enumerate(counts) for i, count in enumerate(row) if count} == known
     assert seen.count == found.grid.count
@@ -60,7 +62,7 @@ def test_a_square_grows_around_its_middle_as_points_come_from_farther_away() -> 
     assert seen.half > 0.1 * 3.0**7
     for x, y, _ in points:
         assert seen.top[math.floor((y + seen.half) / size)][math.floor((x + seen.half) / size)]
-    assert sum(map(sum, seen.top)) == sum(map(sum, seen.side)) == 8
+    assert sum(map(sum, seen.top)) == sum(map(sum, seen.side)) == sum(map(sum, seen.front)) == 8
 
 
 def test_the_points_kept_are_spread_over_the_whole_grid() -> None:
@@ -71,16 +73,43 @@ def test_the_points_kept_are_spread_over_the_whole_grid() -> None:
     assert {(x > 0, y > 0) for x, y, _ in seen.sample} == {(a, b) for a in (True, False) for b in (True, False)}
 
 
-def test_a_workspace_is_drawn_from_two_sides_with_the_arm_in_it() -> None:
+@pytest.mark.parametrize(
+    ("name", "overs", "views"),
+    [
+        ("puma560", ("theta1 n 7", "theta2 n 7", "theta3 n 7"), ["side", "top"]),
+        ("puma560", ("theta1=80°..110° n 5", "theta2=-90°..60° n 9", "theta3=-90°..0° n 5"), ["front", "top"]),
+        ("planar-2r", (), ["top"]),
+        ("puma560", ("theta2", "theta3"), ["side"]),
+        ("puma560", ("theta1=90°..91° n 2", "theta2", "theta3"), ["front"]),
+        ("cartesian", ("d1=0..1 n 4",), ["side"]),
+    ],
+)
+def test_points_are_seen_from_where_they_go_farthest(name: str, overs: tuple[str, ...], views: list[str]) -> None:
+    """From above and a side, or, where they are in a plane or a line, from the one side that shows all of it."""
+    _, _, seen = _swept(name, *overs)
+    assert [view.name for view in views_of(seen)] == views
+    figure = draw(load_robot(name), workspace=seen).figure()
+    said = ["".join(run.text for run in text.words) for text in figure.texts if text.look == "caption"]
+    assert [view for view in VIEWS if any(line.startswith(f"{view}:") for line in said)] == sorted(views)
+
+
+def test_extents_are_those_of_the_points_to_a_cell() -> None:
+    """Along each axis."""
+    every, _, seen = _swept("puma560", "theta1 n 7", "theta2 n 7", "theta3 n 7")
+    cell = 2 * seen.half / CELLS
+    for extent, places in zip(seen.extents, zip(*every, strict=True), strict=True):
+        assert 0 <= extent - (max(places) - min(places)) <= 2 * cell
+
+
+def test_a_workspace_is_drawn_with_the_arm_in_it() -> None:
     """A cell stands where its points are; more poses, a darker shade."""
     _, _, seen = _swept("planar-2r", "theta1=-180°..180° n 181", "theta2=-180°..180° n 181")
     picture = draw(load_robot("planar-2r"), workspace=seen)
     figure = picture.figure()
     cells = [shape for shape in figure.shapes if shape.look.startswith("density")]
     assert len({shape.look for shape in cells}) == 5
-    assert sum(shape.look == "drum" for shape in figure.shapes) == 2  # from the side; from above only their caps
-    top = [shape for shape in cells if min(x for x, _ in shape.points) > figure.width / 2]
-    xs, ys = ([point[i] for shape in top for point in shape.points] for i in (0, 1))
+    assert sum(shape.look == "cap" for shape in figure.shapes) == 2  # of the drums, from above
+    xs, ys = ([point[i] for shape in cells for point in shape.points] for i in (0, 1))
     assert max(xs) - min(xs) == pytest.approx(max(ys) - min(ys), rel=0.02)  # a disc
     assert "32,761 poses of frame 2, seen from frame 0" in figure.caption
     assert picture.svg() == draw(load_robot("planar-2r"), workspace=seen).svg()

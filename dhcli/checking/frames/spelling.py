@@ -8,6 +8,7 @@ from itertools import pairwise
 
 from dhcli.checking.pasted import UnreadableError
 from dhcli.notation.operators import OPENING
+from dhcli.regex import regex
 
 LONGEST = 20_000
 """Characters of an answer."""
@@ -15,14 +16,14 @@ LONGEST = 20_000
 SHAPE = "a row for each frame has its origin, its x axis and its z axis, such as (a1, 0, 0) +x +z"
 
 _MINUS = "\N{MINUS SIGN}"
-AXIS = re.compile(rf"([+\-{_MINUS}]?)([xyz])(?:_?\{{?\d{{1,3}}\}}?)?")
+AXIS = regex(rf"([+\-{_MINUS}]?)([xyz])(?:_?\{{?\d{{1,3}}\}}?)?")
 """A direction along an axis of the base: `+z`, `-x0`."""
 
-_HAS_AXIS = re.compile(rf"(?:^|[\s,;=:|&(\[{{]){AXIS.pattern}(?=$|[\s,;|&)\]}}=:])")
-_HEADS = re.compile(r"\W{0,9}(?:frame|no|i)?\W{0,9}(?:origin|o)\W{1,9}x\W{1,9}(?:y\W{1,9})?z\W{0,9}", re.IGNORECASE)
-_NUMBER = re.compile(r"\s*(?:frame\s{0,9})?\{?(\d{1,4})\}?\s{0,9}:|\s*frame\s{1,9}(\d{1,4})(?=\s)", re.IGNORECASE)
-_LABEL = re.compile(r"(?<![\w+.-])(frame|origin|o|x|y|z)(?:_?\{?(\d{1,4})\}?)?\s{0,9}[=:]", re.IGNORECASE)
-_BLANK = re.compile(r"(?<![+*/^-])[ \t]+(?![*/^]|[-+][ \t])")
+_HAS_AXIS = regex(rf"(?:^|[\s,;=:|&(\[{{]){AXIS.pattern}(?=$|[\s,;|&)\]}}=:])")
+_HEADS = regex(r"\W{0,9}(?:frame|no|i)?\W{0,9}(?:origin|o)\W{1,9}x\W{1,9}(?:y\W{1,9})?z\W{0,9}", re.IGNORECASE)
+_NUMBER = regex(r"\s*(?:frame\s{0,9})?\{?(\d{1,4})\}?\s{0,9}:|\s*frame\s{1,9}(\d{1,4})(?=\s)", re.IGNORECASE)
+_LABEL = regex(r"(?<![\w+.-])(frame|origin|o|x|y|z)(?:_?\{?(\d{1,4})\}?)?\s{0,9}[=:]", re.IGNORECASE)
+_BLANK = regex(r"(?<![+*/^-])[ \t]+(?![*/^]|[-+][ \t])")
 """A blank that separates cells: not beside an operator, so that `a + b` is one cell, and `a -b` are two."""
 
 _VECTOR = 3

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from dataclasses import replace
 from typing import ClassVar, Self
@@ -15,8 +14,9 @@ from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import Place
 from dhcli.frozen import frozen
 from dhcli.notation.scope import Scope
+from dhcli.regex import regex
 
-_LABEL = re.compile(r"[(\[]?([0-9]{1,3}|[a-z])[)\].:]{0,2}(?: (.+))?")
+_LABEL = regex(r"[(\[]?([0-9]{1,3}|[a-z])[)\].:]{0,2}(?: (.+))?")
 
 _MARKS = ".,;:!?\"'“”‘’()[]"  # noqa: RUF001  as they are typed
 

@@ -3,48 +3,33 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import ClassVar, Self
+from typing import ClassVar
 
 from dhcli.algebra.equality import equal
 from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.exercise import Case, Exercise
-from dhcli.checking.motion.asked import Motion
 from dhcli.checking.motion.columns import Columns, jacobian_grid
 from dhcli.checking.motion.from_columns import ColumnsQuestion
 from dhcli.checking.motion.grid import Grid, exact
 from dhcli.checking.motion.linear import determinant_of
 from dhcli.checking.motion.question import OneNumberQuestion
-from dhcli.checking.motion.task import columns_for, found_for, kept_rows, read_task, square, values_in
+from dhcli.checking.motion.task import JacobianTask, columns_for, found_for, kept_rows, square, values_in
 from dhcli.checking.returned import Shown
-from dhcli.errors import Place, RobotError
+from dhcli.errors import RobotError
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.velocity.cramer import LARGEST, determinant
-from dhcli.kinematics.velocity.form import GEOMETRIC, Form
-from dhcli.notation.scope import Scope
+from dhcli.kinematics.velocity.form import Form
 from dhcli.notation.tree import ZERO, Expr, Number, Power, Product, multiply, negate, power
 from dhcli.notation.writer import write
 
 
 @frozen
-class DeterminantQuestion(OneNumberQuestion, ColumnsQuestion):
-    """The determinant of a Jacobian, of the rows that the joints can move.
-
-    Attributes:
-        motion: Of which frame and point.
-        form: All rows, or those of v or ω.
-    """
-
-    motion: Motion
-    form: Form = GEOMETRIC
+class DeterminantQuestion(JacobianTask, OneNumberQuestion, ColumnsQuestion):
+    """The determinant of a Jacobian, of the rows that the joints can move."""
 
     words: ClassVar = ("determinant",)
     examples: ClassVar = ("determinant of jacobian linear of 0..3",)
-
-    @classmethod
-    def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
-        """`determinant of jacobian linear of 0..3`."""
-        return cls(*read_task("determinant", text, scope, place))
 
     def check(self, robot: Robot | None) -> None:
         square(*self.motion.check(robot), self.form)

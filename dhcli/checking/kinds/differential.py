@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
 from typing import ClassVar, Self
 
@@ -24,8 +23,9 @@ from dhcli.notation.scope import Scope
 from dhcli.notation.tree import ZERO, Expr, add, negate
 from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write
+from dhcli.regex import regex
 
-_HEAD = re.compile(r"differential\s+motion\s*(?P<moved>\([^()]*\))(?:\s+turn\s*(?P<turned>\([^()]*\)))?")
+_HEAD = regex(r"differential\s+motion\s*(?P<moved>\([^()]*\))(?:\s+turn\s*(?P<turned>\([^()]*\)))?")
 POWERS = ((0, 0, 0, 1),) * 3 + ((0, 0, 0, 0),)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from typing import ClassVar, Self
@@ -23,8 +22,9 @@ from dhcli.kinematics.velocity.form import GEOMETRIC, Form
 from dhcli.kinematics.velocity.jacobian import textbook_jacobian
 from dhcli.kinematics.velocity.view import MotionView, joints_between
 from dhcli.notation.scope import Scope
+from dhcli.regex import regex
 
-_HEAD = re.compile(
+_HEAD = regex(
     r"(?:column\s+(?P<alone>\d{1,2})\s+of\s+|entry\s+(?P<row>\d{1,2})\s+(?P<column>\d{1,2})\s+of\s+)?"
     r"jacobian(?:\s+(?P<form>[a-z ]+))?"
 )

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
 from typing import ClassVar, Self
 
@@ -34,8 +33,9 @@ from dhcli.kinematics.validity import Finding
 from dhcli.notation.names import canonical
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Symbol
+from dhcli.regex import regex
 
-_ASKED = re.compile(
+_ASKED = regex(
     r"(?:angle|joint)\s+(?P<joints>[\w+ ]+?)\s+(?:(?P<start>base|\d{1,4})\s*\.\.\s*(?P<end>tool|\d{1,4})\s+)?"
     r"of\s+(?P<task>pose|position|orientation)\s*"
 )
@@ -191,9 +191,9 @@ class JointFormulaQuestion(Question[Formula]):
     def _cases(self, case: Case) -> tuple[covering.Case, ...]:
         def drawn() -> tuple[covering.Case, ...]:
             derivation = self._derivation(case)
-            return covering.points(
-                derivation, derivation.robot, of_robot(derivation.robot, case.exercise.values), self._asked
-            )
+            robot, textbook = derivation.robot, values_of(formula_of(derivation, self.joints))
+            lengths = of_robot(robot, case.exercise.values)
+            return covering.points(derivation, robot, lengths, self._asked, Formula(textbook, "", 0))
 
         return case.memo.of(("points", self.joints, self.target), drawn)
 

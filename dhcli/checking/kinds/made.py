@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Mapping, Sequence
 
 from dhcli.checking.exercise import Case, Exercise, Memo, Part
@@ -14,8 +13,9 @@ from dhcli.checking.tables.comparing import SAME_ROBOT
 from dhcli.errors import NotationError
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.robot import Robot, Value
+from dhcli.regex import regex
 
-_SEPARATOR = re.compile(r"[\s,;]+")
+_SEPARATOR = regex(r"[\s,;]+")
 
 
 def question_about(robot: Robot, ask: str, *, numeric: bool, given: Mapping[str, Value]) -> Exercise:

@@ -4,47 +4,32 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
-from typing import ClassVar, Self
+from typing import ClassVar
 
 from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.exercise import Case, Exercise
-from dhcli.checking.motion.asked import Motion
 from dhcli.checking.motion.columns import Columns, jacobian_grid
 from dhcli.checking.motion.from_columns import ColumnsQuestion
 from dhcli.checking.motion.grid import Grid, exact
 from dhcli.checking.motion.linear import determinant_of
 from dhcli.checking.motion.question import OneNumberQuestion
-from dhcli.checking.motion.task import columns_for, found_for, kept_rows, read_task, values_in
+from dhcli.checking.motion.task import JacobianTask, columns_for, found_for, kept_rows, values_in
 from dhcli.checking.returned import Shown
-from dhcli.errors import Place, RobotError
+from dhcli.errors import RobotError
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.velocity.form import GEOMETRIC, Form
-from dhcli.notation.scope import Scope
+from dhcli.kinematics.velocity.form import Form
 
 LEAST = 1e-6
 """A volume below this share of the right one is none."""
 
 
 @frozen
-class ManipulabilityQuestion(OneNumberQuestion, ColumnsQuestion):
-    """The manipulability of an arm where it stands, in numbers.
-
-    Attributes:
-        motion: Of which frame and point.
-        form: All rows, or those of v or ω.
-    """
-
-    motion: Motion
-    form: Form = GEOMETRIC
+class ManipulabilityQuestion(JacobianTask, OneNumberQuestion, ColumnsQuestion):
+    """The manipulability of an arm where it stands, in numbers."""
 
     words: ClassVar = ("manipulability",)
     examples: ClassVar = ("manipulability of jacobian linear of 0..3",)
-
-    @classmethod
-    def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
-        """`manipulability of jacobian linear of 0..3`."""
-        return cls(*read_task("manipulability", text, scope, place))
 
     def check(self, robot: Robot | None) -> None:
         self.motion.check(robot)

@@ -3,49 +3,34 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import ClassVar, Self
+from typing import ClassVar
 
 from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.entries import Entries
 from dhcli.checking.exercise import Case, Exercise
-from dhcli.checking.motion.asked import Motion
 from dhcli.checking.motion.columns import jacobian_grid
 from dhcli.checking.motion.grid import Grid
 from dhcli.checking.motion.linear import rank
 from dhcli.checking.motion.question import MotionQuestion, OneNumberQuestion
-from dhcli.checking.motion.task import columns_for, read_task, values_in
+from dhcli.checking.motion.task import JacobianTask, columns_for, values_in
 from dhcli.checking.pasted import UnreadableError, without_number_word
 from dhcli.checking.returned import Shown
 from dhcli.errors import Place
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.velocity.form import GEOMETRIC, Form
-from dhcli.notation.scope import Scope
+from dhcli.kinematics.velocity.form import Form
 from dhcli.notation.tree import Number, number
 
 ROWS = {"all": range(6), "linear": range(3), "angular": range(3, 6)}
 
 
 @frozen
-class RankQuestion(OneNumberQuestion):
-    """The rank of a Jacobian, at the values given or at almost all.
-
-    Attributes:
-        motion: Of which frame and point.
-        form: All rows, or those of v or ω.
-    """
-
-    motion: Motion
-    form: Form = GEOMETRIC
+class RankQuestion(JacobianTask, OneNumberQuestion):
+    """The rank of a Jacobian, at the values given or at almost all."""
 
     words: ClassVar = ("rank",)
     examples: ClassVar = ("rank of jacobian of 0..6",)
     is_plain: ClassVar = True
-
-    @classmethod
-    def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
-        """`rank of jacobian linear of 0..3`."""
-        return cls(*read_task("rank", text, scope, place))
 
     def check(self, robot: Robot | None) -> None:
         self.motion.check(robot)

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Sequence
 from typing import ClassVar, Self
 
-from dhcli.algebra.floats import Floats
 from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.motion.asked import Motion, read_motion, three
 from dhcli.checking.motion.columns import Columns, columns_of, combined, jacobian_grid, plain
 from dhcli.checking.motion.from_columns import ColumnsQuestion, axes_step
-from dhcli.checking.motion.grid import Grid, over
+from dhcli.checking.motion.grid import Grid, floats_in, over
 from dhcli.checking.motion.linear import solution
 from dhcli.checking.motion.task import columns_for
 from dhcli.checking.returned import Shown
@@ -21,7 +19,6 @@ from dhcli.errors import Place, RobotError
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.singular.neat import neat_determinant
-from dhcli.kinematics.values import numbers
 from dhcli.kinematics.velocity.cramer import LARGEST, solved
 from dhcli.kinematics.velocity.form import Form, Which
 from dhcli.kinematics.velocity.view import joints_between
@@ -30,8 +27,9 @@ from dhcli.notation.scope import Scope
 from dhcli.notation.tree import PI, Expr, multiply, number, power
 from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write
+from dhcli.regex import regex
 
-_HEAD = re.compile(
+_HEAD = regex(
     r"joint\s+rates\s+for\s*(?P<linear>\([^()]*(?:\([^()]*\)[^()]*)*\))?(?:\s*angular\s*(?P<angular>\(.*\)))?"
 )
 
@@ -121,7 +119,7 @@ class RatesQuestion(ColumnsQuestion):
         exercise, kept = case.exercise, self._kept(self.columns(case))
         rows, asked = columns.cut(kept), self._asked(kept)
         if exercise.numeric:
-            arithmetic = Floats(numbers(exercise.values))
+            arithmetic = floats_in(case.memo)
             return self._column(
                 columns, plain(solution(over(rows, arithmetic), [arithmetic.value(one) for one in asked]))
             )

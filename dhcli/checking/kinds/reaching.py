@@ -17,11 +17,12 @@ from dhcli.errors import NotationError, Place, Problem, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.validity import Finding
 from dhcli.notation.scope import Scope
+from dhcli.regex import regex
 
-_LIMITS = re.compile(r"(?:within\s+limits)?")
+_LIMITS = regex(r"(?:within\s+limits)?")
 MOST_TYPED = 10_000
 WORDS = {"yes": True, "y": True, "true": True, "reached": True, "no": False, "n": False, "false": False}
-_WORD = re.compile(r"\s*(?P<word>[a-z]+)\b.*", re.DOTALL | re.IGNORECASE)
+_WORD = regex(r"\s*(?P<word>[a-z]+)\b.*", re.DOTALL | re.IGNORECASE)
 
 
 def _asked(text: str, scope: Scope, place: Place | None) -> tuple[Target, bool]:
@@ -63,7 +64,8 @@ class SolutionsQuestion(GoalQuestion[int]):
 
     def steps(self, case: Case) -> Iterable[Shown]:
         found = solutions(case, self.target)
-        yield Shown("\n".join((f"{plural(len(found), 'solution')}", *filter(None, found.branches))))
+        named = (found.named(k, limits=self.within_limits) for k in range(len(found)))
+        yield Shown("\n".join((f"{plural(len(found), 'solution')}", *filter(None, named))))
         if found.why:
             yield Shown(found.why)
 

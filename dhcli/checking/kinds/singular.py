@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from typing import Any, ClassVar, Self, TypeAlias
+from typing import Any, ClassVar, TypeAlias
 
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.kinds.determinant import DeterminantQuestion
 from dhcli.checking.kinds.linked import needed
-from dhcli.checking.motion.asked import Motion
 from dhcli.checking.motion.conditions import Condition, Zero, apart, covers, read_conditions
-from dhcli.checking.motion.task import found_for, listed, read_task
+from dhcli.checking.motion.task import JacobianTask, found_for, listed
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.verdicts import Mark, Verdict
@@ -20,8 +19,6 @@ from dhcli.errors import Place
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.singular.result import Singularities
-from dhcli.kinematics.velocity.form import GEOMETRIC, Form
-from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Trig
 from dhcli.notation.trig import cosine, sine
 from dhcli.notation.writer import write, write_angle
@@ -31,24 +28,12 @@ Conditions: TypeAlias = tuple[Condition, ...]
 
 
 @frozen
-class SingularQuestion(Question[Conditions]):
-    """Where a Jacobian loses rank: the factors of its determinant that joints can make zero, or the conditions.
+class SingularQuestion(JacobianTask, Question[Conditions]):
+    """Where a Jacobian loses rank: the factors of its determinant that joints can make zero, or the conditions."""
 
-    Attributes:
-        motion: Of which frame and point.
-        form: All rows, or those of v or ω.
-    """
-
-    motion: Motion
-    form: Form = GEOMETRIC
-
+    opening: ClassVar = "singular when"
     words: ClassVar = ("singular",)
     examples: ClassVar = ("singular when linear of 0..3", "singular when 0..6")
-
-    @classmethod
-    def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
-        """`singular when jacobian linear of 0..3`."""
-        return cls(*read_task("singular when", text, scope, place))
 
     def check(self, robot: Robot | None) -> None:
         self._found(robot)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from typing import ClassVar, Self
@@ -26,8 +25,11 @@ from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr, multiply, negate, number
 from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write
+from dhcli.regex import regex
 
-_HEAD = re.compile(r"torques\s+for\s*(?P<force>\(.*?\))(?:\s+moment\s*(?P<moment>\(.*?\)))?")
+_HEAD = regex(r"torques\s+for\s*(?P<force>\(.*?\))(?:\s+moment\s*(?P<moment>\(.*?\)))?")
+
+MILLI = number(1000)
 
 
 @frozen
@@ -98,6 +100,10 @@ class TorquesQuestion(ColumnsQuestion):
             slip = Slip("kilograms", words, "is the load given in newtons or in kilograms?", Rank.WHOLE)
             yield slip, _column([multiply(number(Fraction(981, 100)), row[0]) for row in right.rows])
         six = (*self.force, *self.moment)
+        slip = Slip("millimetres", "lengths are taken in millimetres: this is in N mm", "in which unit are lengths?")
+        in_mm = (tuple(multiply(MILLI, x) if one.turns else x for x in one.linear) for one in columns.each)
+        pairs = zip(in_mm, columns.each, strict=True)
+        yield slip, _column([combined((*linear, *one.angular), six) for linear, one in pairs])
         kept = [k for k in columns.moved if k < 3 or self.moment != ORIGIN]  # noqa: PLR2004  the rows of v
         rows = columns.cut(kept)
         if len(kept) != len(columns.each):

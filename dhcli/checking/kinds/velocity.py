@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from fractions import Fraction
@@ -25,8 +24,9 @@ from dhcli.notation.scope import Scope
 from dhcli.notation.tree import PI, Expr, Symbol, multiply, number, power
 from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write
+from dhcli.regex import regex
 
-_HEAD = re.compile(r"(?P<angular>angular\s+)?velocity(?:\s+of\s+point\s*(?P<point>\(.*\)))?(?:\s+of\s+point)?")
+_HEAD = regex(r"(?P<angular>angular\s+)?velocity(?:\s+of\s+point\s*(?P<point>\(.*\)))?(?:\s+of\s+point)?")
 
 
 @frozen

@@ -17,14 +17,15 @@ from dhcli.notation.quantity import DimensionError, to_length
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr
 from dhcli.notation.writer import write
+from dhcli.regex import regex
 
-_TAIL = re.compile(
+_TAIL = regex(
     r"(?P<head>.*?)\s*(?:(?:of\s+)?(?P<start>base|\d{1,4})\s*\.\.\s*(?P<end>tool|base|\d{1,4}))?"
     r"(?:\s+in\s+frame\s+(?P<axes>base|tool|\d{1,4}))?(?:\s+at\s*(?P<point>\(.*?\)))?"
     r"(?:\s+with\s+rates\s*(?P<rates>\(.*\)))?",
     re.DOTALL,
 )
-_FORM = re.compile(r"(?P<word>linear|angular|space|body|analytic\s+(?P<angles>[a-z]{3}))?")
+_FORM = regex(r"(?P<word>linear|angular|space|body|analytic\s+(?P<angles>[a-z]{3}))?")
 
 
 @frozen

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import combinations
@@ -24,10 +23,11 @@ from dhcli.notation.tree import ZERO, Expr, Number, Power, Product, Symbol, Trig
 from dhcli.notation.trig import cosine, sine
 from dhcli.notation.walk import substitute, symbols, walk
 from dhcli.notation.writer import write, write_angle
+from dhcli.regex import regex
 
-_BETWEEN = re.compile(r"(,|;|\n|\bor\b|\u2228|\band\b|&+|∧)")
-_AND = re.compile(r"and|&+|∧")
-_TURNS = re.compile(r"(?P<first>.*?)[+±]?\s*\b[knm]\s*[*·]?\s*(?:180(?:\s*°|\s*deg)?|pi|π)")
+_BETWEEN = regex(r"(,|;|\n|\bor\b|\u2228|\band\b|&+|∧)")
+_AND = regex(r"and|&+|∧")
+_TURNS = regex(r"(?P<first>.*?)[+±]?\s*\b[knm]\s*[*·]?\s*(?:180(?:\s*°|\s*deg)?|pi|π)")
 """`k*180°`, `90° + n*pi`: half turns as often as one likes."""
 
 HALF_TURN, TURN = 180, 360

@@ -4,41 +4,61 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from typing import TypeAlias
 
-from dhcli.checking.motion.columns import Column, Columns, position
+from dhcli.checking.motion.columns import Columns, Vector, position
 from dhcli.kinematics.frames import ORIGIN, between
 from dhcli.kinematics.moves import Trans
+from dhcli.kinematics.recorded import kept
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.derivative import derivative
 from dhcli.notation.tree import Expr, Symbol, Trig, add, multiply
 from dhcli.notation.walk import rebuild, walk
+
+Rule: TypeAlias = Callable[[Trig, str, tuple[str, ...]], Expr]
+"""The derivative of a cosine or sine by a joint, of these joints."""
 
 HELD = "held still"
 """A name that no answer has, for a cosine that is not differentiated."""
 
 
-def differentiated(columns: Columns, slope: Callable[[Trig, str], Expr]) -> Iterator[tuple[str, Columns]]:
-    """The position differentiated by each joint, with another rule for cosines and sines."""
+def differentiated(columns: Columns, rule: Rule) -> Iterator[tuple[str, Columns]]:
+    """The position differentiated by each joint, with another rule for cosines and sines.
+
+    What went wrong in the columns before says nothing of the position, so it is differentiated once for a robot.
+    """
     view, robot = columns.view, columns.robot
     if view.axes != view.start or view.place != view.end:
         return
+    joints = tuple(one.joint for one in columns.each)
+    velocities = kept(robot, ("differentiated", rule, view, joints), lambda: _velocities(robot, view, joints, rule))
+    pairs = zip(columns.each, velocities, strict=True)
+    yield "", replace(columns, each=tuple(replace(one, linear=velocity) for one, velocity in pairs))
+
+
+def _velocities(robot: Robot, view: MotionView, joints: tuple[str, ...], rule: Rule) -> tuple[Vector, ...]:
+    """The velocity that each joint gives to the point, by a rule."""
     chain = between(robot, view.start, view.end)
-    place = position(chain if view.point == ORIGIN else (*chain, Trans(*view.point)))
+    x, y, z = position(chain if view.point == ORIGIN else (*chain, Trans(*view.point)))
 
-    def changed(one: Column) -> Column:
-        x, y, z = (_by(entry, one.joint, slope) for entry in place)
-        return replace(one, linear=(x, y, z))
+    def by(joint: str) -> Vector:
+        def slope(trig: Trig) -> Expr:
+            return rule(trig, joint, joints)
 
-    yield "", replace(columns, each=tuple(map(changed, columns.each)))
+        return _by(x, joint, slope), _by(y, joint, slope), _by(z, joint, slope)
+
+    return tuple(map(by, joints))
 
 
-def _by(expr: Expr, name: str, slope: Callable[[Trig, str], Expr]) -> Expr:
+def _by(expr: Expr, name: str, slope: Callable[[Trig], Expr]) -> Expr:
     """A derivative by the chain rule: by each cosine and sine, and by the name itself."""
     shares = []
     trigs = list(dict.fromkeys(node for node in walk(expr) if isinstance(node, Trig)))
     for trig in trigs:
         outer = derivative(rebuild(expr, lambda node, t=trig: Symbol(HELD) if node == t else node), HELD)  # type: ignore[misc]
         back = rebuild(outer, lambda node, t=trig: t if node == Symbol(HELD) else node)  # type: ignore[misc]
-        shares.append(multiply(back, slope(trig, name)))
+        shares.append(multiply(back, slope(trig)))
     if not any(name in trig.angle.names for trig in trigs):
         shares.append(derivative(expr, name))
     return add(*shares)

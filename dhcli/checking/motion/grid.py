@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
-from dhcli.checking.exercise import Exercise
+from dhcli.checking.exercise import Exercise, Memo
 from dhcli.frozen import frozen
 from dhcli.kinematics.entries import rounded
 from dhcli.kinematics.values import numbers
+from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr, Number
 from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write
@@ -23,8 +24,29 @@ RELATIVE = 1e-3
 
 MOST_DIGITS = 9
 
+MOST_MET = 20_000
+"""Entries whose values are kept: those of all pairs of slips of six joints, and not those of a whole class."""
+
 CLOSE = 1e-9
 """What rounding leaves of the difference of equal entries."""
+
+
+class Remembering(Floats):
+    """Double precision that knows the values of entries it has met: a mistake in one column leaves the others."""
+
+    def __init__(self, values: Mapping[str, Angle | float]) -> None:
+        """Begin without any."""
+        super().__init__(values)
+        self._met: dict[int, tuple[Expr, float]] = {}
+
+    def value(self, expr: Expr) -> float:
+        """Value of an entry; the same tree has the same value."""
+        met = self._met.get(id(expr))
+        if met is None:
+            if len(self._met) >= MOST_MET:
+                self._met.clear()
+            met = self._met[id(expr)] = expr, super().value(expr)
+        return met[1]
 
 
 @frozen
@@ -54,6 +76,10 @@ class Grid:
     def numbers(self, exercise: Exercise) -> Numbers:
         """The entries at the values of an exercise, lengths in metres."""
         return over(self.rows, Floats(numbers(exercise.values)))
+
+    def numbers_in(self, memo: Memo) -> Numbers:
+        """The same, for one of many tables that have entries in common."""
+        return over(self.rows, floats_in(memo))
 
     def on_sheet(self, exercise: Exercise) -> Rows:
         """The entries in symbols as a sheet has them: bare numbers of lengths in its unit."""
@@ -103,6 +129,11 @@ class Grid:
             for values, powers, bounds in triples
             for value, power, limit in zip(values, powers, bounds, strict=True)
         ]
+
+
+def floats_in(memo: Memo) -> Remembering:
+    """Double precision at the values of an exercise, for all tables that are worked out for it."""
+    return memo.of("floats for entries", lambda: Remembering(numbers(memo.exercise.values)))
 
 
 def over(rows: Iterable[Iterable[Expr]], arithmetic: Floats) -> Numbers:

@@ -62,6 +62,11 @@ def _each(columns: Columns, change: Callable[[Column], Column]) -> Columns:
     return replace(columns, each=tuple(map(change, columns.each)))
 
 
+def _instead(columns: Columns, one: Column, changed: Column) -> Columns:
+    """One column changed."""
+    return _each(columns, lambda column: changed if column is one else column)
+
+
 def _changed(columns: Columns, change: Callable[[Expr], Expr]) -> Columns:
     """Every entry of every column changed."""
 
@@ -104,14 +109,10 @@ def _elsewhere(columns: Columns) -> tuple[str, ...]:
 )
 def joint_kind(columns: Columns) -> Made:
     """For a slide z x (p - o) above z, for a turn z above 0."""
-    for k, one in enumerate(columns.each):
+    for one in columns.each:
         arm = minus(columns.point, one.origin)
-        changed = (
-            replace(one, linear=one.axis, angular=NOTHING)
-            if one.turns
-            else replace(one, linear=cross(one.axis, arm), angular=one.axis)
-        )
-        yield one.joint, replace(columns, each=(*columns.each[:k], changed, *columns.each[k + 1 :]))
+        linear, angular = (one.axis, NOTHING) if one.turns else (cross(one.axis, arm), one.axis)
+        yield one.joint, _instead(columns, one, replace(one, linear=linear, angular=angular))
 
 
 @IN_COLUMNS(
@@ -145,10 +146,9 @@ def axis_shifted(columns: Columns) -> Made:
 )
 def slide_turns(columns: Columns) -> Made:
     """Z above z, where 0 belongs below."""
-    for k, one in enumerate(columns.each):
+    for one in columns.each:
         if not one.turns:
-            changed = replace(one, angular=one.axis)
-            yield one.joint, replace(columns, each=(*columns.each[:k], changed, *columns.each[k + 1 :]))
+            yield one.joint, _instead(columns, one, replace(one, angular=one.axis))
 
 
 @IN_COLUMNS(
@@ -189,9 +189,8 @@ def zero_turned(columns: Columns) -> Made:
 )
 def joint_left_out(columns: Columns) -> Made:
     """A column of zeros, such as where z_0 is forgotten."""
-    for k, one in enumerate(columns.each):
-        changed = replace(one, linear=NOTHING, angular=NOTHING)
-        yield one.joint, replace(columns, each=(*columns.each[:k], changed, *columns.each[k + 1 :]))
+    for one in columns.each:
+        yield one.joint, _instead(columns, one, replace(one, linear=NOTHING, angular=NOTHING))
 
 
 @IN_COLUMNS(
@@ -217,24 +216,23 @@ def cross_reversed(columns: Columns) -> Made:
 )
 def own_angle_only(columns: Columns) -> Made:
     """c12 by theta2 alone."""
-    order = [one.joint for one in columns.each]
+    yield from differentiated(columns, _by_the_last)
 
-    def slope(trig: Trig, name: str) -> Expr:
-        joints = [joint for joint in order if joint in trig.angle.names]
-        return derivative(trig, name) if joints and joints[-1] == name else number(0)
 
-    yield from differentiated(columns, slope)
+def _by_the_last(trig: Trig, name: str, joints: tuple[str, ...]) -> Expr:
+    inside = [joint for joint in joints if joint in trig.angle.names]
+    return derivative(trig, name) if inside and inside[-1] == name else number(0)
 
 
 @IN_COLUMNS("cosine-sign", "the derivative of a cosine has the wrong sign", "what is the derivative of a cosine?")
 def cosine_sign(columns: Columns) -> Made:
     """Plus sine for the derivative of a cosine."""
+    yield from differentiated(columns, _with_plus)
 
-    def slope(trig: Trig, name: str) -> Expr:
-        found = derivative(trig, name)
-        return negate(found) if trig.function == "cos" else found
 
-    yield from differentiated(columns, slope)
+def _with_plus(trig: Trig, name: str, _joints: tuple[str, ...]) -> Expr:
+    found = derivative(trig, name)
+    return negate(found) if trig.function == "cos" else found
 
 
 @IN_COLUMNS(

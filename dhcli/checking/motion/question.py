@@ -194,7 +194,7 @@ class MotionQuestion(Question[Entries]):
         known = [self.at_points(exercise, right)]
         for slip, grid in self.every(case, right):
             try:
-                seen = grid.numbers(exercise) if exercise.numeric else ()
+                seen = grid.numbers_in(case.memo) if exercise.numeric else ()
                 limits = self._limits(case, grid) if exercise.numeric else ()
                 points = self.at_points(exercise, grid)
             except (DhcliError, KeyError, ZeroDivisionError, OverflowError):

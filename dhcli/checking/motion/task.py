@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
+from typing import ClassVar, Self
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Case
@@ -12,6 +12,7 @@ from dhcli.checking.motion.columns import Columns, columns_in
 from dhcli.checking.motion.grid import Numbers, over
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
+from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.singular.finding import find
 from dhcli.kinematics.singular.result import Singularities
@@ -19,26 +20,39 @@ from dhcli.kinematics.values import numbers
 from dhcli.kinematics.velocity.form import GEOMETRIC, Form
 from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.scope import Scope
+from dhcli.regex import regex
+
+_PIECE = regex(r"(?:of\s+)?(?:jacobian)?\s*(?P<form>linear|angular)?")
 
 
-def read_task(word: str, text: str, scope: Scope, place: Place | None) -> tuple[Motion, Form]:
-    """Read what a question asks of a Jacobian, such as `determinant of jacobian linear of 0..3`.
+@frozen
+class JacobianTask:
+    """What is asked of a Jacobian as a whole, or of its rows of v or ω.
 
-    Args:
-        word: What stands in front, `determinant`.
-        text: The question.
-        scope: The names that a point may use.
-        place: Where the text stands, for errors.
-
-    Raises:
-        NotAskedError: It asks something else.
+    Attributes:
+        motion: Of which frame and point.
+        form: All rows, or those of v or ω.
     """
-    motion = read_motion(text, scope, place)
-    rest = motion.head.removeprefix(word).strip()
-    match = re.fullmatch(r"(?:of\s+)?(?:jacobian)?\s*(?P<form>linear|angular)?", rest)
-    if match is None or motion.rates is not None or not motion.head.startswith(word):
-        raise NotAskedError(text)
-    return motion, form_of(match["form"] or "")[0]
+
+    motion: Motion
+    form: Form = GEOMETRIC
+
+    words: ClassVar[tuple[str, ...]]
+    opening: ClassVar[str] = ""
+    """What stands in front of the Jacobian, `singular when`; by default the first of the words, `determinant`."""
+
+    @classmethod
+    def asked(cls, text: str, scope: Scope, place: Place | None) -> Self:
+        """The question that a text asks.
+
+        Raises:
+            NotAskedError: It asks something else.
+        """
+        motion, opening = read_motion(text, scope, place), cls.opening or cls.words[0]
+        match = _PIECE.fullmatch(motion.head.removeprefix(opening).strip())
+        if match is None or motion.rates is not None or not motion.head.startswith(opening):
+            raise NotAskedError(text)
+        return cls(motion, form_of(match["form"] or "")[0])
 
 
 def columns_for(case: Case, motion: Motion) -> Columns:

@@ -20,16 +20,17 @@ from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import PI, Expr, Number, Sum, Symbol, Trig, Unit, add, multiply, number
 from dhcli.notation.walk import rebuild, symbols, walk
+from dhcli.regex import regex
 
 MOST_SIGNS = 4
 """Signs ± in one answer; each doubles its values."""
 
 MOST_STATEMENTS = 12
-_PLUS_MINUS = re.compile(r"\\pm|\+\s*/\s*-|\+-")
-_MINUS_PLUS = re.compile(r"\\mp|-\s*/\s*\+|-\+")
-_HALF_TURN_MORE = re.compile(r",?\s*or\s+180\s*°?\s*more\s*$")
-_OR = re.compile(r"\s+(?:or|and)\s+")
-_STATEMENT = re.compile(r"\s*(?P<name>[^\W\d][\w{}\\()+ ]*?)\s*=(?!=)\s*(?P<rest>.*)", re.DOTALL)
+_PLUS_MINUS = regex(r"\\pm|\+\s*/\s*-|\+-")
+_MINUS_PLUS = regex(r"\\mp|-\s*/\s*\+|-\+")
+_HALF_TURN_MORE = regex(r",?\s*or\s+180\s*°?\s*more\s*$")
+_OR = regex(r"\s+(?:or|and)\s+")
+_STATEMENT = regex(r"\s*(?P<name>[^\W\d][\w{}\\()+ ]*?)\s*=(?!=)\s*(?P<rest>.*)", re.DOTALL)
 _RIGHT_ANGLES = frozenset((90, 180, 270, 360))
 
 

@@ -25,6 +25,7 @@ from dhcli.notation.quantity import DimensionError, to_length
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import ZERO, Expr, number
 from dhcli.notation.walk import symbols
+from dhcli.regex import regex
 
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.solutions import Solutions
@@ -35,14 +36,14 @@ Rows: TypeAlias = tuple[tuple[float, ...], ...]
 TASKS = ("pose", "position", "orientation", "axis", "direction")
 """What of a pose may be given."""
 
-_GOAL = re.compile(
+_GOAL = regex(
     r"(?:(?P<start>base|\d{1,4})\s*\.\.\s*(?P<end>tool|\d{1,4})\s+)?(?:of\s+|at\s+)?(?P<task>pose|position|orientation|pointing)"
     r"\s*(?P<rest>.*)",
     re.DOTALL,
 )
-_QUOTED = re.compile(r"(?P<mark>[\"'])(?P<text>.+?)(?P=mark)\s*(?P<rest>.*)", re.DOTALL)
-_BRACKET = re.compile(r"(?P<text>\(.*?\)|\[.*\])\s*(?P<rest>.*)", re.DOTALL)
-_POINTING = re.compile(r"pointing\s*(?P<text>\(.*?\))\s*(?P<rest>.*)", re.DOTALL)
+_QUOTED = regex(r"(?P<mark>[\"'])(?P<text>.+?)(?P=mark)\s*(?P<rest>.*)", re.DOTALL)
+_BRACKET = regex(r"(?P<text>\(.*?\)|\[.*\])\s*(?P<rest>.*)", re.DOTALL)
+_POINTING = regex(r"pointing\s*(?P<text>\(.*?\))\s*(?P<rest>.*)", re.DOTALL)
 EXAMPLE = 'of position (0.5, 0.3, 0), or of pose "Trans(0.4, 0, 0.3) Rot(y, 90°)"'
 
 

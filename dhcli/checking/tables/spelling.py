@@ -14,6 +14,7 @@ from dhcli.notation.quantity import LENGTH_UNITS, UNITS, Bare
 from dhcli.notation.scope import Scope
 from dhcli.notation.tokens import Token
 from dhcli.notation.tree import Symbol
+from dhcli.regex import regex
 
 ANGLES = ("alpha", "theta")
 
@@ -23,12 +24,12 @@ _KINDS = frozenset(("revolute", "prismatic", "fixed"))
 _RULES = frozenset(("hline", "toprule", "midrule", "bottomrule"))
 _OPENING, _CLOSING = frozenset("[({"), frozenset("])}")
 _BREAKS = frozenset(",&|;]}(")
-_NUMBER_SIGN = re.compile(r"^([^\S\n]{0,40}\|?[^\S\n]{0,40})#(?=[^\S\n]{0,40}[|,&\s])")
-_BULLET = re.compile(r"^([^\S\n]{0,40})-(?=[^\S\n]{1,40}[\[{])", re.MULTILINE)
+_NUMBER_SIGN = regex(r"^([^\S\n]{0,40}\|?[^\S\n]{0,40})#(?=[^\S\n]{0,40}[|,&\s])")
+_BULLET = regex(r"^([^\S\n]{0,40})-(?=[^\S\n]{1,40}[\[{])", re.MULTILINE)
 LONGEST_ROW = 400
 """Tokens looked ahead for a closing bracket, so that hostile text costs no more than its length."""
 
-_ORDER = re.compile(r"^.*\bRot\(.*$", re.MULTILINE)
+_ORDER = regex(r"^.*\bRot\(.*$", re.MULTILINE)
 
 
 @frozen

@@ -70,10 +70,6 @@ def dof(
     overwrite: Overwrite = False,
 ) -> None:
     """Count the freedoms of a linkage, say whether the formula can be trusted, and find the true mobility."""
-    import os
-
-    # two threads make a small singular value decomposition much slower than one
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     from dhcli.cli.shell.counted import Ends, asked
     from dhcli.cli.shell.delivery import Delivery
     from dhcli.errors import DhcliError

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import Overwrite, Variant, complete_pose, complete_robot
+from dhcli.cli.shell.options import Overwrite, Untried, Variant, complete_pose, complete_robot
 from dhcli.cli.shell.spreading import But
 from dhcli.errors import DhcliError
 
@@ -115,6 +115,7 @@ def draw(
     solution: Annotated[
         bool, typer.Option("--solution", help="Of an exercise: with the frames that its picture leaves to you.")
     ] = False,
+    yes: Untried = False,
     variant: Variant = None,
     open_: Annotated[
         bool, typer.Option("--open", help="Open it in the browser; without -o as a page.", rich_help_panel="Output")
@@ -142,11 +143,11 @@ def draw(
             )
         first, *others = (
             Picture(**look, **{**one, "worksheet": worksheet or one["worksheet"]})  # type: ignore[arg-type]
-            for one in of_exercise(robot, variant, solution=solution)
+            for one in of_exercise(robot, variant, solution=solution, yes=yes)
         )
         what, picture = first.what, replace(first, more=tuple(others))
     else:
-        if solution or variant is not None:
+        if solution or yes or variant is not None:
             raise DhcliError(f"{robot} is no exercise: it has no solution and no variants", "leave the option out")
         what = find(chosen)
         given: dict[str, Any] = posed(what, chosen, to=to, beside=beside, rows=in_)

@@ -19,6 +19,7 @@ from dhcli.cli.shell.options import (
     Let,
     Output,
     Overwrite,
+    RowJobs,
     SkipBad,
     Spelling,
     Symbolic,
@@ -73,6 +74,7 @@ def fk(
     skip_bad: SkipBad = False,
     ignore_columns: IgnoreColumns = False,
     index: Index = False,
+    jobs: RowJobs = None,
     as_: Forms = None,
     format_: Format = None,
     code: Code = None,
@@ -85,7 +87,7 @@ def fk(
     """Pose of a robot's end frame: in numbers from joint values, or in symbols as the textbook prints it."""
     from dhcli.cli.shell.given import robot_of, values_of
 
-    if in_ is not None or skip_bad or ignore_columns or index:
+    if in_ is not None or skip_bad or ignore_columns or index or jobs is not None:
         from dhcli.cli.shell.batch import asked_of_rows, check_options, fk_rows, rows_wanted
         from dhcli.cli.shell.rows import RowDelivery
 
@@ -96,7 +98,8 @@ def fk(
         arm = robot_of(chosen)
         wanted = rows_wanted(arm, chosen, as_ or [], point, inverse=inverse, every=frames)
         asked = asked_of_rows(wanted.robot, chosen, ignores=ignore_columns)
-        fk_rows(wanted, asked, path, RowDelivery(format_, output, overwrite), skip_bad=skip_bad, index=index)
+        there = RowDelivery(format_, output, overwrite)
+        fk_rows(wanted, asked, path, there, skip_bad=skip_bad, index=index, jobs=jobs)
         return
     if code is not None or with_values:
         from dhcli.cli.shell.coding import code_delivery

@@ -185,10 +185,6 @@ def ik(
     overwrite: Overwrite = False,
 ) -> int:
     """Inverse kinematics: every way to hold the joints so that the end frame stands in a pose."""
-    import os
-
-    # a second thread does nothing for matrices this small but be started
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     from dhcli.cli.shell.delivery import Delivery
     from dhcli.cli.shell.given import robot_of
     from dhcli.cli.shell.goal import Goal, asked

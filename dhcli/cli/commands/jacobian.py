@@ -19,6 +19,7 @@ from dhcli.cli.shell.options import (
     Let,
     Output,
     Overwrite,
+    RowJobs,
     SkipBad,
     Spelling,
     Symbolic,
@@ -84,6 +85,7 @@ def jacobian(
     skip_bad: SkipBad = False,
     ignore_columns: IgnoreColumns = False,
     index: Index = False,
+    jobs: RowJobs = None,
     format_: Format = None,
     code: Code = None,
     with_values: WithValues = False,
@@ -98,7 +100,7 @@ def jacobian(
     from dhcli.errors import DhcliError
     from dhcli.kinematics.velocity.form import Form
 
-    many = rows is not None or skip_bad or ignore_columns or index
+    many = rows is not None or skip_bad or ignore_columns or index or jobs is not None
     if many:
         from dhcli.cli.shell.jacobian_rows import check_options
 
@@ -120,7 +122,8 @@ def jacobian(
 
         wanted = JacobianRows(arm, view, form, lengths_of(arm, chosen))
         asked = asked_of_rows(arm, chosen, ignores=ignore_columns)
-        jacobian_rows(wanted, asked, rows, RowDelivery(format_, output, overwrite), skip_bad=skip_bad, index=index)
+        there = RowDelivery(format_, output, overwrite)
+        jacobian_rows(wanted, asked, rows, there, skip_bad=skip_bad, index=index, jobs=jobs)
         return
     if code is not None or with_values:
         from dhcli.cli.shell.coding import code_delivery

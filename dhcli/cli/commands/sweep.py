@@ -68,7 +68,7 @@ def sweep(
         str | None,
         typer.Option(
             metavar="FILE",
-            help="Draw the points from the side and from above, .svg .pdf .png .tex, or in space, .html.",
+            help="Draw the points from the side and from above, a plane once, .svg .pdf .png .tex, or in space, .html.",
             rich_help_panel="Output",
         ),
     ] = None,

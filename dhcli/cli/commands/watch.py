@@ -17,7 +17,8 @@ from dhcli.cli.shell.options import ExerciseName, Variant
 from dhcli.frozen import frozen
 
 if TYPE_CHECKING:
-    from dhcli.checking.judge import Judge, SheetMark
+    from dhcli.checking.judge import Judge
+    from dhcli.checking.marked import SheetMark
     from dhcli.errors import Problem
 
 EXAMPLES = """

@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.console import say
 from dhcli.cli.shell.given import forms_of, lengths_of, open_scope, point_of
+from dhcli.cli.shell.options import workers
 from dhcli.cli.shell.rows import RowDelivery
 from dhcli.errors import DhcliError, FileError, Place, Problem, plural
 from dhcli.files.reading import source_of
 from dhcli.files.rows.blocks import MOST, Block
 from dhcli.files.rows.columns import JointTable
 from dhcli.files.rows.formats import Rows, joint_rows
-from dhcli.files.rows.source import open_source
+from dhcli.files.rows.source import Source, open_source
 from dhcli.kinematics.frames import View
 from dhcli.kinematics.many import PoseRows, is_real, numbered
 from dhcli.kinematics.robot import Robot
@@ -33,6 +34,9 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+_BYTES = 1 << 24
+"""Bytes of a file that are worth one more thread: some hundred thousand rows of an array."""
+
 
 def check_options(path: str | None, robot: str, others: Mapping[str, object]) -> str:
     """The file with the rows, if nothing else is asked for that a row cannot have.
@@ -47,14 +51,14 @@ def check_options(path: str | None, robot: str, others: Mapping[str, object]) ->
     """
     if path is None:
         raise DhcliError(
-            "--skip-bad, --ignore-columns and --index are for many poses", "name their file with --in FILE"
+            "--skip-bad, --ignore-columns, --index and --jobs are for many poses", "name their file with --in FILE"
         )
     if path == robot == "-":
         raise DhcliError("the robot and the rows cannot both come from standard input", "save one of them in a file")
     if given := [option for option, value in others.items() if value is not None and value is not False]:
         verb = "does" if len(given) == 1 else "do"
         hint = "with --in go --q NAME=VALUE --deg --set --from --to --tool --inverse --frames --point --as --skip-bad "
-        hint += "--ignore-columns --index --format -o --overwrite"
+        hint += "--ignore-columns --index --jobs --format -o --overwrite"
         raise DhcliError(f"{' and '.join(given)} {verb} not go with --in", hint)
     return path
 
@@ -101,7 +105,14 @@ def asked_of_rows(robot: Robot, chosen: Chosen, *, ignores: bool) -> JointTable:
 
 
 def fk_rows(
-    wanted: PoseRows, asked: JointTable, path: str, delivery: RowDelivery, *, skip_bad: bool, index: bool = False
+    wanted: PoseRows,
+    asked: JointTable,
+    path: str,
+    delivery: RowDelivery,
+    *,
+    skip_bad: bool,
+    index: bool = False,
+    jobs: int | None = None,
 ) -> None:
     """Compute a pose for each row of a file, and hand the poses over as they come.
 
@@ -112,6 +123,7 @@ def fk_rows(
         delivery: Where the poses go.
         skip_bad: Whether to go on without the rows that are bad.
         index: Whether each pose says where its joint values stand.
+        jobs: How many threads share the computing; by default as many as a file of this size is worth.
 
     Raises:
         FileError: The file is no table for this robot, a row is bad, or the result cannot be written.
@@ -121,11 +133,12 @@ def fk_rows(
     whole = delivery.chosen() == "npy" and wanted.forms == ("matrix",) and not index
     tally, bad = Tally(wanted.robot), BadRows(path, skip=skip_bad)
     with open_source(path) as source:
-        rows = joint_rows(source, asked)
+        threads = threads_for(source, jobs)
+        rows = joint_rows(source, asked, threads)
         with delivery.open(layout) as sink, row_progress(sys.stderr, wanted=delivery.is_away) as tell:
             for block in rows.blocks():
                 bad.take(block.bad, block.bad_rows)
-                poses = wanted.poses(block.q)
+                poses = wanted.poses(block.q, threads)
                 real = _real(block, poses, rows, bad)
                 poses = poses[real]
                 tally.take(block.q[real], block.in_radians, locked=wanted.locked(poses))
@@ -141,7 +154,11 @@ def fk_rows(
     say("".join(warning_line(message, paper) for message in tally.warnings()))
 
 
-@dataclass(slots=True)
+def threads_for(source: Source, jobs: int | None) -> int:
+    """How many threads share the computing: as many as `--jobs` says, else as a file of this size is worth."""
+    return workers(jobs, 1 + (source.size or 0) // _BYTES)
+
+
 class BadRows:
     """The rows that are left out.
 
@@ -152,10 +169,11 @@ class BadRows:
         problems: What is wrong with the first of them.
     """
 
-    path: str
-    skip: bool
-    count: int = 0
-    problems: list[Problem] = field(default_factory=list)
+    def __init__(self, path: str, *, skip: bool) -> None:
+        """None is left out yet."""
+        self.path, self.skip = path, skip
+        self.count = 0
+        self.problems: list[Problem] = []
 
     def take(self, problems: Sequence[Problem], count: int) -> None:
         """Leave rows out.

@@ -37,8 +37,14 @@ def find(chosen: Chosen) -> Robot | Linkage:
     return robot_of(chosen)
 
 
-def of_exercise(name: str, variant: str | None, *, solution: bool) -> list[dict[str, Any]]:
+def of_exercise(name: str, variant: str | None, *, solution: bool, yes: bool) -> list[dict[str, Any]]:
     """What the picture of an exercise shows: its arm at the values that the task gives, and the linkages it counts.
+
+    Args:
+        name: The exercise.
+        variant: The name that its numbers are drawn by, if they are.
+        solution: Whether what it leaves to the student is shown.
+        yes: Whether that is so also where it was never tried.
 
     Returns:
         The fields of a picture for each of them. Frames that are an answer are left out, and names and numbers of
@@ -50,7 +56,7 @@ def of_exercise(name: str, variant: str | None, *, solution: bool) -> list[dict[
     from dhcli.checking.figures import held_back, linkages, shown
     from dhcli.checking.judge import Judge
     from dhcli.checking.variants import variant_of
-    from dhcli.cli.commands.solution import ask_once
+    from dhcli.cli.shell.untried import ask_once
     from dhcli.files.yaml.exercises import load_exercise
 
     exercise = variant_of(Judge(load_exercise(name)), variant).exercise
@@ -58,10 +64,10 @@ def of_exercise(name: str, variant: str | None, *, solution: bool) -> list[dict[
     if level is None and not counted:
         what = "is to have no picture" if exercise.picture == "none" else "has no robot and no linkage with points"
         raise DhcliError(f"{exercise.id} {what}", f"dhcli show {exercise.typed}")
-    if solution:
+    if solution and not yes:
         counts = tuple(part for part in exercise.asked if part.question.linkage_counted)
         held = held_back(exercise) if level is not None else ()
-        ask_once(exercise, (*held, *counts), "try first with dhcli check")
+        ask_once(exercise, (*held, *counts))
     found: list[dict[str, Any]] = []
     if exercise.robot is not None and level is not None:
         arm = replace(exercise.robot, title=exercise.title)

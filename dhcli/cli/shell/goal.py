@@ -25,13 +25,14 @@ from dhcli.notation.parser import parse
 from dhcli.notation.quantity import Bare, DimensionError, has_angle_unit, to_angle
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr
+from dhcli.regex import regex
 
 if TYPE_CHECKING:
     from dhcli.geometry.rotations import Rotation
     from dhcli.kinematics.inverse.solutions import Solutions
     from dhcli.kinematics.inverse.tasks import TaskName
 
-_POINT = re.compile(
+_POINT = regex(
     r"\s*[\[(]?[^][(),;]+(?:,[^][(),;]+){2}[\])]?\s*"
     r"|\s*[\[(]?\s*[-+]?[.\d][^][(),;\s]*(?:\s+[-+]?[.\d][^][(),;\s]*){2}\s*[\])]?\s*"
 )

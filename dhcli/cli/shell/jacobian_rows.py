@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Mapping
 
-from dhcli.cli.shell.batch import BadRows
+from dhcli.cli.shell.batch import BadRows, threads_for
 from dhcli.cli.shell.console import say
 from dhcli.cli.shell.rows import RowDelivery
 from dhcli.errors import DhcliError, Problem
@@ -13,9 +13,9 @@ from dhcli.files.rows.blocks import MOST
 from dhcli.files.rows.columns import JointTable
 from dhcli.files.rows.formats import joint_rows
 from dhcli.files.rows.source import open_source
-from dhcli.kinematics.many import numbered
+from dhcli.kinematics.many import is_real, numbered
 from dhcli.kinematics.tally import Tally
-from dhcli.kinematics.velocity.rows import JacobianRows, is_finite
+from dhcli.kinematics.velocity.rows import JacobianRows
 from dhcli.render.code.pose_rows import INDEX
 from dhcli.render.code.rows import Group, Layout
 from dhcli.render.paper import Paper
@@ -31,7 +31,7 @@ def check_options(path: str | None, robot: str, others: Mapping[str, object]) ->
     """
     if path is None:
         hint = "name their file with --rows FILE"
-        raise DhcliError("--skip-bad, --ignore-columns and --index are for many joint values", hint)
+        raise DhcliError("--skip-bad, --ignore-columns, --index and --jobs are for many joint values", hint)
     if path == robot == "-":
         raise DhcliError("the robot and the rows cannot both come from standard input", "save one of them in a file")
     if given := [option for option, value in others.items() if value is not None and value is not False]:
@@ -49,7 +49,14 @@ def jacobian_layout(wanted: JacobianRows, *, index: bool) -> Layout:
 
 
 def jacobian_rows(
-    wanted: JacobianRows, asked: JointTable, path: str, delivery: RowDelivery, *, skip_bad: bool, index: bool = False
+    wanted: JacobianRows,
+    asked: JointTable,
+    path: str,
+    delivery: RowDelivery,
+    *,
+    skip_bad: bool,
+    index: bool = False,
+    jobs: int | None = None,
 ) -> None:
     """Compute a Jacobian for each row of a file, and hand them over as they come; see `fk_rows`.
 
@@ -60,12 +67,13 @@ def jacobian_rows(
     whole = delivery.chosen() == "npy" and not index
     tally, bad = Tally(wanted.robot), BadRows(path, skip=skip_bad)
     with open_source(path) as source:
-        rows = joint_rows(source, asked)
+        threads = threads_for(source, jobs)
+        rows = joint_rows(source, asked, threads)
         with delivery.open(layout) as sink, row_progress(sys.stderr, wanted=delivery.is_away) as tell:
             for block in rows.blocks():
                 bad.take(block.bad, block.bad_rows)
-                found = wanted.jacobians(block.q)
-                real = is_finite(found)
+                found = wanted.jacobians(block.q, threads)
+                real = is_real(found)
                 if not real.all():
                     where = (~real).nonzero()[0].tolist()
                     message = "the Jacobian has an entry that is not a real number here"

@@ -10,7 +10,7 @@ from dhcli.errors import DhcliError
 
 if TYPE_CHECKING:
     from dhcli.checking.exercise import Exercise, Part
-    from dhcli.checking.judge import SheetMark
+    from dhcli.checking.marked import SheetMark
     from dhcli.checking.returned import Overlaid
     from dhcli.kinematics.robot import Robot, Value
     from dhcli.kinematics.values import Values

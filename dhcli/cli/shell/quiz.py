@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.judge import SheetMark
+from dhcli.checking.marked import SheetMark
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import Verdict
 from dhcli.cli.shell.chosen import Chosen

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -14,6 +13,7 @@ from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import PI, Expr, Unit, multiply, number
 from dhcli.notation.walk import walk
+from dhcli.regex import regex
 
 FORCE = {"N": number(1), "kN": number(1000)}
 MOMENT = {
@@ -26,10 +26,10 @@ SPEED = {"m/s": number(1), "cm/s": number(Fraction(1, 100)), "mm/s": number(Frac
 DEGREES = multiply(PI, number(Fraction(1, 180)))
 TURNING = {"rad/s": number(1), "°/s": DEGREES, "deg/s": DEGREES}
 
-_MOMENT = re.compile(r"(k?N)\s*[*·]?\s*(mm|cm|m)")
+_MOMENT = regex(r"(k?N)\s*[*·]?\s*(mm|cm|m)")
 """A unit of a moment, `Nm`, `N*m`, `N·mm`."""
 
-_OTHER = re.compile(r".*\d\s*(?P<unit>kg|kgf|g|lbf?|km/h|mph|ft/s|in/s|rpm|rev/s|J)")
+_OTHER = regex(r".*\d\s*(?P<unit>kg|kgf|g|lbf?|km/h|mph|ft/s|in/s|rpm|rev/s|J)")
 """A number with a unit of something else."""
 
 KNOWN = (FORCE, MOMENT, SPEED, TURNING)

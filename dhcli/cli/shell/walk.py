@@ -7,7 +7,8 @@ from dataclasses import dataclass, field, replace
 from enum import Enum
 
 from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.judge import Judge, PartMark, SheetMark
+from dhcli.checking.judge import Judge
+from dhcli.checking.marked import PartMark, SheetMark
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.cli.shell.console import tell, write_out
 from dhcli.cli.shell.lines import Typing, recalled

@@ -7,15 +7,14 @@ from enum import Enum
 
 from dhcli.errors import Place, Problem
 from dhcli.files.foreign.heads import heads_of
+from dhcli.regex import regex
 
 LARGEST = 100_000
 """Letters of a file that are looked at."""
 
-_FIRST_TAG = re.compile(r"<(?![?!])\s*(?P<tag>[\w:.-]{1,60})")
-_LISTING = re.compile(
-    r"\b(?:SerialLink|DHRobot|(?:DH)?Link|link|(?:Revolute|Prismatic)(?:M?DH)?)\([^\n]{0,200}[\d'=\[]"
-)
-_KINEMATICS = re.compile(r"^[ \t]{0,40}(?:roll|yaw)[ \t]{0,9}:|\{[^\n{}]{0,200}\broll[ \t]{0,9}:", re.MULTILINE)
+_FIRST_TAG = regex(r"<(?![?!])\s*(?P<tag>[\w:.-]{1,60})")
+_LISTING = regex(r"\b(?:SerialLink|DHRobot|(?:DH)?Link|link|(?:Revolute|Prismatic)(?:M?DH)?)\([^\n]{0,200}[\d'=\[]")
+_KINEMATICS = regex(r"^[ \t]{0,40}(?:roll|yaw)[ \t]{0,9}:|\{[^\n{}]{0,200}\broll[ \t]{0,9}:", re.MULTILINE)
 
 
 class Form(Enum):

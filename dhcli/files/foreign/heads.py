@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import COLUMNS, Convention, column_of
 from dhcli.notation.names import canonical, parts
 from dhcli.notation.quantity import ANGLE_UNITS, LENGTH_UNITS
+from dhcli.regex import regex
 
 LONGEST = 4000
 """Letters of a line that may be a row of heads."""
 
 _SIGNS = ("|", "\t", ";", ",")
-_UNIT = re.compile(r"(?P<name>[^\[(]*)[\[(]\s*(?P<unit>[^\])]*?)\s*[\])]?\s*")
+_UNIT = regex(r"(?P<name>[^\[(]*)[\[(]\s*(?P<unit>[^\])]*?)\s*[\])]?\s*")
 _WORDS = {
     "link length": "a",
     "length": "a",
@@ -31,7 +31,7 @@ _WORDS = {
     "kind": "kind",
     "sigma": "kind",
 }
-_NUMBERING = re.compile(r"(?:link|joint|axis|frame|row)?s?[ _]?(?:i|j|n|no\.?|nr\.?|number|#|name)?")
+_NUMBERING = regex(r"(?:link|joint|axis|frame|row)?s?[ _]?(?:i|j|n|no\.?|nr\.?|number|#|name)?")
 _KNOWN = frozenset((*COLUMNS, *_WORDS.values(), ""))
 
 

@@ -8,11 +8,12 @@ from dataclasses import dataclass, field
 
 from dhcli.errors import Place, Problem
 from dhcli.files.foreign.statements import Call, elements, unbracketed
+from dhcli.regex import regex
 
-LINK = re.compile(r"\b(DHLink|Link|link|Revolute(?:MDH|DH)?|Prismatic(?:MDH|DH)?)\s*\(")
+LINK = regex(r"\b(DHLink|Link|link|Revolute(?:MDH|DH)?|Prismatic(?:MDH|DH)?)\s*\(")
 ORDERS = {True: ("theta", "d", "a", "alpha", "sigma", "offset"), False: ("alpha", "a", "theta", "d", "sigma", "offset")}
 """What the numbers of `Link([...])` are, and of `link([...])` before version 9."""
-_NAMED = re.compile(r"(?P<key>[A-Za-z]\w*)\s*=(?!=)\s*(?P<value>.+)", re.DOTALL)
+_NAMED = regex(r"(?P<key>[A-Za-z]\w*)\s*=(?!=)\s*(?P<value>.+)", re.DOTALL)
 _FLAGS = {"modified": ("mdh", "1"), "standard": ("mdh", "0"), "prismatic": ("sigma", "1"), "revolute": ("sigma", "0")}
 
 

@@ -16,18 +16,19 @@ from dhcli.kinematics.robot import Robot, Value
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import RESERVED
 from dhcli.notation.quantity import UNITS
+from dhcli.regex import regex
 
 MOST_LINKS = 100
-_ROBOT = re.compile(r"\b(SerialLink|DHRobot)\s*\(")
-_ASSIGNED = re.compile(
+_ROBOT = regex(r"\b(SerialLink|DHRobot)\s*\(")
+_ASSIGNED = regex(
     r"(?P<target>[A-Za-z]\w*(?:[({\[]\d{1,3}[)}\]])?)(?:\.(?P<key>\w+))?\s*=(?!=)\s*(?P<value>.+)", re.DOTALL
 )
-_RADIANS = re.compile(r"\b(?:(?:np|numpy|math)\.)?(?:deg2rad|radians)\(([^()]*)\)")
-_MODULE = re.compile(r"\b(?:np|numpy|math|sp|sympy)\.")
-_NAME = re.compile(r"[A-Za-z]\w*")
-_LOOP = re.compile(r"(?:for|while)\b")
-_IN_LOOP = re.compile(r"\bfor\b.*\bin\b", re.DOTALL)
-_CALLED = re.compile(r"([A-Za-z]\w*)\s*\(")
+_RADIANS = regex(r"\b(?:(?:np|numpy|math)\.)?(?:deg2rad|radians)\(([^()]*)\)")
+_MODULE = regex(r"\b(?:np|numpy|math|sp|sympy)\.")
+_NAME = regex(r"[A-Za-z]\w*")
+_LOOP = regex(r"(?:for|while)\b")
+_IN_LOOP = regex(r"\bfor\b.*\bin\b", re.DOTALL)
+_CALLED = regex(r"([A-Za-z]\w*)\s*\(")
 _KEYS = ("theta", "d", "a", "alpha", "offset", "qlim", "sigma", "mdh")
 
 

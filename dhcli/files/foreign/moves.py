@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from typing import TYPE_CHECKING
 
 from dhcli.errors import Place, Problem
@@ -11,12 +10,13 @@ from dhcli.files.foreign.statements import closing, elements, split, unbracketed
 from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans, along
 from dhcli.notation.factors import AXES, Axis
 from dhcli.notation.tree import Expr
+from dhcli.regex import regex
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-_TURN = re.compile(r"(?:t?rot|SE3\.R)(?P<axis>[xyz])")
-_SLIDE = re.compile(r"SE3\.T(?P<axis>[xyz])")
+_TURN = regex(r"(?:t?rot|SE3\.R)(?P<axis>[xyz])")
+_SLIDE = regex(r"SE3\.T(?P<axis>[xyz])")
 _SHIFTS = ("transl", "SE3", "SE3.Trans")
 _NOTHING = ("eye", "SE3", "SE3.identity")
 _DEGREES = ("'deg'", '"deg"', "unit='deg'", 'unit="deg"')

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -21,9 +20,10 @@ from dhcli.notation.quarters import with_right_angles
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import ZERO, Constant, Expr, Sum, Symbol, Unit, add, multiply
 from dhcli.notation.walk import symbols, walk
+from dhcli.regex import regex
 
-_WORD = re.compile(r"(?<!\w)\\?[^\W\d](?:_\{[^{}]{1,20}\}|\w)*")
-_STAR = re.compile(r"(?<=[\w})])[ ]?\^?\*(?=[ ]*(?:$|[-+−]))")  # noqa: RUF001  a minus sign
+_WORD = regex(r"(?<!\w)\\?[^\W\d](?:_\{[^{}]{1,20}\}|\w)*")
+_STAR = regex(r"(?<=[\w})])[ ]?\^?\*(?=[ ]*(?:$|[-+−]))")  # noqa: RUF001  a minus sign
 _NO_NAMES = RESERVED | UNITS | {"π"}
 
 

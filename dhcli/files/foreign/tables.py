@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -10,9 +9,10 @@ from dhcli.errors import FileError, Place, Problem, did_you_mean
 from dhcli.files.foreign.heads import Heads, cells_of, heads_of
 from dhcli.files.foreign.rows import Cell, RowText
 from dhcli.kinematics.conventions import COLUMNS
+from dhcli.regex import regex
 
 MOST_ROWS = 100
-_RULE = re.compile(r"[\s|:+=-]+")
+_RULE = regex(r"[\s|:+=-]+")
 _KINDS = {"r": "R", "revolute": "R", "0": "R", "p": "P", "prismatic": "P", "1": "P", "f": "F", "fixed": "F"}
 _READ = (*COLUMNS, "beta", "offset", "kind")
 

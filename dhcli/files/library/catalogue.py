@@ -1,7 +1,8 @@
 """What the library holds, one line each: files that cannot be read are listed too, with what is wrong.
 
 Reading all of it takes half a second, so what was read is kept in the user's cache folder, beside how long each file is
-and when it was changed. As soon as one of them differs, or another dhcli asks, all of it is read anew.
+and when it was changed. As soon as one of them differs, or another dhcli asks, all of it is read anew; what cannot be
+read is, each time.
 """
 
 from __future__ import annotations
@@ -66,15 +67,15 @@ def catalogue(kinds: Iterable[Kind] = tuple(Kind)) -> tuple[Listed, ...]:
     library = {kind: entries(kind) for kind in Kind}
     state = _state(library)
     known = _remembered(state)
-    if known is None:
-        every = {kind: tuple(_read(kind, entry) for entry in found) for kind, found in library.items()}
-        if not any(one.problems for listed in every.values() for one in listed):
-            _remember(state, every)
-    else:
-        every = {
-            kind: tuple(known[str(entry.path)].of(kind, entry) for entry in found) for kind, found in library.items()
-        }
+    every = {kind: tuple(_listed(known, kind, entry) for entry in found) for kind, found in library.items()}
+    if not known:
+        _remember(state, every)
     return tuple(_with_progress(one) for kind in kinds for one in every[kind])
+
+
+def _listed(known: dict[str, Kept], kind: Kind, entry: Entry) -> Listed:
+    kept = known.get(str(entry.path))
+    return kept.of(kind, entry) if kept else _read(kind, entry)
 
 
 def _read(kind: Kind, entry: Entry) -> Listed:
@@ -142,21 +143,22 @@ def _stamp(path: str) -> tuple[int, int]:
     return found.st_mtime_ns, found.st_size
 
 
-def _remembered(state: list[Any]) -> dict[str, Kept] | None:
-    """What was read when the library was in this state; None if it was in another, or nothing is kept."""
+def _remembered(state: list[Any]) -> dict[str, Kept]:
+    """What was read when the library was in this state; nothing if it was in another, or nothing is kept."""
     try:
         kept = json.loads(cached(INDEX) or "null")
         if kept["state"] != state:
-            return None
+            return {}
         return {
             str(path): Kept(str(title), str(joints), tuple(map(str, parts)))
             for path, (title, joints, parts) in kept["rows"].items()
         }
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
-        return None
+        return {}
 
 
 def _remember(state: list[Any], every: dict[Kind, tuple[Listed, ...]]) -> None:
-    """Keep what was read; where that cannot be, the next list takes as long as this one."""
-    rows = {str(one.entry.path): (one.title, one.joints, one.parts) for listed in every.values() for one in listed}
+    """Keep what was read of the files that could be; where that cannot be, the next list takes as long as this one."""
+    read = [one for listed in every.values() for one in listed if not one.problems]
+    rows = {str(one.entry.path): (one.title, one.joints, one.parts) for one in read}
     cache(json.dumps({"state": state, "rows": rows}), INDEX)

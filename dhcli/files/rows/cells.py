@@ -1,19 +1,29 @@
-"""One cell of a table: a plain decimal number, or what is wrong with it."""
+"""One cell of a table: a plain decimal number, or what is wrong with it; and whole tables of nothing else, at once."""
 
 from __future__ import annotations
 
 import math
 import re
+from typing import TYPE_CHECKING
 
+import numpy as np
+
+from dhcli.notation.decimals import read_decimals
 from dhcli.notation.quantity import UNITS
+from dhcli.regex import regex
 
-NUMBER = re.compile(r"\s*[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?\s*", re.ASCII)
-PLAIN = b"0123456789+-.eE \n"
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+NUMBER = regex(r"\s*[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?\s*", re.ASCII)
+_PLAIN = b"0123456789+-.eE \n"
 """What numbers, blanks and line ends are made of: `nan`, `1_000` and quotes have something else in them."""
 
+_COMMA_SIGN, _LINE_END = b",\n"
+
 _NO_NUMBERS = {"nan", "na", "n/a", "null", "none", "inf", "infinity", "-inf", "+inf", "-infinity", "-nan"}
-_COMMA = re.compile(r"[+-]?(?:\d+,\d*|,\d+)(?:[eE][+-]?\d+)?", re.ASCII)
-_UNIT = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)\s*(?P<unit>\D+)", re.ASCII)
+_COMMA = regex(r"[+-]?(?:\d+,\d*|,\d+)(?:[eE][+-]?\d+)?", re.ASCII)
+_UNIT = regex(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)\s*(?P<unit>\D+)", re.ASCII)
 _LONGEST = 40
 
 
@@ -50,6 +60,30 @@ def read_cell(text: str, *, decimal_comma: bool = False) -> float:
     if bare.lower() in _NO_NUMBERS:
         raise CellError(f"{shown(bare)} is not a finite number")
     raise CellError(f"{shown(bare)} is not a number", _hint(bare))
+
+
+def plain_table(text: str, separator: str, width: int) -> NDArray[np.float64] | None:
+    r"""The numbers of a whole table, shape (N, width); None unless every row is as wide and every cell a plain number.
+
+    Args:
+        text: The rows, each with "\n" at its end.
+        separator: What stands between cells; for a blank any number of them.
+        width: How many cells a row has.
+    """
+    if text.encode().translate(None, _PLAIN + separator.encode()) or text.isspace():
+        return None
+    if separator == " ":
+        text = "".join(",".join(line.split()) + "\n" for line in text.split("\n")[:-1])
+    text = text.replace(separator, ",")
+    marks = np.frombuffer(text.encode(), np.uint8)
+    marks = marks[(marks == _COMMA_SIGN) | (marks == _LINE_END)]
+    pattern = [_COMMA_SIGN] * (width - 1) + [_LINE_END]
+    if len(marks) % width or (marks.reshape(-1, width) != pattern).any():
+        return None
+    try:
+        return read_decimals(text.replace("\n", ",")).reshape(-1, width)
+    except ValueError:
+        return None
 
 
 def is_number(text: str) -> bool:

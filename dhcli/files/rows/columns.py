@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import field, replace
 from typing import TYPE_CHECKING
@@ -14,11 +13,12 @@ from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Joint, Robot
 from dhcli.kinematics.values import joint_called
 from dhcli.notation.quantity import ANGLE_UNITS, LENGTH_UNITS
+from dhcli.regex import regex
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-_HEAD = re.compile(r"(?P<name>[^\[(]*)(?:[\[(](?P<unit>[^\])]*)[\])])?")
+_HEAD = regex(r"(?P<name>[^\[(]*)(?:[\[(](?P<unit>[^\])]*)[\])])?")
 """A head without the blanks around it; those inside are taken off the pieces, and nothing is tried twice."""
 
 MOST_COLUMNS = 1000

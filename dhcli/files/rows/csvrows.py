@@ -11,20 +11,18 @@ import numpy as np
 
 from dhcli.errors import FileError, Place, Problem, plural
 from dhcli.files.rows.blocks import Block, Sieve, cell_problem
-from dhcli.files.rows.cells import PLAIN, CellError, is_number, read_cell
+from dhcli.files.rows.cells import CellError, is_number, plain_table, read_cell
 from dhcli.files.rows.columns import JointColumns, JointTable
 from dhcli.files.rows.source import Source, text_blocks
-from dhcli.notation.decimals import read_decimals
+from dhcli.regex import regex
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-_DECLARED = re.compile(r'\s*"?sep=(?P<sign>[;,\t|])"?\s*', re.IGNORECASE)
+_DECLARED = regex(r'\s*"?sep=(?P<sign>[;,\t|])"?\s*', re.IGNORECASE)
 """The line with which Excel says what stands between cells."""
 
-_COMMA, _LINE_END = b",\n"
-
-_BETWEEN_BLANKS = re.compile(r"\S+(?:[ ]{1,40}[\[(][^\])]{0,40}[\])])?")
+_BETWEEN_BLANKS = regex(r"\S+(?:[ ]{1,40}[\[(][^\])]{0,40}[\])])?")
 """A cell between blanks; a unit may stand apart from its name."""
 
 
@@ -104,20 +102,8 @@ class CsvRows:
         if self._has_decimal_commas and "." not in text:
             text = text.replace(",", ".")
         text = text.replace(f"{self._separator}\n", "\n")  # of a line that has a cell too few without it, too
-        if text.encode().translate(None, PLAIN + self._separator.encode()) or text.isspace():
-            return None
-        if self._separator == " ":
-            text = "".join(",".join(line.split()) + "\n" for line in text.split("\n")[:-1])
-        text = text.replace(self._separator, ",")
-        marks = np.frombuffer(text.encode(), np.uint8)
-        marks = marks[(marks == _COMMA) | (marks == _LINE_END)]
-        if len(marks) != count * width or (marks.reshape(-1, width) != [_COMMA] * (width - 1) + [_LINE_END]).any():
-            return None
-        try:
-            table = read_decimals(text.replace("\n", ",")).reshape(count, width)
-        except ValueError:
-            return None
-        return table if np.isfinite(table).all() else None
+        table = plain_table(text, self._separator, width)
+        return table if table is not None and len(table) == count and np.isfinite(table).all() else None
 
     def _line_by_line(self, first: int, text: str, columns: JointColumns) -> Block:
         """The same with an eye on every cell."""

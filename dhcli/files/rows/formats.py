@@ -24,19 +24,20 @@ class Rows(Protocol):
         """Where a row stands."""
 
 
-def joint_rows(source: Source, asked: JointTable) -> Rows:
+def joint_rows(source: Source, asked: JointTable, threads: int = 1) -> Rows:
     """The joint values of a robot in CSV, JSON Lines or .npy.
 
     Args:
         source: Where they stand.
         asked: What they are read for.
+        threads: How many share a block; one of an array is so much longer then.
 
     Raises:
         FileError: It is called .npy and is something else.
     """
     beginning = _beginning(source)
     if beginning.startswith(MAGIC):
-        return NpyRows(source, asked)
+        return NpyRows(source, asked, threads)
     if source.path.lower().endswith(".npy"):
         raise FileError(Problem("is no .npy file", Place(source.name), "np.save writes one"))
     is_json = beginning.removeprefix(b"\xef\xbb\xbf").lstrip()[:1] in (b"{", b"[")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-import re
 from collections.abc import Callable, Iterator
 from itertools import chain
 from operator import itemgetter
@@ -18,9 +17,10 @@ from dhcli.files.rows.cells import NUMBER, CellError, shown
 from dhcli.files.rows.columns import JointColumns, JointTable
 from dhcli.files.rows.source import Source, text_blocks
 from dhcli.notation.decimals import read_json
+from dhcli.regex import regex
 
 _ONE_A_LINE = "JSON Lines has a row in each line: {\"theta1\": 0.1, ...} or [0.1, ...]; jq -c '.[]' makes it of a list"
-_ONE_LIST = re.compile(r"\s*(?:\[[ \t]*(?:\n|[\[{])|\{[ \t]*\n)")
+_ONE_LIST = regex(r"\s*(?:\[[ \t]*(?:\n|[\[{])|\{[ \t]*\n)")
 _WORDS = {"True": "true", "False": "false", "None": "null"}
 _MOST_HEADERS = 100
 """Sets of names that are remembered."""

@@ -23,9 +23,11 @@ MAGIC = b"\x93NUMPY"
 _HEADER = 1 << 16
 """Most bytes of a header; those of plain arrays have 128."""
 ROWS = 4 * BLOCK
-"""Most rows at a time."""
+"""Most rows at a time, and as many for each of some threads."""
 MOST_BYTES = 1 << 20
-"""Most bytes at a time, unless one row has more."""
+"""Most bytes of those, unless one row has more."""
+MOST_THREADS = 4
+"""Threads up to which blocks grow; more share one of that length, and memory stays small."""
 _SAVE = "np.save('q.npy', np.ascontiguousarray(Q, dtype=float))"
 """What makes a file that is read."""
 
@@ -33,9 +35,10 @@ _SAVE = "np.save('q.npy', np.ascontiguousarray(Q, dtype=float))"
 class NpyRows:
     """Reads the rows of an array, shape (N, n), joints in their order; what follows them is nobody's joint."""
 
-    def __init__(self, source: Source, asked: JointTable) -> None:
-        """Read the joint values of a robot."""
+    def __init__(self, source: Source, asked: JointTable, threads: int = 1) -> None:
+        """Read the joint values of a robot, blocks long enough for so many threads."""
         self._source = source
+        self._threads = min(threads, MOST_THREADS)
         self._asked = asked
         self._columns = asked.in_joint_order()
 
@@ -51,7 +54,7 @@ class NpyRows:
         """
         count, kind = self._header()
         width = self._columns.width
-        at_once = min(ROWS, max(1, MOST_BYTES // (width * kind.itemsize)))
+        at_once = min(ROWS, max(1, MOST_BYTES // (width * kind.itemsize))) * self._threads
         for first in range(0, count, at_once):
             wanted = min(at_once, count - first)
             content = self._bytes(wanted * width * kind.itemsize)

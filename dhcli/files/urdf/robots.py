@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
@@ -19,8 +18,9 @@ from dhcli.kinematics.validity import InvalidRobotError
 from dhcli.notation import turns
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import HALF, ZERO, Expr, Number, Symbol, add, multiply, power
+from dhcli.regex import regex
 
-_KEPT = re.compile(r"[A-Za-z]+_?[0-9]+")
+_KEPT = regex(r"[A-Za-z]+_?[0-9]+")
 """Names of joints that are names of variables too."""
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from itertools import islice
 
 from dhcli.algebra.floats import Floats
@@ -17,12 +16,13 @@ from dhcli.notation.quantity import ANGLE_UNITS, DimensionError, to_angle, to_le
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr, Unit
 from dhcli.notation.walk import symbols, walk
+from dhcli.regex import regex
 
 MOST_NAMES = 1_000
 """Names under `let:`; each is read with all before it in view."""
 
 _AXES: dict[str, Vector] = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
-_FROM_TO = re.compile(r"\s*(\S+)\s+to\s+(\S+)\s*")
+_FROM_TO = regex(r"\s*(\S+)\s+to\s+(\S+)\s*")
 
 
 class Coordinates:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean
 from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.placed import PlacedScalar, PlacedSequence
@@ -17,8 +15,9 @@ from dhcli.notation.parser import RESERVED, parse
 from dhcli.notation.quantity import UNITS, with_unit
 from dhcli.notation.scope import Scope
 from dhcli.notation.tokens import is_name
+from dhcli.regex import regex
 
-_A_TURN = re.compile(r"/\s*(\d+(?:\.\d+)?)\s*(°|deg\b)")
+_A_TURN = regex(r"/\s*(\d+(?:\.\d+)?)\s*(°|deg\b)")
 """`20 mm / 360°`, which a person reads as millimetres for a turn."""
 
 _EXAMPLE = "motors: {m2: [-60°, 76°], m3: [-70°, 200°]}, then theta2: m2 and theta3: m3 + m2"

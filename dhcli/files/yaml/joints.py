@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 from dhcli.errors import DhcliError, NotationError, Place
 from dhcli.files.keys.linkages import JOINT, LOOP, LOOP_ROW
 from dhcli.files.keys.shapes import names, required
@@ -18,8 +16,9 @@ from dhcli.mobility.patterns import count_of, read_chain
 from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_angle, to_length
+from dhcli.regex import regex
 
-_SHORT = re.compile(
+_SHORT = regex(
     r"(?P<a>\S+)\s+(?P<pair>\S+)\s+(?P<b>\S+)(?:\s+at\s+(?P<point>\S+))?(?:\s+(?:about|along)\s+(?P<axis>\S.*))?"
 )
 

@@ -7,16 +7,14 @@ and `12:30` stay the texts they are, and whoever knows what belongs there reads 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
-from dataclasses import dataclass, field
-from functools import lru_cache
 from typing import TYPE_CHECKING, NoReturn, TypeAlias
 
 from dhcli.errors import FileError, Place, Problem
 from dhcli.files.yaml.parser import events, import_yaml
 from dhcli.files.yaml.syntax import DEEPEST, TOO_DEEP, Mark, explain_syntax
 from dhcli.frozen import frozen
+from dhcli.regex import regex
 
 if TYPE_CHECKING:
     import yaml
@@ -24,14 +22,10 @@ if TYPE_CHECKING:
 MOST_NODES = 20_000
 
 # What YAML 1.1 calls a line break; str.splitlines knows others, and the line numbers would drift apart.
-_LINE_BREAK = re.compile("\r\n|[\r\n\x85\u2028\u2029]")
-_MADE_BY_ESCAPE = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff]")
-
-
-@lru_cache(maxsize=1)
-def unreadable() -> re.Pattern[str]:
-    """What YAML does not allow; compiled when a line holds something odd, for it takes 8 ms."""
-    return re.compile("[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]")
+_LINE_BREAK = regex("\r\n|[\r\n\x85\u2028\u2029]")
+_MADE_BY_ESCAPE = regex("[\x00-\x09\x0b-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff]")
+_UNREADABLE = regex("[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]")
+"""What YAML does not allow; it takes 8 ms to compile, when a line holds something odd."""
 
 
 @frozen
@@ -130,14 +124,13 @@ def _refuse_foreign(text: str, source: str) -> None:
         raise FileError(told(form, source))
 
 
-@dataclass(slots=True)
 class _Builder:
     """Builds the tree from PyYAML's events and collects what is refused."""
 
-    lines: list[str]
-    source: str
-    problems: list[Problem] = field(default_factory=list)
-    nodes: int = 0
+    def __init__(self, lines: list[str], source: str) -> None:
+        self.lines, self.source = lines, source
+        self.problems: list[Problem] = []
+        self.nodes = 0
 
     def place(self, mark: Mark | None) -> Place:
         """The place of a mark, with its line for a marker."""
@@ -148,7 +141,7 @@ class _Builder:
     def refuse_unreadable(self) -> None:
         """Stop at a character that no YAML file may hold, before the parser stumbles over it."""
         for number, line in enumerate(self.lines, start=1):
-            if not line.isprintable() and (found := unreadable().search(line)):
+            if not line.isprintable() and (found := _UNREADABLE.search(line)):
                 place = Place(self.source, number, found.start() + 1, line)
                 self.give_up(place, f"the character U+{ord(found[0]):04X} cannot stand in a YAML file", "delete it")
 

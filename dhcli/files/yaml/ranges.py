@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 
@@ -18,12 +17,13 @@ from dhcli.notation.parser import parse
 from dhcli.notation.quantity import LENGTH_UNITS, value_text
 from dhcli.notation.tree import Constant, Number, Unit
 from dhcli.notation.walk import walk
+from dhcli.regex import regex
 
 MOST_VALUES = 10_000
 LONGEST = 200
 """Characters of a range; nobody types more."""
-_PLAIN = re.compile(r"[-+]?[0-9]{1,12}(?:\.[0-9]{0,12})?")
-_BARE = re.compile(
+_PLAIN = regex(r"[-+]?[0-9]{1,12}(?:\.[0-9]{0,12})?")
+_BARE = regex(
     rf"\s*(?P<low>{_PLAIN.pattern})\s*\.\.\s*(?P<high>{_PLAIN.pattern})(?:\s+step\s+(?P<step>{_PLAIN.pattern}))?\s*"
 )
 """A range of plain numbers, with its step or without."""

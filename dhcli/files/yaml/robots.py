@@ -12,11 +12,12 @@ from dhcli.files.reading import LIMIT, is_xml, read_text, source_of
 from dhcli.files.yaml.placed import read_yaml
 from dhcli.files.yaml.robot_loader import Loader
 from dhcli.kinematics.robot import Robot
+from dhcli.regex import regex
 
 XML = (".urdf", ".xml", ".xacro")
 XML_LIMIT = 20_000_000
 """What the name of a URDF ends in, and the most bytes of one; meshes stand in files of their own."""
-DRAWN = re.compile(r"^convention:\s*['\"]?(axes|screws)['\"]?\s*(?:#.*)?$", re.MULTILINE)
+DRAWN = regex(r"^convention:\s*['\"]?(axes|screws)['\"]?\s*(?:#.*)?$", re.MULTILINE)
 """How a file says that it gives axes or screws in the place of links."""
 
 

@@ -9,7 +9,8 @@ from pathlib import Path
 
 from dhcli.checking.earning import worth, worth_of
 from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.judge import Judge, SheetMark
+from dhcli.checking.judge import Judge
+from dhcli.checking.marked import SheetMark
 from dhcli.checking.variants import variant_of
 from dhcli.errors import DhcliError, FileError, Place
 from dhcli.files.reading import read_text, source_of

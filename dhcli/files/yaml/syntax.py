@@ -8,12 +8,13 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Protocol
 
 from dhcli.errors import Place, Problem
+from dhcli.regex import regex
 
 if TYPE_CHECKING:
     import yaml
 
-_QUOTED = re.compile(r"'[^']*'|\"[^\"]*\"")
-_NAME_WITH_BRACE = re.compile(r"[\w^)}\]][{\[]")
+_QUOTED = regex(r"'[^']*'|\"[^\"]*\"")
+_NAME_WITH_BRACE = regex(r"[\w^)}\]][{\[]")
 _BRACE_HINT = "a name with braces or brackets needs quotes, such as 'alpha_{i-1}'"
 
 DEEPEST = 40

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -26,8 +25,9 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import substitute
 from dhcli.notation.writer import write, write_angle
+from dhcli.regex import regex
 
-_LENGTH = re.compile(r"[\d.)]\s{0,9}(mm|cm|m|in)\b")
+_LENGTH = regex(r"[\d.)]\s{0,9}(mm|cm|m|in)\b")
 """The unit of a length behind its number."""
 
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from dhcli.errors import DhcliError, did_you_mean
 from dhcli.kinematics.conventions import ORDER, Convention
+from dhcli.regex import regex
 
 MOST_JOINTS = 20
-NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
+NAME = regex(r"[A-Za-z0-9][A-Za-z0-9_-]*")
 """What can be typed in a command and be the name of a file."""
 
 

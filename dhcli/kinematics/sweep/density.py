@@ -12,6 +12,9 @@ from dhcli.kinematics.sweep.workspace import Counts, Workspace
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+SIDE, TOP, FRONT = (0, 2), (0, 1), (1, 2)
+"""Which coordinate goes to the right in a square, and which upwards."""
+
 CELLS = 128
 """Cells on a side; a multiple of four, so that a square may double around its middle."""
 
@@ -20,7 +23,7 @@ SAMPLE = 1500
 
 
 class Density:
-    """Counts points in cells of two squares around the origin, which grow when a point lies outside.
+    """Counts points in cells of three squares around the origin, which grow when a point lies outside.
 
     >>> from dhcli import load_robot
     >>> from dhcli.kinematics.sweep.plan import plan
@@ -38,7 +41,7 @@ class Density:
         """Nothing counted yet."""
         self.half = 0.0
         self.count = 0
-        self._squares = {1: np.zeros((CELLS, CELLS), np.int64), 2: np.zeros((CELLS, CELLS), np.int64)}
+        self._squares = {plane: np.zeros((CELLS, CELLS), np.int64) for plane in (SIDE, TOP, FRONT)}
         self._kept: list[NDArray[np.float64]] = []
         self._step = 1
 
@@ -56,8 +59,9 @@ class Density:
             self._double()
         size = 2 * self.half / CELLS
         cells = np.minimum(((places + self.half) / size).astype(np.int64), CELLS - 1)
-        for axis, square in self._squares.items():
-            np.add.at(square, (cells[:, axis], cells[:, 0]), 1)
+        for (right, up), square in self._squares.items():
+            new = np.bincount(cells[:, up] * CELLS + cells[:, right], minlength=CELLS**2)
+            np.add(square, new.reshape(CELLS, CELLS), out=square)
         first = -self.count % self._step
         self._kept += list(places[first :: self._step])
         self.count += len(rows)
@@ -72,17 +76,18 @@ class Density:
         """
         sample = tuple((float(x), float(y), float(z)) for x, y, z in self._kept)
         view = target.view
-        return Workspace(self.half, self._counts(2), self._counts(1), sample, self.count, view.frame, view.reference)
+        side, top, front = (self._counts(plane) for plane in (SIDE, TOP, FRONT))
+        return Workspace(self.half, side, top, front, sample, self.count, view.frame, view.reference)
 
     def _double(self) -> None:
         """A square of twice the side around the same middle, each of its cells four of the old ones."""
         quarter = CELLS // 4
-        for axis, square in self._squares.items():
+        for plane, square in self._squares.items():
             merged = square.reshape(CELLS // 2, 2, CELLS // 2, 2).sum(axis=(1, 3))
             grown = np.zeros_like(square)
             grown[quarter:-quarter, quarter:-quarter] = merged
-            self._squares[axis] = grown
+            self._squares[plane] = grown
         self.half *= 2
 
-    def _counts(self, axis: int) -> Counts:
-        return tuple(tuple(row) for row in self._squares[axis].tolist())
+    def _counts(self, plane: tuple[int, int]) -> Counts:
+        return tuple(tuple(row) for row in self._squares[plane].tolist())

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -21,6 +20,7 @@ from dhcli.notation.quantity import Bare
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Constant, Number
 from dhcli.notation.walk import walk
+from dhcli.regex import regex
 
 MOST_VALUES = 1_000_000
 """Values of one joint; they are the only numbers of a grid that are held."""
@@ -28,7 +28,7 @@ MOST_VALUES = 1_000_000
 HAIR = Fraction(1, 1_000_000)
 """Part of a step by which the last one may miss the end of a range, and still be meant to meet it."""
 
-_OF_LIMITS = re.compile(r"(?P<name>\S+)\s+n\s+(?P<count>\S+)")
+_OF_LIMITS = regex(r"(?P<name>\S+)\s+n\s+(?P<count>\S+)")
 """A joint over its own limits in so many values."""
 
 

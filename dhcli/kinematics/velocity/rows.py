@@ -47,11 +47,6 @@ class JacobianRows:
         """What the rows and the columns are called."""
         return self.form.labels, moving_joints(self.robot, self.view)
 
-    def jacobians(self, q: NDArray[np.float64]) -> NDArray[np.float64]:
-        """The Jacobians, shape (N, rows, joints), NaN where one is not real."""
-        return jacobians(self.robot, q, self.view, self.form, self.parameters)
-
-
-def is_finite(found: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """In which of many Jacobians, shape (N, rows, joints), every entry is a real number; shape (N,)."""
-    return np.all(np.isfinite(found), axis=(1, 2))  # type: ignore[no-any-return]  # numpy: or one bool
+    def jacobians(self, q: NDArray[np.float64], threads: int = 1) -> NDArray[np.float64]:
+        """The Jacobians, shape (N, rows, joints), NaN where one is not real; threads share the work."""
+        return jacobians(self.robot, q, self.view, self.form, self.parameters, threads=threads)

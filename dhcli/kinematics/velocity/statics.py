@@ -10,8 +10,8 @@ from typing import Generic, TypeAlias, TypeVar, Unpack
 from dhcli.algebra.arithmetic import plus, times
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
+from dhcli.kinematics.coordinates import coordinates
 from dhcli.kinematics.forward import Given
-from dhcli.kinematics.pose import coordinates
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.values import JointInput, Values, given_parameters, joint_values, parameter_values
 from dhcli.kinematics.velocity.jacobian import Jacobian, numeric_jacobian, textbook_jacobian

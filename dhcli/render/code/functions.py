@@ -10,7 +10,7 @@ from dhcli.kinematics.frames import View
 from dhcli.kinematics.generated import Function
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.velocity.asked import JacobianAnswer
+from dhcli.kinematics.velocity.answers import JacobianAnswer
 from dhcli.kinematics.velocity.jacobian import Jacobian
 from dhcli.notation.writer import write
 from dhcli.render.code.language import Heading, Spelling

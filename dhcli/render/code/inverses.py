@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 
 from dhcli.algebra.arithmetic import evaluate
@@ -17,13 +16,14 @@ from dhcli.kinematics.validity import in_floats
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO, Call, Expr, Product, Sum, Symbol, Trig
 from dhcli.notation.walk import rebuild, symbols, walk
+from dhcli.regex import regex
 from dhcli.render.code.functions import lengths_words, robot_words
 from dhcli.render.code.language import Heading, Spelling
 from dhcli.render.code.languages import LANGUAGES
 from dhcli.render.look import Look
 from dhcli.render.text.forward import frame_words
 
-_PI = re.compile(r"\bpi\b")
+_PI = regex(r"\bpi\b")
 
 
 @frozen

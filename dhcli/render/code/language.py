@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 
@@ -10,12 +9,13 @@ from dhcli.frozen import frozen
 from dhcli.notation.styles import THETAS, Joints, Style, plain_name
 from dhcli.notation.tree import Expr, Number
 from dhcli.notation.writer import write
+from dhcli.regex import regex
 from dhcli.render.code.words import RESERVED, TAKEN
 from dhcli.safe import comment, docstring
 
 Cells = Sequence[Sequence[str]]
 
-_FOREIGN = re.compile(r"[^A-Za-z0-9_]")
+_FOREIGN = regex(r"[^A-Za-z0-9_]")
 
 
 @frozen

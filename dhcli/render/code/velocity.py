@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from dhcli.kinematics.velocity.asked import JacobianAnswer, SingularAnswer, TorquesAnswer, VelocityAnswer
+from dhcli.kinematics.velocity.answers import JacobianAnswer, SingularAnswer, TorquesAnswer, VelocityAnswer
 from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Expr
 from dhcli.render.code.matrices import Letter, csv_line, entry, matrix_source

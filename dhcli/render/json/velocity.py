@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.singular.result import Factor
 from dhcli.kinematics.values import Values
-from dhcli.kinematics.velocity.asked import JacobianAnswer, SingularAnswer, TorquesAnswer, VelocityAnswer
+from dhcli.kinematics.velocity.answers import JacobianAnswer, SingularAnswer, TorquesAnswer, VelocityAnswer
 from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.styles import Joints
 from dhcli.render.code.matrices import exact

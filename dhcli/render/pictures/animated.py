@@ -28,7 +28,7 @@ def animated(figures: Sequence[Figure], *, dark: bool = False, size: tuple[int, 
     shapes = [shape for figure in figures for shape in (MARK, *figure.shapes)]
     text = svg(replace(figures[0], shapes=tuple(shapes)), dark=dark, size=size)
     before, *groups = text.split('<path class="moment" d="M0 0"/>\n')
-    last, _, texts = groups[-1].partition("<text")
+    last, _, texts = groups[-1].partition("<g ")
     groups[-1] = last
     slots = len(figures) + REST
     part = 100 / slots
@@ -45,4 +45,4 @@ def animated(figures: Sequence[Figure], *, dark: bool = False, size: tuple[int, 
         delay = f"animation-delay:{SECONDS * (number / slots - 1):.3f}s"
         hidden = "" if is_last else ' visibility="hidden"'
         found.append(f'<g class="{"e" if is_last else "m"}" style="{delay}"{hidden}>\n{group}</g>\n')
-    return before.replace("</style>", f"{rules}</style>", 1) + "".join(found) + f"<text{texts}"
+    return before.replace("</style>", f"{rules}</style>", 1) + "".join(found) + f"<g {texts}"

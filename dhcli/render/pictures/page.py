@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
@@ -11,6 +10,7 @@ from dhcli.errors import DhcliError
 from dhcli.kinematics.conventions import NAMES, ORDER
 from dhcli.kinematics.robot import Robot
 from dhcli.mobility.linkage import Linkage
+from dhcli.regex import regex
 from dhcli.render.pictures.looks import COLOURS, LOOKS, TEXTS, UPRIGHT
 from dhcli.render.pictures.page_arm import arm_model
 from dhcli.render.pictures.page_linkage import plane_model, space_model
@@ -21,12 +21,12 @@ from dhcli.scene.shapes import Figure
 if TYPE_CHECKING:
     from dhcli.scene.drawing import Drawing
 
-_LITERAL = re.compile(r"""(`[^`]*`|"[^"\n]*"|(?<=\()/(?:[^/\n\\[]|\\.|\[[^\]]*\])+/\w*)""")
+_LITERAL = regex(r"""(`[^`]*`|"[^"\n]*"|(?<=\()/(?:[^/\n\\[]|\\.|\[[^\]]*\])+/\w*)""")
 """A text or a pattern inside a script; no script has `+ +` or `- -`, where a blank would mean something."""
 
-_MATHS = re.compile(r"\bMath\.(\w+)")
-_BLANKS = re.compile(r" *([-=+*/%<>,?:&|!{}();\[\]]+) *")
-_INDEX = re.compile(r"_(?:\{([^}]*)\}|(\w))")
+_MATHS = regex(r"\bMath\.(\w+)")
+_BLANKS = regex(r" *([-=+*/%<>,?:&|!{}();\[\]]+) *")
+_INDEX = regex(r"_(?:\{([^}]*)\}|(\w))")
 """An index as a terminal writes it: `a_i`, `a_{i-1}`."""
 
 _ONLY_FLAT = frozenset({"bar", "wheel", "pin", "axis", "axis-dot"})

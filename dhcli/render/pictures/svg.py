@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import zlib
+from collections.abc import Iterator
+from itertools import groupby, pairwise
 
 from dhcli.render.pictures.looks import COLOURS, LOOKS, TEXTS, UPRIGHT, Look
 from dhcli.safe import html
 from dhcli.scene.shapes import Figure, Shape, Text
 from dhcli.scene.vectors import Flat
 from dhcli.scene.words import Words
+
+_PLAIN = frozenset({"caption", "cell", "head"})
+"""Texts beside the drawing, which need no paper around their letters."""
 
 FONTS = "'Times New Roman',Times,'Liberation Serif','Nimbus Roman','DejaVu Serif',serif"
 """Serifs whose lines are no higher than the places of the labels."""
@@ -23,7 +28,7 @@ def svg(figure: Figure, *, dark: bool = False, size: tuple[int, int] | None = No
         size: Width and height at which it is shown [px]; by default as it was drawn.
     """
     width, height = size or (round(figure.width), round(figure.height))
-    body = "\n".join([*_shapes(figure.shapes), *(_text(text) for text in figure.texts)])
+    body = "\n".join([*_shapes(figure.shapes), *_texts(figure.texts)])
     key = f"f{zlib.crc32((body + str(dark)).encode()):08x}"
     looks = sorted({shape.look for shape in figure.shapes})
     texts = sorted({text.look for text in figure.texts})
@@ -121,18 +126,36 @@ def _shapes(shapes: tuple[Shape, ...]) -> list[str]:
 
 
 def _path(points: tuple[Flat, ...], *, closed: bool) -> str:
-    pairs = [f"{_number(x)} {_number(y)}" for x, y in points]
-    return "M" + "L".join(pairs) + "Z" * closed
+    """Corners as steps from the one before, in whole tenths of a pixel, so that they add up to where they are."""
+    tenths = [(round(10 * x), round(10 * y)) for x, y in points]
+    steps = "".join(_pair(x - a, y - b) for (a, b), (x, y) in pairwise(tenths))
+    return f"M{_pair(*tenths[0]).strip()}{'l' * bool(steps)}{steps.strip()}{'z' * closed}"
 
 
-def _text(text: Text) -> str:
-    words = _words(text.words, text.size)
-    place = f'x="{_number(text.at[0])}" y="{_number(text.at[1])}" font-size="{_number(text.size)}"'
-    plain = f'<text class="t-{text.look}" {place}>{words}</text>'
-    if text.look in ("caption", "cell", "head"):
-        return plain
-    styled = f' class="halo-text t-{text.look}"' if text.look in UPRIGHT else ' class="halo-text"'
-    return f'<text{styled} aria-hidden="true" {place}>{words}</text>{plain}'
+def _pair(x: int, y: int) -> str:
+    """Two numbers in tenths, each with a blank before it where no minus parts them."""
+    return "".join(text if text[0] == "-" else f" {text}" for text in (_tenths(x), _tenths(y)))
+
+
+def _tenths(value: int) -> str:
+    whole, rest = divmod(abs(value), 10)
+    return "-" * (value < 0) + (f"{whole or ''}.{rest}" if rest else str(whole))
+
+
+def _texts(texts: tuple[Text, ...]) -> Iterator[str]:
+    """All labels: first what makes paper around their letters, then these; those of one size in one group."""
+    labels = [text for text in texts if text.look not in _PLAIN]
+    for attributes, group in ((' class="halo-text" aria-hidden="true"', labels), ("", texts)):
+        for size, some in groupby(group, key=lambda text: text.size):
+            yield f'<g{attributes} font-size="{_number(size)}">'
+            yield from (_text(text, halo=bool(attributes)) for text in some)
+            yield "</g>"
+
+
+def _text(text: Text, *, halo: bool) -> str:
+    look = f' class="t-{text.look}"' if not halo or text.look in UPRIGHT else ""
+    place = f'x="{_number(text.at[0])}" y="{_number(text.at[1])}"'
+    return f"<text{look} {place}>{_words(text.words, text.size)}</text>"
 
 
 def _words(words: Words, size: float) -> str:

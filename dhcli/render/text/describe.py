@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import textwrap
 from collections.abc import Iterator
 from typing import Any
@@ -22,6 +21,7 @@ from dhcli.kinematics.moves import spelled
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr
 from dhcli.notation.writer import write, write_angle
+from dhcli.regex import regex
 from dhcli.render.look import Look
 from dhcli.render.text.matrix import matrix_lines
 from dhcli.render.text.prose import heading_text
@@ -31,7 +31,7 @@ from dhcli.render.text.table import table_text
 _PROSE = 100
 """Columns at which the steps are folded at most."""
 
-_POINT = re.compile(r"\([^()]*\)")
+_POINT = regex(r"\([^()]*\)")
 _JOINED = "\N{NO-BREAK SPACE}"
 """A point is not folded."""
 

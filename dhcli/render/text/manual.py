@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import io
-import re
 from typing import TYPE_CHECKING
 
+from dhcli.regex import regex
 from dhcli.render.paper import Paper, in_ascii
 
 if TYPE_CHECKING:
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 WIDEST = 96
 """Columns at which running text is folded at most."""
-_LINK = re.compile(r"(?<!!)\[([^\]]+)\]\((?!https?:)[^)]*?([a-z0-9-]+)\.md[^)]*\)")
+_LINK = regex(r"(?<!!)\[([^\]]+)\]\((?!https?:)[^)]*?([a-z0-9-]+)\.md[^)]*\)")
 
 
 def page_text(page: str, paper: Paper) -> str:

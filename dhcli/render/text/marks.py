@@ -9,7 +9,8 @@ from dhcli.checking.credit import plain
 from dhcli.checking.diagnosis.result import Diagnosis
 from dhcli.checking.earning import worth
 from dhcli.checking.exercise import Exercise, Part
-from dhcli.checking.judge import MISPRINT, PartMark, SheetMark, is_explained
+from dhcli.checking.judge import MISPRINT, is_explained
+from dhcli.checking.marked import PartMark, SheetMark
 from dhcli.checking.returned import Shown
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
 from dhcli.render.code.matrices import csv_line

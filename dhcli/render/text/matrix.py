@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Sequence
 
 from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Expr
 from dhcli.notation.writer import write
+from dhcli.regex import regex
 from dhcli.render.look import Look
 
 ENTRIES = (
@@ -19,8 +19,8 @@ ENTRIES = (
 
 _LEFT, _RIGHT = "⎡⎢⎣", "⎤⎥⎦"
 _GAP = 2
-_WHOLE = re.compile(r"-?[0-9]*")
-_NUMBER = re.compile(r"-?[0-9.]+(e[-+]?[0-9]+)?")
+_WHOLE = regex(r"-?[0-9]*")
+_NUMBER = regex(r"-?[0-9.]+(e[-+]?[0-9]+)?")
 
 
 def cell(entry: Expr | float, joints: Joints, look: Look) -> str:

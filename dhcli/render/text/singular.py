@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator
 from typing import TYPE_CHECKING
 
 from dhcli.kinematics.singular.result import Factor
-from dhcli.kinematics.velocity.asked import SingularAnswer
+from dhcli.kinematics.velocity.answers import SingularAnswer
 from dhcli.notation.writer import write
 from dhcli.render.look import Look
 from dhcli.render.text.forward import frame_words, legend, packed

@@ -6,13 +6,14 @@ import re
 import unicodedata
 from collections.abc import Iterable, Sequence
 
+from dhcli.regex import regex
 from dhcli.render.paper import Paper
 
 _GAP = 3
 _LEAST = 12
 """Columns between two cells, and the fewest that a cell is cut to."""
-_INKED = re.compile(r"((?:\x1b\[[0-9;]*m)*)(.*?)((?:\x1b\[0m)*)", re.DOTALL)
-_INK = re.compile(r"\x1b\[[0-9;]*m")
+_INKED = regex(r"((?:\x1b\[[0-9;]*m)*)(.*?)((?:\x1b\[0m)*)", re.DOTALL)
+_INK = regex(r"\x1b\[[0-9;]*m")
 
 
 class Inked(str):

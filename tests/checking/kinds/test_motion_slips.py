@@ -4,17 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Case
-from dhcli.checking.judge import Judge, SheetMark
+from dhcli.checking.judge import Judge
 from dhcli.checking.kinds.made import question_about
+from dhcli.checking.marked import SheetMark
+from dhcli.checking.motion import differentiated, grid
 from dhcli.checking.motion.from_columns import ColumnsQuestion
 from dhcli.checking.verdicts import Verdict
 from dhcli.files.yaml.exercises import load_exercise, read_exercise
 from dhcli.files.yaml.robots import load_robot
 from dhcli.kinematics.values import joint_values
+from dhcli.notation.tree import Expr, Symbol, number
 
 MOTION = Path(__file__).parents[3] / "exercises" / "motion"
 
@@ -53,6 +58,40 @@ def test_two_slips_are_named_together(ask: str, pair: tuple[str, str], q: tuple[
     assert mark.verdict is Verdict.WRONG
     assert mark.diagnosis is not None
     assert " + ".join(pair) in mark.diagnosis.ids
+
+
+def test_two_slips_differentiate_the_position_once_for_each_wrong_rule(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever went wrong in the columns before; and an entry that tables have in common is evaluated once."""
+    counted: list[str] = []
+    velocities, value = differentiated._velocities, Floats.value
+
+    def counting(*given: Any) -> Any:  # noqa: ANN401  as it is called
+        counted.append("position")
+        return velocities(*given)
+
+    def valued(over: Floats, expr: Expr) -> float:
+        counted.append("entry")
+        return value(over, expr)
+
+    monkeypatch.setattr(differentiated, "_velocities", counting)
+    monkeypatch.setattr(Floats, "value", valued)
+    judge = asked("ur5e", "jacobian of 0..6", (0.4, 0.7, -1.1, 0.3, 0.9, -0.2))
+    part = judge.exercise.parts[0]
+    assert isinstance(part.question, ColumnsQuestion)
+    found = part.question.pairs(Case(part, judge.memo))
+    assert len(found) > 400
+    assert counted.count("position") == 2
+    assert counted.count("entry") < len(found) * 36
+
+
+def test_values_of_entries_are_remembered_and_not_without_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each is that of the tree, however many came before it and were let go."""
+    monkeypatch.setattr(grid, "MOST_MET", 3)
+    over, plain = grid.Remembering({"a": 0.4}), Floats({"a": 0.4})
+    entries = [Symbol("a") * number(k) for k in range(2, 9)]
+    for expr in (*entries, *entries, *reversed(entries)):
+        assert over.value(expr) == plain.value(expr)
+        assert len(over._met) <= 3
 
 
 @pytest.mark.parametrize(

@@ -117,12 +117,15 @@ def test_a_broken_index_is_made_again(content: str) -> None:
     assert json.loads(path.read_text("utf-8"))["rows"]
 
 
-def test_a_library_with_a_broken_file_is_read_each_time(home: Path) -> None:
-    """So that what is wrong with it is told as long as it is."""
+def test_a_broken_file_is_read_each_time(home: Path, read: list[str]) -> None:
+    """And it alone, so that what is wrong with it is told as long as it is."""
     (home / "robots" / "mine.yaml").write_text("format: 1\n", "utf-8")
-    assert any(one.problems for one in catalogue([Kind.ROBOTS]))
-    assert not place(room.INDEX).exists()
-    assert any(one.problems for one in catalogue([Kind.ROBOTS]))
+    first = catalogue()
+    assert len(read) == len(first) == 1 + len(ONE_OF_EACH)
+    read.clear()
+    assert catalogue() == first
+    assert read == ["mine"]
+    assert [bool(one.problems) for one in first if one.entry.name == "mine"] == [True]
 
 
 def test_where_nothing_can_be_kept_the_list_comes_all_the_same(home: Path, monkeypatch: pytest.MonkeyPatch) -> None:

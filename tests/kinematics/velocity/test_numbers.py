@@ -282,6 +282,35 @@ def test_no_rows_give_no_jacobians() -> None:
     assert jacobian(load_robot("puma560"), np.empty((0, 6)), part="linear").shape == (0, 3, 6)
 
 
+def test_many_rows_may_lie_in_memory_as_they_like() -> None:
+    """Columns first, every second row, read-only, shared by threads, a single row; the same Jacobians."""
+    robot = load_robot("scara")
+    q = np.random.default_rng(1).uniform(-3, 3, (20, 3))
+    plain = jacobian(robot, q)
+    fixed = q.copy()
+    fixed.flags.writeable = False
+    for rows in (np.asfortranarray(q), np.repeat(q, 2, axis=0)[::2], fixed, q.astype(object)):
+        assert np.abs(jacobian(robot, rows, threads=2) - plain).max() <= 1e-15
+    assert np.abs(jacobian(robot, q[:1]) - plain[:1]).max() <= 1e-15
+
+
+@pytest.mark.parametrize(
+    ("rows", "options", "said"),
+    [
+        (np.zeros((2, 3)), {"threads": 0}, "threads is a number from 1, not 0"),
+        (np.zeros((2, 3)), {"threads": "2"}, "threads is a number from 1, not '2'"),
+        (np.zeros((2, 3)), {"dtype": int}, "float64 or float32"),
+        (np.zeros((2, 3), complex), {}, "Q holds complex numbers"),
+        (np.array([[None, object(), 0]]), {}, "Q is no array of numbers"),
+        (np.zeros((2, 4)), {}, r"scara has 3 joints; Q has the shape \(2, 4\)"),
+    ],
+)
+def test_many_that_cannot_be_are_refused_in_words(rows: object, options: dict[str, object], said: str) -> None:
+    """As by `forward_batch`."""
+    with pytest.raises(RobotError, match=said):
+        jacobian(load_robot("scara"), rows, **options)  # type: ignore[arg-type]
+
+
 def test_a_part_has_its_rows() -> None:
     """And the order can be turned over."""
     robot = load_robot("puma560")

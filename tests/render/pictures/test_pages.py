@@ -168,7 +168,8 @@ def _pictures() -> Iterator[Picture]:
 
 
 OVERLAPS = """
-const boxes = [...document.querySelectorAll('svg text:not(.halo-text):not(.t-caption)')].map(t => t.getBBox());
+const texts = document.querySelectorAll('svg text:not(.halo-text, .halo-text *, .t-caption)');
+const boxes = [...texts].map(t => t.getBBox());
 let n = 0;
 boxes.forEach((a, i) => boxes.slice(i + 1).forEach(b => {
   if (a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height) n++;

@@ -8,10 +8,14 @@ import subprocess
 import sys
 import zlib
 from dataclasses import replace
+from fractions import Fraction
+from itertools import accumulate
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from dhcli import DhcliError, draw, load_robot
 from dhcli.errors import RobotError
@@ -19,10 +23,14 @@ from dhcli.files.yaml.linkages import load_linkage
 from dhcli.mobility.linkage import Linkage
 from dhcli.render.paper import Paper
 from dhcli.render.pictures.looks import LOOKS, TEXTS
+from dhcli.render.pictures.pdf import pdf
 from dhcli.render.pictures.picture import Picture
+from dhcli.render.pictures.svg import svg
 from dhcli.render.pictures.terminal import terminal
-from dhcli.scene.shapes import Figure, Shape
-from tests.scene.examples import LINKAGES, odd_robots
+from dhcli.render.pictures.tikz import tikz
+from dhcli.scene.shapes import Figure, Shape, Text
+from dhcli.scene.words import Run
+from tests.scene.examples import LINKAGES, long_robot, odd_robots
 
 NAMES = ("puma560", "planar-2r", "spherical-wrist", "stanford", "planar-four-bar", "planetary-gear", "stewart-gough")
 MARKUP = "</title></script><b>&'\"\u202e\x07 $%_{}\\ A"
@@ -42,11 +50,32 @@ def test_svg_is_well_formed_and_plain(name: str) -> None:
     text = _picture(name).svg()
     root = ET.fromstring(text)  # noqa: S314  our own text
     classes = {each.get("class", "").removeprefix("t-") for each in root.iter() if each.tag.endswith(("path", "text"))}
-    assert classes - {"halo-text"} - {c for c in classes if c.startswith("halo-text ")} <= LOOKS.keys() | TEXTS.keys()
+    assert classes - {""} <= LOOKS.keys() | TEXTS.keys()
     used = re.findall(r"url\(#(\w+)\)", text)
     assert sorted(used) == sorted(each.get("id") for each in root.iter() if each.tag.endswith("linearGradient"))
     assert not re.search("baseline-shift|paint-order|<image|<use|href|var\\(", text)
     assert len(text.encode()) < 80_000
+
+
+@given(
+    points=st.lists(st.tuples(st.floats(-900, 900), st.floats(-900, 900)), min_size=1, max_size=9), closed=st.booleans()
+)
+def test_a_path_written_as_steps_is_where_its_corners_are(points: list[tuple[float, float]], *, closed: bool) -> None:
+    """To a tenth of a pixel, however many there are: added up, the steps lose nothing."""
+    text = svg(Figure(100.0, 100.0, (Shape(tuple(points), "edge", closed=closed),), ()))
+    (path,) = re.findall(r'class="edge" d="([^"]*)"', text)
+    numbers = [Fraction(number) for number in re.findall(r"-?(?:\d+\.?\d*|\.\d+)", path)]
+    xs, ys = (list(accumulate(numbers[axis::2])) for axis in (0, 1))
+    assert [(x, y) for x, y in zip(xs, ys, strict=True)] == [
+        (Fraction(round(10 * x), 10), Fraction(round(10 * y), 10)) for x, y in points
+    ]
+    assert path.endswith("z") == closed
+
+
+def test_a_figure_grows_with_its_joints_by_less_than_four_kilobytes_each() -> None:
+    """Twenty joints, each with a drum, a turn arrow, two axes, two lengths and six labels."""
+    text = draw(long_robot(20)).svg()
+    assert len(text.encode()) < 20 * 4_000
 
 
 @pytest.mark.parametrize("kind", ["svg", "tikz", "pdf", "page", "terminal"])
@@ -75,7 +104,7 @@ def test_an_animation_shows_one_moment_at_a_time_and_the_last_where_nothing_may_
     """Each in a group of its own, in turn; all but the last are hidden but for the animation."""
     text = _picture("scara", pose="zero", to="pick").animated()
     root = ET.fromstring(text)  # noqa: S314  our own text
-    groups = [each for each in root if each.tag.endswith("}g")]
+    groups = [each for each in root if each.tag.endswith("}g") and each.get("style")]
     assert len(groups) == 25
     assert [group.get("visibility") for group in groups] == ["hidden"] * 24 + [None]
     delays = [float(re.findall(r"-?[\d.]+", group.get("style") or "")[0]) for group in groups]
@@ -216,6 +245,18 @@ def test_an_axis_of_both_tables_differs_from_that_of_one_in_letters_too(*, unico
         assert set(letters["both"]) == set(letters["theirs"]) | set(letters["ours"]) == {":", "-"}
 
 
+def test_the_strokes_of_a_second_table_stand_in_every_format() -> None:
+    """x₂′ is no x₂: in LaTeX a prime, in PDF that of the font Symbol, in plain letters an apostrophe."""
+    figure = draw(load_robot("zhou-3r"), beside=load_robot("zhou-3r-modified"), pose="elbow").figure()
+    stroked = Text((50.0, 50.0), (Run("x"), Run("2′", below=True)), "theirs", 17.0)
+    figure = replace(figure, shapes=(), texts=(stroked,))
+    assert "$x_{2'}$" in tikz(figure)
+    written = zlib.decompress(pdf(figure).partition(b"stream\n")[2].partition(b"\nendstream")[0])
+    assert b"\\242" in written
+    assert b"(?)" not in written
+    assert "x2'" in terminal(replace(figure, width=160.0, height=160.0), Paper(20, unicode=False))
+
+
 def test_colour_is_only_where_the_paper_has_it() -> None:
     """X red, z cyan; and the same letters without."""
     inked = _picture("puma560").terminal(Paper(80, colour=True))
@@ -269,10 +310,6 @@ def test_every_writer_takes_an_odd_robot(name: str) -> None:
     """Fifty joints, no length at all, a millionth beside a million."""
     picture = draw(odd_robots()[name])
     figure = picture.figure()
-    from dhcli.render.pictures.pdf import pdf
-    from dhcli.render.pictures.svg import svg
-    from dhcli.render.pictures.tikz import tikz
-
     assert "nan" not in svg(figure)
     assert "nan" not in tikz(figure)
     assert pdf(figure).startswith(b"%PDF")

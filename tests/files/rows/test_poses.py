@@ -1,0 +1,115 @@
+"""Poses in files, as `ik --in` reads them: whole blocks at once, and the same row by row."""
+
+from __future__ import annotations
+
+import io
+import json
+import sys
+from pathlib import Path
+from unittest.mock import patch
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from dhcli.errors import FileError, Problem
+from dhcli.files.rows import poses as reading
+from dhcli.files.rows.poses import BLOCK, MATRIX, pose_blocks
+
+pytestmark = pytest.mark.usefixtures("json_by")
+
+finite = st.floats(allow_nan=False, allow_infinity=False)
+POSITIONS = st.tuples(finite, finite, finite)
+MATRICES = st.lists(st.tuples(finite, finite, finite, finite), min_size=3, max_size=4)
+csv_lines = st.one_of(
+    POSITIONS.map(lambda row: ",".join(map(repr, row))), st.text('0123456789+-.eE, "x_naif\r', max_size=9)
+)
+json_lines = st.one_of(
+    POSITIONS.map(lambda row: json.dumps({"position": row})),
+    MATRICES.map(lambda rows: json.dumps({"row": 3, "matrix": rows})),
+    st.sampled_from(
+        [
+            '{"matrix": [1, 2], "position": [1, 2, 3]}',
+            '{"position": [1, 2, null]}',
+            '{"position": [1, true, "3"]}',
+            '{"position": [1, 2, NaN]}',
+            '{"position": [1, 2, 1e999]}',
+            f'{{"position": [1, 2, 1{"0" * 400}]}}',
+            '{"position": [1, 2, 3]},{"position": [4, 5, 6]}',
+            '{"position": [1, 2, 3], "more": [{}',
+            '{}], "position": [1, 2, 3]}',
+            '{"position": [1, 2, 3], "position": [4, 5, 6]}',
+            '{"position": [1, 2], "name": "}"}',
+            '{"matrix": ' + "[" * 2000 + "}",
+            "[1, 2, 3]",
+            "{}",
+            "",
+        ]
+    ),
+)
+
+
+def read(text: str) -> tuple[list[tuple[int, object]], list[str]]:
+    """Where each pose stands, and it; and what is wrong with the others."""
+    bad: list[Problem] = []
+    with patch.object(sys, "stdin", io.StringIO(text, newline="")):
+        found = [
+            (place, pose)
+            for poses, places in pose_blocks("-", bad)
+            for place, pose in zip(places, poses.tolist(), strict=True)
+        ]
+    return found, list(map(str, bad))
+
+
+def carefully(text: str) -> tuple[list[tuple[int, object]], list[str]]:
+    """The same with an eye on every row."""
+    nothing = {"plain_table": lambda *_: None, "_objects_at_once": lambda _: None}
+    with patch.multiple(reading, BLOCK=3, **nothing):
+        return read(text)
+
+
+@given(st.lists(csv_lines, max_size=9), st.sampled_from(["\n", "\r\n"]), st.booleans())
+def test_a_block_of_csv_is_read_at_once_only_as_it_would_be_row_by_row(lines: list[str], end: str, ends: bool) -> None:
+    """Also where what is quoted goes on in the next line."""
+    text = end.join(["p_x,p_y,p_z", *lines]) + end * ends
+    with patch.object(reading, "BLOCK", 4):
+        assert repr(read(text)) == repr(carefully(text))  # NaN is none the less the same
+
+
+@given(st.lists(json_lines, max_size=9), st.sampled_from(["\n", "\r\n"]))
+def test_a_block_of_json_is_read_at_once_only_as_it_would_be_row_by_row(lines: list[str], end: str) -> None:
+    """Lines that only make sense together are no rows."""
+    text = end.join(['{"position": [0, 0, 0]}', *lines])
+    with patch.object(reading, "BLOCK", 4):
+        assert repr(read(text)) == repr(carefully(text))
+
+
+@given(st.lists(MATRICES, min_size=1, max_size=4))
+def test_what_is_written_is_read_to_the_last_bit(matrices: list[list[tuple[float, ...]]]) -> None:
+    """Columns in any order, among others; matrices with their last row or without."""
+    numbers = [[x for row in rows[:3] for x in row] for rows in matrices]
+    header = ",".join(["row", *MATRIX[::-1]])
+    table = "".join(",".join(["7", *map(repr, row[::-1])]) + "\n" for row in numbers)
+    lines = "".join(json.dumps({"matrix": rows}) + "\n" for rows in matrices)
+    for text, begun in ((f"{header}\n{table}", 2), (lines, 1)):
+        found, bad = read(text)
+        assert bad == []
+        assert [place for place, _ in found] == list(range(begun, begun + len(numbers)))
+        poses = np.array([pose for _, pose in found])
+        assert poses[:, :3].reshape(-1, 12).tolist() == numbers
+        assert poses[:, 3].tolist() == [[0, 0, 0, 1]] * len(numbers)
+
+
+def test_a_row_is_told_by_its_line_in_any_block(tmp_path: Path) -> None:
+    """The rows around it are there."""
+    path = tmp_path / "p.csv"
+    lines = ["0.1,0.2,0.3"] * (2 * BLOCK)
+    lines[BLOCK + 5] = "0.1,x,0.3"
+    path.write_text("p_x,p_y,p_z\n" + "\n".join(lines), "utf-8")
+    bad: list[Problem] = []
+    places = [place for _, each in pose_blocks(str(path), bad) for place in each]
+    assert places == [k for k in range(2, 2 * BLOCK + 2) if k != BLOCK + 7]
+    assert [str(problem) for problem in bad] == [f"{path}:{BLOCK + 7}: p_y is 'x', which is no number"]
+    with pytest.raises(FileError, match="p_y is 'x'"):
+        list(pose_blocks(str(path)))
