@@ -5,7 +5,7 @@ Robots and exercises are frozen, and one that was read from the same text among 
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, wraps
 from pathlib import Path
 
 from dhcli.checking.exercise import Exercise
@@ -20,6 +20,7 @@ _anew = exercises.load_exercise
 _of_library = cache(_anew)
 
 
+@wraps(_anew)  # the manual shows what it says
 def load_exercise(name: str | Path) -> Exercise:
     """The exercise that dhcli loads, which is kept if it is the library's own and has only the library beside it."""
     try:

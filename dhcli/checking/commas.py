@@ -6,7 +6,7 @@ import re
 
 from dhcli.regex import regex
 
-_NUMBER = regex(r"[+−-]?\d*[.,]?\d+(?:[ ]?[a-z]{1,2})?")  # noqa: RUF001
+_NUMBER = regex(r"[+−-]?\d*[.,]?\d+(?:[ ]?(?:[a-z]{1,3}|°))?")  # noqa: RUF001
 _COMMA = regex(r"\d+,\d+")
 _BETWEEN = regex(r"\s*[;\n]\s*|,?\s+")
 COORDINATES = 3
@@ -14,8 +14,8 @@ LONGEST = 500
 """Characters of an answer that may be three plain numbers; longer ones are not searched."""
 
 
-def with_points(text: str) -> str:
-    """Three numbers, decimal commas among them, with points and commas where a matrix has them; else the text.
+def with_points(text: str, count: int = COORDINATES) -> str:
+    """So many numbers, decimal commas among them, with points and commas where a matrix has them; else the text.
 
     `0,449; 0,4819; 0` and `0,449 0,4819 0` cannot be read otherwise: the commas stand inside the three pieces that
     semicolons, line ends or blanks leave.
@@ -25,7 +25,7 @@ def with_points(text: str) -> str:
     inside = text.strip(" \n[]();")
     for separator in (r"\s*[;\n]\s*", r"[ \t]+"):
         pieces = re.split(separator, inside)
-        if len(pieces) == COORDINATES and all(_NUMBER.fullmatch(piece) for piece in pieces) and _COMMA.search(inside):
+        if len(pieces) == count and all(_NUMBER.fullmatch(piece) for piece in pieces) and _COMMA.search(inside):
             return "[" + ", ".join(piece.replace(",", ".") for piece in pieces) + "]"
     return text
 

@@ -116,10 +116,7 @@ def _shaped(question: Wanted, cells: tuple[tuple[Cell, ...], ...], text: str) ->
 def _shape_remark(question: Wanted, shape: tuple[int, int]) -> str:
     rows, columns = question.shape
     if columns == 1 < rows and 1 in shape:
-        count = max(shape)
-        given = "1 number is given" if count == 1 else f"{count} numbers are given"
-        missing = ": is z missing?" if count == rows - 1 else ""
-        return f"{given}, {rows} were asked{missing}"
+        return count_remark(max(shape), rows) + (": is z missing?" if max(shape) == rows - 1 else "")
     asked = f"a {rows}x{columns} matrix" if columns > 1 else f"a column of {rows}" if rows > 1 else "one number"
     if question.piece == "pose" and shape == (3, 3):
         return "this is a rotation, 3x3; a pose was asked: add the position as fourth column and the row 0 0 0 1"
@@ -132,6 +129,12 @@ def _shape_remark(question: Wanted, shape: tuple[int, int]) -> str:
     if question.piece in ("position", "point") and shape == (4, 4):
         return "this is a pose, 4x4; only three coordinates were asked"
     return f"the answer is {shape[0]}x{shape[1]}; {asked} was asked" if rows > 1 else f"{asked} was asked"
+
+
+def count_remark(count: int, wanted: int) -> str:
+    """What to say of another number of numbers than was asked for."""
+    given = "1 number is given" if count == 1 else f"{count} numbers are given"
+    return f"{given}, {wanted} were asked"
 
 
 def as_read(question: Wanted, row: int, column: int, exercise: Exercise, expr: Expr) -> Expr:

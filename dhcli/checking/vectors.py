@@ -15,6 +15,9 @@ from dhcli.regex import regex
 _TRANSPOSED = regex(r"(?:\^ ?\{? ?\\?(?:T|top|mathsf\{T\}) ?\}?|\.T|\.?') ?$")
 _AXIS = regex(r"([+−-]?) ?([xyz]) ?['_]{0,3}\{?\d{0,3}\}? ?(?:axis)?")  # noqa: RUF001
 _NAMED = regex(r"(^|[,;\n])[ \t]{0,9}(?:[xyz]|[pd]_?\{?[xyz]\}?)[ \t]{0,9}=")
+_UNIT_BEHIND = regex(
+    r"(?P<vector>[\s\S]*[\])}T'])\s*(?:\\[,;] ?|~)?(?:\\(?:mathrm|text) ?\{ ?)?(?P<unit>mm|cm|m|in)\}?"
+)
 _LATEX_ENDS = regex(
     r"^(?:\\left ?[\[(])? ?\\begin ?\{\w{1,20}\}(?:\{[clr|]{1,20}\})?|\\end ?\{\w{1,20}\} ?(?:\\right ?[\])])?$"
 )
@@ -36,6 +39,8 @@ def as_column(text: str, scope: Scope, *, is_axis: bool) -> str:
         is_axis: Whether a direction was asked for, which `+y` is.
     """
     body = _TRANSPOSED.sub("", text.strip())
+    if (match := _UNIT_BEHIND.fullmatch(body)) and _is_whole(vector := _TRANSPOSED.sub("", match["vector"])):
+        return f"{as_column(vector, scope, is_axis=is_axis)} {match['unit']}"
     if is_axis and (match := _AXIS.fullmatch(body)):
         sign = "-" if match[1] == "-" else ""
         return "[" + " ".join(f"{sign}1" if name == match[2] else "0" for name in "xyz") + "]"
@@ -89,11 +94,16 @@ def _from_unit_vectors(text: str, scope: Scope) -> str:
     return "[" + ", ".join(write(part, "full") for part in parts) + "]"
 
 
+def _is_whole(text: str) -> bool:
+    """Whether a text is one bracket or one environment, so that a unit behind it is that of all coordinates."""
+    return (text[:1] in ("(", "[") and _closes_at_end(text)) or bool(_LATEX_ENDS.match(text) and "&" not in text)
+
+
 def _closes_at_end(text: str) -> bool:
     """Whether the first bracket closes with the last character."""
     depth = 0
     for i, letter in enumerate(text):
-        depth += (letter == "(") - (letter == ")")
+        depth += (letter in "([") - (letter in ")]")
         if depth == 0:
             return i == len(text) - 1
     return False

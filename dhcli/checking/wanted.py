@@ -149,6 +149,8 @@ def _source(text: str, scope: Scope, place: Place | None) -> tuple[Source, bool]
         if match["start"] == match["end"]:
             raise NotationError(Problem("a frame seen from itself is no question", place, "write pose 0..1"))
         return View(match["start"], match["end"]), inverse
+    if match := _FROM.fullmatch(text):
+        return _rotation_from(match["text"], scope, place).source, inverse
     if match := _PRODUCT.fullmatch(text):
         return Composed(read_chain(match["text"], scope, place), match["text"]), inverse
     raise NotAskedError(text)

@@ -28,5 +28,8 @@ def in_numbers(robot: Robot) -> Robot:
         RobotError: A length has no value.
     """
     if lacking := [name for name, value in robot.parameters.items() if value is None]:
-        raise RobotError(f"{', '.join(lacking)} has no value", "numbers need one: --set NAME=VALUE")
+        raise RobotError(
+            f"{', '.join(lacking)} {'has' if len(lacking) == 1 else 'have'} no value",
+            "numbers need one: --set NAME=VALUE",
+        )
     return with_values(robot, {name: value for name, value in robot.parameters.items() if value is not None})

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 
 from dhcli.errors import Place
 from dhcli.frozen import frozen
@@ -16,7 +17,7 @@ from dhcli.notation.parser import read_all
 from dhcli.notation.scaled import times, without_factor
 from dhcli.notation.scope import OPEN, Scope
 from dhcli.notation.tokens import MOST_CHARACTERS, Source, Token, tokenize
-from dhcli.notation.tree import Expr
+from dhcli.notation.tree import ONE, Expr
 from dhcli.regex import regex
 
 MOST_CELLS = 256
@@ -90,11 +91,9 @@ def read_matrix(source: Source, tokens: Sequence[Token], scope: Scope) -> tuple[
             hint,
         )
     read = tuple(tuple(_cell(source, cell, scope) for cell in row) for row in rows)
-    if not scaled.text:
+    if scaled.factor == ONE:
         return read
-    return tuple(
-        tuple(Cell(times(scaled.factor, c.expr), f"{scaled.text}*({c.text})", c.start) for c in row) for row in read
-    )
+    return tuple(tuple(replace(cell, expr=times(scaled.factor, cell.expr)) for cell in row) for row in read)
 
 
 def _without_axes(rows: list[list[list[Token]]]) -> list[list[list[Token]]]:

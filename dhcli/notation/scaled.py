@@ -1,4 +1,4 @@
-r"""A factor before or behind a matrix, `\frac{1}{\sqrt{2}} \begin{bmatrix} ... \end{bmatrix}`, goes to every cell."""
+r"""A factor beside a matrix, `\frac{1}{2} \begin{bmatrix} ... \end{bmatrix}`, or a unit behind it, is each cell's."""
 
 from __future__ import annotations
 
@@ -8,9 +8,10 @@ from fractions import Fraction
 from dhcli.frozen import frozen
 from dhcli.notation.cells import STEPS
 from dhcli.notation.parser import read_all
+from dhcli.notation.quantity import LENGTH_UNITS
 from dhcli.notation.scope import Scope
 from dhcli.notation.tokens import Source, Token
-from dhcli.notation.tree import ONE, Expr, Number, multiply
+from dhcli.notation.tree import ONE, Expr, Number, Unit, multiply
 from dhcli.notation.walk import symbols
 
 _OPENING = {"(": ")", "[": "]", "{": "}"}
@@ -25,12 +26,10 @@ class Scaled:
     Attributes:
         body: The tokens of the matrix.
         factor: What every cell is to be multiplied with; 1 where nothing stands.
-        text: The factor as it was typed.
     """
 
     body: list[Token]
     factor: Expr = ONE
-    text: str = ""
 
 
 def without_factor(source: Source, tokens: list[Token], scope: Scope, wrappers: frozenset[str]) -> Scaled:
@@ -51,20 +50,20 @@ def without_factor(source: Source, tokens: list[Token], scope: Scope, wrappers: 
     before, after = _trimmed(tokens[:start]), _trimmed(tokens[end + 1 :])
     if not (before or after) or not _is_factor(before) or not _is_factor(after):
         return Scaled(tokens)
+    if not before and len(after) == 1 and after[0].text in LENGTH_UNITS:
+        return Scaled(tokens[start : end + 1], Unit(after[0].text))
     if after and after[0].text not in ("*", "/"):
         return Scaled(tokens)  # the number of an equation, or another matrix
     if not any(token.text in _SEPARATORS or token.kind == "newline" for token in tokens[start:end]):
         return Scaled(tokens)
     signed = bool(before and before[-1].text == "*") or bool(after and after[0].text in ("*", "/"))
     factor: Expr = ONE
-    texts: list[str] = []
     for side in (before, after):
         if side:
             factor = multiply(factor, _read(source, side, scope))
-            texts.append(source.text[side[0].start : side[-1].end].strip(" *"))
     if symbols(factor) and not signed:
         return Scaled(tokens)  # `T [1 0; 0 1]` has a label without its sign
-    return Scaled(tokens[start : end + 1], factor, "*".join(texts))
+    return Scaled(tokens[start : end + 1], factor)
 
 
 def times(factor: Expr, cell: Expr) -> Expr:

@@ -42,11 +42,13 @@ _LONGEST_WORD = 12
 _DECIMAL_COMMA = regex(r"\d+,\d+(?![\d,.])", re.ASCII)
 _WORD = rf"π|[A-Za-z{_GREEK_LETTERS}](?:[A-Za-z0-9{_GREEK_LETTERS}₀-₉]|_\{{[^{{}}]*\}}|_(?=[A-Za-z0-9]))*"
 _NAME = regex(_WORD)
+_LATEX_COMMA = r"0\{,\}[0-9]+|[0-9]+\{,\}(?![0-9]{3}(?![0-9]))[0-9]+"
+"""A decimal comma as LaTeX has it, `0{,}866`; `1{,}234` may be a thousand and more, and stays a question."""
 _PIECE = regex(
     rf"(?P<blank>[ \t\u00a0\u2009\u202f{_NOISE}]+|\.(?=[*/^]))"
     r"|(?P<module>(?:np|numpy|math|sp|sympy|sym)\.(?=[A-Za-z]))"
     rf"|(?P<word>{_WORD})"
-    r"|(?P<number>(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
+    rf"|(?P<number>(?:{_LATEX_COMMA}|[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
     rf"|(?P<sign>\*\*|[{re.escape(''.join(_OPERATORS))}])"
 )
 """Everything but LaTeX, superscripts and decimal commas."""
@@ -167,7 +169,7 @@ def tokenize(source: Source, *, decimal_comma: bool = False, most: int = MOST_CH
             position, spaced = end, False
         elif match and kind == "number" and (depth or not decimal_comma):
             end = match.end()
-            tokens.append(Token("number", match[0], position, end, spaced))
+            tokens.append(Token("number", match[0].replace("{,}", "."), position, end, spaced))
             position, spaced = end, False
         elif match and kind in ("blank", "module"):
             position, spaced = match.end(), spaced or kind == "blank"

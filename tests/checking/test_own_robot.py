@@ -49,6 +49,7 @@ ASKS = (
     "velocity of 0..3",
     "velocity of 0..3 with rates (0.5, -1, 0.2)",
     "differential motion (0.002, 0, 0) turn (0, 0, 0.01) of 0..3",
+    "angle q1 of pose",
     "joints of position (0.3, 0.2, 0.32)",
     "joints of position (0.3, 0.2, 0.32) all",
     "count solutions of position (0.3, 0.2, 0.32)",
@@ -114,3 +115,12 @@ def test_numbers_beside_rates_are_lengths_of_the_sheet(tmp_path: Path, answer: s
     exercise = written(tmp_path, TURRET, "velocity of 0..2", "mm")
     typed = f"{answer}, dq1*(s1*(q2+200) + b*c1) - dq2*c1, 0"
     assert Judge(exercise).mark(exercise.parts[0], typed).verdict is Verdict.RIGHT
+
+
+def test_a_shoulder_from_which_the_arm_is_too_short_is_no_slip(tmp_path: Path) -> None:
+    """Of an arm with an offset shoulder not every pose is reached from behind; both angles are right all the same."""
+    exercise = written(tmp_path, ELBOW, "angle q1 of position", "m")
+    judge, part = Judge(exercise), exercise.parts[0]
+    assert judge.mark(part, "atan2(py, px) ± acos(0.02/sqrt(px^2 + py^2))").verdict is Verdict.RIGHT
+    assert judge.mark(part, "atan2(py, px) ± acos(0.03/sqrt(px^2 + py^2))").verdict is Verdict.WRONG
+    assert judge.mark(part, "atan2(py, px) + acos(0.02/sqrt(px^2 + py^2))").verdict is Verdict.WRONG

@@ -89,6 +89,25 @@ def test_a_text_that_writes_its_unit_is_believed(ask: str, unit: str) -> None:
     assert mark(exercise, part, written(rows)).verdict is Verdict.RIGHT
 
 
+@pytest.mark.parametrize(
+    "around",
+    [
+        "[{}] m",
+        "({})m",
+        "[{}]^T m",
+        "\\begin{{pmatrix}} {} \\end{{pmatrix}} m",
+        "p = \\begin{{pmatrix}} {} \\end{{pmatrix}}\\,\\mathrm{{m}}",
+    ],
+)
+def test_a_unit_behind_a_vector_is_that_of_every_coordinate(around: str) -> None:
+    """It was that of the last one alone; behind a last coordinate without a bracket it still is."""
+    exercise, part = exercise_of("position of link 1", given=GIVEN, unit="mm", numeric=True)
+    cells = [f"{float(cell) / 1000:.9f}" for row in cells_of(expected(exercise, part)) for cell in row]
+    separator = " \\\\ " if "begin" in around else ", "
+    assert mark(exercise, part, around.format(separator.join(cells))).verdict is Verdict.RIGHT
+    assert mark(exercise, part, f"{', '.join(cells)} m").verdict is not Verdict.RIGHT
+
+
 @pytest.mark.parametrize("ask", [PLAIN["vector"], PLAIN["axis"], PLAIN["rotation"]])
 def test_directions_have_no_unit(ask: str) -> None:
     """The same numbers on every sheet; with a unit they are refused, and in thousandths wrong."""

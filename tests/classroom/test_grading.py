@@ -10,7 +10,9 @@ import pytest
 
 from dhcli.checking.verdicts import Verdict
 from dhcli.classroom.folder import Submission, find_sheets
-from dhcli.classroom.grading import Graded, grade, grade_all
+from dhcli.classroom.grades import Graded
+from dhcli.classroom.grading import grade_all
+from dhcli.classroom.marking import grade
 from dhcli.errors import FileError
 from dhcli.files.yaml.exercises import load_exercise
 from dhcli.files.yaml.sheets import write_sheet
@@ -102,7 +104,7 @@ def test_a_bug_is_a_row(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None
     def broken(*_: object) -> None:
         raise RecursionError("too deep")
 
-    monkeypatch.setattr("dhcli.classroom.grading.judged_sheet", broken)
+    monkeypatch.setattr("dhcli.classroom.marking.judged_sheet", broken)
     row = graded(tmp_path, sheet({"d02": RIGHT}))
     assert [problem.message for problem in row.problems] == ["this is a bug in dhcli: RecursionError: too deep"]
 
@@ -218,3 +220,12 @@ def test_a_slip_without_a_name_is_the_same_in_every_variant(tmp_path: Path) -> N
         slips |= set(part.slips)
     assert len(slips) == 1, slips
     assert "…" in slips.pop()
+
+
+def test_orientations_that_are_off_by_any_angle_are_counted_together(tmp_path: Path) -> None:
+    """About whatever axis."""
+    turns = ("1 0 0 {}; 0 .6 -.8 {}; 0 .8 .6 0; 0 0 0 1", ".6 0 .8 {}; 0 1 0 {}; -.8 0 .6 0; 0 0 0 1")
+    answers = [turn.format(0.34641, 0.2) for turn in turns]
+    rows = [graded(tmp_path, sheet({"a1": answer}, "yim/planar-in-numbers")) for answer in answers]
+    slips = [part.slips for row in rows for part in row.parts if part.part == "a1"]
+    assert slips == [("the orientation is off by …°",)] * 2

@@ -75,6 +75,16 @@ def test_moves_that_share_variables_are_said_beside_the_joints_that_make_them() 
     assert "theta3 has no variable of its own" in refused.err
 
 
+def test_an_arm_is_described_by_its_motor_values_too(tmp_path: Path) -> None:
+    """What is written moves by them as `fk --motors` does; the drives themselves are another question."""
+    path = str(tmp_path / "by-motors.yaml")
+    assert "J2 + J3" in run("describe", "fanuc-like", "--motors", "--as", "standard").out
+    assert run("describe", "fanuc-like", "--motors", "--as", "modified", "-o", path).code == 0
+    pose = ("--q", "0,30,40,0,10,0", "--deg", "--from", "base", "--to", "tool", "--format", "csv")
+    assert run("fk", path, *pose).out == run("fk", "fanuc-like", "--motors", *pose).out
+    assert "leave one out" in run("describe", "fanuc-like", "--motors", "--as", "motors").err
+
+
 def test_a_urdf_of_coupled_motors_says_what_it_has_not_got() -> None:
     """The drives; one without says nothing."""
     assert "no motors that drive joints together" in run("describe", "fanuc-like", "--as", "urdf").err

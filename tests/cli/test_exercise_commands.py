@@ -60,6 +60,7 @@ def test_start_overwrites_nothing_unless_it_must(dhcli: Run, tmp_path: Path) -> 
     done = dhcli("start", PLANAR)
     assert done.code == 2
     assert "exists already" in done.err
+    assert "it may hold answers: -o OTHER.yaml writes another; --overwrite overwrites it" in done.err
     assert (tmp_path / SHEET).read_text() == "hours of work"
     assert dhcli("start", PLANAR, "--overwrite").code == 0
     assert "answers:" in (tmp_path / SHEET).read_text("utf-8")

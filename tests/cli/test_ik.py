@@ -181,11 +181,22 @@ def test_what_cannot_be_answered_is_refused_with_2(dhcli: Run, words: tuple[str,
 def test_formulas_are_derived_step_by_step(dhcli: Run) -> None:
     """The rule, the equations with the level they stand in, the formula, and where it says nothing."""
     out = dhcli("ik", "planar-2r", "--derive").out
+    assert "standard DH · c2 = cos(theta2) · c12 = cos(theta1+theta2)\n" in out
     assert "1. theta2: SQUARES" in out
     assert "   theta2 = ± acos((px^2 + py^2 - a1^2 - a2^2)/(2*a1*a2))\n" in out
     assert "   px = a1*c1 + a2*c12    (1,4) of T = T_02\n" in out
     assert "   theta1 = atan2(py, px) - atan2(a2*s2, a1 + a2*c2)\n" in out
     assert "2 combinations of signs" in out
+
+
+def test_a_derivation_says_what_its_letters_mean_in_the_names_of_the_robot(dhcli: Run, tmp_path: Path) -> None:
+    """No theta1 where the joints are called otherwise."""
+    table = "convention: standard\nvariables: [alpha, beta]\nparameters: {a1: 1 m, a2: 1 m}\nlinks:\n"
+    rows = "".join(f"  - {{a: a{k}, alpha: 0, d: 0, theta: {name}}}\n" for k, name in ((1, "alpha"), (2, "beta")))
+    (tmp_path / "arm.yaml").write_text(f"format: 1\ntitle: t\nsource: s\n{table}{rows}", encoding="utf-8")
+    out = dhcli("ik", str(tmp_path / "arm.yaml"), "--derive").out
+    assert "theta" not in out
+    assert "standard DH\n" in out
 
 
 def test_a_derivation_has_these_keys_in_json(dhcli: Run) -> None:

@@ -47,6 +47,28 @@ def test_an_array_of_poses_gives_all_solutions_in_an_array(dhcli: Run, tmp_path:
     assert np.allclose(table[:, 1:], found)
 
 
+@pytest.mark.parametrize("format_", ["csv", "jsonl"])
+@pytest.mark.parametrize("form", ["quaternion", "rpy", "axis-angle", "rotation-vector", "zyz", "fixed-xyz"])
+def test_a_position_with_an_orientation_is_a_whole_pose(dhcli: Run, form: str, format_: str) -> None:
+    """In whatever way fk says it: the orientation is kept, not left out."""
+    poses = dhcli("fk", "puma560", "--in", "-", "--as", f"position,{form}", "--format", format_, stdin=Q).out
+    done = dhcli("ik", "puma560", "--in", "-", "--each", "nearest", "--near", NEAR, stdin=poses)
+    assert done.code == 0, done.err
+    found = np.loadtxt(io.StringIO(done.out), delimiter=",", skiprows=1)[:, 1:]
+    assert np.allclose(found, np.loadtxt(io.StringIO(Q), delimiter=",", skiprows=1))
+
+
+def test_what_else_stands_beside_a_position_is_never_left_aside_unsaid(dhcli: Run) -> None:
+    """Columns of another program are asked about; the number of a row is none, and a task leaves them aside."""
+    text = "row,p_x,p_y,p_z,qx,qy,qz,qw\n1,0.5,0.2,0,0,0,0,1\n"
+    done = dhcli("ik", "planar-2r", "--in", "-", stdin=text)
+    assert done.code == 2
+    assert "qx, qy, qz, qw beside a position" in done.err
+    assert "q_w,q_x,q_y,q_z" in done.err
+    assert dhcli("ik", "planar-2r", "--in", "-", "--task", "position", stdin=text).code == 0
+    assert dhcli("ik", "planar-2r", "--in", "-", stdin="row,p_x,p_y,p_z\n1,0.5,0.2,0\n").code == 0
+
+
 def test_positions_alone_are_solved_as_positions(dhcli: Run) -> None:
     """Three columns are a point."""
     points = dhcli("fk", "planar-2r", "--in", "-", "--as", "position", stdin="theta1,theta2\n0.3,0.5\n").out
@@ -73,10 +95,13 @@ def test_poses_out_of_reach_have_no_row_and_are_counted(dhcli: Run) -> None:
         (("--in", "-", "--pose", "ready"), "p_x,p_y,p_z\n", "--pose does not go with --in"),
         (("--in", "no-such.csv"), None, "no-such.csv: there is no such file"),
         (("--in", "-"), "x,y\n1,2\n", "no column is called p_x, p_y, p_z"),
-        (("--in", "-"), "p_x,p_y,p_z\n1,two,3\n", "-:2: p_y is 'two', which is no number"),
+        (("--in", "-"), "p_x,p_y,p_z\n1,two,3\n", "standard input:2: p_y is 'two', which is no number"),
         (("--in", "-"), "p_x,p_y,p_z\n1,2\n", "p_z is '', which is no number"),
         (("--in", "-"), "p_x,p_y,p_z\n1,nan,3\n", "not a number"),
         (("--in", "-"), '{"matrix": 3}\n', "is no pose"),
+        (("--in", "-"), "", "standard input: is empty"),
+        (("--in", "-"), "p_x,p_y,p_z,q_w,q_x,q_y,q_z\n1,2,3,0,0,0,0\n", "are all 0: that is no quaternion"),
+        (("--in", "-"), '{"position": [1, 0, 0], "orientation": [1]}\n', "orientation beside a position"),
         (("--in", "-", "--format", "json"), "p_x,p_y,p_z\n", "jsonl has one object a row"),
     ],
 )
@@ -143,6 +168,6 @@ def test_rows_that_are_no_pose_may_be_left_out(dhcli: Run) -> None:
     done = dhcli("ik", "scara-yim", "--in", "-", "--skip-bad", "--each", "first", stdin=text)
     assert done.code == 0, done.err
     assert [line.split(",")[0] for line in done.out.splitlines()] == ["row", "2", "6"]
-    assert all(f"-:{line}" in done.err for line in (3, 4, 5))
+    assert all(f"standard input:{line}" in done.err for line in (3, 4, 5))
     assert dhcli("ik", "scara-yim", "--in", "-", stdin=text).code == 2
     assert "far" in dhcli("ik", "scara-yim", "--in", "-", stdin=text).err

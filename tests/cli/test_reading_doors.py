@@ -106,6 +106,8 @@ def test_numbers_of_thousands_of_digits_are_refused(product: str, capsys: pytest
     ("asked", "message"),
     [
         ("entry 4 4 of pose 0..2", "the bottom row of a pose is 0 0 0 1 for everybody"),
+        ("entry 5 1 of pose 0..2", "a pose has four rows and four columns"),
+        ("entry one 1 of pose 0..2", "a pose has four rows and four columns"),
         ("pose 0..0", "a frame seen from itself is no question"),
         ("link " + "1" * 5000, "a question of more than 2000 characters is not read"),
         ("link " + "1" * 1500, "asks nothing that is known"),

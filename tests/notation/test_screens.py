@@ -75,6 +75,7 @@ def test_a_matrix_is_read_whatever_a_paper_sets_around_it(text: str) -> None:
     [
         (r"\frac{1}{\sqrt{2}}\begin{bmatrix} 1 & -1 \\ 1 & 1 \end{bmatrix}", ["sqrt(2)/2", "-sqrt(2)/2"]),
         (r"R = \frac{1}{\sqrt{2}} \cdot \begin{bmatrix} 1 & -1 \\ 1 & 1 \end{bmatrix}.", ["sqrt(2)/2", "-sqrt(2)/2"]),
+        (r"\begin{bmatrix} 0{,}866 & -12{,}5 \\ 1{,}5 & 0{,}5 \end{bmatrix}", ["0.866", "-12.5"]),
         (r"10^{-2}\begin{bmatrix} 86.6 & -50 \\ 50 & 86.6 \end{bmatrix}", ["0.866", "-1/2"]),
         (r"\begin{bmatrix} 1 & -1 \\ 1 & 1 \end{bmatrix}\cdot\frac{1}{\sqrt{2}}", ["sqrt(2)/2", "-sqrt(2)/2"]),
         ("[1 -1; 1 1]/sqrt(2)", ["sqrt(2)/2", "-sqrt(2)/2"]),

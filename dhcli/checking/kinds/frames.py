@@ -21,9 +21,10 @@ from dhcli.checking.returned import Causes, Matrices, Overlaid, Points, Reading,
 from dhcli.checking.tables.comparing import END
 from dhcli.checking.tables.typed_rows import TypedRow
 from dhcli.checking.verdicts import UNSOLVED, Mark, Verdict
-from dhcli.errors import NotationError, Place, Problem
+from dhcli.errors import NotationError, Place, Problem, RobotError
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import Convention, Row
+from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.describe.words import Speaker, written
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.scope import Scope
@@ -68,6 +69,9 @@ class FramesQuestion(Question[Answer]):
         return cls(Convention(convention.strip()), pose.strip())
 
     def check(self, robot: Robot | None) -> None:
+        if is_coupled(needed(robot)):
+            message = "its rows share a joint, so that no axis is that of one joint alone: it has no frames to ask for"
+            raise RobotError(message, "ask for a cell, or for a matrix")
         pose_of(needed(robot), self.pose)
 
     def describe(self, exercise: Exercise) -> str:

@@ -191,9 +191,9 @@ class JointFormulaQuestion(Question[Formula]):
     def _cases(self, case: Case) -> tuple[covering.Case, ...]:
         def drawn() -> tuple[covering.Case, ...]:
             derivation = self._derivation(case)
-            return covering.points(
-                derivation, derivation.robot, of_robot(derivation.robot, case.exercise.values), self._asked
-            )
+            robot, textbook = derivation.robot, values_of(formula_of(derivation, self.joints))
+            lengths = of_robot(robot, case.exercise.values)
+            return covering.points(derivation, robot, lengths, self._asked, Formula(textbook, "", 0))
 
         return case.memo.of(("points", self.joints, self.target), drawn)
 

@@ -13,7 +13,8 @@ from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.solving.goal import of_robot, read_target, solutions
 from dhcli.checking.solving.question import GoalQuestion
-from dhcli.checking.solving.vectors import Range, Vector, in_radians, read_vectors, spelled
+from dhcli.checking.solving.reading import Vector, read_vectors, spelled
+from dhcli.checking.solving.vectors import Range, in_radians
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean, plural
 from dhcli.frozen import frozen
@@ -108,16 +109,18 @@ class JointsQuestion(GoalQuestion[Vectors]):
             yield from steps_shown(derivation)
         found = solutions(case, self.target)
         field = self.range_of(case)
+        named = (found.named(k, limits=self.within_limits) for k in range(len(found)))
         lines = [
-            f"{self._text(field, q)}{f' ({branch})' if branch else ''}"
-            for q, branch in zip(field.solutions, found.branches, strict=True)
+            f"{self._text(field, q)}{f' ({name})' if name else ''}"
+            for q, name in zip(field.solutions, named, strict=True)
         ]
         yield Shown("\n".join((f"In numbers that is {plural(len(lines), 'solution')}:", *lines)))
 
     def read(self, case: Case, text: str, place: Place | None = None) -> Vectors:
         exercise = case.exercise
         robot = needed(exercise.robot)
-        found = read_vectors(exercise, robot, self._joints(exercise), text, place or Place("answer"))
+        joints, several = self._joints(exercise), self.which == "all"
+        found = read_vectors(exercise, robot, joints, text, place or Place("answer"), several=several)
         if len(found) > 1 and self.which != "all":
             raise UnreadableError(f"{len(found)} rows, and one solution is asked for")
         return tuple(found)

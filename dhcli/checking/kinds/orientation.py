@@ -41,6 +41,7 @@ _FORM = regex(
     r"(?P<form>rpy|quaternion|axis-angle|rotation-vector|(?P<kind>euler|fixed)\s+(?P<axes>[xyz]{3}))\s+(?:of\s+)?(?P<rest>.+)",
     re.DOTALL,
 )
+_ROTATION_OF = regex(r"\Arotation\s+of\s+")
 _LABEL = regex(r"[^\W\d]+\s*=")
 LEAST_TURN = 1e-6
 """Turns that differ by less than this are one [rad]."""
@@ -69,7 +70,12 @@ class OrientationQuestion(Question[Turn]):
     form: Form
 
     words: ClassVar = ("rpy", "euler", "fixed", "quaternion", "axis-angle", "rotation-vector")
-    examples: ClassVar = ("rpy of pose 0..3", "euler zyz of pose 0..3", "quaternion of pose 0..3")
+    examples: ClassVar = (
+        "rpy of pose 0..3",
+        "euler zyz of pose 0..3",
+        "quaternion of pose 0..3",
+        "quaternion of rotation from rpy(10°, 20°, 30°)",
+    )
     is_plain: ClassVar = True
 
     @classmethod
@@ -78,7 +84,7 @@ class OrientationQuestion(Question[Turn]):
         match = _FORM.fullmatch(text)
         if match is None:
             raise NotAskedError(text)
-        found = read_wanted(f"rotation of {match['rest']}", scope, place)
+        found = read_wanted(f"rotation of {_ROTATION_OF.sub('', match['rest'])}", scope, place)
         return cls(found, form_of(" ".join(match["form"].split())))
 
     def check(self, robot: Robot | None) -> None:
@@ -183,9 +189,11 @@ class OrientationQuestion(Question[Turn]):
     def _right(self, case: Case) -> Rotation[float]:
         truth = truth_of(self.wanted, case)
         if truth.numbers is None:
-            missing = unvalued(self.wanted, case.exercise)
-            hint = f"--set {missing[0]}=..., or given: in the file of an exercise"
-            raise RobotError(f"an orientation is said in numbers, and {missing[0]} has no value", hint)
+            unknown = [name for name in unvalued(self.wanted, case.exercise) if name not in case.exercise.known]
+            if not unknown:
+                raise RobotError("an orientation is said in numbers", "numeric: true")
+            hint = f"--set {unknown[0]}=..., or given: in the file of an exercise"
+            raise RobotError(f"an orientation is said in numbers, and {unknown[0]} has no value", hint)
         return truth.numbers
 
     def _mistakes(self, case: Case) -> Iterator[tuple[Slip, tuple[float, ...]]]:

@@ -64,7 +64,8 @@ class SolutionsQuestion(GoalQuestion[int]):
 
     def steps(self, case: Case) -> Iterable[Shown]:
         found = solutions(case, self.target)
-        yield Shown("\n".join((f"{plural(len(found), 'solution')}", *filter(None, found.branches))))
+        named = (found.named(k, limits=self.within_limits) for k in range(len(found)))
+        yield Shown("\n".join((f"{plural(len(found), 'solution')}", *filter(None, named))))
         if found.why:
             yield Shown(found.why)
 

@@ -112,6 +112,9 @@ def _imported(name: str) -> type[Question[Any]]:
 def _unknown(text: str, place: Place | None) -> NotationError:
     if text.startswith("entry 4") and "jacobian" not in text:
         return NotationError(Problem("the bottom row of a pose is 0 0 0 1 for everybody", place, "ask for rows 1 to 3"))
+    kind, *numbers = text.split()[:3] or [""]
+    if kind == "entry" and "jacobian" not in text and not {*numbers} <= {"1", "2", "3", "4"}:
+        return NotationError(Problem("a pose has four rows and four columns", place, "ask for entry 1 4 of pose 0..3"))
     known = {example.split()[0]: example for example in examples()}
     similar = nearest(text.split(None, 1)[0] if text else "", known)
     hint = "did you mean " + " or ".join(known[word] for word in similar) + "?" if similar else ""

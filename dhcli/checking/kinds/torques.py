@@ -29,6 +29,8 @@ from dhcli.regex import regex
 
 _HEAD = regex(r"torques\s+for\s*(?P<force>\(.*?\))(?:\s+moment\s*(?P<moment>\(.*?\)))?")
 
+MILLI = number(1000)
+
 
 @frozen
 class TorquesQuestion(ColumnsQuestion):
@@ -98,6 +100,10 @@ class TorquesQuestion(ColumnsQuestion):
             slip = Slip("kilograms", words, "is the load given in newtons or in kilograms?", Rank.WHOLE)
             yield slip, _column([multiply(number(Fraction(981, 100)), row[0]) for row in right.rows])
         six = (*self.force, *self.moment)
+        slip = Slip("millimetres", "lengths are taken in millimetres: this is in N mm", "in which unit are lengths?")
+        in_mm = (tuple(multiply(MILLI, x) if one.turns else x for x in one.linear) for one in columns.each)
+        pairs = zip(in_mm, columns.each, strict=True)
+        yield slip, _column([combined((*linear, *one.angular), six) for linear, one in pairs])
         kept = [k for k in columns.moved if k < 3 or self.moment != ORIGIN]  # noqa: PLR2004  the rows of v
         rows = columns.cut(kept)
         if len(kept) != len(columns.each):

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from dhcli.checking.commas import comma_remark
-from dhcli.checking.entries import LARGEST, Entries, Entry, check_names
+from dhcli.checking.commas import COORDINATES, comma_remark, with_points
+from dhcli.checking.entries import LARGEST, Entries, Entry, check_names, count_remark
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, without_label
 from dhcli.checking.units import in_metres
+from dhcli.checking.vectors import as_column
 from dhcli.errors import NotationError, Place
 from dhcli.notation.matrix import Cell, parse_matrix
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_length
+from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr, Number, multiply
 from dhcli.notation.walk import symbols
 from dhcli.regex import regex
@@ -50,7 +52,7 @@ def read_cells(
                 (Cell(parse(body.strip(), exercise.scope, place), body.strip(), 0),),
             )
         else:
-            cells = parse_matrix(_bracketed(body, shape), exercise.scope, place)
+            cells = parse_matrix(_bracketed(body, shape, exercise.scope), exercise.scope, place)
     except NotationError as error:
         remarks = (*(str(problem) for problem in error.problems), comma_remark(text))
         raise UnreadableError(*filter(None, remarks)) from None
@@ -71,10 +73,12 @@ def _without_units(body: str, powers: tuple[tuple[int, ...], ...], exercise: Exe
     return body
 
 
-def _bracketed(body: str, shape: tuple[int, int]) -> str:
+def _bracketed(body: str, shape: tuple[int, int], scope: Scope) -> str:
     """A list without brackets, or in round ones, as a matrix."""
     if shape[1] == 1:
         body = _NAMED.sub(r"\1", body).strip()
+        if shape[0] == COORDINATES:
+            return as_column(with_points(body), scope, is_axis=False)
         if body.startswith("(") and body.endswith(")") and "," in body and ")" not in body[:-1]:
             body = body[1:-1]
         if "," in body and ";" not in body:
@@ -92,7 +96,9 @@ def _shaped(cells: tuple[tuple[Cell, ...], ...], wanted: tuple[int, int]) -> tup
         flat = [cell for row in cells for cell in row]
         return tuple((cell,) for cell in flat) if wanted[1] == 1 else (tuple(flat),)
     if 1 in wanted:
-        raise UnreadableError(f"{max(wanted)} numbers were asked; the answer is {shape[0]}x{shape[1]}")
+        if 1 not in shape:
+            raise UnreadableError(f"{max(wanted)} numbers were asked; the answer is {shape[0]}x{shape[1]}")
+        raise UnreadableError(count_remark(max(shape), max(wanted)))
     if shape == wanted[::-1]:
         raise UnreadableError(
             f"the answer is {shape[0]}x{shape[1]}; {wanted[0]} rows and {wanted[1]} columns were asked"

@@ -42,11 +42,13 @@ class Case:
         known: The entries of the pose, every length, and the joints as they stand in it.
         right: The value of what is asked.
         others: The values it has in the solutions that agree on some other joints; all solutions of the pose.
+        ends: Values of the textbook formula from which no other joint leads on: whoever has them has made no slip.
     """
 
     known: Known
     right: float
     others: tuple[tuple[Known, float], ...]
+    ends: tuple[float, ...] = ()
 
 
 @frozen
@@ -71,7 +73,9 @@ class Asked:
         return abs(gap) <= SAME
 
 
-def points(derivation: Derivation, robot: Robot, given: Mapping[str, Value], asked: Asked) -> tuple[Case, ...]:
+def points(
+    derivation: Derivation, robot: Robot, given: Mapping[str, Value], asked: Asked, textbook: Formula
+) -> tuple[Case, ...]:
     """Every true solution at random poses.
 
     Args:
@@ -79,6 +83,7 @@ def points(derivation: Derivation, robot: Robot, given: Mapping[str, Value], ask
         robot: The robot.
         given: Lengths that have a value; all others are drawn.
         asked: What is asked.
+        textbook: The formula that the derivation finds for it.
     """
     draw = random.Random(23)  # noqa: S311  a fixed seed, for the same judgement every time
     chain = between(robot, derivation.start, derivation.end)
@@ -102,8 +107,13 @@ def points(derivation: Derivation, robot: Robot, given: Mapping[str, Value], ask
                 solved.append(own)
                 values.append(asked.value(q))
         pairs = tuple(zip(solved, values, strict=True))
-        found += [Case(own, value, pairs) for own, value in pairs]
+        found += [Case(own, value, pairs, _ends(textbook, own, values, asked)) for own, value in pairs]
     return tuple(found)
+
+
+def _ends(textbook: Formula, known: Known, values: Sequence[float], asked: Asked) -> tuple[float, ...]:
+    """Values of the textbook formula that are those of no solution: with them the rest of the arm is too short."""
+    return tuple(end for end in textbook.at(known) if not any(asked.same(end, value) for value in values))
 
 
 def _close(one: Angle | float, other: Angle | float, *, turns: bool) -> bool:
@@ -171,7 +181,8 @@ def tried(formula: Formula, cases: Sequence[Case], asked: Asked, robot: Robot) -
             if all(_close(known[n], case.known[n], turns=n in robot.angles) for n in used)
         ]
         hits.append(any(asked.same(value, case.right) for value in values))
-        wrong = [value for value in values if not any(asked.same(value, right) for right in agreeing)]
+        known = (*agreeing, *case.ends)
+        wrong = [value for value in values if not any(asked.same(value, right) for right in known)]
         strangers.append(bool(wrong))
         wrapped &= all(any(asked.same(value + math.pi, right) for right in agreeing) for value in wrong)
     return Outcome(tuple(hits), tuple(strangers), silent, wrapped)

@@ -8,7 +8,8 @@ from typing import Protocol
 from dhcli.checking.exercise import Case
 from dhcli.checking.returned import Reading
 from dhcli.checking.solving.goal import Target
-from dhcli.checking.solving.vectors import Range, Vector
+from dhcli.checking.solving.reading import Vector
+from dhcli.checking.solving.vectors import Range
 from dhcli.checking.verdicts import Mark
 
 

@@ -44,7 +44,7 @@ def start(
         return
     named = name if name.endswith((".yaml", ".yml")) else exercise.id
     path = output or f"{exercise.id.split('/')[-1]}.sheet.yaml"
-    write_file(path, text, overwrite=overwrite)
+    write_file(path, text, overwrite=overwrite, instead="it may hold answers: -o OTHER.yaml writes another; ")
     tell(f"wrote {path}")
     if pictured := subject(exercise):
         drawn = f" --variant {shlex.quote(variant)}" if variant else ""

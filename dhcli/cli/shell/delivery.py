@@ -150,23 +150,34 @@ def make_folder(path: Path) -> None:
         raise FileError(Problem(f"no folder can be made here: {error.strerror}", Place(str(path)))) from None
 
 
-def check_free(path: Path | str, *, overwrite: bool) -> None:
+def check_free(path: Path | str, *, overwrite: bool, instead: str = "") -> None:
     """Make sure that no file of this name stands there, unless it may be overwritten.
+
+    Args:
+        path: The file.
+        overwrite: Whether it may.
+        instead: What else may be done, before overwriting is spoken of.
 
     Raises:
         FileError: It exists already.
     """
     if Path(path).is_file() and not overwrite:
-        raise FileError(Problem("exists already", Place(str(path)), "--overwrite overwrites it"))
+        raise FileError(Problem("exists already", Place(str(path)), f"{instead}--overwrite overwrites it"))
 
 
-def write_file(path: Path | str, text: str, *, overwrite: bool) -> None:
+def write_file(path: Path | str, text: str, *, overwrite: bool, instead: str = "") -> None:
     """Write a file whole or not at all.
+
+    Args:
+        path: The file.
+        text: What it is to hold.
+        overwrite: Whether one that stands there may be overwritten.
+        instead: What else may be done with that one, before overwriting is spoken of.
 
     Raises:
         FileError: It exists already and may not be overwritten, or it cannot be written.
     """
     from dhcli.storage.atomic import write_whole
 
-    check_free(path, overwrite=overwrite)
+    check_free(path, overwrite=overwrite, instead=instead)
     write_whole(path, text, overwrite=overwrite)

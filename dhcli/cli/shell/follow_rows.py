@@ -9,6 +9,7 @@ from dhcli.cli.shell.console import say
 from dhcli.cli.shell.pose_wish import PoseWish, rotations
 from dhcli.cli.shell.rows import RowDelivery
 from dhcli.errors import FileError, Place, Problem, RobotError
+from dhcli.files.reading import source_of
 from dhcli.files.rows.poses import pose_blocks
 from dhcli.kinematics.inverse.path import follow, joined
 from dhcli.render.code.pose_rows import INDEX
@@ -36,12 +37,12 @@ def follow_rows(wanted: PoseWish, path: str, delivery: RowDelivery, bad: list[Pr
         FileError: The file cannot be read, or a row is no pose.
     """
     blocks, places = [], list[int]()
-    for poses, where in pose_blocks(path, bad):
+    for poses, where in pose_blocks(path, bad, whole=wanted.task is None):
         kept, at = (poses, where) if bad is None else rotations(poses, where, path, bad)
         blocks.append(kept)
         places += at
     if not blocks:
-        raise FileError(Problem("holds no poses", Place(path)))
+        raise FileError(Problem("holds no poses", Place(source_of(path))))
     table = joined(blocks)
     task = wanted.task or ("pose" if table.ndim == 3 else "position")  # noqa: PLR2004  matrices
     try:
@@ -56,7 +57,7 @@ def follow_rows(wanted: PoseWish, path: str, delivery: RowDelivery, bad: list[Pr
             parameters=wanted.lengths,
         )
     except RobotError as error:
-        raise FileError([Problem(p.message, Place(path), p.hint) for p in error.problems]) from None
+        raise FileError([Problem(p.message, Place(source_of(path)), p.hint) for p in error.problems]) from None
     joints = Group.named("q", {name: name for name in wanted.robot.variables})
     with delivery.open(Layout((INDEX, joints))) as sink:
         sink.write(found.numbered(places))

@@ -24,6 +24,7 @@ from dhcli.errors import (
     did_you_mean,
     plural,
 )
+from dhcli.files.reading import source_of
 from dhcli.files.rows.poses import pose_blocks
 from dhcli.frozen import frozen
 from dhcli.kinematics.frames import ends
@@ -74,7 +75,7 @@ def inverse_rows(wanted: PoseWish, path: str, delivery: RowDelivery, bad: list[P
     joints = Group.named("q", {name: name for name in wanted.robot.variables})
     total = lost = 0
     with delivery.open(Layout((INDEX, joints))) as sink, row_progress(sys.stderr, wanted=delivery.is_away) as tell:
-        for poses, places in pose_blocks(path, bad):
+        for poses, places in pose_blocks(path, bad, whole=wanted.task is None):
             task = wanted.task or ("pose" if poses.ndim == 3 else "position")  # noqa: PLR2004  matrices
             if bad is not None:
                 poses, places = rotations(poses, places, path, bad)  # noqa: PLW2901  those that are poses
@@ -92,7 +93,7 @@ def inverse_rows(wanted: PoseWish, path: str, delivery: RowDelivery, bad: list[P
                     parameters=wanted.lengths,
                 )
             except RobotError as error:
-                where = Place(path, places[0])
+                where = Place(source_of(path), places[0])
                 raise FileError([Problem(p.message, where, p.hint) for p in error.problems]) from None
             total += len(poses)
             lost += len(poses) - len(set(index.tolist()))

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from dhcli.errors import Place, Problem, RobotError
+from dhcli.files.reading import source_of
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot, Value
 
@@ -57,7 +58,7 @@ def rotations(
         try:
             read_targets(poses[k], task)
         except RobotError as error:
-            bad += [Problem(p.message, Place(path, places[k]), p.hint) for p in error.problems]
+            bad += [Problem(p.message, Place(source_of(path), places[k]), p.hint) for p in error.problems]
         else:
             kept.append(k)
     return poses[kept], [places[k] for k in kept]

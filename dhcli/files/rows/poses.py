@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING, TextIO
 import numpy as np
 
 from dhcli.errors import FileError, Place, Problem
-from dhcli.files.reading import explain
+from dhcli.files.reading import explain, source_of
 from dhcli.files.rows.cells import plain_table
+from dhcli.files.rows.turns import TURNS, flat, posed
 from dhcli.notation.decimals import read_json
 
 if TYPE_CHECKING:
@@ -28,13 +29,24 @@ MATRIX = tuple(head for i in (1, 2, 3) for head in (*(f"r{i}{k}" for k in (1, 2,
 
 POSITION = ("p_x", "p_y", "p_z")
 
+INDEX = "row"
+"""A column of numbers of rows, which is no part of a pose."""
 
-def pose_blocks(path: str, bad: list[Problem] | None = None) -> Iterator[tuple[NDArray[np.float64], list[int]]]:
+_HINT = (
+    f"wanted: {','.join(MATRIX)}, or {','.join(POSITION)}, also with an orientation beside it such as "
+    f"{','.join(TURNS['quaternion'])} or {','.join(TURNS['rpy'])}, as fk --in writes them"
+)
+
+
+def pose_blocks(
+    path: str, bad: list[Problem] | None = None, *, whole: bool = True
+) -> Iterator[tuple[NDArray[np.float64], list[int]]]:
     """Poses of a file, or positions where it has no more.
 
     Args:
         path: The file; its suffix says what it is, and what comes from standard input, `-`, is CSV or JSON Lines.
         bad: Where rows that are no pose are noted and left out; without it the first of them is an error.
+        whole: Whether what stands beside a position must be known, so that no orientation is left out unseen.
 
     Yields:
         Poses (N, 4, 4) or positions (N, 3), and where each stands: its line from 1, its row in an array from 0.
@@ -47,10 +59,12 @@ def pose_blocks(path: str, bad: list[Problem] | None = None) -> Iterator[tuple[N
         return
     with _opened(path) as stream:
         first = stream.readline()
+        if not first:
+            raise FileError(Problem("is empty", Place(source_of(path)), _HINT))
         if first.lstrip().startswith("{"):
-            yield from _of_json(chain((first,), stream), path, bad)
+            yield from _of_json(chain((first,), stream), source_of(path), bad, whole=whole)
         else:
-            yield from _of_csv(first, stream, path, bad)
+            yield from _of_csv(first, stream, source_of(path), bad, whole=whole)
 
 
 @contextmanager
@@ -103,13 +117,17 @@ def _as_poses(table: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _of_csv(
-    first: str, stream: TextIO, path: str, bad: list[Problem] | None
+    first: str, stream: TextIO, path: str, bad: list[Problem] | None, *, whole: bool
 ) -> Iterator[tuple[NDArray[np.float64], list[int]]]:
     heads = [head.strip() for head in next(csv.reader([first]), [])]
-    wanted = MATRIX if all(head in heads for head in MATRIX) else POSITION
+    form, wanted = "", MATRIX
+    if not all(head in heads for head in MATRIX):
+        form = next((form for form, turns in TURNS.items() if all(head in heads for head in turns)), "")
+        wanted = (*POSITION, *TURNS.get(form, ()))
     if missing := [head for head in wanted if head not in heads]:
-        hint = f"wanted: {','.join(MATRIX)}, or {','.join(POSITION)}, as fk --in writes them"
-        raise FileError(Problem(f"no column is called {', '.join(missing)}", Place(path, 1), hint))
+        raise FileError(Problem(f"no column is called {', '.join(missing)}", Place(path, 1), _HINT))
+    if whole and wanted == POSITION:
+        _check_alone([head for head in heads if head not in POSITION], Place(path, 1))
     columns = [heads.index(head) for head in wanted]
 
     def by_cells(lines: Iterable[str], begun: int) -> Iterator[tuple[int, list[float]]]:
@@ -118,13 +136,13 @@ def _of_csv(
                 continue
             with _noting(bad):
                 row = [cells[k] if k < len(cells) else "" for k in columns]
-                yield line, _numbers(row, wanted, Place(path, line))
+                yield line, posed(form, _numbers(row, wanted, Place(path, line)), Place(path, line))
 
     line = 2
     while lines := list(islice(stream, BLOCK)):
         text = "".join(lines).removesuffix("\n") + "\n"
         table = plain_table(text.replace("\r\n", "\n"), ",", len(heads))
-        if table is not None and len(table) == len(lines):
+        if table is not None and len(table) == len(lines) and not form:
             yield _as_poses(table[:, columns]), list(range(line, line + len(lines)))
         elif '"' in text:  # what is quoted may go on in the next line
             yield from _gathered(by_cells(chain(lines, stream), line))
@@ -143,8 +161,20 @@ def _numbers(cells: Sequence[object], heads: Sequence[str], place: Place) -> lis
     return found
 
 
+def _check_alone(others: Sequence[str], place: Place) -> None:
+    """Make sure that nothing beside a position says more of the pose.
+
+    Raises:
+        FileError: Something does, and it is not known what.
+    """
+    if unknown := [head for head in others if head not in (INDEX, "")]:
+        known = f"an orientation is {','.join(TURNS['quaternion'])} or {','.join(TURNS['rpy'])} in radians"
+        message = f"{', '.join(unknown)} beside a position: that says no orientation that is known"
+        raise FileError(Problem(message, place, f"{known}; --task position leaves what else stands there aside"))
+
+
 def _of_json(
-    stream: Iterator[str], path: str, bad: list[Problem] | None
+    stream: Iterator[str], path: str, bad: list[Problem] | None, *, whole: bool
 ) -> Iterator[tuple[NDArray[np.float64], list[int]]]:
     line = 1
     while lines := list(islice(stream, BLOCK)):
@@ -152,7 +182,7 @@ def _of_json(
         if table is not None:
             yield _as_poses(table), list(range(line, line + len(lines)))
         else:
-            yield from _gathered(_line_by_line(lines, line, path, bad))
+            yield from _gathered(_line_by_line(lines, line, path, bad, whole=whole))
         line += len(lines)
 
 
@@ -177,7 +207,7 @@ def _objects_at_once(lines: list[str]) -> NDArray[np.float64] | None:
         len(rows) != len(lines)
         or text.count('"') != 2 * sum(map(len, rows))
         or not np.isfinite(table).all()
-        or (key == "position" and any("matrix" in row for row in rows))
+        or (key == "position" and any(len(row) > 1 for row in rows))
     ):
         return None
     if key == "matrix":
@@ -186,12 +216,12 @@ def _objects_at_once(lines: list[str]) -> NDArray[np.float64] | None:
 
 
 def _line_by_line(
-    lines: Iterable[str], begun: int, path: str, bad: list[Problem] | None
+    lines: Iterable[str], begun: int, path: str, bad: list[Problem] | None, *, whole: bool
 ) -> Iterator[tuple[int, list[float]]]:
     for line, text in enumerate(lines, begun):
         if text.strip():
             with _noting(bad):
-                yield line, _pose_of(text, Place(path, line))
+                yield line, _pose_of(text, Place(path, line), whole=whole)
 
 
 @contextmanager
@@ -205,12 +235,16 @@ def _noting(bad: list[Problem] | None) -> Iterator[None]:
         bad += error.problems
 
 
-def _pose_of(text: str, place: Place) -> list[float]:
+def _pose_of(text: str, place: Place, *, whole: bool) -> list[float]:
     try:
         content = json.loads(text)
         if "matrix" in content:
             return _numbers([entry for row in content["matrix"][:3] for entry in row], MATRIX, place)
-        return _numbers(content["position"], POSITION, place)
+        form = next((key for key in content if key in TURNS), "")
+        if whole and not form:
+            _check_alone([key for key in content if key != "position"], place)
+        cells = [*content["position"], *(flat(content[form]) if form else ())]
+        return posed(form, _numbers(cells, (*POSITION, *TURNS.get(form, ())), place), place)
     except (ValueError, KeyError, TypeError, IndexError, RecursionError):
-        hint = '{"matrix": [[...], ...]} or {"position": [x, y, z]}'
+        hint = '{"matrix": [[...], ...]} or {"position": [x, y, z]}, also with "quaternion": {"w": ...} and the like'
         raise FileError(Problem("is no pose", place, f"wanted: {hint}")) from None

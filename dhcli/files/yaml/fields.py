@@ -7,23 +7,33 @@ unknown or of the wrong kind is noted and an empty value handed out, so that the
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Sequence
 
 from dhcli.errors import DhcliError, FileError, Place, Problem, did_you_mean
+from dhcli.files.reading import source_of
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
 from dhcli.frozen import frozen
 
 FORMAT = 1
+_KINDS = (
+    (("answers",), "an answer sheet", "dhcli check {exercise} {file} judges it"),
+    (("parts",), "an exercise", "dhcli start {file} writes a sheet for it"),
+    (("frames",), "a list of frames", "dhcli check ROBOT --frames {file} judges it"),
+    (("variables",), "a robot", "dhcli show {file} shows it"),
+    (("joints", "chain", "bars", "loop", "lambda", "space"), "a linkage", "dhcli dof {file} counts its freedoms"),
+)
+"""What tells one kind of file from the others: keys of which no other kind has one, and what it is good for."""
+
 OWN = "x-"
 """Keys that begin so are the author's own; dhcli does not look at them."""
 
 
-@dataclass(slots=True)
 class Problems:
     """Everything found wrong with a file so far."""
 
-    found: list[Problem] = field(default_factory=list)
+    def __init__(self, found: Iterable[Problem] = ()) -> None:
+        """What was found before the file was looked at."""
+        self.found = [*found]
 
     def add(self, place: Place, message: str, hint: str = "") -> None:
         """Note one problem."""
@@ -51,11 +61,14 @@ class Problems:
             required: Those of them that must stand there.
 
         Raises:
-            FileError: The file has another format, so that judging its other keys would mislead.
+            FileError: The file has another format, or is of another kind, so that judging its other keys would mislead.
         """
-        for key, value in root.entries if isinstance(root, PlacedMapping) else ():
-            if key.text == "format":
-                _check_format(value)
+        known = tuple(known)
+        if isinstance(root, PlacedMapping):
+            for key, value in root.entries:
+                if key.text == "format":
+                    _check_format(value)
+            _check_kind(root, known)
         example = "format: 1 and other 'key: value' lines; dhcli new writes a file to start from"
         what, keys = "the file", ("format", *required)
         return self.mapping(root, what, known=("format", *known), required=keys, example=example)
@@ -182,6 +195,23 @@ def node_kind(node: PlacedNode) -> str:
     if isinstance(node, PlacedScalar):
         return "a text" if node.text or node.quoted else "empty"
     return "a list" if isinstance(node, PlacedSequence) else "a mapping"
+
+
+def _check_kind(root: PlacedMapping, known: Sequence[str]) -> None:
+    """Make sure that a file has no key that tells another kind than the one wanted, and none that tells that one."""
+    found = {key.text: (key, value) for key, value in root.entries}
+    wanted = next((noun for signs, noun, _ in _KINDS if signs[0] in known), "")
+    if not wanted or any(sign in found for signs, noun, _ in _KINDS if noun == wanted for sign in signs):
+        return
+    for signs, noun, use in _KINDS:
+        sign = next((sign for sign in signs if sign in found and sign not in known), "")
+        if sign:
+            _, exercise = found.get("exercise", (None, None))
+            named = exercise.text if isinstance(exercise, PlacedScalar) and exercise.text else "EXERCISE"
+            place = found[sign][0].place
+            file = "-" if place.source == source_of("-") else place.source
+            hint = use.format(exercise=named, file=file)
+            raise FileError(Problem(f"this is {noun}, and {wanted} is wanted", place, hint))
 
 
 def _check_format(value: PlacedNode) -> None:

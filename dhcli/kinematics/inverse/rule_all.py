@@ -107,10 +107,10 @@ def solved(three: Array, two: Array, turn: tuple[float, ...], turning: list[bool
     # an eigenvector is (w, t w): its larger half is the better one
     w = np.where((np.abs(t) > 1)[:, None], vector[:, 12:], vector[:, :12]).reshape(-1, 4, 3)
     here = np.arange(len(w))
-    i, j = np.unravel_index(np.abs(w[:, :3]).reshape(len(w), -1).argmax(axis=1), (3, 3))
+    i, j = np.unravel_index(np.abs(w[:, :3]).reshape(len(w), 9).argmax(axis=1), (3, 3))
     with np.errstate(divide="ignore", invalid="ignore"):
         r = w[here, i + 1, j] / w[here, i, j]
-        i, j = np.unravel_index(np.abs(w[:, :, :2]).reshape(len(w), -1).argmax(axis=1), (4, 2))
+        i, j = np.unravel_index(np.abs(w[:, :, :2]).reshape(len(w), 8).argmax(axis=1), (4, 2))
         s = w[here, i, j + 1] / w[here, i, j]
     tangents = (np.nan_to_num(part.real, nan=0.0, posinf=1e9, neginf=-1e9) for part in (t, r, s))
     return at.astype(np.int64), [2 * np.arctan(part) + zero for part, zero in zip(tangents, turn, strict=True)]

@@ -124,6 +124,11 @@ class Solutions:
         """Which of them keep the limits of the joints, shape (K,)."""
         return np.array([not outside for outside in self.beyond], dtype=bool)
 
+    def named(self, k: int, *, limits: bool) -> str:
+        """What tells a solution from the others: its branch and, where limits count, by how much it is outside them."""
+        outside = self._outside(k) if limits else ""
+        return "; ".join(filter(None, (self.branches[k], outside and f"outside the limits: {outside}")))
+
     def distances(self, q: JointInput) -> Array:
         """How far each is from some joint values: the root of the sum of squares [rad, m], angles modulo a turn."""
         gap = self.q - in_numbers(self.robot, q)
@@ -177,7 +182,10 @@ class Solutions:
         ]
 
     def _limits(self, k: int) -> str:
-        return ", ".join(shown_beyond(self.robot, outside) for outside in self.beyond[k]) or "ok"
+        return self._outside(k) or "ok"
+
+    def _outside(self, k: int) -> str:
+        return ", ".join(shown_beyond(self.robot, outside) for outside in self.beyond[k])
 
 
 def shown_beyond(robot: Robot, outside: Beyond) -> str:

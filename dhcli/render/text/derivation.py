@@ -13,7 +13,7 @@ from dhcli.kinematics.inverse.derive_words import SAID, atom_text, condition_tex
 from dhcli.notation.tree import Expr
 from dhcli.notation.writer import write
 from dhcli.render.look import Look
-from dhcli.render.text.forward import frame_words
+from dhcli.render.text.forward import frame_words, legend, packed
 from dhcli.render.text.prose import heading_text
 
 
@@ -24,9 +24,7 @@ def derivation_table(result: Derivation, look: Look) -> str:
     where = f"{frame_words(result.end)} of {result.robot.name}, seen from {frame_words(result.start)}"
     lines = [
         heading_text(f"derivation of the joint values: {given} of {where}", paper),
-        paper.ink(
-            paper.spell(f"{NAMES[result.robot.convention]} · c1 = cos(theta1), c23 = cos(theta2 + theta3)"), "dim"
-        ),
+        *(paper.ink(line, "dim") for line in packed(map(paper.spell, _context(result, look)), paper)),
     ]
     for number, step in enumerate(result.steps, 1):
         lines += [
@@ -36,6 +34,12 @@ def derivation_table(result: Derivation, look: Look) -> str:
         lines += [f"   {paper.spell(line)}" for line in _step_lines(result, step, look)]
     lines += ["", *wrap(paper.spell(proof_text(result)), paper.width)]
     return "\n".join(lines) + "\n"
+
+
+def _context(result: Derivation, look: Look) -> list[str]:
+    """The convention, and what `c1` means, by the first that occurs."""
+    written = (side for step in result.steps for one in step.equations for side in (one.left, one.right))
+    return [NAMES[result.robot.convention], *legend(written, result.robot.writing, look)]
 
 
 def _step_lines(result: Derivation, step: Step, look: Look) -> Iterator[str]:

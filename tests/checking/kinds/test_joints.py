@@ -51,6 +51,11 @@ def judged(answer: str, ask: str = PLACE, robot: str = "planar-2r") -> Mark:
         "362.4773°, -292.0243°",
         "0.0432371 rad, 1.1864 rad",
         "acos(0.99906540), 67.9757°",
+        "2,4773; 67,9757",
+        "2,4773° 67,9757°",
+        "theta1 = 2,4773; theta2 = 67,9757",
+        "θ1 = 2.4773° θ2 = 67.9757°",
+        "(2.4773, 67.9757)",
     ],
 )
 def test_joint_values_are_read_as_people_type_them(answer: str) -> None:
@@ -72,6 +77,38 @@ def test_radians_without_their_unit_are_told() -> None:
     mark = judged("0.0432371, 1.1864")
     assert mark.verdict is Verdict.CANNOT_READ
     assert "right in radians" in mark.remarks[0]
+
+
+@pytest.mark.parametrize(
+    "answer",
+    [
+        "(2.4773, 67.9757), (59.4502, -67.9757)",
+        "[(2.4773, 67.9757), (59.4502, -67.9757)]",
+        "(2.4773; 67.9757)\n(59.4502; -67.9757)",
+        "[[2.4773, 67.9757], [59.4502, -67.9757]]",
+        "q1 = 2.4773, q2 = 67.9757\nq2 = -67.9757, q1 = 59.4502",
+        "theta1 = 2.4773° theta2 = 67.9757°; theta1 = 59.4502° theta2 = -67.9757°",
+        "2,4773 67,9757; 59,4502 -67,9757",
+        "(acos(0.99906540), 67.9757°), (59.4502, -67.9757)",
+    ],
+)
+def test_several_solutions_are_read_as_people_type_them(answer: str) -> None:
+    """A row each, in round brackets or behind the names of the joints, with points or decimal commas between blanks."""
+    assert judged(answer, f"{PLACE} all").verdict is Verdict.RIGHT
+
+
+@pytest.mark.parametrize(
+    ("answer", "said"),
+    [
+        ("theta1 = 2, theta1 = 3", "each joint is named once in a row: theta1, theta2"),
+        ("2,4773, 67,9757, 5", "if 2,4773 is one number, write 2.4773"),
+    ],
+)
+def test_joint_values_that_cannot_be_told_apart_are_asked_about(answer: str, said: str) -> None:
+    """Which belongs to which joint is never guessed."""
+    mark = judged(answer)
+    assert mark.verdict is Verdict.CANNOT_READ
+    assert said in " ".join(mark.remarks)
 
 
 @pytest.mark.parametrize(

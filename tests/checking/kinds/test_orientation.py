@@ -123,3 +123,28 @@ def test_in_symbols_there_is_none() -> None:
     exercise = question_about(load_robot("planar-2r"), "rpy of pose 0..2", numeric=False, given={})
     with pytest.raises(DhcliError, match="an orientation is said in numbers"):
         Judge(exercise).mark(exercise.parts[0], "1, 2, 3")
+
+
+@pytest.mark.parametrize(
+    ("ask", "right"),
+    [
+        ("rpy of rotation from euler(zyz, 0°, 30°, 0°)", "0, 30, 0"),
+        ("quaternion of rotation from Rot([0, 0, 1], 60°)", "0.8660254, 0, 0, 0.5"),
+        ("axis-angle of inverse of rotation from rpy(0, 0, 40°)", "0, 0, -1, 40°"),
+        ("euler zyz of rotation of product 'Rot(y, 50°) Trans(1, 2, 3)'", "0, 50, 0"),
+        ("axis x of rotation from rotvec(0, 0, 90°)", "0, 1, 0"),
+    ],
+)
+def test_one_form_is_asked_of_another(ask: str, right: str) -> None:
+    """A rotation may stand wherever a pose does, named as one or not."""
+    exercise = question_about(load_robot("planar-2r"), ask, numeric=True, given={})
+    assert Judge(exercise).mark(exercise.parts[0], right).verdict is Verdict.RIGHT
+
+
+def test_an_orientation_in_an_exercise_in_letters_says_that_it_is_in_numbers() -> None:
+    """Where the robot has all lengths, it is not one of these that is missing."""
+    robot = load_robot("planar-2r")
+    values: dict[str, Any] = {name: Angle.in_degrees(10) for name in robot.variables}
+    exercise = question_about(robot, "rpy of pose 0..2", numeric=False, given=values)
+    with pytest.raises(DhcliError, match="said in numbers \\(numeric: true\\)"):
+        Judge(exercise).expected(exercise.parts[0])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from dhcli import inverse
 from dhcli.checking.judge import Judge
 from dhcli.checking.kinds.made import question_about
 from dhcli.checking.verdicts import Mark, Verdict
@@ -72,3 +73,22 @@ def test_a_question_that_gives_no_pose_is_refused(ask: str) -> None:
     """With what would be read."""
     with pytest.raises(NotationError):
         judged("1", ask)
+
+
+@pytest.mark.parametrize(
+    "ask",
+    [
+        'count solutions of pose "Trans(0.5, 0.1, 0.2)" within limits',
+        'joints of pose "Trans(0.5, 0.1, 0.2)" within limits',
+    ],
+)
+def test_a_solution_tells_what_the_limits_keep_out(ask: str) -> None:
+    """Where they count, each solution outside them says by how much; elsewhere nothing is said of them."""
+    robot = load_robot("puma560")
+    exercise = question_about(robot, ask, numeric=True, given={})
+    told = "\n".join(step.text for step in Judge(exercise).solution(exercise.parts[0]))
+    found = inverse(robot, ((1, 0, 0, 0.5), (0, 1, 0, 0.1), (0, 0, 1, 0.2), (0, 0, 0, 1)))
+    assert 0 < found.within_limits.sum() < len(found)
+    assert told.count("outside the limits: theta") == len(found) - found.within_limits.sum()
+    free = question_about(robot, ask.removesuffix(" within limits"), numeric=True, given={})
+    assert "limits" not in "\n".join(step.text for step in Judge(free).solution(free.parts[0]))

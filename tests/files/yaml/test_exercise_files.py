@@ -222,7 +222,8 @@ def test_what_is_an_exercise_is_seen_by_name_and_by_content(tmp_path: Path) -> N
     assert kind_of("planar-four-bar") is Kind.LINKAGES
 
 
-def test_a_table_whose_rows_share_a_joint_is_not_asked_for() -> None:
+def test_a_table_whose_rows_share_a_joint_is_not_asked_for_nor_its_frames() -> None:
     """In an answer each joint has one cell, so no answer could be right."""
-    text = HEAD.replace("planar-2r", "palletizer") + "parts: [{id: t, ask: table standard}]\n"
-    assert any("ask: its rows share a joint" in problem for problem in problems(text))
+    for asked in ("table standard", "frames standard"):
+        text = HEAD.replace("planar-2r", "palletizer") + f"parts: [{{id: t, ask: {asked}}}]\n"
+        assert any("ask: its rows share a joint" in problem for problem in problems(text))

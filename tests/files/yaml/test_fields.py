@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from pathlib import Path
+
 import pytest
 
 from dhcli.errors import FileError, NotationError, Place, Problem, RobotError
+from dhcli.files.yaml.exercises import load_exercise
 from dhcli.files.yaml.fields import Fields, Problems, node_kind
+from dhcli.files.yaml.frames import read_frames
+from dhcli.files.yaml.linkages import load_linkage
 from dhcli.files.yaml.placed import PlacedScalar, read_yaml
+from dhcli.files.yaml.robots import load_robot
+from dhcli.files.yaml.sheets import read_sheet
 
 KNOWN = ("title", "source", "links", "parameters")
 
@@ -153,3 +161,41 @@ def test_the_error_can_be_of_another_class() -> None:
     problems.add(Place("--set"), "l1: is not a parameter")
     with pytest.raises(RobotError, match="--set: l1: is not a parameter"):
         problems.raise_if_any(RobotError)
+
+
+SHEET = "format: 1\nexercise: yim/planar-two-links\nanswers: {a1: _}\n"
+ANOTHER = {
+    "answer sheet": (SHEET, "this is an answer sheet, and {} is wanted (dhcli check yim/planar-two-links f.yaml"),
+    "exercise": ("format: 1\ntitle: t\nparts: []\n", "this is an exercise, and {} is wanted (dhcli start f.yaml"),
+    "robot": ("format: 1\nvariables: [q1]\n", "this is a robot, and {} is wanted (dhcli show f.yaml"),
+    "linkage": ("format: 1\nbars: 4\n", "this is a linkage, and {} is wanted (dhcli dof f.yaml"),
+    "list of frames": ("format: 1\nframes: []\n", "this is a list of frames, and {} is wanted (dhcli check ROBOT"),
+}
+LOADERS: dict[str, Callable[[Path], object]] = {
+    "a robot": load_robot,
+    "an exercise": load_exercise,
+    "a linkage": load_linkage,
+    "an answer sheet": read_sheet,
+    "a list of frames": lambda path: read_frames(path, load_robot("builtin:planar-2r")),
+}
+
+
+@pytest.mark.parametrize(
+    ("wanted", "given"),
+    [
+        (wanted, given)
+        for wanted in LOADERS
+        for given in ANOTHER
+        if not wanted.endswith(f" {given}") and (wanted, given) != ("a linkage", "robot")
+    ],
+)
+def test_a_file_of_another_kind_is_called_what_it_is(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, wanted: str, given: str
+) -> None:
+    """In one sentence with what it is good for, and not key by key; a robot is a linkage, too."""
+    monkeypatch.chdir(tmp_path)
+    text, told = ANOTHER[given]
+    Path("f.yaml").write_text(text, encoding="utf-8")
+    with pytest.raises(FileError) as caught:
+        LOADERS[wanted](Path("f.yaml"))
+    assert told.format(wanted) in str(caught.value)

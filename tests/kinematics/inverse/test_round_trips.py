@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from dhcli.kinematics.inverse import rule_all
 from dhcli.kinematics.inverse.anatomy import NOTHING
 from dhcli.kinematics.inverse.planning import find_plan
 from dhcli.kinematics.inverse.polishing import product, residuals
@@ -114,3 +115,18 @@ def test_an_arm_as_it_was_built_loses_next_to_nothing(name: str, by: float) -> N
     arms, poses = (40, 20) if NIGHT else (1, 10)
     lost, _ = np.sum([lost_and_odd(CLASSES[name], seed, poses, by) for seed in range(arms)], axis=0)
     assert lost <= arms * poses // 200
+
+
+def test_where_three_joints_have_no_real_angles_nothing_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As at poses that an arm with joints to spare does not reach with these held: no roots, and so no rows."""
+    eigen = rule_all._eigen
+
+    def complex_roots(pencil: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        values, vectors = eigen(pencil)
+        return values.real + 1j, vectors
+
+    monkeypatch.setattr(rule_all, "_eigen", complex_roots)
+    draw = np.random.default_rng(1)
+    sides = draw.normal(size=(1, 14, 3, 3, 3)), draw.normal(size=(1, 14, 3, 3))
+    at, angles = rule_all.solved(*sides, (0.1, 0.2, 0.3), [True] * 3)
+    assert (len(at), [len(angle) for angle in angles]) == (0, [0, 0, 0])

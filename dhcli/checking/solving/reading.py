@@ -1,0 +1,148 @@
+"""Joint vectors as they are typed: a row each, in brackets or behind names, with points or with decimal commas."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from dhcli.algebra.floats import Floats
+from dhcli.checking.commas import comma_remark, with_points
+from dhcli.checking.entries import check_names
+from dhcli.checking.exercise import Exercise
+from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.tolerance import without_unit
+from dhcli.errors import DhcliError, Place, UnknownNameError, plural
+from dhcli.frozen import frozen
+from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.values import joint_called, numbers
+from dhcli.notation.angle import Angle
+from dhcli.notation.matrix import parse_matrix
+from dhcli.notation.parser import parse
+from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_length
+from dhcli.notation.tree import Expr
+from dhcli.notation.walk import symbols
+from dhcli.regex import regex
+
+_LABEL = regex(r"(?P<name>[^\W\d]\w*)\s*=(?!=)")
+_TEXT = regex(r"\A\s*(?P<name>[^\W\d]\w*)\s*=\s*(?=\[)")
+
+
+@frozen
+class Vector:
+    """Joint values as typed.
+
+    Attributes:
+        values: Radians and metres, in joint order.
+        bare: Whether an angle was typed without a unit.
+        shown: As they were read.
+    """
+
+    values: tuple[float, ...]
+    bare: bool
+    shown: str
+
+
+def read_vectors(
+    exercise: Exercise, robot: Robot, joints: Sequence[str], text: str, place: Place, *, several: bool = True
+) -> list[Vector]:
+    """Read joint vectors, a row each: `30°, 45°; 60°, -45°`, `(30, 45), (60, -45)`, or `theta1 = 30°, theta2 = 45°`.
+
+    Args:
+        exercise: The exercise, for its names, values and unit.
+        robot: The robot.
+        joints: The joints that are answered, in order.
+        text: What was typed.
+        place: Where it stands, for errors.
+        several: Whether there may be more than one vector; of one alone the decimals may have commas.
+
+    Raises:
+        UnreadableError: A row has too few or too many values, an angle stands for a length, a name has no value.
+        NotationError: It cannot be read.
+    """
+    text = _TEXT.sub("", text.strip())
+    if _LABEL.search(text):
+        rows = _labelled(exercise, robot, joints, text, place)
+        return [_vector(exercise, robot, joints, row) for row in rows]
+    body = ";".join(line for line in text.splitlines() if line.strip(" ;,"))
+    groups = _groups(body)
+    pieces = groups or (body.split(";") if several else [body])
+    pieces = [with_points(piece, len(joints)) for piece in pieces]
+    body = "; ".join(piece.replace(";", ",") if groups else piece for piece in pieces)
+    rows = [[cell.expr for cell in row] for row in parse_matrix(_bracketed(body), exercise.scope, place)]
+    if all(len(row) == 1 for row in rows) and len(rows) == len(joints):
+        rows = [[row[0] for row in rows]]  # a column
+    for row in rows:
+        if len(row) != len(joints):
+            message = f"{plural(len(row), 'value')} in a row, and there are {len(joints)} joints: {', '.join(joints)}"
+            remarks = (message + "; each solution stands in a row of its own", comma_remark(text))
+            raise UnreadableError(*filter(None, remarks))
+    return [_vector(exercise, robot, joints, row) for row in rows]
+
+
+def _bracketed(body: str) -> str:
+    return body if body.startswith(("[", "\\begin")) else f"[{body}]"
+
+
+def _groups(text: str) -> list[str]:
+    """The insides of round brackets side by side, `(30, 45), (60, -45)`; none where something else stands there."""
+    inside = text.removeprefix("[").removesuffix("]") if text.startswith("[") else text
+    found, start, depth = list[str](), 0, 0
+    for i, letter in enumerate(inside):
+        if letter == "(":
+            depth, start = depth + 1, start if depth else i + 1
+        elif letter == ")":
+            depth -= 1
+            if not depth:
+                found.append(inside[start:i])
+        elif not depth and letter not in " ,;\t":
+            return []
+    return found if all("," in group or ";" in group for group in found) else []
+
+
+def _labelled(exercise: Exercise, robot: Robot, joints: Sequence[str], text: str, place: Place) -> list[list[Expr]]:
+    """The values behind the names of joints, in the order of these; whoever names them once more begins a new row."""
+    found = list(_LABEL.finditer(text))
+    try:
+        named = [joint_called(robot, match["name"]) for match in found]
+    except (UnknownNameError, DhcliError) as error:
+        raise UnreadableError(str(error.problems[0].message), f"joints: {', '.join(joints)}") from None
+    ends = [*(match.start() for match in found[1:]), len(text)]
+    values = [text[match.end() : end].strip(" \t\n,;()[]") for match, end in zip(found, ends, strict=True)]
+    rows = []
+    for k in range(0, len(named), len(joints)):
+        row = dict(zip(named[k : k + len(joints)], values[k : k + len(joints)], strict=True))
+        if sorted(row) != sorted(joints):
+            raise UnreadableError(f"each joint is named once in a row: {', '.join(joints)}")
+        rows.append([parse(row[name], exercise.scope, place) for name in joints])
+    return rows
+
+
+def _vector(exercise: Exercise, robot: Robot, joints: Sequence[str], row: Sequence[Expr]) -> Vector:
+    values, shown, bare = list[float](), list[str](), False
+    known = exercise.known
+    over = Floats(numbers(known))
+    angles = {name: value for name, value in known.items() if isinstance(value, Angle)}
+    for name, expr in zip(joints, row, strict=True):
+        turns = name in robot.angles
+        number, unit = without_unit(expr, 1.0 if turns else float(exercise.metres))
+        try:
+            value = to_angle(expr, bare="deg") if turns else to_length(number)
+        except DimensionError as error:
+            raise UnreadableError(f"{name}: {error.message}") from None
+        inside = value.names if isinstance(value, Angle) else symbols(value)
+        check_names(exercise, inside)
+        if missing := sorted(inside - known.keys()):
+            raise UnreadableError(f"{name}: a number was asked, and {missing[0]} has no value")
+        bare |= turns and not has_angle_unit(expr)
+        values.append(value.substitute(angles).constant() if isinstance(value, Angle) else over.value(value) * unit)
+        if not math.isfinite(values[-1]):
+            raise UnreadableError(f"{name} is no real number")
+        shown.append(spelled(robot, name, values[-1]))
+    return Vector(tuple(values), bare, ", ".join(shown))
+
+
+def spelled(robot: Robot, name: str, value: float) -> str:
+    """A joint value as a person would type it."""
+    if name in robot.angles:
+        return f"{round(math.degrees(value), 4) + 0.0:g}°"
+    return f"{round(value, 6) + 0.0:g} m"

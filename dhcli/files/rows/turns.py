@@ -1,0 +1,61 @@
+"""An orientation beside a position, in the columns in which `fk --in --as position,quaternion` writes it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import cast
+
+from dhcli.errors import FileError, Place, Problem
+from dhcli.geometry.euler import EulerAngles, Order, RollPitchYaw
+from dhcli.geometry.rotations import AxisAngle, Quaternion, RotationVector
+from dhcli.kinematics.placement import ORIENTATIONS
+
+TURNS: Mapping[str, tuple[str, ...]] = {
+    **{form: tuple(f"{form}_{k}" for k in (1, 2, 3)) for form in ORIENTATIONS},
+    "rpy": ("roll", "pitch", "yaw"),
+    "quaternion": ("q_w", "q_x", "q_y", "q_z"),
+    "rotation-vector": ("r_x", "r_y", "r_z"),
+    "axis-angle": ("axis_x", "axis_y", "axis_z", "angle"),
+}
+"""The columns of each way to say an orientation beside a position; angles in radians."""
+
+
+def posed(form: str, numbers: list[float], place: Place) -> list[float]:
+    """A position and its orientation as the upper rows of a matrix; without an orientation the position alone.
+
+    Raises:
+        FileError: A quaternion or an axis has no direction.
+    """
+    if not form:
+        return numbers
+    position, turn = numbers[:3], numbers[3:]
+    try:
+        rows = _rotation(form, turn)
+    except ZeroDivisionError:
+        raise FileError(Problem(f"{', '.join(TURNS[form])} are all 0: that is no {form}", place)) from None
+    return [entry for row, length in zip(rows, position, strict=True) for entry in (*row, length)]
+
+
+def _rotation(form: str, turn: list[float]) -> Sequence[Sequence[float]]:
+    if form == "rpy":
+        roll, pitch, yaw = turn
+        return RollPitchYaw(roll, pitch, yaw).rotation()
+    if form == "rotation-vector":
+        return RotationVector(*turn).rotation()
+    if form == "quaternion":
+        size = math.hypot(*turn)
+        return Quaternion(*(part / size for part in turn)).rotation()
+    if form == "axis-angle":
+        size = math.hypot(*turn[:3])
+        x, y, z = (part / size for part in turn[:3])
+        return AxisAngle((x, y, z), turn[3]).rotation()
+    a, b, c = turn
+    return EulerAngles(cast("Order", ORIENTATIONS[form]), (a, b, c)).rotation()
+
+
+def flat(value: object) -> list[object]:
+    """The numbers of an orientation, nested as JSON has them: `{"axis": [x, y, z], "angle": t}` is four."""
+    if isinstance(value, dict):
+        value = [value[key] for key in ("w", "x", "y", "z", "roll", "pitch", "yaw", "axis", "angle") if key in value]
+    return [one for part in value for one in flat(part)] if isinstance(value, list) else [value]
