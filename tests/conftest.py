@@ -53,7 +53,7 @@ once.remember()
 
 # A busy machine is not a failure: no deadline, and no health check that looks at the clock. At the desk other examples
 # are tried each time, in CI always the same few; `--hypothesis-profile nightly` tries many, and runs what is nightly.
-_PATIENT = settings(max_examples=20, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+_PATIENT = settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.register_profile("default", _PATIENT)
 settings.register_profile("ci", _PATIENT, database=None, derandomize=True, print_blob=True)
 settings.register_profile("nightly", settings.get_profile("ci"), max_examples=500)
@@ -85,12 +85,11 @@ def homes(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
 
 
 @pytest.fixture(autouse=True)
-def user_data(monkeypatch: pytest.MonkeyPatch, homes: Iterator[Path]) -> Path:
+def user_data(homes: Iterator[Path]) -> Path:
     """The test's own folder for user data, not made yet; no robots of the person who runs the tests."""
     folder = next(homes)
-    monkeypatch.setenv("XDG_DATA_HOME", str(folder))
-    monkeypatch.setenv("XDG_CACHE_HOME", f"{folder}-cache")
-    monkeypatch.delenv("DHCLI_PATH", raising=False)
+    os.environ["XDG_DATA_HOME"], os.environ["XDG_CACHE_HOME"] = str(folder), f"{folder}-cache"  # until the next test
+    os.environ.pop("DHCLI_PATH", None)
     return folder
 
 

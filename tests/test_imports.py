@@ -32,6 +32,7 @@ DRAWN = f"{ROBOT} kinematics.sweep mobility scene render.pictures"
 LISTED = f"{BASE} csv files files.library storage render.code render.text"
 EXERCISE = f"{ROBOT} checking checking.diagnosis checking.kinds checking.tables mobility"
 CHECK = f"{EXERCISE} csv storage render.code render.text"
+GRADED = "checking checking.diagnosis classroom files kinematics notation render render.text"
 EXPLAINED = "checking.diagnosis.mistakes random"
 
 MAY = {
@@ -67,8 +68,7 @@ MAY = {
     "start planar-two-links -o -": EXERCISE,
     "hint planar-two-links": f"{EXERCISE} json storage render.text",
     "solution planar-two-links --yes": f"{EXERCISE} csv kinematics.describe render.code render.text",
-    "grade sheets": f"{BASE} {FILES} checking checking.diagnosis checking.kinds checking.tables mobility classroom "
-    "multiprocessing random socket statistics tempfile render.text",
+    "grade sheets": f"{GRADED} multiprocessing random socket statistics tempfile",
     "lint exercise.yaml": f"{EXERCISE} {EXPLAINED} lint render.text",
     "new robot my-arm --overwrite": f"{BASE} files files.yaml storage",
     "schema robot": "algebra geometry kinematics notation render json files files.keys",

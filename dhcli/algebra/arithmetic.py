@@ -76,26 +76,27 @@ def evaluate(expr: Expr, over: Evaluator[N]) -> N | int:
         expr: The tree.
         over: The arithmetic, which knows the values of the names.
     """
+    # The commonest first; a match would look for the names of their parts besides.
+    if isinstance(expr, Product):
+        product: N | int = 1
+        for factor in expr.factors:
+            part: N | int = evaluate(factor, over)
+            product = times(product, part)
+        return product
+    if isinstance(expr, Trig):
+        return over.cos_sin(expr.angle)[expr.function == "sin"]
+    if isinstance(expr, Symbol):
+        return over.symbol(expr.name)
+    if isinstance(expr, Sum):
+        total: N | int = 0
+        for term in expr.terms:
+            part = evaluate(term, over)
+            total = plus(total, part)
+        return total
+    if isinstance(expr, Number):
+        value = expr.value  # asked of two integers: to compare a fraction takes ten times as long
+        return value.numerator if value.denominator == 1 and -1 <= value.numerator <= 1 else over.number(value)
     match expr:
-        case Number(value):
-            # asked of two integers: to compare a fraction takes ten times as long
-            return value.numerator if value.denominator == 1 and -1 <= value.numerator <= 1 else over.number(value)
-        case Symbol(name):
-            return over.symbol(name)
-        case Trig(function, angle):
-            return over.cos_sin(angle)[function == "sin"]
-        case Sum(terms):
-            total: N | int = 0
-            for term in terms:
-                part: N | int = evaluate(term, over)
-                total = plus(total, part)
-            return total
-        case Product(factors):
-            product: N | int = 1
-            for factor in factors:
-                part = evaluate(factor, over)
-                product = times(product, part)
-            return product
         case Power(base, exponent):
             return over.power(evaluate_settled(base, over), exponent)
         case Call(function, arguments):

@@ -17,7 +17,7 @@ from dhcli.algebra.points import Reach, all_round, general
 from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
 from dhcli.notation.styles import THETAS, Joints
-from dhcli.notation.tree import Call, Expr, Power, Symbol, Trig
+from dhcli.notation.tree import Call, Expr, Number, Power, Symbol, Trig
 from dhcli.notation.walk import symbols, walk
 from dhcli.notation.writer import write
 
@@ -84,9 +84,25 @@ def explained(typed: Expr, right: Expr, reach: Reach, same: Same = agree, writin
         same: When two values agree.
         writing: How joint angles are written.
     """
-    where = held(typed, right, samples(typed, right, reach, same), writing)
+    may_hold = may_branch(typed) or may_branch(right)
+    where = held(typed, right, samples(typed, right, reach, same), writing) if may_hold else ""
     point = _counterexample(typed, right, reach, same)
     return "; ".join(filter(None, (where, point)))
+
+
+def may_branch(expr: Expr) -> bool:
+    """Whether an expression may be right at some points and wrong at others; else what differs does so at nearly all.
+
+    That of sums, products, cosines and sines of exact numbers may not. Decimals may agree by their digits.
+    """
+    if not symbols(expr):
+        return False
+    return any(
+        type(node) is Call
+        or (type(node) is Power and node.exponent.denominator != 1)
+        or (type(node) is Number and node.places is not None)
+        for node in walk(expr)
+    )
 
 
 def held(typed: Expr, right: Expr, found: tuple[Sample, ...], writing: Joints = THETAS) -> str:

@@ -40,6 +40,9 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 R = TypeVar("R")
 
+MOST_RECENT = 500
+"""Things of one kind that answers bring along and that are kept: entries, mostly, that many students write alike."""
+
 MISPRINTED = "this is what the document prints; it is a misprint"
 
 
@@ -66,6 +69,21 @@ class Memo:
         if key not in self._known:
             self._known[key] = make()
         return cast("R", self._known[key])
+
+    def recent(self, kind: object, key: object, make: Callable[[], R]) -> R:
+        """The same for things that answers bring along, of which no more are kept than a class has alike.
+
+        Args:
+            kind: What they are, which has a store of its own.
+            key: One of them.
+            make: Works it out.
+        """
+        known: dict[object, R] = self.of(kind, dict)
+        if key not in known:
+            if len(known) >= MOST_RECENT:
+                known.clear()
+            known[key] = make()
+        return known[key]
 
 
 class Question(Asking, Generic[T]):

@@ -11,7 +11,7 @@ from dhcli.algebra.equality import equal_in_floats, equal_in_residues
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.points import all_round
 from dhcli.checking.entries import Entries, Entry, as_read
-from dhcli.checking.exercise import Exercise
+from dhcli.checking.exercise import Exercise, Memo
 from dhcli.checking.reach import reach_of
 from dhcli.checking.truth import Truth, is_length
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
@@ -28,18 +28,21 @@ MOST_OFF = 0.05
 REST = 1e-12
 
 
-def mark_symbols(question: Wanted, truth: Truth, entries: Entries, exercise: Exercise) -> Mark:
-    """Judge an answer in expressions, entry by entry.
+def mark_symbols(question: Wanted, truth: Truth, entries: Entries, memo: Memo) -> Mark:
+    """Judge an answer in expressions, entry by entry; what stands in many answers of a class is judged once.
 
     Args:
         question: The question.
         truth: The right answer.
         entries: The answer as read, in the shape of the question.
-        exercise: The exercise, for its values and its way of writing.
+        memo: The exercise, for its values and its way of writing.
     """
-    cells = tuple(
-        _cell(question, truth, entry, (r, c), exercise) for r, row in enumerate(entries) for c, entry in enumerate(row)
-    )
+
+    def judged(entry: Entry, place: tuple[int, int]) -> CellMark:
+        made = partial(_cell, question, truth, entry, place, memo.exercise)
+        return memo.recent(("cells", question), (place, entry), made)
+
+    cells = tuple(judged(entry, (r, c)) for r, row in enumerate(entries) for c, entry in enumerate(row))
     bad = [cell for cell in cells if cell.verdict is not Verdict.RIGHT]
     verdict = Verdict.RIGHT
     if bad:

@@ -85,18 +85,42 @@ def mark_value(exercise: Exercise, right: Quantity, answer: TypedValue, toleranc
     """
     typed = _as_asked(answer.expr, right, exercise, "deg")
     check_names(exercise, typed.value.names if isinstance(typed.value, Angle) else symbols(typed.value))
+    verdict = _verdict_in_unit(exercise, typed, right, answer, tolerance)
     reading, shown = spelled_value(typed, exercise), spelled_value(right, exercise)
-    verdict = _verdict(exercise, typed, right, answer.expr, tolerance)
-    if right.is_angle and verdict is not Verdict.RIGHT:
-        in_radians = _as_asked(answer.expr, right, exercise, "rad")
-        if _verdict(exercise, in_radians, right, answer.expr, tolerance) is Verdict.RIGHT:
-            raise WrongUnitError("radians", f"a bare angle is in degrees: write {shown} or {answer.text} rad")
     remarks: tuple[str, ...] = ()
     if tolerance.exact and verdict is Verdict.RIGHT and not _is_exact(typed, right, exercise):
         verdict, remarks = Verdict.ROUNDED, (NOT_EXACT,)
     note = _note(typed, right, exercise) if verdict is Verdict.WRONG else ""
     earned = float(verdict in (Verdict.RIGHT, Verdict.ROUNDED))
     return Mark(verdict, reading, (CellMark(0, 0, verdict, reading, shown, note),), remarks, earned, shown)
+
+
+def is_right_value(exercise: Exercise, right: Quantity, answer: TypedValue, tolerance: Tolerance) -> bool:
+    """Whether a single angle, length or number is right, be it rounded; nothing is said about it.
+
+    Raises:
+        UnreadableError: As `mark_value` does.
+    """
+    typed = _as_asked(answer.expr, right, exercise, "deg")
+    check_names(exercise, typed.value.names if isinstance(typed.value, Angle) else symbols(typed.value))
+    return _verdict_in_unit(exercise, typed, right, answer, tolerance) in (Verdict.RIGHT, Verdict.ROUNDED)
+
+
+def _verdict_in_unit(
+    exercise: Exercise, typed: Quantity, right: Quantity, answer: TypedValue, tolerance: Tolerance
+) -> Verdict:
+    """The verdict.
+
+    Raises:
+        WrongUnitError: Only the unit of an angle is wrong.
+    """
+    verdict = _verdict(exercise, typed, right, answer.expr, tolerance)
+    if right.is_angle and verdict is not Verdict.RIGHT:
+        in_radians = _as_asked(answer.expr, right, exercise, "rad")
+        if _verdict(exercise, in_radians, right, answer.expr, tolerance) is Verdict.RIGHT:
+            shown = spelled_value(right, exercise)
+            raise WrongUnitError("radians", f"a bare angle is in degrees: write {shown} or {answer.text} rad")
+    return verdict
 
 
 def spelled_value(right: Quantity, exercise: Exercise) -> str:

@@ -12,6 +12,7 @@ from collections import deque
 from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from enum import Enum
+from importlib import import_module
 from multiprocessing import get_context, resource_tracker
 from multiprocessing.connection import Connection, wait
 from threading import current_thread, main_thread
@@ -38,7 +39,7 @@ class Lost(Enum):
 
 
 def spread(
-    work: Callable[[Task], Result], tasks: Iterable[Task], *, jobs: int, timeout: float
+    work: Callable[[Task], Result], tasks: Iterable[Task], *, jobs: int, timeout: float, needs: str | None = None
 ) -> Generator[tuple[Task, Result | Lost], None, None]:
     """Do a piece of work for each task, in several processes.
 
@@ -47,6 +48,7 @@ def spread(
         tasks: What it is called with, one by one; plain data, not None.
         jobs: Most processes at a time.
         timeout: Longest that one task may take [s]; the start of a process does not count.
+        needs: A module that the work needs and this process does not, imported when a process starts.
 
     Yields:
         Each task with its result, or with why there is none; in the order in which they end.
@@ -58,7 +60,7 @@ def spread(
     team: list[_Worker] = []
     try:
         for _ in range(min(jobs, len(waiting))):
-            _hire(team, work)
+            _hire(team, work, needs)
         while team:
             spoken = _listen(team)
             for worker in tuple(team):
@@ -73,7 +75,7 @@ def spread(
                 if task is None and isinstance(outcome, Lost):
                     raise DhcliError("a process for the work could not be started", "--jobs 1 needs the least memory")
                 if isinstance(outcome, Lost) and waiting:
-                    _hire(team, work)
+                    _hire(team, work, needs)
                 if task is not None:
                     yield task, outcome
     finally:
@@ -82,20 +84,20 @@ def spread(
                 worker.end()
 
 
-def _hire(team: list[_Worker], work: Callable[[Any], object]) -> None:
+def _hire(team: list[_Worker], work: Callable[[Any], object], needs: str | None) -> None:
     """Start a process that is in the team as soon as it is there, so that whatever happens next ends it."""
     with _without_interrupts():
-        team.append(_Worker(work))
+        team.append(_Worker(work, needs))
 
 
 class _Worker:
     """A process, and the end of the pipe that leads to it."""
 
-    def __init__(self, work: Callable[[Any], object]) -> None:
+    def __init__(self, work: Callable[[Any], object], needs: str | None = None) -> None:
         self.task: Any = None
         self.deadline = math.inf
         self.pipe, theirs = _SPAWN.Pipe()
-        self.process = _SPAWN.Process(target=_serve, args=(theirs, work), daemon=True)
+        self.process = _SPAWN.Process(target=_serve, args=(theirs, work, needs), daemon=True)
         self.process.start()
         theirs.close()
 
@@ -124,10 +126,12 @@ class _Worker:
                 self.process.close()
 
 
-def _serve(pipe: Connection, work: Callable[[Any], object]) -> None:
+def _serve(pipe: Connection, work: Callable[[Any], object], needs: str | None) -> None:
     """The life of a process: say that it is ready, then work until nobody gives it work any more."""
     if hasattr(signal, "pthread_sigmask"):  # it was started deaf to these, too
         signal.pthread_sigmask(signal.SIG_UNBLOCK, _ENDINGS - {signal.SIGINT})
+    if needs:
+        import_module(needs)
     with suppress(EOFError, OSError):
         pipe.send(None)
         while True:

@@ -8,7 +8,7 @@ from statistics import fmean
 
 from dhcli.checking.verdicts import Verdict
 from dhcli.classroom.folder import Folder
-from dhcli.classroom.grading import Graded, PartGrade
+from dhcli.classroom.grades import Graded, PartGrade
 from dhcli.errors import plural
 from dhcli.frozen import frozen
 

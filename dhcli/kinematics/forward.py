@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from typing import cast
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
+from typing import TYPE_CHECKING, cast
 
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.sizes import SIZES
@@ -15,7 +16,7 @@ from dhcli.kinematics.fold import fold
 from dhcli.kinematics.frames import between, ends
 from dhcli.kinematics.merge import merge
 from dhcli.kinematics.moves import Chain, Trans, spelled, substituted
-from dhcli.kinematics.pose import Pose
+from dhcli.kinematics.pose import Pose, computed
 from dhcli.kinematics.robot import Link, Robot, Value, check_robot
 from dhcli.kinematics.values import (
     JointInput,
@@ -28,6 +29,9 @@ from dhcli.kinematics.values import (
 )
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO, Expr
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.recorded import Recording
 
 LONGEST = 20_000
 """Symbols of the longest result that is written; Panda has about 2000."""
@@ -67,7 +71,7 @@ def forward(
         frames = ends(robot, start, end)
         rows = _played(robot, floats, *frames)
         if rows is not None:
-            return Pose(rows, *frames, joints=robot.writing)
+            return computed(rows, *frames, robot.writing)
     values = {**parameter_values(robot, parameters), **joint_values(robot, q)}
     return numeric_pose(robot, values, *ends(robot, start, end))
 
@@ -127,13 +131,19 @@ def plain_floats(q: JointInput, parameters: Given | None) -> Sequence[float] | N
 
 def _played(robot: Robot, q: Sequence[float], start: str, end: str) -> tuple[tuple[float, ...], ...] | None:
     """The pose by its recording, shape (4, 4); see `Recording.again`."""
-    from dhcli.kinematics.recorded import recorded_pose  # a command has a robot once, and records nothing
-
     try:
-        found = recorded_pose(robot, start, end).again(q)
+        found = _recorder()(robot, start, end).again(q)
     except RobotError:
         return None
     return None if found is None else (found[:4], found[4:8], found[8:12], found[12:])
+
+
+@cache
+def _recorder() -> Callable[[Robot, str, str], Recording]:
+    """What records a pose; a command has a robot once, and records nothing."""
+    from dhcli.kinematics.recorded import recorded_pose
+
+    return recorded_pose
 
 
 def symbolic_pose(robot: Robot, values: Values, start: str, end: str) -> Pose[Expr]:

@@ -92,8 +92,11 @@ def _one_by_one(recording: Recording, q: NDArray[np.float64], found: NDArray[Any
         rows = [recording.one(row) for row in q.tolist()]
     except (ArithmeticError, ValueError):
         return False
-    with np.errstate(over="ignore"):  # what float32 does not hold is infinite in it
-        found[...] = np.array(rows).reshape(found.shape)
+    values = np.array(rows)
+    if found.dtype != values.dtype:
+        with np.errstate(over="ignore"):  # what float32 does not hold is infinite in it
+            values = values.astype(found.dtype)
+    found[...] = values.reshape(found.shape)
     return True
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import field
+from dataclasses import field, fields
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
 from dhcli.algebra.arithmetic import plus
@@ -263,3 +263,22 @@ def matrix_name(reference: str, frame: str) -> str:
     """What the matrix between two frames is called: `T_03`, `T_{base,tool}`."""
     is_short = len(reference) == 1 and len(frame) == 1
     return f"T_{reference}{frame}" if is_short else f"T_{{{reference},{frame}}}"
+
+
+def computed(rows: tuple[tuple[float, ...], ...], reference: str, frame: str, joints: Joints) -> Pose[float]:
+    """A pose of numbers that were just computed, and need no look: to look takes as long as to compute them.
+
+    Args:
+        rows: Entries, shape (4, 4), each a float; translation in metres.
+        reference: The frame it is seen from.
+        frame: The frame it describes.
+        joints: The robot's joint angles, for shorthand.
+    """
+    made: Pose[float] = object.__new__(Pose)
+    for name, value in zip(_FIELDS, (rows, reference, frame, "", joints), strict=True):
+        _PUT(made, name, value)
+    return made
+
+
+_FIELDS = tuple(each.name for each in fields(Pose))
+_PUT = object.__setattr__

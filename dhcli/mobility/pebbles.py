@@ -1,15 +1,15 @@
-"""How many freedoms pins and sliders leave wherever they are placed: the pebble game, which counts without geometry.
+"""How many freedoms pins, slides and slots leave wherever they are placed: the pebble game counts without geometry.
 
 Each link stands for bars between its pins that make it rigid. Of 2V coordinates every bar takes one away, unless the
-bars among some V' pins are more than 2V' - 3. Links that slide along one another turn together: they share one more
-coordinate, their angle. With it two equations hold a pin to the first one of its link, and one holds a slide's two
-sides at their distance; some that touch V' pins and C' angles are never more than 2V' + C' - 3, for whatever is placed
-there can be moved about as a whole. What is left is the mobility of almost every placement, and no placement has less.
-So where the rank leaves just as many motions, it is as large as it can be, here and all round: it stays the same along
-every motion, which therefore goes on. That holds for over-braced linkages too.
+bars among some V' pins are more than 2V' - 3. A link that guides others has one more coordinate, its angle, and links
+that slide along one another turn together and share it. With it two equations hold a pin to the first one of its link,
+and one holds a slide, or a pin in its slot, at its distance; some that touch V' pins and C' angles never count for more
+than 2V' + C' - 3, for whatever they touch can be moved about as a whole. What is left is the mobility of almost every
+placement, and no placement has less. So where the rank leaves just as many motions, it is as large as it can be, here
+and all round: it stays the same along every motion, which therefore goes on. That holds for over-braced linkages too.
 
-Of pins alone the count is also reached by almost every placement; of slides that is found in all that were tried, and
-nothing here depends on it.
+Of pins alone the count is also reached by almost every placement; with slides and slots that is found in all that were
+tried, and nothing here depends on it.
 
 Source: Laman 1970; Jacobs and Hendrickson 1997, the game; Streinu and Theran 2009, edges of more than two ends; Asimow
 and Roth 1978, regular placements.
@@ -17,7 +17,6 @@ and Roth 1978, regular placements.
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import TypeAlias
@@ -25,13 +24,17 @@ from typing import TypeAlias
 import numpy as np
 
 from dhcli.mobility.groups import Groups
+from dhcli.mobility.linkage import Joint
 from dhcli.mobility.model import Model
 
 Edge: TypeAlias = tuple[int, ...]
 """An equation by what it is about: two pins, or one, and an angle if need be."""
 
-PLAYED = frozenset({"revolute", "prismatic", "fixed", "bar"})
-"""Joints of the plane that are pins, slides, or bars between pins."""
+GUIDES = frozenset({"prismatic", "slot"})
+"""Joints that are guided along a direction of the first link."""
+
+PLAYED = frozenset({"revolute", "fixed", "bar", *GUIDES})
+"""Joints of the plane that are pins, slides, pins in slots, or bars between pins."""
 
 SAME = 9
 """Decimals of the size to which the places of two pins of a link agree that are one pin."""
@@ -44,7 +47,7 @@ PIN, ANGLE = 2, 1
 
 
 def generic_freedoms(model: Model) -> int | None:
-    """The fewest motions that a linkage of pins and slides in the plane may have in any placement.
+    """The fewest motions that a linkage of pins, slides and slots in the plane may have in any placement.
 
     None for other joints, of which the game knows nothing. A linkage in space is played, too, if all its axes are
     parallel to z, and what slides does so across them.
@@ -120,6 +123,7 @@ class _Framework:
     """Pins and angles as vertices, and the equations between them, as many as are needed."""
 
     def __init__(self, model: Model) -> None:
+        """Put the pins of all joints on the bodies that they hold together."""
         self.model = model
         self.bodies, self.turning, self.pins = Groups(), Groups(), Groups()
         self.held: dict[int, dict[tuple[float, ...], int]] = {}  # the pins of each body by their places
@@ -128,59 +132,63 @@ class _Framework:
         for step in model.steps:
             if step.first == step.last:
                 self.bodies.join(step.tail, step.head)
-        for step in model.steps:
-            self._place(step.joint, (self.bodies.of(step.tail), self.bodies.of(step.head)))
+        self.joints = [
+            (number, model.linkage.joints[step.joint], (self.bodies.of(step.tail), self.bodies.of(step.head)))
+            for number, step in enumerate(model.steps)
+        ]
+        for number, joint, ends in self.joints:
+            self._place(number, joint, ends)
 
     def graph(self) -> tuple[list[int], list[Edge]]:
         """The pebbles of each vertex, and the edges."""
-        edges = [*self._lengths()]
-        together = Counter(self.turning.of(body) for body in self._each_body())
-        first = {}
-        for body in self._each_body():
-            own = list(dict.fromkeys(self._vertex("pin", self.pins.of(pin)) for pin in self.held[body].values()))
-            slides = together[self.turning.of(body)] > 1
-            while len(own) < (1 if slides else 2):  # a point alone does not tell how a body is turned
+        edges: list[Edge] = []
+        guides = {self.turning.of(ends[0]) for _, joint, ends in self.joints if joint.pair.name in GUIDES}
+        first: dict[int, int] = {}
+        for body in self.held:
+            own = list(dict.fromkeys(self._pin(pin) for pin in self.held[body].values()))
+            has_angle = self.turning.of(body) in guides
+            while len(own) < (1 if has_angle else 2):  # a point alone does not tell how a body is turned
                 own.append(self._vertex("free", len(self.names)))
             first[body] = own[0]
-            if slides:
-                angle = self._vertex("angle", self.turning.of(body), ANGLE)
-                edges += [(own[0], pin, angle) for pin in own[1:] for _ in range(PIN)]
+            if has_angle:
+                edges += [(own[0], pin, self._angle(body)) for pin in own[1:] for _ in range(PIN)]
             else:
                 edges += _braced(own)
-        return self.pebbles, [*edges, *self._slides(first)]
+        return self.pebbles, [*edges, *self._single(first)]
 
-    def _place(self, joint: int, ends: tuple[int, int]) -> None:
-        """Put a joint's pins on the bodies that it holds together; what slides turns together."""
-        one = self.model.linkage.joints[joint]
-        kind = one.pair.name
-        for number, body in enumerate(ends):
+    def _place(self, number: int, joint: Joint, ends: tuple[int, int]) -> None:
+        """Put the pins of a joint on its bodies; what slides along one another turns together."""
+        kind = joint.pair.name
+        points = {
+            "revolute": (joint.point, joint.point),
+            "bar": (joint.point, joint.other),
+            "slot": (None, joint.point),
+        }.get(kind, (None, None))
+        for side, (body, point) in enumerate(zip(ends, points, strict=True)):
             own = self.held.setdefault(body, {})
-            if kind in {"revolute", "bar"}:
-                point = one.other if kind == "bar" and number else one.point
+            if point is not None:
                 place = np.round((np.array(point) - self.model.centre)[:2] / self.model.scale, SAME) + 0.0
-                pin = 2 * joint + (number if kind == "bar" else 0)
+                pin = 2 * number + (0 if kind == "revolute" else side)
                 self.pins.join(pin, own.setdefault(tuple(place), pin))
         if kind == "prismatic":
             self.turning.join(*ends)
 
-    def _each_body(self) -> Iterator[int]:
-        return iter(dict.fromkeys(map(self.bodies.of, range(len(self.model.linkage.links)))))
+    def _single(self, first: dict[int, int]) -> Iterator[Edge]:
+        """The equation of each bar, slide and slot."""
+        for number, joint, (tail, head) in self.joints:
+            match joint.pair.name:
+                case "bar":
+                    yield _once(self._pin(2 * number), self._pin(2 * number + 1))
+                case "prismatic":
+                    yield _once(first[tail], first[head], self._angle(tail))
+                case "slot":
+                    yield _once(first[tail], self._pin(2 * number + 1), self._angle(tail))
 
-    def _lengths(self) -> Iterator[Edge]:
-        """An equation for each bar."""
-        for step in self.model.steps:
-            if self.model.linkage.joints[step.joint].pair.name == "bar":
-                ends = (self._vertex("pin", self.pins.of(2 * step.joint + number)) for number in range(2))
-                yield tuple(dict.fromkeys(ends))
+    def _pin(self, pin: int) -> int:
+        return self._vertex("pin", self.pins.of(pin))
 
-    def _slides(self, first: dict[int, int]) -> Iterator[Edge]:
-        """An equation for each slide, between the first pins of its bodies."""
-        for step in self.model.steps:
-            if self.model.linkage.joints[step.joint].pair.name == "prismatic":
-                tail, head = self.bodies.of(step.tail), self.bodies.of(step.head)
-                angle = self.names.get(("angle", self.turning.of(tail)))
-                if tail != head and angle is not None:
-                    yield tuple(dict.fromkeys((first[tail], first[head], angle)))
+    def _angle(self, body: int) -> int:
+        return self._vertex("angle", self.turning.of(body), ANGLE)
 
     def _vertex(self, kind: str, number: int, pebbles: int = PIN) -> int:
         """The number of a vertex in the graph, a new one if need be."""
@@ -188,6 +196,11 @@ class _Framework:
             self.names[kind, number] = len(self.pebbles)
             self.pebbles.append(pebbles)
         return self.names[kind, number]
+
+
+def _once(*ends: int) -> Edge:
+    """An edge, each of its ends once."""
+    return tuple(dict.fromkeys(ends))
 
 
 def _braced(pins: list[int]) -> Iterator[Edge]:

@@ -15,7 +15,8 @@ from measure import Row, Task, number, side_by_side
 from dhcli import load_exercise
 from dhcli.checking.exercise import Exercise
 from dhcli.classroom.folder import find_sheets
-from dhcli.classroom.grading import Graded, grade_all
+from dhcli.classroom.grades import Graded
+from dhcli.classroom.grading import grade_all
 
 SHEETS = 2000
 EXERCISES = (

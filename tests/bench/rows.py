@@ -28,7 +28,7 @@ from dhcli.notation import decimals
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-POSES = {"npy": 1_000_000, "csv": 200_000, "jsonl": 200_000}
+POSES = {"npy": 1_000_000, "csv": 50_000, "jsonl": 50_000}
 ROBOT = load_robot("puma560")
 WIDTH = 12
 """Numbers of a pose in text: the upper three rows of the matrix."""
@@ -67,7 +67,10 @@ def _blocks(rounds: int) -> Row:
     wanted = PoseRows(ROBOT, (View.of(ROBOT),), parameter_values(ROBOT, {}))
     row = side_by_side(
         f"{len(q)} poses",
-        Task(f"blocks of {ROWS}, as fk --in", lambda: [wanted.poses(q[k : k + ROWS])[-1, 0] for k in _starts(len(q))]),
+        Task(
+            f"blocks of {ROWS}, as fk --in",
+            lambda: [wanted.poses(q[k : k + ROWS])[-1, 0].copy() for k in _starts(len(q))],
+        ),
         Task("forward_batch, one call", lambda: forward_batch(ROBOT, q)),
         lambda own, whole: all(np.array_equal(last, whole[min(k + ROWS, len(q)) - 1]) for k, last in _pairs(own, q)),
         rounds=rounds,

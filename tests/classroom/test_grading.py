@@ -10,7 +10,9 @@ import pytest
 
 from dhcli.checking.verdicts import Verdict
 from dhcli.classroom.folder import Submission, find_sheets
-from dhcli.classroom.grading import Graded, grade, grade_all
+from dhcli.classroom.grades import Graded
+from dhcli.classroom.grading import grade_all
+from dhcli.classroom.marking import grade
 from dhcli.errors import FileError
 from dhcli.files.yaml.exercises import load_exercise
 from dhcli.files.yaml.sheets import write_sheet
@@ -102,7 +104,7 @@ def test_a_bug_is_a_row(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None
     def broken(*_: object) -> None:
         raise RecursionError("too deep")
 
-    monkeypatch.setattr("dhcli.classroom.grading.judged_sheet", broken)
+    monkeypatch.setattr("dhcli.classroom.marking.judged_sheet", broken)
     row = graded(tmp_path, sheet({"d02": RIGHT}))
     assert [problem.message for problem in row.problems] == ["this is a bug in dhcli: RecursionError: too deep"]
 

@@ -19,7 +19,8 @@ import pytest
 
 from dhcli.classroom import pool
 from dhcli.classroom.pool import Lost, _Worker, spread
-from tests.classroom.workers import halved
+from dhcli.errors import DhcliError
+from tests.classroom.workers import halved, known
 from tests.nightly import some
 
 
@@ -110,9 +111,9 @@ def test_ctrl_c_while_processes_start_ends_them(monkeypatch: pytest.MonkeyPatch)
     started: list[_Worker] = []
     start = _Worker.__init__
 
-    def interrupted(self: _Worker, work: Callable[[object], object]) -> None:
+    def interrupted(self: _Worker, work: Callable[[object], object], needs: str | None) -> None:
         started.append(self)
-        start(self, work)
+        start(self, work, needs)
         to_any_thread()
 
     with idle_thread():
@@ -162,3 +163,12 @@ def test_ctrl_c_at_any_moment_leaves_no_process(moment: int) -> None:
         finally:
             sys.settrace(traced)
     assert set(active_children()) == others
+
+
+def test_what_the_work_needs_is_imported_before_the_clock_runs() -> None:
+    """In the processes, not here."""
+    outcomes = spread(known, ["colorsys"], jobs=1, timeout=60, needs="colorsys")
+    assert list(outcomes) == [("colorsys", True)]
+    assert list(spread(known, ["colorsys"], jobs=1, timeout=60)) == [("colorsys", False)]
+    with pytest.raises(DhcliError, match="could not be started"):
+        list(spread(known, ["a"], jobs=1, timeout=60, needs="no_such_module"))

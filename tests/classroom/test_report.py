@@ -6,7 +6,7 @@ import pytest
 
 from dhcli.checking.verdicts import Verdict
 from dhcli.classroom.folder import Folder
-from dhcli.classroom.grading import Graded, PartGrade
+from dhcli.classroom.grades import Graded, PartGrade
 from dhcli.classroom.report import report_on
 from dhcli.errors import Problem
 

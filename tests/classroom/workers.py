@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import os
 import signal
+import sys
 import threading
 
 from dhcli.checking.verdicts import Verdict
 from dhcli.classroom.folder import Submission
-from dhcli.classroom.grading import Graded, PartGrade
+from dhcli.classroom.grades import Graded, PartGrade
 
 
 def trouble(submission: Submission, only: str | None = None) -> Graded:
@@ -31,3 +32,8 @@ def halved(number: int) -> float:
 def deaf(_: object) -> bool:
     """Whether Ctrl-C is blocked in the process."""
     return signal.SIGINT in signal.pthread_sigmask(signal.SIG_BLOCK, [])
+
+
+def known(module: str) -> bool:
+    """Whether the process has imported a module."""
+    return module in sys.modules

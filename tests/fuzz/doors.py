@@ -203,6 +203,7 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("check", "./motors.yaml", "--motors", "--pose", "folded", "--entry", "1,4", "--answer", "0"),
     ("describe", "ur5e", "--as", "standard", "--straighten", "0.01°", "--format", "json"),
     ("describe", "./motors.yaml", "--as", "motors"),
+    ("describe", "./motors.yaml", "--motors", "--as", "standard"),
     ("draw", "yim/planar-in-numbers", "--variant", "alice", "--solution", "--yes", "--worksheet", "-o", "w.svg"),
     ("ik", "planar-2r", "--q", "10,20", "--deg", "--set", "a1=1", "--task", "position", "--from", "0", "--to", "2"),
     ("ik", "puma560", "--pose", "ready", "--near", "ready", "--branch", "elbow up", "--within-limits", "--digits", "3"),

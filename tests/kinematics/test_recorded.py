@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import math
+import pickle
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -43,6 +44,18 @@ def test_a_pose_that_is_played_is_the_pose_of_the_fold(name: str) -> None:
             for pose in again:
                 assert np.abs(pose.matrix - plain.matrix).max() <= 4e-16 * max(1.0, np.abs(plain.matrix).max())
                 assert (pose.reference, pose.frame, pose.joints) == (plain.reference, plain.frame, plain.joints)
+
+
+def test_a_pose_that_is_played_is_a_pose_like_any_other() -> None:
+    """Made without a look at its numbers: equal to one that was looked at, with the same hash and text, and copied."""
+    robot = load_robot("scara")
+    played = [forward(robot, [0.3, 0.5, 0.1], start=1) for _ in range(3)][-1]
+    made = Pose(played.rows, "1", "3", joints=robot.writing)
+    assert played == made
+    assert (hash(played), repr(played), played.latex(), played.title) == (hash(made), repr(made), made.latex(), "")
+    assert pickle.loads(pickle.dumps(played)) == made  # noqa: S301  our own
+    assert replace(played, frame="tool").frame == "tool"
+    assert played @ played.inverse() == made @ made.inverse()
 
 
 @pytest.mark.parametrize("name", ["planar-2r", "scara", "puma560", "stanford", "panda"])

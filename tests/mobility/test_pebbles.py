@@ -121,7 +121,7 @@ def test_random_bars_have_the_mobility_of_their_equations(seed: int) -> None:
 
 
 def net(links: int, joints: int, seed: int, kinds: str = "pin") -> Linkage:
-    """Links tied at random: by pins, pins through three links, sliders, bars, or welds."""
+    """Links tied at random: by pins, pins through three links, sliders, pins in slots, bars, or welds."""
     draw = random.Random(seed)  # noqa: S311  labels, no secret
     names, found = [f"b{i}" for i in range(links)], list[Joint]()
     while len(found) < joints:
@@ -130,7 +130,8 @@ def net(links: int, joints: int, seed: int, kinds: str = "pin") -> Linkage:
         kind = draw.choice(kinds.split())
         at, far = places(2, draw.randrange(1 << 30))
         other, axis = far if kind == "bar" else None, far if kind == "slider" else None
-        found.append(Joint(pair_of(kind), (a, b), str(len(found)), at, axis=axis, other=other))
+        slide = far if kind == "slot" else None
+        found.append(Joint(pair_of(kind), (a, b), str(len(found)), at, axis=axis, other=other, slide=slide))
         if kind == "pin" and not draw.randrange(6) and len(found) >= links:
             found.append(Joint(pair_of(kind), (b, draw.choice([n for n in names if n not in (a, b)])), "more", at))
     return Linkage("net", PLANAR, tuple(found), names[0], names[-1])
@@ -138,7 +139,19 @@ def net(links: int, joints: int, seed: int, kinds: str = "pin") -> Linkage:
 
 @pytest.mark.parametrize(
     "kinds",
-    ["pin", "pin pin bar", "pin pin bar weld", "slider", "pin slider", "pin pin pin slider", "pin slider bar weld"],
+    [
+        "pin",
+        "pin pin bar",
+        "pin pin bar weld",
+        "slider",
+        "pin slider",
+        "pin pin pin slider",
+        "pin slider bar weld",
+        "slot",
+        "pin slot",
+        "pin slider slot",
+        "pin slot bar weld",
+    ],
 )
 @pytest.mark.parametrize("seed", range(12))
 def test_no_placement_has_fewer_motions_than_the_game_says(seed: int, kinds: str) -> None:
@@ -184,7 +197,7 @@ def test_three_links_that_slide_along_one_another_in_a_ring_keep_a_freedom() -> 
 @pytest.mark.parametrize("seed", range(6))
 def test_what_the_game_certifies_is_found_by_moving_too(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Amplitudes imposed on over-braced nets close, with as many freedoms and the same motion of the output."""
-    linkage = net(10, 14, seed, "pin pin slider" if seed % 2 else "pin")
+    linkage = net(10, 14, seed, "pin pin slider slot" if seed % 2 else "pin")
     certified = true_mobility(linkage)
     monkeypatch.setattr(decision, "generic_freedoms", lambda model: None)
     moved = true_mobility(linkage)

@@ -13,7 +13,6 @@ from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Reading
-from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import NotationError
 from dhcli.frozen import frozen
 
@@ -27,17 +26,17 @@ class Alternative(Generic[T]):
     Attributes:
         slip: The mistake.
         answer: What a student with this mistake types.
-        judge: Judges what was read in an answer as an answer to the other question.
+        accepts: Whether what was read in an answer is right as an answer to the other question, be it rounded.
     """
 
     slip: Slip
     answer: str
-    judge: Callable[[T], Mark]
+    accepts: Callable[[T], bool]
 
     def fits(self, reading: Reading[T] | None) -> bool:
         """Whether an answer is right there."""
         try:
-            return reading is not None and self.judge(reading.value).verdict in (Verdict.RIGHT, Verdict.ROUNDED)
+            return reading is not None and self.accepts(reading.value)
         except (UnreadableError, NotationError):  # right in another unit
             return False
 

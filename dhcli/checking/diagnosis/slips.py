@@ -8,7 +8,7 @@ from dataclasses import replace
 from dhcli.checking.diagnosis.mistakes import BY_ID, MISTAKES, Level, Mistake
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.diagnosis.work import Factor, Setting, Work
-from dhcli.checking.exercise import Exercise
+from dhcli.checking.exercise import Exercise, Memo
 from dhcli.checking.wanted import Wanted
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import Convention, Row
@@ -112,6 +112,20 @@ def table_candidates(
             kept.append(candidate)
             seen.add(changed)
     return tuple(kept)
+
+
+def table_slips(memo: Memo, convention: Convention) -> tuple[Candidate, ...]:
+    """All of them for an exercise, worked out once."""
+    return memo.of(
+        ("table slips", convention),
+        lambda: table_candidates(memo.exercise, convention, work=right_table(memo)),
+    )
+
+
+def right_table(memo: Memo) -> Work | None:
+    """The rows of the robot that these leave alone, the same objects; None where there is no robot."""
+    robot = memo.exercise.robot
+    return memo.of("right table", lambda: table_work(robot)) if robot is not None else None
 
 
 def _changed(rows: Sequence[Row], right: Sequence[Row]) -> tuple[object, ...]:

@@ -14,7 +14,7 @@ from dhcli.algebra.floats import Floats
 from dhcli.checking.diagnosis.bench import Bench, product
 from dhcli.checking.diagnosis.row_by_row import each_in_a_row, same_in_rows, slips_by_row
 from dhcli.checking.diagnosis.search import Numbers, matches, point
-from dhcli.checking.diagnosis.slips import Candidate, table_candidates, table_work
+from dhcli.checking.diagnosis.slips import Candidate, right_table, table_slips
 from dhcli.checking.diagnosis.work import Work
 from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.returned import Causes
@@ -54,9 +54,10 @@ def table_causes(case: Case, convention: Convention, rows: tuple[Row, ...]) -> C
         convention: The convention that was asked for.
         rows: The rows typed, their angles settled.
     """
-    slips = case.memo.of(("slips", convention), lambda: _Slips(case.exercise, convention))
-    if not slips.every:
+    every, right = table_slips(case.memo, convention), right_table(case.memo)
+    if right is None or not every:
         return ()
+    slips = case.memo.of(("slips", convention), lambda: _Slips(case.exercise, right, every))
     moves = tuple(moves_of(row, convention) for row in rows)
     chain = tuple(move for row in moves for move in row)
     compared = _Compared(slips, moves, chain)
@@ -76,14 +77,14 @@ class _Slips:
 
     Attributes:
         right: The right table.
-        every: The slips; none where the robot has no table in this convention.
+        every: The slips.
     """
 
-    def __init__(self, exercise: Exercise, convention: Convention) -> None:
-        """Find them."""
+    def __init__(self, exercise: Exercise, right: Work, every: tuple[Candidate, ...]) -> None:
+        """Take what was found for the exercise."""
+        self.right = right
+        self.every = every
         self._exercise = exercise
-        self.right = table_work(robot_of(exercise))
-        self.every = table_candidates(exercise, convention, work=self.right)
         self._motions: dict[frozenset[str], _Motions] = {}
         self._arms: dict[int, RightArm | None] = {}
 

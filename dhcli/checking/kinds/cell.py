@@ -12,7 +12,7 @@ from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.kinds.linked import found_link, link_of, place_of, read_number
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Causes, Reading, Shown
-from dhcli.checking.values import Quantity, TypedValue, mark_value, read_typed_value, spelled_value
+from dhcli.checking.values import Quantity, TypedValue, is_right_value, mark_value, read_typed_value, spelled_value
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import DhcliError, NotationError, Place, Problem, RobotError
 from dhcli.frozen import frozen
@@ -80,6 +80,10 @@ class CellQuestion(Question[TypedValue]):
         exercise = case.memo.of("of table", lambda: _of_table(case.exercise))
         return mark_value(exercise, self._quantity(right), typed, case.tolerance)
 
+    def _accepts(self, case: Case, right: Value, typed: TypedValue) -> bool:
+        exercise = case.memo.of("of table", lambda: _of_table(case.exercise))
+        return is_right_value(exercise, self._quantity(right), typed, case.tolerance)
+
     def _quantity(self, value: Value) -> Quantity:
         """A cell: a length with the unit of the sheet, or an angle."""
         return Quantity(value, is_length=self.column in LENGTHS, is_angle=self.column not in LENGTHS)
@@ -97,13 +101,14 @@ class CellQuestion(Question[TypedValue]):
     def causes(self, case: Case, reading: Reading[TypedValue]) -> Causes:
         from dhcli.checking.diagnosis.alternatives import changing
 
-        return tuple((one.slip,) for one in changing(case, self._alternatives(case), reading))
+        every = case.memo.of(("alternatives", self), lambda: tuple(self._alternatives(case)))
+        return tuple((one.slip,) for one in changing(case, every, reading))
 
     def _alternatives(self, case: Case, name: str = "") -> Iterator[Alternative[TypedValue]]:
         """A slip in the row, or the same column of the row before or behind."""
         from dhcli.checking.diagnosis.alternatives import Alternative
         from dhcli.checking.diagnosis.mistakes.changes import scale_of
-        from dhcli.checking.diagnosis.slips import setting_of, table_candidates
+        from dhcli.checking.diagnosis.slips import setting_of, table_candidates, table_slips
 
         robot = case.exercise.robot
         if robot is None:
@@ -113,11 +118,12 @@ class CellQuestion(Question[TypedValue]):
             if row is not None:
                 value: Value = getattr(row, self.column)
                 yield Alternative(
-                    slip, spelled_value(self._quantity(value), case.exercise), partial(self._mark, case, value)
+                    slip, spelled_value(self._quantity(value), case.exercise), partial(self._accepts, case, value)
                 )
 
         index = place_of(robot, self.link)
-        for one in table_candidates(case.exercise, robot.convention, name):
+        named = table_candidates(case.exercise, robot.convention, name) if name else None
+        for one in table_slips(case.memo, robot.convention) if named is None else named:
             if one.mistake.alone:  # a cell does not show what has happened in several rows
                 continue
             yield from asked(one.slips[0], one.work.steps[index].row)

@@ -99,7 +99,7 @@ class FactorsQuestion(Question[Chain]):
 
         def asked(slip: Slip, chain: Chain) -> Alternative[Chain]:
             return Alternative(
-                slip, _spelled(chain, exercise), partial(_mark, exercise, chain, tolerance=case.tolerance)
+                slip, _spelled(chain, exercise), partial(_is_right, exercise, chain, tolerance=case.tolerance)
             )
 
         if link.row is not None and robot.convention in OTHER:
@@ -118,6 +118,10 @@ def _spelled(chain: Chain, exercise: Exercise) -> str:
     """Moves as a person would type them."""
     unit, scope = 1 / exercise.metres, exercise.scope
     return " ".join(spelled(move_in_metres(move, unit, scope), exercise.writing) for move in chain)
+
+
+def _is_right(exercise: Exercise, right: Chain, typed: Chain, tolerance: Tolerance) -> bool:
+    return _mark(exercise, right, typed, tolerance).verdict in (Verdict.RIGHT, Verdict.ROUNDED)
 
 
 def _mark(exercise: Exercise, right: Chain, typed: Chain, tolerance: Tolerance) -> Mark:

@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.entries import Entries, entries_text, read_entries
+from dhcli.checking.entries import Entries, Entry, entries_text, read_entries
 from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.pasted import UnreadableError
@@ -181,11 +181,15 @@ class MatrixQuestion(Wanted, Question[Entries]):
             self.need_values(exercise)
             judged = mark_measured(self, truth, entries, exercise, case.tolerance)
         else:
-            judged = mark_symbols(self, truth, entries, exercise)
+            judged = mark_symbols(self, truth, entries, case.memo)
         is_open = judged.verdict in UNSOLVED or (judged.verdict is Verdict.ROUNDED and not exercise.numeric)
         if is_open and is_trivial(at_a_point(entries, exercise.values)):
             judged = replace(judged, earned=0.0)  # what is right in it was not worked out
-        typed = tuple(tuple(write(entry.typed, "short", exercise.writing) for entry in row) for row in entries)
+
+        def written(entry: Entry) -> str:
+            return case.memo.recent("written", entry, lambda: write(entry.typed, "short", exercise.writing))
+
+        typed = tuple(tuple(map(written, row)) for row in entries)
         columns = self.shape[1]
         shown = [cell.expected for cell in judged.cells]
         rows = tuple(tuple(shown[i : i + columns]) for i in range(0, len(shown), columns))

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, ClassVar, Self
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.returned import Causes, Reading, Shown
-from dhcli.checking.values import TypedValue, mark_value, quantity_of, read_typed_value, spelled_value
+from dhcli.checking.values import TypedValue, is_right_value, mark_value, quantity_of, read_typed_value, spelled_value
 from dhcli.checking.verdicts import Mark
 from dhcli.errors import NotationError, Place, Problem
 from dhcli.frozen import frozen
@@ -85,7 +85,8 @@ class ScalarQuestion(Question[TypedValue]):
         """In symbols mistakes that are the same have one name; in numbers they only happen to agree."""
         from dhcli.checking.diagnosis.alternatives import changing
 
-        return changing(case, self._alternatives(case), reading, distinct=not case.exercise.numeric)
+        every = case.memo.of(("alternatives", self), lambda: tuple(self._alternatives(case)))
+        return changing(case, every, reading, distinct=not case.exercise.numeric)
 
     def _alternatives(self, case: Case, name: str = "") -> Iterator[Alternative[TypedValue]]:
         from dhcli.checking.diagnosis.alternatives import Alternative
@@ -99,7 +100,7 @@ class ScalarQuestion(Question[TypedValue]):
                 yield Alternative(
                     slip,
                     spelled_value(value, case.exercise),
-                    partial(mark_value, case.exercise, value, tolerance=case.tolerance),
+                    partial(is_right_value, case.exercise, value, tolerance=case.tolerance),
                 )
 
 

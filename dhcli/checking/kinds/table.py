@@ -129,9 +129,9 @@ class TableQuestion(Question[tuple[TypedRow, ...]]):
         return answer_of(case.memo, self.convention, reading.value, compare_of(case), case.tolerance)
 
     def slips(self, case: Case) -> Iterable[Slip]:
-        from dhcli.checking.diagnosis.slips import table_candidates
+        from dhcli.checking.diagnosis.slips import table_slips
 
-        return (one.slips[0] for one in table_candidates(case.exercise, self.convention))
+        return (one.slips[0] for one in table_slips(case.memo, self.convention))
 
     def answer_with(self, case: Case, name: str) -> str | None:
         from dhcli.checking.diagnosis.slips import table_candidates

@@ -24,6 +24,9 @@ RELATIVE = 1e-3
 
 MOST_DIGITS = 9
 
+MOST_MET = 20_000
+"""Entries whose values are kept: those of all pairs of slips of six joints, and not those of a whole class."""
+
 CLOSE = 1e-9
 """What rounding leaves of the difference of equal entries."""
 
@@ -40,6 +43,8 @@ class Remembering(Floats):
         """Value of an entry; the same tree has the same value."""
         met = self._met.get(id(expr))
         if met is None:
+            if len(self._met) >= MOST_MET:
+                self._met.clear()
             met = self._met[id(expr)] = expr, super().value(expr)
         return met[1]
 

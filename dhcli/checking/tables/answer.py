@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
+from functools import partial
 
 from dhcli.checking.exercise import Exercise, Memo
 from dhcli.checking.pasted import WrongUnitError
@@ -27,9 +28,6 @@ from dhcli.notation.tree import ZERO
 
 FULL_TURN = 7
 """Above this many radians a bare number was meant in degrees."""
-
-MOST_COMPARED = 8
-"""Tables whose comparison is kept: those of the answer at hand, in either convention and in every unit."""
 
 FINER = 3
 """How often what counts as no difference is made smaller, until the freedom that was used is seen."""
@@ -134,17 +132,15 @@ class TableAnswer:
 
     def _compared(self, rows: tuple[Row, ...], convention: Convention) -> TwoArms:
         """Some rows beside the right robot; what is judged is asked for again when it is explained."""
-        known: dict[object, TwoArms] = self.memo.of("compared", dict)
-        key = convention, self.tolerance, rows
-        if key not in known:
-            if len(known) >= MOST_COMPARED:
-                known.clear()
-            known[key] = TwoArms(self._right, self.arm(rows, convention), self.tolerance)
-        return known[key]
+        made = partial(self._two_arms, rows, convention)
+        return self.memo.recent("compared", (convention, self.tolerance, rows), made)
+
+    def _two_arms(self, rows: tuple[Row, ...], convention: Convention) -> TwoArms:
+        return TwoArms(self._right, self.arm(rows, convention), self.tolerance)
 
     def agreeing(self, rows: Iterable[Row], outcome: Outcome) -> int:
         """How many joints agree from the first one with other rows in their place, where an outcome was decided."""
-        return TwoArms(self._right, self.arm(rows, self.convention), self.tolerance).agreeing(outcome)
+        return self._two_arms(tuple(rows), self.convention).agreeing(outcome)
 
     def is_oversized(self, outcome: Outcome) -> bool:
         """Whether lengths were typed that no robot of this size has."""

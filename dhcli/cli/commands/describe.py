@@ -28,6 +28,8 @@ dhcli describe ur5e -o ur5e.urdf
 dhcli describe ur5e --as standard --straighten 1e-4
 
 dhcli describe fanuc-like --as motors
+
+dhcli describe fanuc-like --motors --as modified
 """
 
 _NO_MOTORS = "a URDF has no motors that drive joints together: each joint has the widest range that they leave it"
@@ -54,7 +56,7 @@ def complete_choice(incomplete: str) -> list[str]:
 
 
 def describe(
-    chosen: Annotated[Chosen, But(without=("q", "deg", "motors", "from_", "to"))],
+    chosen: Annotated[Chosen, But(without=("q", "deg", "from_", "to"))],
     as_: Annotated[
         str | None,
         typer.Option(
@@ -106,6 +108,8 @@ def describe(
     if as_ == "motors":
         if steps or choose or numbers or straighten is not None or chosen.pose is not None:
             raise DhcliError("--as motors has no steps, choices, numbers, pose or straightening", "leave them out")
+        if chosen.motors:
+            raise DhcliError("--motors describes the arm by motor values, --as motors the drives", "leave one out")
         delivery.chosen("motors")
         delivery.hand_over("motors", driven(robot_of(chosen)))
         return

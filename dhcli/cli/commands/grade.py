@@ -13,7 +13,7 @@ from dhcli.errors import ExitStatus
 
 if TYPE_CHECKING:
     from dhcli.classroom.folder import Folder
-    from dhcli.classroom.grading import Graded
+    from dhcli.classroom.grades import Graded
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -80,7 +80,7 @@ def grade(
 
 def _no_single(found: Folder) -> Graded:
     """The row of a submission without a sheet, or with several: its student must learn why there is no score."""
-    from dhcli.classroom.grading import Graded
+    from dhcli.classroom.grades import Graded
     from dhcli.errors import Problem
 
     hint = "hand in one file that ends in .yaml, the sheet that dhcli start writes"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from dhcli.cli.shell.chosen import Chosen
@@ -159,7 +159,6 @@ def threads_for(source: Source, jobs: int | None) -> int:
     return workers(jobs, 1 + (source.size or 0) // _BYTES)
 
 
-@dataclass(slots=True)
 class BadRows:
     """The rows that are left out.
 
@@ -170,10 +169,11 @@ class BadRows:
         problems: What is wrong with the first of them.
     """
 
-    path: str
-    skip: bool
-    count: int = 0
-    problems: list[Problem] = field(default_factory=list)
+    def __init__(self, path: str, *, skip: bool) -> None:
+        """None is left out yet."""
+        self.path, self.skip = path, skip
+        self.count = 0
+        self.problems: list[Problem] = []
 
     def take(self, problems: Sequence[Problem], count: int) -> None:
         """Leave rows out.

@@ -98,12 +98,14 @@ Settings: TypeAlias = Annotated[
     typer.Option("--set", metavar="NAME=VALUE", help="Value of a length or constant angle; repeatable."),
 ]
 
-Jobs: TypeAlias = Annotated[
-    int | None,
-    typer.Option(
-        "--jobs", min=1, metavar="N", help="How many share the work; by default one a processor, fewer for little work."
-    ),
-]
+
+def jobs_option(panel: str | None = None) -> Any:  # noqa: ANN401  the same
+    """`--jobs`, under a heading of the help."""
+    told = "How many share the work; by default one a processor, fewer for little work."
+    return typer.Option("--jobs", min=1, metavar="N", help=told, rich_help_panel=panel)
+
+
+Jobs: TypeAlias = Annotated[int | None, jobs_option()]
 
 
 def workers(jobs: int | None, worth: int) -> int:
@@ -187,6 +189,7 @@ Index: TypeAlias = Annotated[
     bool,
     typer.Option("--index", help="First column: where the row stands in FILE, as in errors.", rich_help_panel=MANY),
 ]
+RowJobs: TypeAlias = Annotated[int | None, jobs_option(MANY)]
 
 # What commands about a robot in motion have.
 Symbolic: TypeAlias = Annotated[bool, typer.Option("--symbolic", "-s", help="Keep what has no value as symbols.")]

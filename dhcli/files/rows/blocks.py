@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -38,7 +37,6 @@ class Block:
     bad_rows: int = 0
 
 
-@dataclass(slots=True)
 class Sieve:
     """Parts good rows from bad ones, one by one.
 
@@ -49,10 +47,12 @@ class Sieve:
         bad_rows: How many others there are.
     """
 
-    values: list[Sequence[float]] = field(default_factory=list)
-    rows: list[int] = field(default_factory=list)
-    bad: list[Problem] = field(default_factory=list)
-    bad_rows: int = 0
+    def __init__(self) -> None:
+        """No row has come yet."""
+        self.values: list[Sequence[float]] = []
+        self.rows: list[int] = []
+        self.bad: list[Problem] = []
+        self.bad_rows = 0
 
     def good(self, row: int, values: Sequence[float]) -> None:
         """Take a row that is as it should be."""

@@ -23,11 +23,11 @@ MAGIC = b"\x93NUMPY"
 _HEADER = 1 << 16
 """Most bytes of a header; those of plain arrays have 128."""
 ROWS = 4 * BLOCK
-"""Most rows at a time, for each thread."""
+"""Most rows at a time, and as many for each of some threads."""
 MOST_BYTES = 1 << 20
-"""Most bytes at a time, for each thread, unless one row has more."""
-MOST_THREADS = 16
-"""Threads up to which blocks grow."""
+"""Most bytes of those, unless one row has more."""
+MOST_THREADS = 4
+"""Threads up to which blocks grow; more share one of that length, and memory stays small."""
 _SAVE = "np.save('q.npy', np.ascontiguousarray(Q, dtype=float))"
 """What makes a file that is read."""
 

@@ -139,7 +139,7 @@ def _of_csv(
                 yield line, posed(form, _numbers(row, wanted, Place(path, line)), Place(path, line))
 
     line = 2
-    while lines := list(islice(stream, BLOCK)):
+    for lines in _lines(stream):
         text = "".join(lines).removesuffix("\n") + "\n"
         table = plain_table(text.replace("\r\n", "\n"), ",", len(heads))
         if table is not None and len(table) == len(lines) and not form:
@@ -149,6 +149,15 @@ def _of_csv(
         else:
             yield from _gathered(by_cells(lines, line))
         line += len(lines)
+
+
+def _lines(stream: Iterable[str]) -> Iterator[list[str]]:
+    """Lines in blocks. At a keyboard it is their end that ends them, once: nothing is asked for again."""
+    lines = [""] * BLOCK
+    while len(lines) == BLOCK:
+        lines = list(islice(stream, BLOCK))
+        if lines:
+            yield lines
 
 
 def _numbers(cells: Sequence[object], heads: Sequence[str], place: Place) -> list[float]:
@@ -177,7 +186,7 @@ def _of_json(
     stream: Iterator[str], path: str, bad: list[Problem] | None, *, whole: bool
 ) -> Iterator[tuple[NDArray[np.float64], list[int]]]:
     line = 1
-    while lines := list(islice(stream, BLOCK)):
+    for lines in _lines(stream):
         table = _objects_at_once([each.rstrip("\r\n") for each in lines])
         if table is not None:
             yield _as_poses(table), list(range(line, line + len(lines)))

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
 
 from dhcli.errors import DhcliError, FileError, Place, Problem, did_you_mean
 from dhcli.files.reading import source_of
@@ -29,11 +28,12 @@ OWN = "x-"
 """Keys that begin so are the author's own; dhcli does not look at them."""
 
 
-@dataclass(slots=True)
 class Problems:
     """Everything found wrong with a file so far."""
 
-    found: list[Problem] = field(default_factory=list)
+    def __init__(self, found: Iterable[Problem] = ()) -> None:
+        """What was found before the file was looked at."""
+        self.found = [*found]
 
     def add(self, place: Place, message: str, hint: str = "") -> None:
         """Note one problem."""

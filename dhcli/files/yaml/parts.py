@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -40,7 +40,7 @@ OF_ALL = (
 """Keys that stand at the top of a file and hold for all parts."""
 
 
-@dataclass(slots=True)
+@frozen
 class PartReader:
     """Reads the parts of one file, one after the other.
 

@@ -8,7 +8,6 @@ and `12:30` stay the texts they are, and whoever knows what belongs there reads 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NoReturn, TypeAlias
 
 from dhcli.errors import FileError, Place, Problem
@@ -125,14 +124,13 @@ def _refuse_foreign(text: str, source: str) -> None:
         raise FileError(told(form, source))
 
 
-@dataclass(slots=True)
 class _Builder:
     """Builds the tree from PyYAML's events and collects what is refused."""
 
-    lines: list[str]
-    source: str
-    problems: list[Problem] = field(default_factory=list)
-    nodes: int = 0
+    def __init__(self, lines: list[str], source: str) -> None:
+        self.lines, self.source = lines, source
+        self.problems: list[Problem] = []
+        self.nodes = 0
 
     def place(self, mark: Mark | None) -> Place:
         """The place of a mark, with its line for a marker."""

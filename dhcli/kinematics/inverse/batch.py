@@ -10,12 +10,13 @@ import numpy as np
 from dhcli.errors import RobotError, did_you_mean
 from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.forward import Given
-from dhcli.kinematics.inverse.asked import Question, ask
-from dhcli.kinematics.inverse.running import CONFIRMED, Found, run
+from dhcli.kinematics.inverse.question import Question, ask
+from dhcli.kinematics.inverse.running import run
 from dhcli.kinematics.inverse.solutions import turning_joints
 from dhcli.kinematics.inverse.solving import least_singular, representatives, tries
 from dhcli.kinematics.inverse.targets import read_targets
 from dhcli.kinematics.inverse.tasks import TaskName
+from dhcli.kinematics.inverse.trying import CONFIRMED, Found
 from dhcli.kinematics.inverse.turns import limits_of
 from dhcli.kinematics.limits import SLACK
 from dhcli.kinematics.pose import Pose

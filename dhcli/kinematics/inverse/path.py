@@ -12,13 +12,14 @@ from dhcli.errors import RobotError, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.forward import Given
-from dhcli.kinematics.inverse.asked import Question, ask, inverse
+from dhcli.kinematics.inverse.asked import inverse
 from dhcli.kinematics.inverse.batch import BLOCK, solved_block
-from dhcli.kinematics.inverse.running import CONFIRMED
+from dhcli.kinematics.inverse.question import Question, ask
 from dhcli.kinematics.inverse.solutions import in_numbers, turning_joints
 from dhcli.kinematics.inverse.solving import least_singular
 from dhcli.kinematics.inverse.targets import read_targets
 from dhcli.kinematics.inverse.tasks import TaskName
+from dhcli.kinematics.inverse.trying import CONFIRMED
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import JointInput
 from dhcli.notation.angle import Angle

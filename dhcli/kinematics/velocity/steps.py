@@ -6,7 +6,6 @@ One fold serves every kind of number, as that of the pose does: it runs over flo
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Generic, TypeAlias, TypeVar
 
@@ -41,7 +40,7 @@ class Step:
     sliding: tuple[tuple[int, Offset], ...] = ()
 
 
-@dataclass(slots=True)
+@frozen
 class Columns(Generic[N]):
     """What the fold gives.
 

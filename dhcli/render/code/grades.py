@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from dhcli.checking.verdicts import Verdict
-from dhcli.classroom.grading import Graded, PartGrade
+from dhcli.classroom.grades import Graded, PartGrade
 from dhcli.classroom.report import STEPS, ClassReport
 from dhcli.render.code.matrices import csv_line, exact
 from dhcli.render.json.envelope import problem_content

@@ -25,7 +25,9 @@ _ITALIC = (
     444, 278, 500, 500, 278, 278, 444, 278, 722, 500, 500, 500, 500, 389, 389, 278, 500, 444, 667, 444, 444, 389,
     400, 275, 400, 541,
 )  # fmt: skip
-_SYMBOL = dict(zip("αβγδεζηθικλμνξπρστφχψω−", "abgdezhqiklmnxprstjcyw-", strict=True))
+_SYMBOL = dict(zip("αβγδεζηθικλμνξπρστφχψω−′", "abgdezhqiklmnxprstjcyw-¢", strict=True))
+"""The letters that the font Symbol has, each with what has its code among those of Times."""
+
 _ROMAN, _SLANTED, _GREEK = "F1", "F2", "F3"
 
 
@@ -95,7 +97,7 @@ def _text(text: Text, *, dark: bool) -> list[str]:
 def _width(letter: str) -> float:
     if " " <= letter <= "~":
         return _ITALIC[ord(letter) - 32] / 1000
-    return 0.53
+    return 0.247 if letter == "′" else 0.53
 
 
 def _escaped(font: str, letter: str) -> str:

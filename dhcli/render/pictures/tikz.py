@@ -19,7 +19,7 @@ _SPECIAL = {c: "\\" + c for c in "#$%&_{}"} | {
     "~": r"\textasciitilde{}",
     "^": r"\textasciicircum{}",
 }
-_SIGNS = {"−": "-", "·": r"\cdot ", "π": r"\pi ", "°": r"^\circ "}
+_SIGNS = {"−": "-", "′": "'", "·": r"\cdot ", "π": r"\pi ", "°": r"^\circ "}
 
 
 def tikz(figure: Figure, *, dark: bool = False, size: tuple[int, int] | None = None) -> str:

@@ -8,7 +8,7 @@ from textwrap import wrap
 
 from dhcli.checking.credit import plain
 from dhcli.checking.verdicts import Verdict
-from dhcli.classroom.grading import Graded
+from dhcli.classroom.grades import Graded
 from dhcli.classroom.report import STEPS, ClassReport, PartFigures
 from dhcli.errors import plural
 from dhcli.render.look import Look

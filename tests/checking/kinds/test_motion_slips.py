@@ -13,13 +13,13 @@ from dhcli.checking.exercise import Case
 from dhcli.checking.judge import Judge
 from dhcli.checking.kinds.made import question_about
 from dhcli.checking.marked import SheetMark
-from dhcli.checking.motion import differentiated
+from dhcli.checking.motion import differentiated, grid
 from dhcli.checking.motion.from_columns import ColumnsQuestion
 from dhcli.checking.verdicts import Verdict
 from dhcli.files.yaml.exercises import load_exercise, read_exercise
 from dhcli.files.yaml.robots import load_robot
 from dhcli.kinematics.values import joint_values
-from dhcli.notation.tree import Expr
+from dhcli.notation.tree import Expr, Symbol, number
 
 MOTION = Path(__file__).parents[3] / "exercises" / "motion"
 
@@ -82,6 +82,16 @@ def test_two_slips_differentiate_the_position_once_for_each_wrong_rule(monkeypat
     assert len(found) > 400
     assert counted.count("position") == 2
     assert counted.count("entry") < len(found) * 36
+
+
+def test_values_of_entries_are_remembered_and_not_without_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each is that of the tree, however many came before it and were let go."""
+    monkeypatch.setattr(grid, "MOST_MET", 3)
+    over, plain = grid.Remembering({"a": 0.4}), Floats({"a": 0.4})
+    entries = [Symbol("a") * number(k) for k in range(2, 9)]
+    for expr in (*entries, *entries, *reversed(entries)):
+        assert over.value(expr) == plain.value(expr)
+        assert len(over._met) <= 3
 
 
 @pytest.mark.parametrize(

@@ -85,7 +85,7 @@ def test_a_new_kind_is_varied_and_graded(own: str, dhcli: Run, tmp_path: Path) -
     folder.mkdir()
     (folder / "alice.yaml").write_text(sheet.replace("joints: |\n    _", "joints: |\n    odd"), "utf-8")
     from dhcli.classroom.folder import find_sheets
-    from dhcli.classroom.grading import grade
+    from dhcli.classroom.marking import grade
 
     graded = [grade(one) for one in find_sheets(str(folder)).submissions]
     assert [(one.exercise, one.variant, [(p.part, p.verdict.word, p.slips) for p in one.parts]) for one in graded] == [

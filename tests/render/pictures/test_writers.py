@@ -23,10 +23,13 @@ from dhcli.files.yaml.linkages import load_linkage
 from dhcli.mobility.linkage import Linkage
 from dhcli.render.paper import Paper
 from dhcli.render.pictures.looks import LOOKS, TEXTS
+from dhcli.render.pictures.pdf import pdf
 from dhcli.render.pictures.picture import Picture
 from dhcli.render.pictures.svg import svg
 from dhcli.render.pictures.terminal import terminal
-from dhcli.scene.shapes import Figure, Shape
+from dhcli.render.pictures.tikz import tikz
+from dhcli.scene.shapes import Figure, Shape, Text
+from dhcli.scene.words import Run
 from tests.scene.examples import LINKAGES, long_robot, odd_robots
 
 NAMES = ("puma560", "planar-2r", "spherical-wrist", "stanford", "planar-four-bar", "planetary-gear", "stewart-gough")
@@ -242,6 +245,18 @@ def test_an_axis_of_both_tables_differs_from_that_of_one_in_letters_too(*, unico
         assert set(letters["both"]) == set(letters["theirs"]) | set(letters["ours"]) == {":", "-"}
 
 
+def test_the_strokes_of_a_second_table_stand_in_every_format() -> None:
+    """x₂′ is no x₂: in LaTeX a prime, in PDF that of the font Symbol, in plain letters an apostrophe."""
+    figure = draw(load_robot("zhou-3r"), beside=load_robot("zhou-3r-modified"), pose="elbow").figure()
+    stroked = Text((50.0, 50.0), (Run("x"), Run("2′", below=True)), "theirs", 17.0)
+    figure = replace(figure, shapes=(), texts=(stroked,))
+    assert "$x_{2'}$" in tikz(figure)
+    written = zlib.decompress(pdf(figure).partition(b"stream\n")[2].partition(b"\nendstream")[0])
+    assert b"\\242" in written
+    assert b"(?)" not in written
+    assert "x2'" in terminal(replace(figure, width=160.0, height=160.0), Paper(20, unicode=False))
+
+
 def test_colour_is_only_where_the_paper_has_it() -> None:
     """X red, z cyan; and the same letters without."""
     inked = _picture("puma560").terminal(Paper(80, colour=True))
@@ -295,10 +310,6 @@ def test_every_writer_takes_an_odd_robot(name: str) -> None:
     """Fifty joints, no length at all, a millionth beside a million."""
     picture = draw(odd_robots()[name])
     figure = picture.figure()
-    from dhcli.render.pictures.pdf import pdf
-    from dhcli.render.pictures.svg import svg
-    from dhcli.render.pictures.tikz import tikz
-
     assert "nan" not in svg(figure)
     assert "nan" not in tikz(figure)
     assert pdf(figure).startswith(b"%PDF")
