@@ -10,10 +10,10 @@ import pytest
 from dhcli import load_robot
 from dhcli.kinematics.inverse import rule_all
 from dhcli.kinematics.inverse.anatomy import NOTHING
-from dhcli.kinematics.inverse.asked import ask
 from dhcli.kinematics.inverse.planning import find_plan
 from dhcli.kinematics.inverse.polishing import product, residuals
 from dhcli.kinematics.inverse.prepared import Prepared
+from dhcli.kinematics.inverse.question import ask
 from dhcli.kinematics.inverse.running import run
 from dhcli.kinematics.inverse.solving import solve
 from dhcli.kinematics.inverse.tasks import TASKS
