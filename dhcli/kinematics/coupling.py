@@ -44,6 +44,12 @@ class Uncoupled:
         """The formulas of those variables that the robot given has not got."""
         return {name: formula for name, formula in self.formulas.items() if name not in self.given.variables}
 
+    def shared_by(self, arm: Robot) -> dict[str, Value]:
+        """The same for this arm in another description, which may have values in the place of letters."""
+        own = self.given.parameters.items()
+        put = {name: value for name, value in own if name not in arm.parameters and value is not None}
+        return {name: _put(formula, put) for name, formula in self.shared.items()}
+
     def values(self, pose: Mapping[str, Value]) -> dict[str, Value]:
         """Exact values of its variables for those of the robot given; one that is not named stands at zero."""
         turning = self.given.turning
@@ -56,7 +62,7 @@ class Uncoupled:
         return replace(
             arm,
             variables=given.variables,
-            links=tuple(link_with(link, self.shared, arm.convention) for link in arm.links),
+            links=tuple(link_with(link, self.shared_by(arm), arm.convention) for link in arm.links),
             limits=given.limits,
             poses=given.poses,
             actuators=given.actuators,

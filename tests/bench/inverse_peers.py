@@ -25,9 +25,9 @@ import numpy as np
 
 from dhcli import load_robot
 from dhcli.kinematics.inverse.arm import Arm
-from dhcli.kinematics.inverse.asked import ask
 from dhcli.kinematics.inverse.planning import find_plan
 from dhcli.kinematics.inverse.polishing import product, residuals
+from dhcli.kinematics.inverse.question import ask
 from dhcli.kinematics.inverse.running import run
 from dhcli.kinematics.inverse.tasks import TASKS
 from tests.kinematics.inverse.arms import CLASSES, random_arm, random_motions

@@ -75,6 +75,20 @@ def test_moves_that_share_variables_are_said_beside_the_joints_that_make_them() 
     assert "theta3 has no variable of its own" in refused.err
 
 
+def test_a_joint_that_moves_by_a_part_of_its_variable_says_so_among_axes(tmp_path: Path) -> None:
+    """A file of axes has no such joint, and would turn it by all of it; screws have, and are as long."""
+    path = tmp_path / "half.yaml"
+    head = "format: 1\ntitle: t\nsource: s\nconvention: product\nvariables: [q1]\n"
+    path.write_text(f"{head}links:\n  - Rot(z, q1/2) * Trans(1, 0, 0)\n", "utf-8")
+    assert " q1/2 " in run("describe", str(path), "--as", "axes").out
+    data = json.loads(run("describe", str(path), "--as", "axes", "--format", "json").out)["data"]
+    assert [axis["rate"] for axis in data["axes"]] == ["1/2"]
+    refused = run("describe", str(path), "--as", "axes", "--format", "yaml")
+    assert (refused.code, refused.out) == (2, "")
+    assert "q1 moves its joint by 1/2 of its own value" in refused.err
+    assert "(0, 0, 0.5, 0, 0, 0)" in run("describe", str(path), "--as", "screws", "--format", "yaml").out
+
+
 def test_an_arm_is_described_by_its_motor_values_too(tmp_path: Path) -> None:
     """What is written moves by them as `fk --motors` does; the drives themselves are another question."""
     path = str(tmp_path / "by-motors.yaml")
@@ -100,7 +114,7 @@ def test_a_urdf_of_coupled_motors_says_what_it_has_not_got() -> None:
         (("scara", "--as", "axes", "--choose", "next-d"), "--choose is about tables"),
         (("assembly-blocks", "--as", "standard"), "no joints"),
         (("scara", "--as", "axes", "--pose", "elbo"), "elbow"),
-        (("dh-link", "--as", "modified", "--numbers"), "has no value"),
+        (("dh-link", "--as", "modified", "--numbers"), "a_i, alpha_i, d_i have no value"),
     ],
 )
 def test_what_cannot_be_described_is_said(words: tuple[str, ...], said: str) -> None:

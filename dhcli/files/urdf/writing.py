@@ -77,7 +77,7 @@ def _followed(free: Uncoupled, drawing: Drawing) -> Iterator[_Part]:
         for name, slope in zip(free.given.variables, row, strict=True)
         if slope
     }
-    leading = dict[str, str]()
+    leading = {line.name: line.name for line in drawing.lines if line.name in free.given.variables}
     for line in drawing.lines:
         name, slope = slopes[line.name]
         if abs(slope) == 1 and line.turns == (name in free.given.turning):

@@ -68,7 +68,8 @@ def described_text(described: Described) -> str:
     """The text of a file with a robot in the description that was asked for.
 
     Raises:
-        RobotError: It is axes or screws, of which each has a variable of its own in a file, and here some share one.
+        RobotError: It is axes or screws, of which each has a variable of its own in a file, and here some share one; or
+            a joint of axes moves by another multiple of its variable than 1.
     """
     robot, drawing = described.robot, described.drawing
     if described.shared and described.form not in ("standard", "modified", "product"):
@@ -82,6 +83,9 @@ def described_text(described: Described) -> str:
         body = [f"frame: {frame}", "# ω, then v", "screws:", *rows, f"home: {_quoted(product(end_of(drawing.end)))}"]
         return _drawn_text(robot, "screws", body)
     if described.form == "axes" and drawing is not None:
+        if fast := next((line for line in drawing.lines if line.rate != 1), None):
+            message = f"{fast.name} moves its joint by {fast.rate} of its own value, which a file of axes cannot say"
+            raise RobotError(message, "--as screws, standard, modified or product writes the same motion")
         drawn = {line.name: line.drawn for line in drawing.lines if not _is_zero(line.drawn)}
         shown = ", ".join(f"{name}: {quantity(value, 'm')}" for name, value in drawn.items())
         rows = list(_axes(drawing))

@@ -111,7 +111,7 @@ def _by_moves(robot: Robot, asked: Asked) -> Described:
     arm = replace(free.robot, poses={name: tuple(values.values()) for name, values in poses.items()})
     found = _drawn_anew(arm, replace(asked, pose=None if asked.pose is None else free.values(asked.pose)))
     _proof(robot, free.back(arm))  # what is proved of the arm then holds for the robot
-    return replace(found, given=robot, robot=free.back(found.robot), shared=free.shared)
+    return replace(found, given=robot, robot=free.back(found.robot), shared=free.shared_by(found.robot))
 
 
 def _straight(robot: Robot, asked: Asked, within: float) -> Described:

@@ -1,4 +1,4 @@
-"""Inverse kinematics as it is asked for: a robot, a pose, and what is wanted of both."""
+"""Every joint vector that takes a robot to a pose, joints to spare held or sampled."""
 
 from __future__ import annotations
 
@@ -10,21 +10,19 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhcli.errors import RobotError, plural
-from dhcli.frozen import frozen
 from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.forward import Given
-from dhcli.kinematics.frames import between, ends
 from dhcli.kinematics.inverse.branches import branch_names, factors
-from dhcli.kinematics.inverse.prepared import Prepared, prepare
-from dhcli.kinematics.inverse.running import CONFIRMED
-from dhcli.kinematics.inverse.solutions import Free, Solutions, in_numbers, relation, shown_value, turning_joints
+from dhcli.kinematics.inverse.question import Question, ask
+from dhcli.kinematics.inverse.solutions import Free, Solutions, relation, shown_value, turning_joints
 from dhcli.kinematics.inverse.solving import Solved, solve
 from dhcli.kinematics.inverse.targets import EXACT, read_targets
 from dhcli.kinematics.inverse.tasks import TaskName
+from dhcli.kinematics.inverse.trying import CONFIRMED
 from dhcli.kinematics.inverse.turns import limits_of, placed
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.robot import Robot, check_robot
-from dhcli.kinematics.values import JointInput, joint_values, numbers, parameter_values, require
+from dhcli.kinematics.values import JointInput
 from dhcli.notation.angle import Angle
 
 if TYPE_CHECKING:
@@ -41,81 +39,6 @@ REACHED = 1e-6
 
 SPREAD = (1.0, 0.6180339887498949, 0.7548776662466927, 0.8191725133961645, 0.5698402909980532, 0.6710436067037893)
 """Steps, in turns, by which values of several joints are spread."""
-
-
-@frozen
-class Question:
-    """A robot made ready for a question.
-
-    Attributes:
-        robot: The robot.
-        ready: Its arm and plan.
-        order: For each joint of the arm its number among the robot's variables.
-        near: Joint values that solutions should be near to, or None.
-    """
-
-    robot: Robot
-    ready: Prepared
-    order: tuple[int, ...]
-    near: Array | None
-
-    def motions(self, q: Array) -> Array:
-        """Motions of the arm's joints for joint values (..., n) of the robot."""
-        return np.asarray(q[..., list(self.order)] * self.ready.arm.factors)
-
-    def values(self, motions: Array) -> Array:
-        """Joint values (..., n) of the robot; a joint outside the frames asked for stands at 0, or near."""
-        q = np.zeros((*motions.shape[:-1], len(self.robot.variables)))
-        if self.near is not None:
-            q += self.near
-        q[..., list(self.order)] = motions / self.ready.arm.factors
-        return q
-
-    def best(self) -> Array:
-        """Where a joint that may be chosen should best stand, as a motion: near, else 0 or the middle of its limits."""
-        if self.near is not None:
-            return self.motions(self.near)
-        limits = limits_of(self.robot)
-        low, high = limits[:, 0], limits[:, 1]
-        zero = (low <= 0) & (high >= 0)
-        with np.errstate(invalid="ignore"):
-            middle = np.where(zero, 0.0, (low + high) / 2)
-        return self.motions(np.nan_to_num(middle))
-
-
-def ask(  # noqa: PLR0913  what may be asked of a robot
-    robot: Robot,
-    task: TaskName,
-    *,
-    near: JointInput = None,
-    hold: Mapping[str, float | str | Angle] | None = None,
-    start: str | int | None = None,
-    end: str | int | None = None,
-    parameters: Given | None = None,
-) -> tuple[Question, dict[int, float]]:
-    """Make a robot ready for a question.
-
-    Returns:
-        The question, and the motions of the joints that are to be held by their number.
-
-    Raises:
-        RobotError: A length has no value, or the task cannot be computed.
-        UnknownNameError: The robot has no such frame, joint or length.
-    """
-    check_robot(robot)
-    from dhcli.kinematics.validity import in_floats
-
-    chain = between(robot, *ends(robot, start, end))
-    lengths = parameter_values(robot, parameters)
-    require(robot, chain, {**lengths, **dict.fromkeys(robot.variables, Angle())})
-    given = joint_values(robot, dict(hold or {}))
-    known = tuple(sorted(numbers(lengths).items()))
-    ready = prepare(chain, robot.variables, known, task, tuple(sorted(given, key=robot.variables.index)))
-    names = [axis.name for axis in ready.arm.axes[: ready.arm.joints]]
-    order = tuple(robot.variables.index(name) for name in names)
-    factors = ready.arm.factors
-    held = {names.index(n): in_floats(v) * float(factors[names.index(n)]) for n, v in given.items() if n in names}
-    return Question(robot, ready, order, None if near is None else in_numbers(robot, near)), held
 
 
 def inverse(  # noqa: PLR0913  what may be asked of a pose
@@ -172,7 +95,9 @@ def inverse(  # noqa: PLR0913  what may be asked of a pose
         }
         asked |= {"task": task, "family": family, "end": end, "parameters": parameters, "tolerance": tolerance}
         return through(inverse, robot, T, **asked)
-    question, held = ask(robot, task, near=near, hold=hold, start=start, end=end, parameters=parameters)
+    question, held = ask(
+        robot, task, near=near, hold=hold, start=start, end=end, parameters=parameters, tolerance=tolerance
+    )
     ready = question.ready
     poses, changed = read_targets(T, ready.task)
     if len(poses) != 1:

@@ -22,6 +22,12 @@ SINGULAR = 1e-6
 ROUNDING = 1e-14
 """What rounding leaves of a length, as a share of it, when all joints have moved it."""
 
+DONE = 1e-13
+"""A residual below which a step that makes it no smaller is the last one."""
+
+_ASTRAY = 3
+"""How many steps in turn may lead further away."""
+
 _RANK = 1e-11
 """Singular values of the Jacobian below this share of the largest are not divided by."""
 
@@ -137,24 +143,23 @@ def polished(arm: Arm, task: Task, values: Array, goal: Array, still: tuple[int,
     Returns:
         The motions, and the residual of each row, shape (N,).
     """
-    best = values.copy()
-    least = np.full(len(values), np.inf)
+    best, now = values.copy(), values.copy()
+    least, astray = np.full(len(values), np.inf), np.zeros(len(values), dtype=int)
     active = np.arange(len(values))
-    now = values.copy()
     for _ in range(STEPS):
-        if not len(active):
-            break
         total, slope = jacobian(arm, task, now[active])
         found = residuals(task, arm.home, total, goal[active])
         better = found < least[active]
         rows = active[better]
         best[rows], least[rows] = now[rows], found[better]
-        going = better & (found > ENOUGH)
+        astray[active] = np.where(better, 0, astray[active] + 1)
+        # beside a singular pose a step in the right direction may lead away at first
+        going = (found > ENOUGH) & (better | (least[active] > DONE) & (astray[active] <= _ASTRAY))
         active, total, slope = active[going], total[going], slope[going]
         if not len(active):
             break
         slope[:, :, list(still)] = 0
-        error = _error(task, total @ arm.home, goal[active] @ arm.home)
+        error = left_to_do(task, total @ arm.home, goal[active] @ arm.home)
         now[active] += _step(arm, task, slope, error, extent(arm, now[active]))
     return best, least
 
@@ -174,7 +179,7 @@ def _step(arm: Arm, task: Task, slope: Array, error: Array, unit: Array) -> Arra
     return np.asarray(step)
 
 
-def _error(task: Task, end: Array, goal: Array) -> Array:
+def left_to_do(task: Task, end: Array, goal: Array) -> Array:
     """The motion that is left to do, as the Jacobian counts it, shape (N, m)."""
     parts = []
     if task.place:

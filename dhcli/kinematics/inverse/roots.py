@@ -37,7 +37,7 @@ def slides(rows: Rows, joint: int, e: Array, a: Array) -> Rows:
     """Both roots of `e + a d + d²/2 = 0`."""
     square = a * a - 2 * e
     scale = np.maximum(np.maximum(a * a, np.abs(e)), NOISE)
-    real = square > OUTSIDE * scale
+    real = square > np.minimum(OUTSIDE * scale, -DOUBTFUL * rows.loss)
     at, a, square, scale = rows.take(real), a[real], square[real], scale[real]
     h = np.sqrt(np.where(square < SNAP * scale, 0, square))
     at.loss = at.loss / np.maximum(h / np.sqrt(scale), np.sqrt(at.loss))

@@ -1,4 +1,4 @@
-"""A plan run on poses: candidates, then only those that the robot confirms, each of them once."""
+"""A plan run on poses, and once more in another way where a solution must be missing."""
 
 from __future__ import annotations
 
@@ -8,82 +8,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhcli.frozen import frozen
-from dhcli.kinematics.inverse.idealised import NEARLY
-from dhcli.kinematics.inverse.matrices import value_of
-from dhcli.kinematics.inverse.motions import DIRECTION, POINT
-from dhcli.kinematics.inverse.polishing import ROUNDING, extent, polished, product, residuals, spread
-from dhcli.kinematics.inverse.rows import ROUNDED, Rows
-from dhcli.kinematics.inverse.rule_one import read_off
-from dhcli.kinematics.inverse.steps import All, Plan, Step, Two
+from dhcli.kinematics.inverse.rows import ROUNDED
+from dhcli.kinematics.inverse.steps import All, Plan, Step
 from dhcli.kinematics.inverse.tasks import Task
+from dhcli.kinematics.inverse.trying import CONFIRMED, Found, once, tried
 
 if TYPE_CHECKING:
-    from dhcli.kinematics.inverse.arm import Array, Flags, Ints
-
-CONFIRMED = 1e-12
-"""A residual below this is a solution [reaches, and of direction cosines], or one that rounding leaves of slides that
-stand far out."""
-
-SHAKES = 8
-"""Places around a candidate."""
-
-SHAKEN = 0.05
-"""How far they are from it in each joint [rad, reaches]."""
-
-_POLISH = 2e-14
-"""Candidates above this are led nearer by Newton's steps."""
+    from dhcli.kinematics.inverse.arm import Array
 
 FULL = 6
 """Joints and free motions of an arm that is neither short of its task nor has any to spare."""
 
 OTHER_TURN = (-2.3519, 0.4127, -0.9061)
 """Where angles are counted from at a second try."""
-
-_CLOSE = 1e-3
-"""Solutions closer than this may be one that rounding has split [rad, reaches]."""
-
-_SAME = 1e-9
-"""Solutions closer than this are one; so are closer ones whose middle is a solution as good as they are."""
-
-
-@frozen
-class Found:
-    """Solutions of many poses, sorted by pose.
-
-    Attributes:
-        index: The pose of each solution, shape (M,).
-        motions: Motions of the joints, shape (M, n).
-        residual: How far each is from its pose.
-        path: The choices among roots that led to it.
-        free: The joints that may take any value, as bits.
-        draw: Which of the values tried for them.
-    """
-
-    index: Ints
-    motions: Array
-    residual: Array
-    path: Ints
-    free: Ints
-    draw: Ints
-
-    def take(self, at: Ints | Flags) -> Found:
-        """Some of them."""
-        path, free, draw = self.path[at], self.free[at], self.draw[at]
-        return Found(self.index[at], self.motions[at], self.residual[at], path, free, draw)
-
-    def joined(self, other: Found) -> Found:
-        """These and others, sorted by pose."""
-        index = np.concatenate([self.index, other.index])
-        both = Found(
-            index,
-            np.concatenate([self.motions, other.motions]),
-            np.concatenate([self.residual, other.residual]),
-            np.concatenate([self.path, other.path]),
-            np.concatenate([self.free, other.free]),
-            np.concatenate([self.draw, other.draw]),
-        )
-        return both.take(np.argsort(index, kind="stable"))
 
 
 def run(
@@ -104,148 +41,25 @@ def run(
         held: Motions of the joints that are held, each (P,).
         tolerance: Residual up to which a candidate is a solution.
     """
-    found = _tried(plan, task, goal, draws, held or {}, tolerance)
-    if plan.meant is not None:
-        found = _once(plan, task, goal, found.joined(_beside(plan, task, goal, draws, held or {}, tolerance)))
+    held = held or {}
+    found = tried(plan, task, goal, draws, held, tolerance)
+    if plan.meant is not None or plan.slack > ROUNDED:
+        from dhcli.kinematics.inverse.measured import beside  # an arm as it is drawn needs none of it
+
+        found = beside(plan, task, goal, draws, held, tolerance, found)
     has_all = any(isinstance(step, All) for step in plan.steps)
-    is_measured = plan.meant is not None or plan.slack > ROUNDED
-    if len(plan.actions.arm.axes) != FULL or not (has_all or is_measured):
+    if len(plan.actions.arm.axes) != FULL or not has_all:
         return found
-    # roots of six joints come in pairs: where one is alone, or there is none, others are looked for
+    # roots of six joints come in pairs: where one is alone, or there is none, angles are counted from another zero
     count = np.bincount(found.index, minlength=len(goal))
     doubtful = np.flatnonzero((count % 2 == 1) | (count == 0))
     if not len(doubtful):
         return found
-    values = {j: value[doubtful] for j, value in (held or {}).items()}
-    ways = list["Found"]()
-    if has_all:  # with angles counted from another zero
-        other = replace(plan, steps=tuple(_turned(step) for step in plan.steps))
-        ways.append(_tried(other, task, goal[doubtful], draws, values, tolerance))
-    if is_measured:  # from all around the solutions of the arm that it was meant to be
-        ways.append(_beside(plan, task, goal[doubtful], draws, values, tolerance, SHAKES))
-    for more in ways:
-        found = _once(plan, task, goal, found.joined(replace(more, index=doubtful[more.index])))
-    return found
+    values = {j: value[doubtful] for j, value in held.items()}
+    other = replace(plan, steps=tuple(_turned(step) for step in plan.steps))
+    more = tried(other, task, goal[doubtful], draws, values, tolerance)
+    return once(plan, task, goal, found.joined(replace(more, index=doubtful[more.index])))
 
 
 def _turned(step: Step) -> Step:
     return replace(step, turn=OTHER_TURN) if isinstance(step, All) else step
-
-
-def _beside(  # noqa: PLR0913, PLR0917  what a plan is run with
-    plan: Plan, task: Task, goal: Array, draws: Array, held: Mapping[int, Array], tolerance: float, shakes: int = 1
-) -> Found:
-    """The solutions that Newton's steps lead to from those of the arm that this one was meant to be.
-
-    Args:
-        plan: The plan of the arm.
-        task: What is wanted.
-        goal: What the product of the joint motions has to be, shape (P, 4, 4).
-        draws: Motions to try for a joint that is free.
-        held: Motions of the joints that are held, each (P,).
-        tolerance: Residual up to which a candidate is a solution.
-        shakes: From how many places around each of them Newton's steps begin.
-    """
-    meant = plan.meant or plan
-    rows = _candidates(replace(meant, slack=max(meant.slack, NEARLY)), goal, draws, held)
-    rows.actions = plan.actions
-    anew = rows.take(np.repeat(np.arange(len(rows)), shakes))  # with nothing of the other arm in it
-    return _once(plan, task, goal, _confirmed(plan, task, anew, tolerance, shaken=shakes > 1))
-
-
-def _tried(plan: Plan, task: Task, goal: Array, draws: Array, held: Mapping[int, Array], tolerance: float) -> Found:
-    """The solutions that a plan finds, each once."""
-    return _once(plan, task, goal, _confirmed(plan, task, _candidates(plan, goal, draws, held), tolerance))
-
-
-def _candidates(plan: Plan, goal: Array, draws: Array, held: Mapping[int, Array]) -> Rows:
-    """What the steps of a plan make of poses."""
-    arm = plan.actions.arm
-    known = {j: value_of(value, turns=arm.axes[j].turns) for j, value in held.items()}
-    rows = Rows.start(plan.actions, goal, known, plan.slack)
-    for step in plan.steps:
-        if isinstance(step, Two):
-            from dhcli.kinematics.inverse.rule_two import eliminated  # most arms need neither of the two
-
-            rows = eliminated(rows, step)
-        elif isinstance(step, All):
-            from dhcli.kinematics.inverse.rule_all import all_at_once
-
-            rows = all_at_once(rows, step)
-        else:
-            rows = read_off(rows, step, draws[step.joint])
-    return rows
-
-
-def _confirmed(plan: Plan, task: Task, rows: Rows, tolerance: float, *, shaken: bool = False) -> Found:
-    """The candidates that reach their pose, if need be after some of Newton's steps; shaken, from around them."""
-    arm = plan.actions.arm
-    motions = rows.motions(arm.joints)
-    residual = _at_once(rows, task)
-    if shaken:
-        own = [j for j in range(arm.joints) if j not in plan.held]
-        motions[:, own] += SHAKEN * (2 * spread(len(rows), len(own)) - 1)
-        residual[:] = np.inf
-    rough = np.flatnonzero(~(residual <= _POLISH))
-    if len(rough):
-        goal = rows.take(rough).poses()
-        led, left = polished(arm, task, motions[rough], goal, plan.held)
-        better = ~(residual[rough] <= left)
-        motions[rough[better]], residual[rough[better]] = led[better], left[better]
-    kept = np.flatnonzero(residual <= np.maximum(tolerance, ROUNDING * extent(arm, motions)))
-    kept = kept[np.argsort(rows.index[kept], kind="stable")]
-    return Found(rows.index, _wrapped(motions, arm.turning), residual, rows.path, rows.free, rows.draw).take(kept)
-
-
-def _wrapped(motions: Array, turning: Flags) -> Array:
-    """The same angles from -π to π."""
-    wrapped = motions - 2 * np.pi * np.round(motions / (2 * np.pi))
-    return np.where(turning & (np.abs(motions) > np.pi), wrapped, motions)
-
-
-def _at_once(rows: Rows, task: Task) -> Array:
-    """How far each candidate is from its pose, computed with the cosines and sines at hand."""
-    arm = rows.actions.arm
-    walk = range(arm.joints - 1, -1, -1)
-    worst = np.zeros(len(rows))
-    goal = rows.goal[:, rows.index]
-    if task.place:
-        p = arm.home[:3, 3].tolist()
-        there = rows.carry(POINT, (1.0, *p, 0.0), walk)
-        for i in range(3):
-            wanted = goal[3 * i] * p[0] + goal[3 * i + 1] * p[1] + goal[3 * i + 2] * p[2] + goal[9 + i]
-            worst = np.maximum(worst, np.abs(there[1 + i] - wanted))
-    for k in task.directions[:2]:  # the third follows from two
-        e = arm.home[:3, k].tolist()
-        there = rows.carry(DIRECTION, tuple(e), walk)
-        for i in range(3):
-            wanted = goal[3 * i] * e[0] + goal[3 * i + 1] * e[1] + goal[3 * i + 2] * e[2]
-            worst = np.maximum(worst, np.abs(there[i] - wanted))
-    return worst
-
-
-def _once(plan: Plan, task: Task, goal: Array, found: Found) -> Found:
-    """Each solution once: those that rounding has split are put together."""
-    if len(found.index) < 2:  # noqa: PLR2004
-        return found
-    dropped = np.zeros(len(found.index), dtype=bool)
-    arm = plan.actions.arm
-    turning, out = arm.turning, extent(arm, found.motions)
-    for apart in range(1, int(np.bincount(found.index).max(initial=1))):
-        first, second = np.arange(len(dropped) - apart), np.arange(apart, len(dropped))
-        together = (found.index[first] == found.index[second]) & ~dropped[first] & ~dropped[second]
-        gap = found.motions[second] - found.motions[first]
-        gap = np.where(turning, gap - 2 * np.pi * np.round(gap / (2 * np.pi)), gap)
-        distance = np.abs(np.where(turning, gap, gap / out[first, None])).max(axis=1, initial=0.0)
-        close = np.flatnonzero(together & (distance < _CLOSE))
-        if not len(close):
-            continue
-        middle = found.motions[close] + gap[close] / 2
-        between = residuals(task, arm.home, product(arm, middle), goal[found.index[close]])
-        best = np.maximum(found.residual[close], found.residual[close + apart])
-        rounded = np.maximum(_POLISH, ROUNDING * out[close])
-        same = (distance[close] < _SAME) | (between <= np.maximum(best, rounded))
-        worse = found.residual[close] > found.residual[close + apart]
-        dropped[close[same & worse]] = True
-        dropped[close[same & ~worse] + apart] = True
-    return found.take(~dropped)

@@ -10,7 +10,8 @@ import numpy as np
 from dhcli.frozen import frozen
 from dhcli.kinematics.inverse.polishing import SINGULAR, jacobian, product, residuals
 from dhcli.kinematics.inverse.prepared import Prepared
-from dhcli.kinematics.inverse.running import CONFIRMED, Found, run
+from dhcli.kinematics.inverse.running import run
+from dhcli.kinematics.inverse.trying import CONFIRMED, Found
 
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.arm import Array, Flags, Ints

@@ -23,7 +23,10 @@ UNSURE = 1e4
 """Coefficients below this many times the rounding leave the joint so uncertain that it is tried as a free one too."""
 
 MOST = 1e-5
-"""No coefficient above this is zero, however much rounding there may be."""
+"""No coefficient above this is zero, unless next to nothing is certain."""
+
+UNKNOWN = 1e-2
+"""Coefficients below this part of the rounding are zero in any case."""
 
 _CONTRADICTS = 1e-5
 """A constant above this in an equation without unknown is a contradiction."""
@@ -41,14 +44,15 @@ def from_all(rows: Rows, step: One, draws: Array) -> Rows:
     tensor = np.concatenate([loop.tensor(cut, (step.joint,)) for cut in step.cuts], axis=1)
     left, sizes, directions = np.linalg.svd(tensor[:, :, 1:], full_matrices=False)
     constants = -np.einsum("nmk,nm->nk", left, tensor[:, :, 0])
-    zero = np.minimum(FREE * rows.loss, MOST)
+    most = np.maximum(MOST, UNKNOWN * rows.loss)
+    zero = np.minimum(FREE * rows.loss, most)
     free = sizes[:, 0] < zero
     dim = ~free & (sizes[:, 1] < np.maximum(zero, DIM * sizes[:, 0]))
     turns = rows.actions.arm.axes[step.joint].turns
     clear = ~free & ~dim
     found = _clear(rows, step.joint, clear, sizes, directions, constants, turns=turns)
     found = found.joined(_dim(rows, step.joint, dim, sizes, directions, constants, turns=turns))
-    free |= sizes[:, 0] < np.minimum(UNSURE * rows.loss, MOST)
+    free |= sizes[:, 0] < np.minimum(UNSURE * rows.loss, most)
     free &= np.abs(tensor[:, :, 0]).max(axis=1) < np.maximum(_CONTRADICTS, FREE * rows.loss)
     return found.joined(_free(rows.take(free), step.joint, draws, turns=turns))
 

@@ -19,7 +19,7 @@ from dhcli.kinematics.describe.words import Step
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import spelled
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import Expr
+from dhcli.notation.tree import Expr, Number, Symbol, multiply
 from dhcli.notation.writer import write, write_angle
 from dhcli.regex import regex
 from dhcli.render.look import Look
@@ -88,6 +88,7 @@ def description_content(result: Described, look: Look) -> dict[str, Any]:
             {
                 "joint": line.name,
                 "turns": line.turns,
+                "rate": str(line.rate),
                 "direction": list(map(_written, line.direction)),
                 "through": None if line.through is None else [write(e, "full") for e in coordinates_of(line.through)],
                 "pitch": write(pitch_of(line), "full") if line.pitch else None,
@@ -158,7 +159,7 @@ def _body(result: Described, look: Look) -> Iterator[str]:
     if result.form == "axes" and result.drawing is not None:
         rows = [
             [
-                line.name,
+                write(multiply(Number(line.rate), Symbol(line.name)), "full"),
                 "screws about" if line.pitch else "turns about" if line.turns else "slides along",
                 axis_word(line.direction),
                 "" if line.through is None else _triple(coordinates_of(line.through)),

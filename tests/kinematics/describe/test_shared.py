@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import random
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -22,6 +23,7 @@ from dhcli.kinematics.robot import Robot
 from dhcli.notation.angle import Angle
 from tests.kinematics.describe.test_tables import end_by_screws
 from tests.kinematics.test_coupled import ARMS, IDS, PAIR, PALLETIZER, SCREW, drawn, moved
+from tests.nightly import cases_for_nights
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -152,3 +154,45 @@ def test_a_file_of_axes_or_screws_with_shared_moves_is_refused() -> None:
         with pytest.raises(RobotError, match="theta3 has no variable of its own") as caught:
             described_text(describe(PALLETIZER, Asked(form)))  # type: ignore[arg-type]
         assert "standard, modified or product" in str(caught.value)
+
+
+def any_robot(draw: random.Random) -> str:
+    """A file of a robot whose variables stand in rows as they like: twice, halved, against each other, in screws."""
+    names = [f"q{i}" for i in range(1, draw.randint(2, 4) + 1)]
+    rows = []
+    for k in range(draw.randint(len(names), len(names) + 2)):
+        own, other = names[k] if k < len(names) else draw.choice(names), draw.choice(names)
+        angle = draw.choice([own, f"{own} - {other}" if own != other else f"2*{own}", f"-{own}", f"{own}/2"])
+        moves = [f"Rot({draw.choice('xyz')}, {angle})"]
+        moves += [f"Trans(0, 0, p*{own})"] * (draw.random() < 0.3 and other not in angle)
+        moves += [f"Trans({draw.choice(['a', '0', 'b + 0.1'])}, {draw.choice(['0', 'b'])}, 0.2)"]
+        moves += [f"Rot({draw.choice('xyz')}, {draw.choice([90, -90, 45, 30])}°)"] * (draw.random() < 0.4)
+        rows.append(f"  - {' * '.join(moves)}")
+    listed = "\n".join(rows)
+    head = f"format: 1\ntitle: t\nsource: s\nconvention: product\nvariables: [{', '.join(names)}]"
+    return f"{head}\nparameters: {{a: 0.3, b: 0.2, p: 0.01}}\nlinks:\n{listed}\n"
+
+
+@pytest.mark.parametrize("seed", cases_for_nights(range(300), *range(12)))
+def test_variables_that_stand_anywhere_keep_their_motion_in_every_form_and_file(seed: int) -> None:
+    """What a file cannot hold is refused in words, and nothing is written that moves otherwise."""
+    draw = random.Random(seed)  # noqa: S311  the same robots every time
+    robot = read_robot(any_robot(draw), "x", "arm")
+    q = {name: draw.uniform(-2, 2) for name in robot.variables}
+    expected = pose_of(robot, list(q.values()))
+    for form in FORMS:
+        found = describe(robot, Asked(form))
+        assert pose_of(found.robot, [q[name] for name in found.robot.variables]) == pytest.approx(expected, abs=1e-11)
+        try:
+            again = read_robot(described_text(found), "x", "arm")
+        except RobotError as error:
+            assert form not in TABLES
+            assert "has no variable of its own" in str(error) or "a file of axes cannot say" in str(error)
+            continue
+        assert pose_of(again, [q[name] for name in again.variables]) == pytest.approx(expected, abs=1e-11)
+    try:
+        urdf = read_urdf(urdf_text(robot), "x", "arm", tip="tool0", as_typed=True)
+    except RobotError as error:
+        assert "of its own value" in str(error) or "itself, for others" in str(error)
+    else:
+        assert pose_of(urdf, [q[name] for name in urdf.variables]) == pytest.approx(expected, abs=1e-9)

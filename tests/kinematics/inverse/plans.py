@@ -11,9 +11,9 @@ sys.path.insert(0, str(Path(__file__).parents[3]))
 from dhcli import list_robots, load_robot
 from dhcli.errors import RobotError
 from dhcli.kinematics.inverse.arm import Arm
-from dhcli.kinematics.inverse.asked import ask
 from dhcli.kinematics.inverse.choosing import chosen
 from dhcli.kinematics.inverse.keeping import SHIPPED, content_of, name_of, written
+from dhcli.kinematics.inverse.question import ask
 from dhcli.kinematics.inverse.tasks import TASKS, Task
 
 

@@ -7,11 +7,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from dhcli import load_robot
 from dhcli.kinematics.inverse import rule_all
 from dhcli.kinematics.inverse.anatomy import NOTHING
 from dhcli.kinematics.inverse.planning import find_plan
 from dhcli.kinematics.inverse.polishing import product, residuals
 from dhcli.kinematics.inverse.prepared import Prepared
+from dhcli.kinematics.inverse.question import ask
 from dhcli.kinematics.inverse.running import run
 from dhcli.kinematics.inverse.solving import solve
 from dhcli.kinematics.inverse.tasks import TASKS
@@ -115,6 +117,34 @@ def test_an_arm_as_it_was_built_loses_next_to_nothing(name: str, by: float) -> N
     arms, poses = (40, 20) if NIGHT else (1, 10)
     lost, _ = np.sum([lost_and_odd(CLASSES[name], seed, poses, by) for seed in range(arms)], axis=0)
     assert lost <= arms * poses // 200
+
+
+@pytest.mark.parametrize(
+    ("name", "by", "seed", "pose"),
+    [
+        ("puma560", 1e-5, 0, 7),
+        ("puma560", 1e-4, 3, 1),
+        ("ur5e", 1e-7, 0, 28),
+        ("stanford", 1e-7, 3, 9),
+        ("stanford", 1e-5, 3, 9),
+        ("stanford", 1e-4, 0, 6),
+    ],
+)
+def test_an_arm_as_it_was_built_finds_its_joint_values_again_beside_singular_poses(
+    name: str, by: float, seed: int, pose: int
+) -> None:
+    """The drawn arm could nearly move there without moving its end, so its solutions are far from those wanted."""
+    rng = np.random.default_rng(seed)
+    arm = measured(ask(load_robot(name), "pose")[0].ready.arm, by, rng)
+    motions, goal = random_motions(arm, 30, rng)
+    found = run(find_plan(arm), TASKS["pose"], goal[[pose]], TRIES)
+    gap = found.motions - motions[pose]
+    gap = np.where(arm.turning, np.abs(np.angle(np.exp(1j * gap))), np.abs(gap)).max(axis=1)
+    assert (gap < 1e-6).sum() == 1
+    assert residuals(TASKS["pose"], arm.home, product(arm, found.motions), goal[[pose]]).max() <= 1e-12
+    apart = found.motions[:, None] - found.motions
+    apart = np.abs(np.where(arm.turning, np.angle(np.exp(1j * apart)), apart)).max(axis=2)
+    assert (apart > 1e-9).sum() == len(gap) * (len(gap) - 1), "a solution is given twice"
 
 
 def test_where_three_joints_have_no_real_angles_nothing_is_found(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,0 +1,101 @@
+"""A robot made ready for a question of inverse kinematics: its arm, the plan for the task, what is held."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhcli.frozen import frozen
+from dhcli.kinematics.forward import Given
+from dhcli.kinematics.frames import between, ends
+from dhcli.kinematics.inverse.prepared import Prepared, prepare
+from dhcli.kinematics.inverse.solutions import held_values, in_numbers
+from dhcli.kinematics.inverse.tasks import TaskName, task_called
+from dhcli.kinematics.inverse.trying import CONFIRMED
+from dhcli.kinematics.inverse.turns import limits_of
+from dhcli.kinematics.robot import Robot, check_robot
+from dhcli.kinematics.values import JointInput, joint_values, numbers, parameter_values, require, size
+from dhcli.notation.angle import Angle
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.inverse.arm import Array
+
+
+@frozen
+class Question:
+    """A robot made ready for a question.
+
+    Attributes:
+        robot: The robot.
+        ready: Its arm and plan.
+        order: For each joint of the arm its number among the robot's variables.
+        near: Joint values that solutions should be near to, or None.
+    """
+
+    robot: Robot
+    ready: Prepared
+    order: tuple[int, ...]
+    near: Array | None
+
+    def motions(self, q: Array) -> Array:
+        """Motions of the arm's joints for joint values (..., n) of the robot."""
+        return np.asarray(q[..., list(self.order)] * self.ready.arm.factors)
+
+    def values(self, motions: Array) -> Array:
+        """Joint values (..., n) of the robot; a joint outside the frames asked for stands at 0, or near."""
+        q = np.zeros((*motions.shape[:-1], len(self.robot.variables)))
+        if self.near is not None:
+            q += self.near
+        q[..., list(self.order)] = motions / self.ready.arm.factors
+        return q
+
+    def best(self) -> Array:
+        """Where a joint that may be chosen should best stand, as a motion: near, else 0 or the middle of its limits."""
+        if self.near is not None:
+            return self.motions(self.near)
+        limits = limits_of(self.robot)
+        low, high = limits[:, 0], limits[:, 1]
+        zero = (low <= 0) & (high >= 0)
+        with np.errstate(invalid="ignore"):
+            middle = np.where(zero, 0.0, (low + high) / 2)
+        return self.motions(np.nan_to_num(middle))
+
+
+def ask(  # noqa: PLR0913  what may be asked of a robot
+    robot: Robot,
+    task: TaskName,
+    *,
+    near: JointInput = None,
+    hold: Mapping[str, float | str | Angle] | None = None,
+    start: str | int | None = None,
+    end: str | int | None = None,
+    parameters: Given | None = None,
+    tolerance: float = CONFIRMED,
+) -> tuple[Question, dict[int, float]]:
+    """Make a robot ready for a question.
+
+    Returns:
+        The question, and the motions of the joints that are to be held by their number.
+
+    Raises:
+        RobotError: A length has no value, the task cannot be computed, or the tolerance is no size of a residual.
+        UnknownNameError: The robot has no such frame, joint or length, or there is no such task.
+    """
+    check_robot(robot)
+    task_called(task)
+    size(tolerance, "tolerance")
+    from dhcli.kinematics.validity import in_floats
+
+    chain = between(robot, *ends(robot, start, end))
+    lengths = parameter_values(robot, parameters)
+    require(robot, chain, {**lengths, **dict.fromkeys(robot.variables, Angle())})
+    given = joint_values(robot, dict(held_values(hold)))
+    known = tuple(sorted(numbers(lengths).items()))
+    ready = prepare(chain, robot.variables, known, task, tuple(sorted(given, key=robot.variables.index)))
+    names = [axis.name for axis in ready.arm.axes[: ready.arm.joints]]
+    order = tuple(robot.variables.index(name) for name in names)
+    factors = ready.arm.factors
+    held = {names.index(n): in_floats(v) * float(factors[names.index(n)]) for n, v in given.items() if n in names}
+    return Question(robot, ready, order, None if near is None else in_numbers(robot, near)), held
