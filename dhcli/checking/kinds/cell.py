@@ -101,7 +101,7 @@ class CellQuestion(Question[TypedValue]):
     def causes(self, case: Case, reading: Reading[TypedValue]) -> Causes:
         from dhcli.checking.diagnosis.alternatives import changing
 
-        every = case.memo.of(("alternatives", self), lambda: tuple(self._alternatives(case)))
+        every = case.memo.of(("alternatives", self, case.tolerance), lambda: tuple(self._alternatives(case)))
         return tuple((one.slip,) for one in changing(case, every, reading))
 
     def _alternatives(self, case: Case, name: str = "") -> Iterator[Alternative[TypedValue]]:
