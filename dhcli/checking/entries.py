@@ -21,7 +21,7 @@ from dhcli.notation.names import suggestion
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_length
 from dhcli.notation.tree import ONE, ZERO, Expr, Number, number
-from dhcli.notation.walk import symbols
+from dhcli.notation.walk import digits, symbols
 
 LARGEST = 256_000
 LEAST = 1e-12
@@ -35,6 +35,11 @@ class Entry:
     expr: Expr
     text: str
     typed: Expr
+
+    @property
+    def key(self) -> tuple[object, ...]:
+        """What entries that are judged and written alike have in common; their decimals are part of it."""
+        return self, digits(self.typed)
 
 
 Entries: TypeAlias = tuple[tuple[Entry, ...], ...]
