@@ -133,6 +133,8 @@ def _shape_remark(question: Wanted, shape: tuple[int, int]) -> str:
         return "this is a pose, 4x4; only the rotation was asked, its first three rows and columns"
     if question.piece in ("position", "point") and shape == (4, 4):
         return "this is a pose, 4x4; only three coordinates were asked"
+    if shape == (1, rows * columns) and min(rows, columns) > 1:
+        return f"all {rows * columns} cells stand in one row; {asked} was asked: put ; or a line end behind each row"
     return f"the answer is {shape[0]}x{shape[1]}; {asked} was asked" if rows > 1 else f"{asked} was asked"
 
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 from dhcli.checking.entries import Entries, in_unit_of
-from dhcli.checking.exercise import Exercise
+from dhcli.checking.exercise import Memo
 from dhcli.checking.numeric import limits_of, mark_numbers
 from dhcli.checking.pasted import WrongUnitError
 from dhcli.checking.tolerance import Tolerance
@@ -19,34 +20,36 @@ CLEAR = 10
 """Tolerances above which a length is right in another unit by no chance: near zero many are."""
 
 
-def mark_measured(question: Wanted, truth: Truth, entries: Entries, exercise: Exercise, tolerance: Tolerance) -> Mark:
+def mark_measured(question: Wanted, truth: Truth, entries: Entries, memo: Memo, tolerance: Tolerance) -> Mark:
     """Judge an answer in numbers, whatever unit its lengths are in.
 
     Args:
         question: The question.
         truth: The right answer, with numbers.
         entries: The answer as read, in the shape of the question.
-        exercise: The exercise, for its values and the unit of the sheet.
+        memo: The exercise, for its values and the unit of the sheet.
         tolerance: Largest errors that count as right.
 
     Raises:
         UnreadableError: An entry has no finite value, or the answer is right in another unit.
     """
+    exercise = memo.exercise
     judged = mark_numbers(question, truth, entries, exercise, tolerance)
     if judged.verdict in UNSOLVED and exercise.unit != "none":
-        return _in_other_unit(question, truth, entries, exercise, tolerance, judged) or judged
+        return _in_other_unit(question, truth, entries, memo, tolerance, judged) or judged
     return judged
 
 
 def _in_other_unit(
-    question: Wanted, truth: Truth, entries: Entries, exercise: Exercise, tolerance: Tolerance, own: Mark
+    question: Wanted, truth: Truth, entries: Entries, memo: Memo, tolerance: Tolerance, own: Mark
 ) -> Mark | None:
     """The judgement of a wrong answer whose lengths are plainly in another unit: what else is wrong is said in that.
 
     Raises:
         UnreadableError: Nothing else is wrong.
     """
-    unit, other = _plain_unit(question, truth, entries, exercise, tolerance, own)
+    unit, other = _plain_unit(question, truth, entries, memo, tolerance, own)
+    exercise = memo.exercise
     if other is None:
         return None
     if other.verdict in SOLVED:
@@ -57,25 +60,30 @@ def _in_other_unit(
     return Mark(Verdict.WRONG, cells=cells, remarks=(remark, *other.remarks), earned=own.earned)
 
 
-def plain_unit(question: Wanted, truth: Truth, entries: Entries, exercise: Exercise, tolerance: Tolerance) -> str:
+def plain_unit(question: Wanted, truth: Truth, entries: Entries, memo: Memo, tolerance: Tolerance) -> str:
     """The unit, not that of the sheet, in which the lengths of a wrong answer plainly are; empty if there is none."""
-    if exercise.unit == "none" or truth.numbers is None:
+    if memo.exercise.unit == "none" or truth.numbers is None:
         return ""
-    own = mark_numbers(question, truth, entries, exercise, tolerance)
-    return _plain_unit(question, truth, entries, exercise, tolerance, own)[0]
+    return _plain_unit(question, truth, entries, memo, tolerance)[0]
 
 
 def _plain_unit(
-    question: Wanted, truth: Truth, entries: Entries, exercise: Exercise, tolerance: Tolerance, own: Mark
+    question: Wanted, truth: Truth, entries: Entries, memo: Memo, tolerance: Tolerance, own: Mark | None = None
 ) -> tuple[str, Mark | None]:
-    """The unit in which the lengths plainly are, and the judgement in it."""
-    for unit in ("mm", "cm", "m"):
-        if unit != exercise.unit:
-            there = replace(exercise, unit=unit)
-            other = mark_numbers(question, truth, in_unit_of(question, entries, there), there, tolerance)
-            if _is_plainly(question, truth, own, other, tolerance):
-                return unit, other
-    return "", None
+    """The unit in which the lengths plainly are, and the judgement in it; asked when judging and when explaining."""
+    exercise = memo.exercise
+
+    def found() -> tuple[str, Mark | None]:
+        here = own or mark_numbers(question, truth, entries, exercise, tolerance)
+        for unit in ("mm", "cm", "m"):
+            if unit != exercise.unit:
+                there = memo.of(("in unit", unit), partial(replace, exercise, unit=unit))
+                other = mark_numbers(question, truth, in_unit_of(question, entries, there), there, tolerance)
+                if _is_plainly(question, truth, here, other, tolerance):
+                    return unit, other
+        return "", None
+
+    return memo.recent(("plain unit", question, tolerance), entries, found)
 
 
 def _is_plainly(question: Wanted, truth: Truth, own: Mark, other: Mark, tolerance: Tolerance) -> bool:

@@ -15,6 +15,8 @@ from dhcli.regex import regex
 _TRANSPOSED = regex(r"(?:\^ ?\{? ?\\?(?:T|top|mathsf\{T\}) ?\}?|\.T|\.?') ?$")
 _AXIS = regex(r"([+−-]?) ?([xyz]) ?['_]{0,3}\{?\d{0,3}\}? ?(?:axis)?")  # noqa: RUF001
 _NAMED = regex(r"(^|[,;\n])[ \t]{0,9}(?:[xyz]|[pd]_?\{?[xyz]\}?)[ \t]{0,9}=")
+_NAMED_BESIDE = regex(r"(?:^|(?<=[^\s,;=])\s+)(?:[xyz]|[pd]_?\{?[xyz]\}?)[ \t]{0,9}=")
+"""The same between blanks, `x = 1 y = 2 z = 3`."""
 _UNIT_BEHIND = regex(
     r"(?P<vector>[\s\S]*[\])}T'])\s*(?:\\[,;] ?|~)?(?:\\(?:mathrm|text) ?\{ ?)?(?P<unit>mm|cm|m|in)\}?"
 )
@@ -46,6 +48,8 @@ def as_column(text: str, scope: Scope, *, is_axis: bool) -> str:
         return "[" + " ".join(f"{sign}1" if name == match[2] else "0" for name in "xyz") + "]"
     if body.startswith("(") and body.endswith(")") and _closes_at_end(body):
         body = body[1:-1]
+    named = [piece for piece in _NAMED_BESIDE.split(body) if piece]  # the first name may be off, as a label is
+    body = ", ".join(named) if len(named) == LENGTHS[0] else body
     body = _NAMED.sub(r"\1", body)
     if "," in body and ";" not in body:
         body = body.replace("\n", " ")  # commas separate already; the line was only long

@@ -6,6 +6,7 @@ on is reported as lost. A thread could not be stopped, and `concurrent.futures` 
 
 from __future__ import annotations
 
+import gc
 import math
 import signal
 from collections import deque
@@ -23,6 +24,9 @@ from dhcli.errors import DhcliError
 
 _ENDINGS = {getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)}
 """The signals at which work ends in order."""
+
+MANY = 4
+"""Tasks for each process above which every one has its next at hand, so that none waits until it is given it."""
 
 _SPAWN = get_context("spawn")
 """The one way to start a process that works everywhere, and with threads around."""
@@ -45,7 +49,7 @@ def spread(
 
     Args:
         work: A function at the top of a module, or a `partial` of one; it raises nothing.
-        tasks: What it is called with, one by one; plain data, not None.
+        tasks: What it is called with, one by one; a little plain data each, not None.
         jobs: Most processes at a time.
         timeout: Longest that one task may take [s]; the start of a process does not count.
         needs: A module that the work needs and this process does not, imported when a process starts.
@@ -66,15 +70,19 @@ def spread(
             for worker in tuple(team):
                 if worker.pipe not in spoken and monotonic() < worker.deadline:
                     continue
-                task, outcome = worker.task, worker.outcome() if worker.pipe in spoken else Lost.TIMED_OUT
-                if isinstance(outcome, Lost) or not waiting:
+                outcome = worker.outcome() if worker.pipe in spoken else Lost.TIMED_OUT
+                task = worker.done(timeout)
+                is_lost = isinstance(outcome, Lost)
+                if is_lost:  # what it has not begun goes to another
+                    waiting.extendleft(reversed(worker.tasks))
+                else:
+                    worker.supply(waiting, 2 if len(waiting) > MANY * len(team) else 1, timeout)
+                if is_lost or not worker.tasks:
                     worker.end()
                     team.remove(worker)
-                else:
-                    worker.give(waiting.popleft(), timeout)
-                if task is None and isinstance(outcome, Lost):
+                if is_lost and task is None:
                     raise DhcliError("a process for the work could not be started", "--jobs 1 needs the least memory")
-                if isinstance(outcome, Lost) and waiting:
+                if is_lost and waiting:
                     _hire(team, work, needs)
                 if task is not None:
                     yield task, outcome
@@ -94,18 +102,27 @@ class _Worker:
     """A process, and the end of the pipe that leads to it."""
 
     def __init__(self, work: Callable[[Any], object], needs: str | None = None) -> None:
-        self.task: Any = None
+        self.tasks: deque[Any] = deque()
         self.deadline = math.inf
         self.pipe, theirs = _SPAWN.Pipe()
         self.process = _SPAWN.Process(target=_serve, args=(theirs, work, needs), daemon=True)
         self.process.start()
         theirs.close()
 
-    def give(self, task: object, timeout: float) -> None:
-        """Hand it a task; if it has died meanwhile, its pipe will tell."""
-        self.task, self.deadline = task, monotonic() + timeout
-        with suppress(OSError):
-            self.pipe.send(task)
+    def supply(self, waiting: deque[Any], most: int, timeout: float) -> None:
+        """Hand it tasks until it has so many, that at hand included; if it has died meanwhile, its pipe will tell."""
+        while waiting and len(self.tasks) < most:
+            if not self.tasks:
+                self.deadline = monotonic() + timeout
+            self.tasks.append(waiting.popleft())
+            with suppress(OSError):
+                self.pipe.send(self.tasks[-1])
+
+    def done(self, timeout: float) -> Any:  # noqa: ANN401  whatever a task is
+        """The task that it has spoken of, or has not in time; None where it was only starting. The next one begins."""
+        task = self.tasks.popleft() if self.tasks else None
+        self.deadline = monotonic() + timeout if self.tasks else math.inf
+        return task
 
     def outcome(self) -> Any:  # noqa: ANN401  whatever the work gives
         """What it said: that it is ready, or a result; its pipe is closed when it has died."""
@@ -132,6 +149,7 @@ def _serve(pipe: Connection, work: Callable[[Any], object], needs: str | None) -
         signal.pthread_sigmask(signal.SIG_UNBLOCK, _ENDINGS - {signal.SIGINT})
     if needs:
         import_module(needs)
+    gc.set_threshold(100_000)  # looking for what a sheet leaves behind takes a share of the time, and finds little
     with suppress(EOFError, OSError):
         pipe.send(None)
         while True:

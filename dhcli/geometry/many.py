@@ -59,9 +59,12 @@ def rotations(poses: Table) -> Rotation[Column]:
     """The direction cosines of many poses, a column for each of the nine; the poses may be a list.
 
     Raises:
-        RobotError: They have another shape.
+        RobotError: They have another shape, or something is no number.
     """
-    table = np.asarray(poses, dtype=np.float64)
+    try:
+        table = np.asarray(poses, dtype=np.float64)
+    except (TypeError, ValueError, OverflowError):
+        raise RobotError("poses are no array of numbers", "wanted: the shape (N, 4, 4)") from None
     if table.ndim != 3 or table.shape[1:] != (4, 4):  # noqa: PLR2004  rows of matrices
         raise RobotError(
             f"poses have the shape (N, 4, 4), not {table.shape}", "one Pose has rpy, quaternion, axis_angle"

@@ -7,7 +7,7 @@ from dataclasses import replace
 from dhcli.errors import RobotError
 from dhcli.kinematics.actuators import Actuators
 from dhcli.kinematics.forward import link_with
-from dhcli.kinematics.robot import Robot, Value
+from dhcli.kinematics.robot import Robot, Value, check_robot
 
 
 def in_motors(robot: Robot) -> Robot:
@@ -37,8 +37,9 @@ def driven(robot: Robot) -> Robot:
     """The robot, if it is known which motors drive it.
 
     Raises:
-        RobotError: It is not.
+        RobotError: It is not, or is no robot.
     """
+    check_robot(robot)
     if robot.actuators is None:
         hint = "its file says so under actuators: motors: {m2: [-60°, 76°]}, theta2: m2"
         raise RobotError(f"of {robot.name} it is not known which motors drive it", hint)

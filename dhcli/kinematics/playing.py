@@ -61,13 +61,11 @@ def play(recording: Recording, q: NDArray[np.float64], found: NDArray[Any], thre
         RobotError: That is no number of threads.
     """
     check_threads(threads)
-    chunks = shares(len(q), threads)
-    if is_ready(len(q)):
-        one = partial(_by_loop, recording, q, found)
-    elif len(q) <= FEW and _one_by_one(recording, q, found):
+    by_loop = is_ready(len(q))
+    if not by_loop and len(q) <= FEW and _one_by_one(recording, q, found):
         return
-    else:
-        one = partial(_by_columns, recording, q, found)
+    one = partial(_by_loop if by_loop else _by_columns, recording, q, found)
+    chunks = shares(len(q), threads)
     if threads == 1 or len(chunks) < 2:  # noqa: PLR2004  nothing to share
         for chunk in chunks:
             one(chunk)

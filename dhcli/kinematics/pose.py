@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import field, fields
+from dataclasses import field
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
 from dhcli.algebra.arithmetic import plus
@@ -275,10 +275,12 @@ def computed(rows: tuple[tuple[float, ...], ...], reference: str, frame: str, jo
         joints: The robot's joint angles, for shorthand.
     """
     made: Pose[float] = object.__new__(Pose)
-    for name, value in zip(_FIELDS, (rows, reference, frame, "", joints), strict=True):
-        _PUT(made, name, value)
+    _PUT(made, "rows", rows)
+    _PUT(made, "reference", reference)
+    _PUT(made, "frame", frame)
+    _PUT(made, "title", "")
+    _PUT(made, "joints", joints)
     return made
 
 
-_FIELDS = tuple(each.name for each in fields(Pose))
 _PUT = object.__setattr__

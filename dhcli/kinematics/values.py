@@ -276,3 +276,18 @@ def _joints_hint(robot: Description, place: Place | None) -> str:
     kinds = {joint.name: "rad" if joint.kind == "revolute" else "m" for joint in robot.joints}
     listed = ", ".join(f"{name} [{kinds.get(name, '')}]" for name in robot.variables)
     return f"--q takes {listed}" if is_typed else f"wanted: {listed}"
+
+
+def size(given: object, what: str) -> float:
+    """A number that is 0 or positive.
+
+    Raises:
+        RobotError: It is none.
+    """
+    try:
+        found = float(given) if not isinstance(given, str | bytes | bool) else math.nan  # type: ignore[arg-type]
+    except (TypeError, ValueError, OverflowError):
+        found = math.nan
+    if not 0 <= found < math.inf:
+        raise RobotError(f"{what} is 0 or a positive number, not {given!r:.60}")
+    return found

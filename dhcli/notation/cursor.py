@@ -61,4 +61,6 @@ class Cursor:
     def finish(self) -> None:
         """Make sure that nothing is left over."""
         if self.token.kind != "end":
-            raise self.error(f"{self.shown()} is left over here", "is a bracket or an operator missing?")
+            equals = self.token.text == "="
+            hint = "write one side of the equation alone" if equals else "is a bracket or an operator missing?"
+            raise self.error(f"{self.shown()} is left over here", hint)

@@ -1,8 +1,9 @@
-"""A class: 2,000 sheets of several exercises, graded by one process beside one process for each processor."""
+"""A class: 500 sheets of four exercises, hardly two alike, graded by one process beside one for each processor."""
 
 from __future__ import annotations
 
 import os
+import random
 import tempfile
 from collections.abc import Iterator
 from dataclasses import replace
@@ -13,27 +14,29 @@ from textwrap import indent
 from measure import Row, Task, number, side_by_side
 
 from dhcli import load_exercise
-from dhcli.checking.exercise import Exercise
+from dhcli.checking.judge import Judge
+from dhcli.checking.variants import vary
 from dhcli.classroom.folder import find_sheets
 from dhcli.classroom.grades import Graded
 from dhcli.classroom.grading import grade_all
 
-SHEETS = 2000
+SHEETS = 500
 EXERCISES = (
-    "yim/planar-two-links",
-    "yim/planar-in-numbers",
-    "wpi/puma560-links",
-    "bajd/scara-pose-in-mm",
-    "yim/counting-freedoms",
+    "wpi/puma560-in-two-steps",
     "wpi/puma560-table",
+    "yim/planar-in-numbers",
+    "yim/scara-in-numbers",
 )
+MISTAKEN = 0.45
+"""Share of the answers that hold a mistake."""
+
 PATIENCE = 60.0
 
 
-def rows(_rounds: int) -> Iterator[Row]:
-    """One pair only: it takes a minute."""
+def rows(rounds: int) -> Iterator[Row]:
+    """The class graded both ways in turn."""
     with tempfile.TemporaryDirectory() as folder:
-        for k, text in enumerate(islice(cycle(_texts()), SHEETS)):
+        for k, text in enumerate(islice(_texts(), SHEETS)):
             path = Path(folder, f"student-{k}", "sheet.yaml")
             path.parent.mkdir()
             path.write_text(text, "utf-8")
@@ -43,39 +46,41 @@ def rows(_rounds: int) -> Iterator[Row]:
         def graded(processes: int) -> tuple[Graded, ...]:
             return grade_all(sheets, jobs=processes, timeout=PATIENCE)
 
-        broken = 0
+        wrong = 0
 
         def same(ours: tuple[Graded, ...], theirs: tuple[Graded, ...]) -> bool:
-            nonlocal broken
-            broken = sum(bool(sheet.problems) for sheet in ours)
-            return ours == theirs
+            nonlocal wrong
+            wrong = sum(part.earned < part.credit for sheet in ours for part in sheet.parts)
+            return ours == theirs and not any(sheet.problems for sheet in ours)
 
         row = side_by_side(
             "grading a class",
             Task(f"grade_all, jobs={jobs}", lambda: graded(jobs)),
             Task("grade_all, jobs=1", lambda: graded(1)),
             same,
-            rounds=1,
+            rounds=rounds,
         )
         rates = " and ".join(number(SHEETS / taken) for taken in (row.seconds, row.peer_seconds))
-        yield replace(row, note=f"{SHEETS} sheets, {broken} of them broken; {rates} a second")
+        yield replace(row, note=f"{SHEETS} sheets, {wrong} wrong answers; {rates} a second")
 
 
 def _texts() -> Iterator[str]:
-    """Sheets in turn from each exercise: all right, all wrong, partly blank, blank, and one in ten no sheet at all."""
-    exercises = [load_exercise(name) for name in EXERCISES]
-    for turn in range(10):
-        for exercise in exercises:
-            yield "format: 1\nanswers: [" if turn == 9 else _sheet(exercise, turn)
+    """Sheets in turn from each exercise, in a variant for each student where there are any."""
+    judges = [Judge(load_exercise(name)) for name in EXERCISES]
+    draw = random.Random(1)  # noqa: S311
+    for student, judge in enumerate(cycle(judges)):
+        yield _sheet(vary(judge, f"student {student}") if judge.exercise.variants else judge, draw)
 
 
-def _sheet(exercise: Exercise, turn: int) -> str:
-    """A sheet with answers from the tests that the exercise brings along."""
-    text = f"format: 1\nexercise: {exercise.id}\nanswers:\n"
-    for place, part in enumerate(exercise.parts):
-        trials = [trial for trial in exercise.trials if trial.part == part.id and trial.answer]
-        right = [trial for trial in trials if trial.verdict == "RIGHT"]
-        chosen = right if turn < 3 else trials if turn < 6 or (turn < 8 and place % 2) else []
-        answer = chosen[turn % len(chosen)].answer if chosen else "_"
+def _sheet(judge: Judge, draw: random.Random) -> str:
+    """A sheet with right answers, in either spelling, and some that one of the known mistakes leads to."""
+    exercise = judge.exercise
+    text = f"format: 1\nexercise: {exercise.id}\n"
+    text += f"variant: {exercise.variant}\n" if exercise.variant else ""
+    text += "answers:\n"
+    for part in exercise.asked:
+        slips = judge.slips(part) if draw.random() < MISTAKEN else ()
+        style = draw.choice(("short", "full"))
+        answer = judge.answer_with(part, draw.choice(slips).name) if slips else judge.expected(part, style)
         text += f"  {part.id}: |\n{indent(answer.strip(), '    ')}\n"
     return text

@@ -155,3 +155,18 @@ def test_what_is_wrong_in_a_list_of_entries_is_said(pose: Exercise, answer: str,
     verdict, said = remarks(pose, answer)
     assert verdict is Verdict.CANNOT_READ
     assert remark in said[0]
+
+
+@pytest.mark.parametrize(
+    "answer", ["x = 0.7 y = 0 z = 0", "x=0.7 y=0 z=0", "px = 0.7  py = 0  pz = 0", "p ≈ (0.7, 0, 0)", "≈ 0.7, 0, 0"]
+)
+def test_coordinates_may_have_names_between_blanks_and_be_about_right(position: Exercise, answer: str) -> None:
+    """As a calculator is copied."""
+    assert remarks(position, answer)[0] is Verdict.RIGHT
+
+
+def test_rows_that_run_together_are_told_apart_by_nobody(pose: Exercise) -> None:
+    """Sixteen cells in one row are no matrix yet."""
+    verdict, said = remarks(pose, "c12 -s12 0 0 s12 c12 0 0 0 0 1 0 0 0 0 1")
+    assert verdict is Verdict.CANNOT_READ
+    assert said == ("all 16 cells stand in one row; a 4x4 matrix was asked: put ; or a line end behind each row",)

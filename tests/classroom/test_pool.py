@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import itertools
+import math
 import operator
 import os
 import signal
 import subprocess
 import sys
 import threading
+from collections import deque
 from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager
 from multiprocessing import active_children
@@ -29,6 +31,30 @@ def test_every_task_has_one_outcome() -> None:
     outcomes = list(spread(halved, range(6), jobs=3, timeout=60))
     assert sorted(task for task, _ in outcomes) == list(range(6))
     assert dict(outcomes) == {n: Lost.DIED if n % 2 else n / 2 for n in range(6)}
+
+
+def test_what_waits_behind_a_death_is_done_by_another() -> None:
+    """Every process has a task at hand while there are many; where it dies at one, the next is not lost with it."""
+    numbers = [1 if n % 7 == 3 else 2 * n for n in range(40)]
+    outcomes = list(spread(halved, numbers, jobs=2, timeout=60))
+    assert sorted(task for task, _ in outcomes) == sorted(numbers)
+    assert all(outcome is Lost.DIED if task % 2 else outcome == task / 2 for task, outcome in outcomes)
+
+
+def test_time_is_counted_from_when_a_task_is_begun(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One that waits behind another in a process is not late with it."""
+    now = 0.0
+    monkeypatch.setattr(pool, "monotonic", lambda: now)
+    worker = _Worker(halved)
+    try:
+        worker.supply(deque([2, 4, 6]), 2, timeout=10)
+        assert (list(worker.tasks), worker.deadline) == ([2, 4], 10)
+        now = 7.0
+        assert (worker.done(timeout=10), worker.deadline) == (2, 17)
+        assert (worker.done(timeout=10), worker.deadline) == (4, math.inf)
+        assert worker.done(timeout=10) is None
+    finally:
+        worker.end()
 
 
 def test_no_task_needs_no_process() -> None:

@@ -734,3 +734,12 @@ def test_a_table_to_compare_may_be_its_rows_alone(dhcli: Run, rows: str, verdict
     done = dhcli("check", "planar-2r", "--table", "rows.yaml")
     assert verdict in done.out.splitlines()[0]
     assert ("the rows name no convention, and were read as standard DH" in done.out) is (verdict != "CAN'T READ")
+
+
+def test_one_credit_is_one(dhcli: Run, tmp_path: Path) -> None:
+    """Half of it is half of 1 credit."""
+    (tmp_path / "sheet.yaml").write_text(
+        'format: 1\nexercise: yim/planar-two-links\nanswers: {r02: "c12 -s12 0; s12 -c12 0; 0 0 1"}\n'
+    )
+    done = dhcli("check", PLANAR, str(tmp_path / "sheet.yaml"))
+    assert re.search(r"\(0\.\d+ of 1 credit\)", done.out)

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import inspect
 import json
 import os
 import pickle
@@ -144,15 +145,53 @@ def calls() -> Iterator[tuple[str, Callable[[Any], Any]]]:
         yield f"{function.__name__} Q", lambda junk, f=function: f(robot, junk)
         for name in names:
             yield f"{function.__name__} {name}", lambda junk, f=function, n=name: f(robot, [q], **{n: junk})
+    over = ["theta1=0..1 n 3", "d3=0..0.1 n 2"]
+    yield "sweep robot", lambda junk: dhcli.sweep(junk, over)
+    yield "sweep over", lambda junk: dhcli.sweep(robot, junk)
+    for name in ("q", "start", "end", "point", "parameters", "threads"):
+        yield f"sweep {name}", lambda junk, n=name: dhcli.sweep(robot, over, **{n: junk})
     for name in ("tool", "base", "links", "variables", "parameters", "limits", "poses", "convention"):
         yield f"replace {name}", lambda junk, n=name: replace(robot, **{n: junk})
     yield from makers()
+    yield from motions()
     exercise = load_exercise("yim/planar-in-numbers")
     yield "check exercise", lambda junk: dhcli.check(junk, "a1", "1")
     yield "check part", lambda junk: dhcli.check(exercise, junk, "1")
     yield "check answer", lambda junk: dhcli.check(exercise, "a1", junk)
     yield "Pose", Pose
     yield "Pose rows", lambda junk: Pose([[junk] * 4] * 4)  # type: ignore[arg-type]
+
+
+def motions() -> Iterator[tuple[str, Callable[[Any], Any]]]:
+    """The ways back, velocities and pictures; but for what is only yes or no."""
+    robot = load_robot("scara")
+    q = [0.1, 0.2, 0.3]
+    pose = dhcli.forward(robot, q)
+    for function, given in (
+        (dhcli.inverse, {"robot": robot, "T": pose}),
+        (dhcli.inverse_batch, {"robot": robot, "T": [pose.matrix]}),
+        (dhcli.follow, {"robot": robot, "T": [pose.matrix], "near": q}),
+        (dhcli.joint_rates, {"robot": robot, "q": q, "velocity": [0.1, 0, 0]}),
+        (dhcli.velocity_of, {"robot": robot, "q": q, "rates": q}),
+        (dhcli.torques, {"robot": robot, "q": q, "force": [1, 0, 0]}),
+        (dhcli.symbolic_torques, {"robot": robot}),
+        (dhcli.symbolic_jacobian, {"robot": robot}),
+        (dhcli.manipulability, {"robot": robot, "q": q}),
+        (dhcli.singularities, {"robot": robot}),
+        (dhcli.in_motors, {"robot": robot}),
+        (dhcli.draw, {"what": robot, "q": q}),
+    ):
+        names = inspect.signature(function).parameters
+        viewing = ("start", "end", "axes", "place", "point") if "viewing" in names else ()
+        for name in (*names, *viewing):
+            if name != "viewing" and names.get(name, NO_NAME).annotation != "bool":
+                yield f"{function.__name__} {name}", lambda junk, f=function, g=given, n=name: f(**{**g, n: junk})
+    for function in (dhcli.roll_pitch_yaw, dhcli.quaternions, dhcli.axis_angles):
+        yield function.__name__, function
+
+
+NO_NAME = inspect.Parameter("viewing", inspect.Parameter.KEYWORD_ONLY)
+"""For options of a view, which a signature does not list."""
 
 
 def makers() -> Iterator[tuple[str, Callable[[Any], Any]]]:

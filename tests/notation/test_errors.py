@@ -29,7 +29,7 @@ def refused(text: str, scope: Scope = ROBOT, place: Place | None = None) -> str:
         ("(a1]", "4: ']' where ) was expected to close ("),
         ("a1)", "3: ')' is left over here (is a bracket or an operator missing?)"),
         ("a1, a2", "3: ',' is left over here (is a bracket or an operator missing?)"),
-        ("a1 = 2", "4: '=' is left over here (is a bracket or an operator missing?)"),
+        ("a1 = 2", "4: '=' is left over here (write one side of the equation alone)"),
         ("a1 ? 2", "4: ? (Question Mark) means nothing here"),
         ("a1 + \x07", "6: (U+0007) means nothing here"),
         ("2 3", "3: two numbers side by side (write * between them, or a comma if they are two values)"),

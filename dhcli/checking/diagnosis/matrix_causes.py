@@ -33,7 +33,9 @@ def matrix_causes(case: Case, question: Wanted, entries: Entries) -> Causes:
     exercise = case.exercise
     if typed.is_general and not exercise.numeric:
         return _in_symbols(typed)
-    unit = "" if typed.is_general else plain_unit(question, truth_of(question, case), entries, exercise, case.tolerance)
+    unit = (
+        "" if typed.is_general else plain_unit(question, truth_of(question, case), entries, case.memo, case.tolerance)
+    )
     if unit:
         return _in_other_unit(exercise, typed, unit)
     for slack in typed.slacks:

@@ -18,6 +18,7 @@ from dhcli.algebra.points import general
 from dhcli.checking.diagnosis.bench import Bench, Folds
 from dhcli.checking.diagnosis.chance import Evidence, is_chance, lengths_of
 from dhcli.checking.diagnosis.mistakes import MISTAKES
+from dhcli.checking.diagnosis.seen import SAME, Seen, same
 from dhcli.checking.diagnosis.slips import Candidate, candidates, setting_of
 from dhcli.checking.diagnosis.work import Matrix, Multiplied, Work, right_work
 from dhcli.checking.exercise import Memo
@@ -29,13 +30,15 @@ from dhcli.kinematics.values import numbers
 from dhcli.notation.walk import symbols
 
 SEED = 11
-SAME = 1e-9
 MOST_CAUSES = 12
 STAGES = ("singles", "pairs")
 MOST_STEPS = 100
 """Moves and rows of the longest product in which mistakes are looked for."""
 MOST_WORK = 5_000_000
 """Pairs of mistakes times factors of their products, beyond which pairs are not looked for: a few seconds' work."""
+
+MOST_KINDS = 100
+"""Kinds of draws, by the mistakes that their values allow, whose single mistakes are kept."""
 
 PLAIN = math.sqrt(2)
 """Tolerances that a mistake is off by where it shows plainly; no round number, so that no mistake is off by just that,
@@ -80,13 +83,21 @@ class Search:
         self.of_values = {one.slips[0].name: one for one in candidates(self.right, self.setting, among=OF_VALUES)}
         self._folded: dict[object, Numbers] = memo.of("folded", dict)
         self._given: dict[str, list[array[float]]] = {}
-        self.singles: tuple[Candidate, ...]
-        if like and like.of_values.keys() == self.of_values.keys():
-            self.singles = tuple(self.of_values.get(one.slips[0].name, one) for one in like.singles)
-        elif len(self.right.steps) > MOST_STEPS:
-            self.singles = ()
-        else:
-            self.singles = self._distinct(candidates(self.right, self.setting))
+        self.distinguished: dict[tuple[str, ...], tuple[Candidate, ...]] = like.distinguished if like else {}
+        self.singles: tuple[Candidate, ...] = self._singles()
+
+    def _singles(self) -> tuple[Candidate, ...]:
+        """The single mistakes; they are told apart once for all draws in which the same mistakes of values exist."""
+        found = self.distinguished.get(tuple(self.of_values))
+        if found is not None:
+            return tuple(self.of_values.get(one.slips[0].name, one) for one in found)
+        if len(self.right.steps) > MOST_STEPS:
+            return ()
+        if len(self.distinguished) >= MOST_KINDS:
+            self.distinguished.clear()
+        found = self._distinct(candidates(self.right, self.setting))
+        self.distinguished[tuple(self.of_values)] = found
+        return found
 
     @cached_property
     def folds(self) -> Folds:
@@ -198,7 +209,8 @@ class Search:
     def _distinct(self, found: Iterator[Candidate]) -> tuple[Candidate, ...]:
         """Mistakes that change something, each of those that are the same everywhere under its first name."""
         kept: list[Candidate] = []
-        known = [self.general.matrix(self.right)]
+        known = Seen()
+        known.is_new(self.general.matrix(self.right))
         right = self.general.entries(self.right)
         for one in found:
             entries = self.general.entries(one.work)
@@ -207,18 +219,14 @@ class Search:
             if one.work.question is not self.right.question or one.work.entry:  # written otherwise, the matrix is right
                 kept.append(one)
                 continue
-            matrix = self.general.matrix(one.work)
-            if not any(same(matrix, other) for other in known):
+            if known.is_new(self.general.matrix(one.work)):
                 kept.append(one)
-                known.append(matrix)
         return tuple(kept)
 
     def _different(self, found: Iterator[Candidate]) -> Iterator[Candidate]:
-        known: list[Numbers] = []
+        known = Seen()
         for one in found:
-            whole = (*self.general.matrix(one.work), *self.general.entries(one.work))
-            if not any(same(whole, other) for other in known):
-                known.append(whole)
+            if known.is_new((*self.general.matrix(one.work), *self.general.entries(one.work))):
                 yield one
 
     def _size(self) -> float:
@@ -248,15 +256,6 @@ def is_zero(entries: Numbers) -> bool:
 def _flat(entries: Numbers) -> array[float]:
     """All entries in a row, in little memory: there are thousands of pairs."""
     return array("d", (entry for row in entries for entry in row))
-
-
-def same(first: Numbers, second: Numbers) -> bool:
-    """Whether two matrices are the same but for rounding."""
-    for row, other in zip(first, second, strict=True):
-        for a, b in zip(row, other, strict=True):
-            if not abs(a - b) <= SAME * (1 + abs(b)):
-                return False
-    return True
 
 
 def matches(first: Numbers, second: Numbers, slack: Numbers) -> bool:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dhcli.checking.diagnosis.search import SAME, Numbers, Search, search_of
+from dhcli.checking.diagnosis.search import Numbers, Search, search_of
+from dhcli.checking.diagnosis.seen import SAME
 from dhcli.checking.entries import Entries, Entry
 from dhcli.checking.exercise import Case
 from dhcli.checking.symbolic import has_decimals

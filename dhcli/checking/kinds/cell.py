@@ -101,8 +101,10 @@ class CellQuestion(Question[TypedValue]):
     def causes(self, case: Case, reading: Reading[TypedValue]) -> Causes:
         from dhcli.checking.diagnosis.alternatives import changing
 
-        every = case.memo.of(("alternatives", self, case.tolerance), lambda: tuple(self._alternatives(case)))
-        return tuple((one.slip,) for one in changing(case, every, reading))
+        every = case.memo.of(
+            ("alternatives", self, case.tolerance), lambda: tuple(changing(case, self._alternatives(case)))
+        )
+        return tuple((one.slip,) for one in every if one.fits(reading))
 
     def _alternatives(self, case: Case, name: str = "") -> Iterator[Alternative[TypedValue]]:
         """A slip in the row, or the same column of the row before or behind."""

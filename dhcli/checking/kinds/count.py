@@ -67,10 +67,13 @@ class CountQuestion(Question[int]):
     def describe(self, _exercise: Exercise) -> str:
         return f"{self.what} of {self.linkage}, a whole number"
 
-    def expected(self, _case: Case, _style: str = "short") -> str:
-        return str(self._right())
+    def expected(self, case: Case, _style: str = "short") -> str:
+        return str(self._right(case))
 
-    def _right(self) -> int:
+    def _right(self, case: Case) -> int:
+        return case.memo.of(("count", case.part.id), self._counted)
+
+    def _counted(self) -> int:
         from dhcli.mobility.slips import count
 
         if self.found is None:
@@ -91,8 +94,8 @@ class CountQuestion(Question[int]):
         if self.what == "mobility" and is_linkage:
             yield Shown(f"Whether that is the truth, and why: dhcli dof {self.linkage}")
 
-    def read(self, _case: Case, text: str, place: Place | None = None) -> int:
-        self._right()
+    def read(self, case: Case, text: str, place: Place | None = None) -> int:
+        self._right(case)
         expr = parse(without_number_word(without_label(text)), Scope(), place or Place("answer"))
         if any(isinstance(node, Unit) for node in walk(expr)):
             raise UnreadableError("a count is a whole number and has no unit")
@@ -100,25 +103,28 @@ class CountQuestion(Question[int]):
             raise UnreadableError("a count is a whole number")
         return int(expr.value)
 
-    def mark(self, _case: Case, reading: Reading[int]) -> Mark:
-        right, typed = self._right(), reading.value
+    def mark(self, case: Case, reading: Reading[int]) -> Mark:
+        right, typed = self._right(case), reading.value
         if typed == right:
             return Mark(Verdict.RIGHT, str(typed), earned=1.0, expected=str(right))
-        names = [slip.words for slip, value in self._slips() if value == typed]
+        names = [slip.words for slip, value in self._slips(case) if value == typed]
         remarks = (f"{typed}{COUNTED}{' or when '.join(names)}",) if names else ()
         return Mark(Verdict.WRONG, str(typed), remarks=remarks, expected=str(right))
 
-    def slips(self, _case: Case) -> Iterator[Slip]:
-        return (slip for slip, _ in self._slips())
+    def slips(self, case: Case) -> Iterator[Slip]:
+        return (slip for slip, _ in self._slips(case))
 
-    def answer_with(self, _case: Case, name: str) -> str | None:
-        return next((str(value) for slip, value in self._slips() if slip.name == name), None)
+    def answer_with(self, case: Case, name: str) -> str | None:
+        return next((str(value) for slip, value in self._slips(case) if slip.name == name), None)
 
-    def causes(self, _case: Case, reading: Reading[int]) -> Causes:
-        return tuple((slip,) for slip, value in self._slips() if value == reading.value)
+    def causes(self, case: Case, reading: Reading[int]) -> Causes:
+        return tuple((slip,) for slip, value in self._slips(case) if value == reading.value)
 
-    def _slips(self) -> tuple[tuple[Slip, int], ...]:
+    def _slips(self, case: Case) -> tuple[tuple[Slip, int], ...]:
         """Slips in the count, each with the number it gives."""
+        return case.memo.of(("slips", case.part.id), self._miscounted)
+
+    def _miscounted(self) -> tuple[tuple[Slip, int], ...]:
         from dhcli.mobility.slips import slips
 
         if self.found is None:

@@ -179,7 +179,7 @@ class MatrixQuestion(Wanted, Question[Entries]):
         truth = truth_of(self, case)
         if exercise.numeric:
             self.need_values(exercise)
-            judged = mark_measured(self, truth, entries, exercise, case.tolerance)
+            judged = mark_measured(self, truth, entries, case.memo, case.tolerance)
         else:
             judged = mark_symbols(self, truth, entries, case.memo)
         is_open = judged.verdict in UNSOLVED or (judged.verdict is Verdict.ROUNDED and not exercise.numeric)

@@ -103,7 +103,8 @@ def _shaped(cells: tuple[tuple[Cell, ...], ...], wanted: tuple[int, int]) -> tup
         raise UnreadableError(
             f"the answer is {shape[0]}x{shape[1]}; {wanted[0]} rows and {wanted[1]} columns were asked"
         )
-    raise UnreadableError(f"the answer is {shape[0]}x{shape[1]}; a {wanted[0]}x{wanted[1]} matrix was asked")
+    half = ": half of its rows are missing, v or ω" if shape == (wanted[0] / 2, wanted[1]) else ""
+    raise UnreadableError(f"the answer is {shape[0]}x{shape[1]}; a {wanted[0]}x{wanted[1]} matrix was asked{half}")
 
 
 def _entry(exercise: Exercise, cell: Cell, power: int, place: tuple[int, int]) -> Entry:

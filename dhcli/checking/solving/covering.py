@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.solving.derived import values_at
@@ -168,7 +169,14 @@ class Outcome:
 
 
 def tried(formula: Formula, cases: Sequence[Case], asked: Asked, robot: Robot) -> Outcome:
-    """Try a formula at every true solution of all poses."""
+    """Try a formula at every true solution of all poses.
+
+    Several ± in it may be meant to go together, or each by itself: it is right if it is so in one of the two ways.
+    """
+    if formula.together:
+        linked = tried(replace(formula, values=formula.together, together=()), cases, asked, robot)
+        if linked.is_right:
+            return linked
     own = {name for name, _ in asked.terms}
     used = [name for name in robot.variables if name in formula.names and name not in own]
     hits, strangers, silent, wrapped = list[bool](), list[bool](), 0, True

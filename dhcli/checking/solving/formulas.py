@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Mapping, Sequence
-from itertools import product
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import chain, product
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.pasted import UnreadableError
@@ -42,11 +42,13 @@ class Formula:
         values: What it may come to, one for each combination of its signs.
         text: As it was typed, without a label.
         signs: How many ± stand in it.
+        together: What it may come to where all its signs go together, upper with upper; empty for fewer than two.
     """
 
     values: tuple[Expr, ...]
     text: str
     signs: int
+    together: tuple[Expr, ...] = ()
 
     @property
     def names(self) -> frozenset[str]:
@@ -76,12 +78,15 @@ def read_formula(text: str, asked: Sequence[str], scope: Scope, place: Place) ->
     signs = sum(text.count(sign) for sign in "±∓")
     if signs > MOST_SIGNS:
         raise UnreadableError(f"{signs} signs ± make {2**signs} values; write at most {MOST_SIGNS}")
-    values = list[Expr]()
-    for chosen in product("+-", repeat=signs):
-        values += _values(_signed(text, chosen), asked, scope, place)
+
+    def values(choices: Iterable[Sequence[str]]) -> tuple[Expr, ...]:
+        found = chain.from_iterable(_values(_signed(text, chosen), asked, scope, place) for chosen in choices)
+        return tuple(dict.fromkeys(found))
+
+    together = values(("+" * signs, "-" * signs)) if signs > 1 else ()
     shown = text.strip().splitlines()[-1].strip()
     match = _STATEMENT.fullmatch(shown)
-    return Formula(tuple(dict.fromkeys(values)), match["rest"] if match else shown, signs)
+    return Formula(values(product("+-", repeat=signs)), match["rest"] if match else shown, signs, together)
 
 
 def _signed(text: str, chosen: Sequence[str]) -> str:

@@ -95,7 +95,9 @@ def inverse(  # noqa: PLR0913  what may be asked of a pose
         }
         asked |= {"task": task, "family": family, "end": end, "parameters": parameters, "tolerance": tolerance}
         return through(inverse, robot, T, **asked)
-    question, held = ask(robot, task, near=near, hold=hold, start=start, end=end, parameters=parameters)
+    question, held = ask(
+        robot, task, near=near, hold=hold, start=start, end=end, parameters=parameters, tolerance=tolerance
+    )
     ready = question.ready
     poses, changed = read_targets(T, ready.task)
     if len(poses) != 1:

@@ -73,8 +73,8 @@ def inverse_batch(  # noqa: PLR0913  what may be asked of poses
         RobotError: T is no array of poses, or a length has no value.
         UnknownNameError: The robot has no such frame, joint or length.
     """
-    if each not in {"all", "nearest", "first"}:
-        raise RobotError(f"there is no {each!r} of solutions", did_you_mean(str(each), ("all", "nearest", "first")))
+    if str(each) not in {"all", "nearest", "first"}:
+        raise RobotError(f"there is no {each!r:.60} of solutions", did_you_mean(str(each), ("all", "nearest", "first")))
     if each == "nearest" and near is None:
         raise RobotError("nearest to what?", "give near=")
     check_robot(robot)
@@ -84,7 +84,9 @@ def inverse_batch(  # noqa: PLR0913  what may be asked of poses
         asked: dict[str, object] = {"task": task, "hold": hold, "start": start, "end": end, "parameters": parameters}
         asked |= {"near": near, "tolerance": tolerance}
         return through_many(inverse_batch, robot, T, each, within_limits=within_limits, **asked)
-    question, held = ask(robot, task, near=near, hold=hold, start=start, end=end, parameters=parameters)
+    question, held = ask(
+        robot, task, near=near, hold=hold, start=start, end=end, parameters=parameters, tolerance=tolerance
+    )
     poses, _ = read_targets(T, question.ready.task)
     values, indices = [], []
     for first in range(0, len(poses), BLOCK):

@@ -13,7 +13,7 @@ from dhcli.errors import RobotError, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.coupling import uncoupled
 from dhcli.kinematics.forward import Given
-from dhcli.kinematics.inverse.solutions import Solutions, in_numbers, turning_joints
+from dhcli.kinematics.inverse.solutions import Solutions, held_values, in_numbers, turning_joints
 from dhcli.kinematics.inverse.turns import limits_of, outside, placed
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.validity import in_floats
@@ -93,11 +93,11 @@ class Carried:
         """What is held of the arm where variables are held that make one move alone.
 
         Raises:
-            RobotError: One makes none alone.
+            RobotError: One makes none alone, or that is no mapping.
         """
         found: dict[str, float | str | Angle] = {}
         alone = self.alone
-        for name, value in (hold or {}).items():
+        for name, value in held_values(hold).items():
             if name not in self.robot.variables:
                 found[name] = value  # a length, or nothing that is known: the arm says which
                 continue

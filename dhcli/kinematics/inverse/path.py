@@ -20,7 +20,7 @@ from dhcli.kinematics.inverse.solving import least_singular
 from dhcli.kinematics.inverse.targets import read_targets
 from dhcli.kinematics.inverse.tasks import TaskName
 from dhcli.kinematics.inverse.trying import CONFIRMED
-from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.values import JointInput
 from dhcli.notation.angle import Angle
 
@@ -101,12 +101,15 @@ def follow(  # noqa: PLR0913  what may be asked of a path
         RobotError: T is no array of poses, or a length has no value.
         UnknownNameError: The robot has no such frame, joint or length.
     """
+    check_robot(robot)
     if near is None:
         raise RobotError("a path needs joint values to begin near to", "give near=")
     if is_coupled(robot):
         asked: dict[str, object] = {"task": task, "start": start, "end": end, "parameters": parameters}
         return _coupled(robot, T, near, hold, {**asked, "tolerance": tolerance})
-    question, held = ask(robot, task, near=near, hold=hold, start=start, end=end, parameters=parameters)
+    question, held = ask(
+        robot, task, near=near, hold=hold, start=start, end=end, parameters=parameters, tolerance=tolerance
+    )
     poses, _ = read_targets(T, question.ready.task)
     turning = turning_joints(robot)
     q = np.full((len(poses), len(robot.variables)), np.nan)

@@ -11,11 +11,12 @@ from dhcli.frozen import frozen
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.frames import between, ends
 from dhcli.kinematics.inverse.prepared import Prepared, prepare
-from dhcli.kinematics.inverse.solutions import in_numbers
-from dhcli.kinematics.inverse.tasks import TaskName
+from dhcli.kinematics.inverse.solutions import held_values, in_numbers
+from dhcli.kinematics.inverse.tasks import TaskName, task_called
+from dhcli.kinematics.inverse.trying import CONFIRMED
 from dhcli.kinematics.inverse.turns import limits_of
 from dhcli.kinematics.robot import Robot, check_robot
-from dhcli.kinematics.values import JointInput, joint_values, numbers, parameter_values, require
+from dhcli.kinematics.values import JointInput, joint_values, numbers, parameter_values, require, size
 from dhcli.notation.angle import Angle
 
 if TYPE_CHECKING:
@@ -71,6 +72,7 @@ def ask(  # noqa: PLR0913  what may be asked of a robot
     start: str | int | None = None,
     end: str | int | None = None,
     parameters: Given | None = None,
+    tolerance: float = CONFIRMED,
 ) -> tuple[Question, dict[int, float]]:
     """Make a robot ready for a question.
 
@@ -78,16 +80,18 @@ def ask(  # noqa: PLR0913  what may be asked of a robot
         The question, and the motions of the joints that are to be held by their number.
 
     Raises:
-        RobotError: A length has no value, or the task cannot be computed.
-        UnknownNameError: The robot has no such frame, joint or length.
+        RobotError: A length has no value, the task cannot be computed, or the tolerance is no size of a residual.
+        UnknownNameError: The robot has no such frame, joint or length, or there is no such task.
     """
     check_robot(robot)
+    task_called(task)
+    size(tolerance, "tolerance")
     from dhcli.kinematics.validity import in_floats
 
     chain = between(robot, *ends(robot, start, end))
     lengths = parameter_values(robot, parameters)
     require(robot, chain, {**lengths, **dict.fromkeys(robot.variables, Angle())})
-    given = joint_values(robot, dict(hold or {}))
+    given = joint_values(robot, dict(held_values(hold)))
     known = tuple(sorted(numbers(lengths).items()))
     ready = prepare(chain, robot.variables, known, task, tuple(sorted(given, key=robot.variables.index)))
     names = [axis.name for axis in ready.arm.axes[: ready.arm.joints]]

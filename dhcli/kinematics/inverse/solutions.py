@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -207,6 +207,23 @@ def turning_joints(robot: Robot) -> NDArray[np.bool_]:
     """Which joints of a robot turn, shape (n,)."""
     kinds = {joint.name: joint.kind for joint in robot.joints}
     return np.array([kinds[name] == "revolute" for name in robot.variables], dtype=bool)
+
+
+def held_values(hold: object) -> Mapping[str, Any]:
+    """What is held, by name.
+
+    Raises:
+        RobotError: That is no mapping.
+    """
+    if hold is None:
+        return {}
+    if not isinstance(hold, Mapping):
+        raise RobotError(f"hold says what a joint is held at, by its name, and {hold!r:.60} does not", HOLD)
+    return hold
+
+
+HOLD = "{'theta1': '30°'}"
+"""How a joint is held."""
 
 
 def in_numbers(robot: Robot, q: JointInput) -> Array:

@@ -41,7 +41,7 @@ def read_targets(given: ArrayLike | Pose[float], task: Task) -> tuple[Array, flo
     """
     try:
         array = np.array(given.matrix if isinstance(given, Pose) else given, dtype=np.float64)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         hint = "wanted: a pose, or numbers of the shape (4, 4)"
         raise RobotError(f"{given!r:.60} is no pose", hint) from None
     poses = _as_poses(array, task)

@@ -47,14 +47,16 @@ TASKS = {
 """The tasks by name; `axis` leaves the spin about the z axis of the end free, `direction` its place too."""
 
 
-def task_called(name: str) -> Task:
+def task_called(name: object) -> Task:
     """The task of a name.
 
     Raises:
         UnknownNameError: There is none.
     """
-    if name not in TASKS:
-        raise UnknownNameError(f"there is no task {name}", did_you_mean(name, TASKS) or "known: " + ", ".join(TASKS))
+    if not isinstance(name, str) or name not in TASKS:
+        raise UnknownNameError(
+            f"there is no task {name!s:.60}", did_you_mean(str(name), TASKS) or "known: " + ", ".join(TASKS)
+        )
     return TASKS[name]
 
 

@@ -22,7 +22,7 @@ from dhcli.kinematics.singular.task import arm_of, number_of, place_of, task_of,
 from dhcli.kinematics.singular.vanishing import fresh, right_angles, vanishing, variables_of
 from dhcli.kinematics.singular.words import Geometry, Place, angle_words, listed
 from dhcli.kinematics.values import Values, given_parameters
-from dhcli.kinematics.velocity.form import GEOMETRIC, Which
+from dhcli.kinematics.velocity.form import GEOMETRIC, Which, check_part
 from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.tree import Expr, Trig, negate
 from dhcli.notation.walk import operations
@@ -65,6 +65,8 @@ def singularities(
         UnknownNameError: The robot has no such frame or length.
     """
     check_robot(robot)
+    if part is not None:
+        check_part(part)
     view = MotionView.of(robot, start=start, end=end, point=point)
     return find(robot, view, part, given_parameters(robot, parameters))
 

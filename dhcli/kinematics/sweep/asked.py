@@ -58,8 +58,8 @@ def sweep(  # noqa: PLR0913  as many as a sweep has sides; all but the first thr
         What was found; distances and positions in metres, joint values exact.
 
     Raises:
-        RobotError: A joint has no limits to sweep over, a length no value, the grid is too large, or that is no number
-            of threads.
+        RobotError: Ranges are no texts, a joint has no limits to sweep over, a length no value, the grid is too large,
+            or that is no number of threads.
         NotationError: A range cannot be read, with its column.
         UnknownNameError: The robot has no such frame, joint or length.
     """
@@ -70,12 +70,24 @@ def sweep(  # noqa: PLR0913  as many as a sweep has sides; all but the first thr
         raise RobotError(f"a point has three coordinates, not {len(place)}")
     x, y, z = place
     target = target_of(robot, View.of(robot, start, end, point=(x, y, z)), values)
-    texts = [over] if isinstance(over, str) else over
-    if isinstance(texts, Mapping):
-        texts = [f"{name}={text}" for name, text in texts.items()]
-    overs = [read_over(robot, text, place=Place("over")) for text in texts]
+    overs = [read_over(robot, text, place=Place("over")) for text in _texts(over)]
     grid = plan(target, overs, values, Place("over") if overs else None)
 
     from dhcli.kinematics.sweep.run import sweep as go_through  # numpy: not for what is refused before it starts
 
     return go_through(target, grid, each, threads=threads)
+
+
+def _texts(over: object) -> list[str]:
+    """The ranges as texts, one a joint.
+
+    Raises:
+        RobotError: That is none.
+    """
+    if isinstance(over, Mapping):
+        over = [f"{name}={text}" for name, text in over.items()]
+    texts = [over] if isinstance(over, str) else list(over) if isinstance(over, Iterable) else None
+    if texts is None or not all(isinstance(text, str) for text in texts):
+        message = f"over says in text what each joint is swept over, and {over!r:.60} does not"
+        raise RobotError(message, "'theta1=-90°..90° step 5°', several of them in a list, or {'theta1': '-90°..90°'}")
+    return texts

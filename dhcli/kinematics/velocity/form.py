@@ -4,15 +4,27 @@ from __future__ import annotations
 
 from typing import Literal, TypeVar
 
+from dhcli.errors import RobotError
 from dhcli.frozen import frozen
 from dhcli.kinematics.velocity.analytic import Triple
 
 N = TypeVar("N")
 
 Which = Literal["all", "linear", "angular"]
+PARTS = ("all", "linear", "angular")
 
 LINEAR = ("v_x", "v_y", "v_z")
 ANGULAR = ("ω_x", "ω_y", "ω_z")
+
+
+def check_part(part: object) -> None:
+    """Refuse what is no part of a Jacobian.
+
+    Raises:
+        RobotError: There is no such part.
+    """
+    if not isinstance(part, str) or part not in PARTS:
+        raise RobotError(f"a Jacobian has no part {part!s:.60}", f"parts: {', '.join(PARTS)}")
 
 
 @frozen

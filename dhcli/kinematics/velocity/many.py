@@ -9,7 +9,7 @@ import numpy as np
 
 from dhcli.algebra.arrays import Array, library_of
 from dhcli.algebra.tape import Number, Tape
-from dhcli.errors import DhcliError, RobotError
+from dhcli.errors import DhcliError
 from dhcli.kinematics.batch import joint_rows, room
 from dhcli.kinematics.fold import fold_rows
 from dhcli.kinematics.forward import Given, plain_floats
@@ -21,7 +21,7 @@ from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.traced import shaped, trace
 from dhcli.kinematics.values import JointInput, given_parameters, joint_values, numbers, parameter_values
 from dhcli.kinematics.velocity.analytic import TINY, Triple
-from dhcli.kinematics.velocity.form import Form, Which
+from dhcli.kinematics.velocity.form import Form, Which, check_part
 from dhcli.kinematics.velocity.jacobian import (
     Jacobian,
     check_values,
@@ -158,8 +158,7 @@ def form_of(part: object, angular_first: bool, analytic: object) -> Form:  # noq
         RobotError: There is no such part.
         UnknownNameError: There are no such angles.
     """
-    if str(part) not in {"all", "linear", "angular"}:
-        raise RobotError(f"a Jacobian has no part {part!s:.60}", "parts: all, linear, angular")
+    check_part(part)
     if not isinstance(analytic, str) or analytic:
         Triple.called(str(analytic))
     return Form(cast("Which", part), angular_first, str(analytic))

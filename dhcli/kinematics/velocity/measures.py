@@ -9,6 +9,8 @@ import numpy as np
 
 from dhcli.frozen import frozen
 from dhcli.geometry.rank import decided
+from dhcli.kinematics.robot import Robot, check_robot
+from dhcli.kinematics.velocity.form import Which, check_part
 from dhcli.kinematics.velocity.many import jacobian
 from dhcli.kinematics.velocity.view import MotionView, Viewing
 
@@ -16,9 +18,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from dhcli.kinematics.forward import Given
-    from dhcli.kinematics.robot import Robot
     from dhcli.kinematics.values import JointInput
-    from dhcli.kinematics.velocity.form import Which
 
     Table: TypeAlias = NDArray[np.float64]
 
@@ -113,6 +113,9 @@ def manipulability(
     """
     from dhcli.kinematics.singular.task import task_at
 
+    check_robot(robot)
+    if part is not None:
+        check_part(part)
     rows, kept = task_at(robot, MotionView.of(robot, **viewing), part)
     found = jacobian(robot, q, part=rows, parameters=parameters, **viewing)
     if found.ndim == 2:  # noqa: PLR2004  one matrix

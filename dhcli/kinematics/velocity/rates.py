@@ -12,7 +12,7 @@ from dhcli.frozen import frozen
 from dhcli.geometry.rank import decided, rank_of
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.robot import Robot, check_robot
-from dhcli.kinematics.values import JointInput, Values, joint_values, parameter_values
+from dhcli.kinematics.values import JointInput, Values, joint_values, parameter_values, size
 from dhcli.kinematics.velocity.form import Form, Which
 from dhcli.kinematics.velocity.jacobian import numeric_jacobian
 from dhcli.kinematics.velocity.statics import three_numbers
@@ -123,8 +123,7 @@ def rates_at(
     """The same at known values; see `joint_rates`."""
     if velocity is None and angular is None:
         raise RobotError("rates of the joints need a velocity, or an angular velocity", "velocity=(0.1, 0, 0)")
-    if not 0 <= damping < np.inf:
-        raise RobotError(f"damping is 0 or a positive number, not {damping:g}")
+    damping = size(damping, "damping")
     part: Which = "all" if velocity is not None and angular is not None else "linear" if angular is None else "angular"
     found = numeric_jacobian(robot, values, view, Form(part))
     wanted = [
@@ -145,7 +144,7 @@ def rates_at(
         found.labels,
         rank,
         _full_rank(matrix, robot, values, view, part),
-        float(damping),
+        damping,
         tuple(tuple(map(float, row)) for row in right[rank:]),
         view,
     )

@@ -179,7 +179,7 @@ def draw(  # noqa: PLR0913  a figure has as many sides
         raise RobotError(f"a Robot or a Linkage is wanted, not {what!r:.60}", hint)
     if size is not None:
         check_size(size)
-    given = given_parameters(what, parameters) if parameters and isinstance(what, Robot) else None
+    given = given_parameters(what, parameters) if parameters is not None and isinstance(what, Robot) else None
     seen = read_view(view) if isinstance(view, str) else view
     moving: dict[str, Any] = {"to": to, "path": _rows(what, path)}
     other: dict[str, Any] = {"beside": beside, "workspace": workspace}
@@ -192,7 +192,10 @@ def _rows(what: Robot | Linkage, path: Rows) -> Rows:
     Raises:
         RobotError: A row has more or fewer, or what moves is no robot.
     """
-    rows = tuple(tuple(map(float, row)) for row in path)
+    try:
+        rows = tuple(tuple(map(float, row)) for row in path)
+    except (TypeError, ValueError, OverflowError):
+        raise RobotError(f"a path is rows of joint values in numbers, not {path!r:.60}") from None
     count = len(what.variables) if isinstance(what, Robot) else 0
     for number, row in enumerate(rows):
         if len(row) != count or not all(map(isfinite, row)):
@@ -206,8 +209,12 @@ def check_size(size: tuple[int, int]) -> None:
     Raises:
         DhcliError: A side is too short or too long.
     """
-    if not all(LEAST <= side <= MOST for side in size):
-        raise DhcliError(f"a picture of {size[0]} x {size[1]} pixels is not drawn", f"from {LEAST} to {MOST} each")
+    try:
+        width, height = map(int, size)
+    except (TypeError, ValueError, OverflowError):
+        raise DhcliError(f"a size is a width and a height, not {size!r:.60}", "size=(800, 600)") from None
+    if not (LEAST <= width <= MOST and LEAST <= height <= MOST):
+        raise DhcliError(f"a picture of {width} x {height} pixels is not drawn", f"from {LEAST} to {MOST} each")
 
 
 def format_of(path: str | Path) -> str:

@@ -50,8 +50,11 @@ def marks_table(marked: SheetMark, look: Look) -> str:
 def sum_line(marked: SheetMark) -> str:
     """How many parts are solved, and the credit they earned."""
     solved = sum(part.mark.verdict.passed is True for part in marked.parts)
-    credit = f"{plain(marked.earned)} of {plain(marked.credit)} credits"
-    return f"{solved} of {len(marked.parts)} parts solved, {credit}"
+    return f"{solved} of {len(marked.parts)} parts solved, {_earned(marked.earned, marked.credit)}"
+
+
+def _earned(earned: float, credit: float) -> str:
+    return f"{plain(earned)} of {plain(credit)} credit{'s' * (credit != 1)}"
 
 
 def marks_csv(marked: SheetMark, _look: Look) -> str:
@@ -174,7 +177,7 @@ def _partial_credit(one: PartMark) -> str:
     if share == 1:
         kept = "credit kept" if one.mark.diagnosis and one.mark.diagnosis.follows else "full credit"
         return f" ({kept}: {plain(credit)})"
-    return f" ({plain(share * credit)} of {plain(credit)} credits)"
+    return f" ({_earned(share * credit, credit)})"
 
 
 def _lines_below(text: str, paper: Paper) -> list[str]:

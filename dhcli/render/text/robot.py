@@ -24,6 +24,10 @@ from dhcli.render.text.table import Inked, table_text
 from dhcli.safe import csv_cell, latex
 
 _LETTERS = {"a": "a", "alpha": "α", "d": "d", "theta": "θ"}
+_BESIDES = 12
+"""Columns of a table of products besides those of products and joints: numbers, gaps, a `*` at the end of a line."""
+_LEAST = 20
+"""Columns that a product has, however narrow the terminal is."""
 _PROSE = 96
 """Columns at which notes are folded at most; longer lines are hard to read."""
 
@@ -132,13 +136,30 @@ def links_table(robot: Robot, look: Look) -> str:
     """The DH table with the order of its operations, or the products."""
     paper = look.paper
     rows: list[list[str]] = []
-    for link in robot.links:
-        cells = [link.product] if link.row is None else _row(robot, link, "short")
-        rows.append([str(link.number), *(_underlined(cell, robot, paper) for cell in cells), _kind(robot, link)])
     product = robot.convention is Convention.PRODUCT
+    kinds = [_kind(robot, link) for link in robot.links]
+    room = paper.width - max(map(len, kinds), default=0) - _BESIDES if product and paper.terminal else None
+    for link, kind in zip(robot.links, kinds, strict=True):
+        cells, *more = [[link.product]] if link.row is None else [_row(robot, link, "short")]
+        if room is not None:
+            cells, *more = ([line] for line in _in_lines(link.product, room))
+        rows.append([str(link.number), *(_underlined(cell, robot, paper) for cell in cells), kind])
+        rows += (["", _underlined(line, robot, paper), ""] for (line,) in more)
     table = table_text(["i", *(("A_i",) if product else heads(robot)), "joint"], rows, paper)
     order = ORDER[robot.convention].replace("alpha_", "α_").replace("theta_", "θ_")
     return table + paper.ink(paper.spell(order), "dim") + "\n"
+
+
+def _in_lines(product: str, width: int) -> Iterator[str]:
+    """A product in lines no wider than a terminal has room for, each but the last with its `*` at the end."""
+    line = ""
+    for factor in product.split(" * "):
+        longer = f"{line} * {factor}" if line else factor
+        if line and len(longer) > max(width, _LEAST):
+            yield f"{line} *"
+            longer = factor
+        line = longer
+    yield line
 
 
 def _kind(robot: Robot, link: Link) -> str:

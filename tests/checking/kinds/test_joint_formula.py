@@ -36,6 +36,7 @@ def judged(answer: str, ask: str = "angle theta2 of position", robot: str = "pla
         ("puma560", "angle theta3 of pose", f"{PUMA_K}theta3 = atan2(a3, d4) - atan2(K, ±sqrt(a3^2 + d4^2 - K^2))"),
         ("spherical-wrist", "angle theta5 of orientation", "±acos(r33)"),
         ("cylindrical", "angle theta1 of position", "atan2(-px, py), or 180° more"),
+        ("cylindrical", "angle theta1 of position", "atan2(∓px, ±py)"),
         ("stanford", "joint d3 of pose", "±sqrt((px-d6*r13)^2 + (py-d6*r23)^2 + (pz-d6*r33)^2 - d2^2)"),
     ],
 )

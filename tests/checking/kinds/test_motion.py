@@ -240,6 +240,7 @@ def test_a_question_that_cannot_be_asked_is_refused(ask: str, problem: str) -> N
         ("jacobian linear of 0..2", "[1 2; 3 4]", "the answer is 2x2; a 3x2 matrix was asked"),
         ("jacobian linear of 0..2", "[1 2 3; 4 5 6]", "3 rows and 2 columns were asked"),
         ("velocity of 0..2 with rates (1, 1)", "1, 2", "2 numbers are given, 3 were asked"),
+        ("jacobian of 0..2", "1 2; 3 4; 5 6", "a 6x2 matrix was asked: half of its rows are missing, v or ω"),
         ("velocity of 0..2 with rates (1, 1)", "a1, 2, x", ""),
         ("singular when linear of 0..2", "a1 = 0", "write what the joints make zero"),
         ("singular when linear of 0..2", "theta2 = 1 rad", "write angles in degrees"),

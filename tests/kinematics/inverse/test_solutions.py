@@ -7,7 +7,7 @@ from itertools import product
 import numpy as np
 import pytest
 
-from dhcli import Solutions, forward, inverse, inverse_batch, load_robot
+from dhcli import Solutions, follow, forward, inverse, inverse_batch, load_robot
 from dhcli.errors import RobotError, UnknownNameError
 
 
@@ -212,6 +212,30 @@ def test_what_is_no_pose_is_refused(change: object, said: str) -> None:
     robot = load_robot("puma560")
     with pytest.raises(RobotError, match=said):
         inverse(robot, change(forward(robot, [0.3, -0.5, 0.7, 1, 0.8, -2]).matrix))  # type: ignore[operator]
+
+
+@pytest.mark.parametrize("name", ["scara", "palletizer"])
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        ({"hold": 3}, "hold says what a joint is held at, by its name, and 3 does not"),
+        ({"hold": np.zeros(3)}, "hold says what a joint is held at"),
+        ({"tolerance": "small"}, "tolerance is 0 or a positive number, not 'small'"),
+        ({"tolerance": -1e-9}, "tolerance is 0 or a positive number"),
+        ({"task": ["pose"]}, r"there is no task \['pose'\]"),
+    ],
+)
+def test_what_no_question_can_be_asked_with_is_refused(name: str, options: dict[str, object], said: str) -> None:
+    """By each way to ask, also of arms whose joints move one another; such a one follows nothing."""
+    robot = load_robot(name)
+    q = [0.1] * len(robot.variables)
+    pose = forward(robot, q)
+    ways = [lambda: inverse(robot, pose, **options), lambda: inverse_batch(robot, [pose.matrix], **options)]
+    if name == "scara":
+        ways.append(lambda: follow(robot, [pose.matrix], q, **options))
+    for ask in ways:
+        with pytest.raises((RobotError, UnknownNameError), match=said):
+            ask()
 
 
 def test_unknown_names_are_refused_with_the_nearest_one() -> None:

@@ -201,6 +201,9 @@ def test_a_program_asks_as_the_command_does() -> None:
     assert ask(robot, "q1=0..90° n 3").grid.count == 3
     with pytest.raises(RobotError, match="90 has no unit"):
         ask(robot, "q1=0°..90")
+    for over in (None, 5, ["q1", 3], b"q1"):
+        with pytest.raises(RobotError, match=r"over says in text what each joint is swept over, and .* does not"):
+            ask(robot, over)  # type: ignore[arg-type]
     with pytest.raises(RobotError, match="a point has three coordinates, not 2"):
         ask(robot, "q1", point=(0, 0))
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -9,7 +10,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from dhcli import forward, jacobian, load_robot, symbolic_jacobian
+from dhcli import (
+    forward,
+    in_motors,
+    jacobian,
+    joint_rates,
+    load_robot,
+    manipulability,
+    singularities,
+    symbolic_jacobian,
+)
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.residues import Residues
 from dhcli.errors import RobotError, UnknownNameError
@@ -309,6 +319,26 @@ def test_many_that_cannot_be_are_refused_in_words(rows: object, options: dict[st
     """As by `forward_batch`."""
     with pytest.raises(RobotError, match=said):
         jacobian(load_robot("scara"), rows, **options)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("ask", "said"),
+    [
+        (
+            lambda arm, q: joint_rates(arm, q, [1, 0, 0], damping="much"),
+            "damping is 0 or a positive number, not 'much'",
+        ),
+        (lambda arm, q: joint_rates(arm, q, [1, 0, 0], damping=-1), "damping is 0 or a positive number, not -1"),
+        (lambda arm, q: manipulability(arm, q, part="v"), "a Jacobian has no part v"),
+        (lambda arm, q: singularities(arm, part=3), "a Jacobian has no part 3"),
+        (lambda arm, q: manipulability("scara", q), "scara"),
+        (lambda arm, q: in_motors(5), "5"),
+    ],
+)
+def test_what_is_no_part_no_damping_and_no_robot_is_refused(ask: Callable[..., object], said: str) -> None:
+    """In words."""
+    with pytest.raises(RobotError, match=said):
+        ask(load_robot("scara"), [0.1, 0.2, 0.3])
 
 
 def test_a_part_has_its_rows() -> None:

@@ -301,6 +301,10 @@ def test_what_is_no_robot_a_size_that_is_none_and_a_linkage_with_joint_values_ar
         draw("puma560")  # type: ignore[arg-type]
     with pytest.raises(DhcliError, match="10 x 10 pixels"):
         _picture("scara", size=(10, 10))
+    with pytest.raises(DhcliError, match="a size is a width and a height, not 800"):
+        _picture("scara", size=800)
+    with pytest.raises(RobotError, match="a path is rows of joint values in numbers, not 5"):
+        _picture("scara", path=5)
     with pytest.raises(DhcliError, match="is a linkage"):
         _picture("bennett", q=[1]).svg()
 
