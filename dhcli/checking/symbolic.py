@@ -40,7 +40,7 @@ def mark_symbols(question: Wanted, truth: Truth, entries: Entries, memo: Memo) -
 
     def judged(entry: Entry, place: tuple[int, int]) -> CellMark:
         made = partial(_cell, question, truth, entry, place, memo.exercise)
-        return memo.recent(("cells", question), (place, entry.key), made)
+        return memo.recent(("cells", question), (place, entry), made)
 
     cells = tuple(judged(entry, (r, c)) for r, row in enumerate(entries) for c, entry in enumerate(row))
     bad = [cell for cell in cells if cell.verdict is not Verdict.RIGHT]

@@ -42,7 +42,7 @@ def symbols(expr: Expr) -> frozenset[str]:
     return frozenset(found)
 
 
-def digits(expr: Expr) -> tuple[int | None, ...]:
+def decimals(expr: Expr) -> tuple[int | None, ...]:
     """The decimal places of its numbers: with them expressions that are equal, such as 0.5 and 1/2, are told apart."""
     stack, found = [expr], []
     while stack:

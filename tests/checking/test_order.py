@@ -12,6 +12,7 @@ from dhcli.checking.judge import Judge
 from dhcli.checking.kinds.made import question_about
 from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import Mark, Verdict
+from dhcli.files.yaml.linkages import load_linkage
 from dhcli.notation.angle import Angle
 
 POSE = (
@@ -71,3 +72,17 @@ def test_each_of_two_parts_is_explained_within_its_own_tolerance(ask: str, answe
         found = {part.id: judge.check(part, answer) for part in order}
         assert [found[part.id] for part in parts] == alone
     assert [mark.diagnosis is None for mark in alone] == [True, False]
+
+
+def test_a_count_whose_name_is_that_of_a_convention_takes_nothing_from_a_table() -> None:
+    """Parts are named as a lecturer likes."""
+    table = asked("table standard")
+    (count,) = asked("count mobility planar-four-bar").parts
+    count = replace(count, id="standard", question=replace(count.question, found=load_linkage("planar-four-bar")))
+    judge = Judge(replace(table, parts=(count, *table.parts)))
+    assert judge.check(count, "3").verdict is Verdict.WRONG
+    (part,) = table.parts
+    answers = [judge.answer_with(part, slip.name) for slip in judge.slips(part)]
+    found = [judge.check(part, answer) for answer in answers]
+    assert any(mark.diagnosis for mark in found)
+    assert found == [Judge(table).check(part, answer) for answer in answers]

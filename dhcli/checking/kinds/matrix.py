@@ -187,7 +187,7 @@ class MatrixQuestion(Wanted, Question[Entries]):
             judged = replace(judged, earned=0.0)  # what is right in it was not worked out
 
         def written(entry: Entry) -> str:
-            return case.memo.recent("written", entry.key, lambda: write(entry.typed, "short", exercise.writing))
+            return case.memo.recent("written", entry, lambda: write(entry.typed, "short", exercise.writing))
 
         typed = tuple(tuple(map(written, row)) for row in entries)
         columns = self.shape[1]
