@@ -171,3 +171,16 @@ def test_rows_that_are_no_pose_may_be_left_out(dhcli: Run) -> None:
     assert all(f"standard input:{line}" in done.err for line in (3, 4, 5))
     assert dhcli("ik", "scara-yim", "--in", "-", stdin=text).code == 2
     assert "far" in dhcli("ik", "scara-yim", "--in", "-", stdin=text).err
+
+
+@pytest.mark.parametrize("form", ["csv", "jsonl"])
+def test_what_it_writes_goes_back_through_fk(dhcli: Run, form: str) -> None:
+    """There and back by two pipes, the numbers of rows in front all the way."""
+    text = "p_x,p_y,p_z\n0.3,0.2,0.1\n0.4,0.2,0.1\n"
+    joints = dhcli("ik", "scara", "--in", "-", "--format", form, stdin=text)
+    poses = dhcli("fk", "scara", "--in", "-", "--as", "position", "--index", stdin=joints.out)
+    assert (joints.code, poses.code) == (0, 0), joints.err + poses.err
+    rows = [[float(cell) for cell in line.split(",")] for line in poses.out.splitlines()[1:]]
+    assert [round(row[1], 12) for row in rows] == [0.3, 0.3, 0.4, 0.4]
+    assert dhcli("jacobian", "scara", "--rows", "-", stdin=joints.out).code == 0
+    assert dhcli("ik", "scara", "--in", "-", stdin=poses.out).code == 0

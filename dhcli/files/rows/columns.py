@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhcli.errors import FileError, Place, Problem, RobotError, did_you_mean
+from dhcli.files.rows import INDEX
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Joint, Robot
 from dhcli.kinematics.values import joint_called
@@ -71,7 +72,7 @@ class JointTable:
         robot: The robot whose joint values it holds.
         degrees: Whether numbers of revolute joints without a unit are degrees; else they are radians.
         held: Where joints stand that have no column; radians and metres.
-        ignores: Whether columns of something else are left aside.
+        ignores: Whether columns of something else are left aside; those of the numbers of rows are in any case.
     """
 
     robot: Robot
@@ -108,7 +109,7 @@ class JointTable:
         factors: dict[str, tuple[float, float]] = {}
         problems: list[Problem] = []
         for k, (head, place) in enumerate(zip(heads, places, strict=True)):
-            if self.ignores and not self.is_joint(head):
+            if (self.ignores or head.strip() == INDEX) and not self.is_joint(head):
                 continue
             try:
                 name, unit = _parts(head, place)

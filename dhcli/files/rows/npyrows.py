@@ -90,6 +90,8 @@ class NpyRows:
             hint = "one pose is Q.reshape(1, -1)" if shape == (joints,) else ""
             if len(shape) == 2 and shape[1] > joints:  # noqa: PLR2004
                 hint = f"--ignore-columns takes the first {joints} columns"
+            if len(shape) == 2 and shape[1] == joints + 1:  # noqa: PLR2004
+                hint += "; where the numbers of rows stand in front, save Q[:, 1:]"
             raise FileError(Problem(message, place, hint))
         if shape[0] < 0:
             raise FileError(Problem(f"promises {shape[0]} rows", place, _SAVE))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
+from dhcli.files import rows
 from dhcli.geometry.euler import AXES
 from dhcli.kinematics.frames import View
 from dhcli.kinematics.placement import FORMS
@@ -28,7 +29,7 @@ GROUPS = {
 """The numbers of each way to say a pose; JSON nests them as `--format json` does for one pose. Angles in radians."""
 
 
-INDEX = Group("row", ("row",), "%s", is_whole=True)
+INDEX = Group(rows.INDEX, (rows.INDEX,), "%s", is_whole=True)
 """Where the joint values stand in their file."""
 
 
