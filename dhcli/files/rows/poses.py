@@ -14,7 +14,6 @@ import numpy as np
 
 from dhcli.errors import FileError, Place, Problem
 from dhcli.files.reading import explain, source_of
-from dhcli.files.rows import INDEX
 from dhcli.files.rows.cells import plain_table
 from dhcli.files.rows.turns import TURNS, check_alone, flat, posed
 from dhcli.notation.decimals import read_json
