@@ -5,7 +5,7 @@ Robots and exercises are frozen, and one that was read from the same text among 
 
 from __future__ import annotations
 
-from functools import cache, wraps
+from functools import cache, lru_cache, wraps
 from pathlib import Path
 
 from dhcli.checking.exercise import Exercise
@@ -15,6 +15,9 @@ from dhcli.files.library.lookup import Kind, find, full_id
 from dhcli.files.yaml import exercises, robots
 
 LIBRARY = lookup._built_in_root()
+
+MOST_READ = 500
+"""Robots that are kept: more than the library has, and not each that an example draws."""
 
 _anew = exercises.load_exercise
 _of_library = cache(_anew)
@@ -39,5 +42,5 @@ def _is_alone() -> bool:
 
 def remember() -> None:
     """Read nothing twice from here on; before anybody has imported what reads."""
-    robots.read_robot = cache(robots.read_robot)
+    robots.read_robot = lru_cache(MOST_READ)(robots.read_robot)
     exercises.load_exercise = load_exercise

@@ -12,6 +12,9 @@ from dhcli.notation.tree import ZERO, Expr, Number
 
 _EXACT_SINES = {0: 0.0, 30: 0.5, 90: 1.0}
 
+MOST_TURNED = 1000
+"""Angles whose cosines are kept: a point may serve the answers of a whole class."""
+
 _CALLS = {"tan": math.tan, "acos": math.acos, "asin": math.asin, "atan": math.atan, "cos": math.cos, "sin": math.sin}
 
 
@@ -33,6 +36,8 @@ class Floats:
         """Cosine and sine; exact where the angle is exact, NaN where it is too large."""
         found = self._turned.get(angle)
         if found is None:
+            if len(self._turned) >= MOST_TURNED:
+                self._turned.clear()
             found = self._turned[angle] = self._cos_sin(angle)
         return found
 

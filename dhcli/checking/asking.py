@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self
 
 from dhcli.errors import Place
 from dhcli.kinematics.robot import Robot
-from dhcli.notation.operators import OPENING
+from dhcli.notation.brackets import OPENING
 from dhcli.notation.scope import Scope
 
 if TYPE_CHECKING:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import field, replace
 from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
@@ -21,7 +21,7 @@ from dhcli.notation.names import suggestion
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_length
 from dhcli.notation.tree import ONE, ZERO, Expr, Number, number
-from dhcli.notation.walk import symbols
+from dhcli.notation.walk import decimals, symbols
 
 LARGEST = 256_000
 LEAST = 1e-12
@@ -30,11 +30,22 @@ LEAST = 1e-12
 
 @frozen
 class Entry:
-    """One entry of an answer: as typed, and as read in metres."""
+    """One entry of an answer.
+
+    Attributes:
+        expr: As read, in metres.
+        text: As typed.
+        typed: As read, in the unit in which it was typed.
+        places: The decimal places of its numbers: 0.5 and 1/2 are equal, and may be judged and written differently.
+    """
 
     expr: Expr
     text: str
     typed: Expr
+    places: tuple[int | None, ...] = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "places", decimals(self.typed))
 
 
 Entries: TypeAlias = tuple[tuple[Entry, ...], ...]

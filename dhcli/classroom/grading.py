@@ -14,7 +14,6 @@ from dhcli.errors import Problem
 TIMEOUT = 10.0
 """Seconds that one sheet may take; an honest one takes a hundredth of one."""
 
-
 MARKING = "dhcli.classroom.marking"
 """What grades a sheet, imported where it is graded, and not where the grades are collected."""
 

@@ -31,8 +31,11 @@ CACHE = 900_000
 FEWEST = 1000
 """Rows at a time however many columns there are."""
 
-CHUNK = 16 * BLOCK
-"""Rows that one thread takes at a time; as one block, for at each call of numpy one thread waits for the other."""
+CHUNK = 8 * BLOCK
+"""Rows that one thread takes at a time; as one block, for at each call of numpy one thread may wait for the other.
+
+With fewer they wait more often, with twice as many the columns of two threads no longer fit the last cache.
+"""
 
 FEW = 16
 """Rows that are played one by one in less time than numpy takes to begin."""
@@ -43,7 +46,7 @@ MODEST = 10.0
 _IDLE: deque[Columns] = deque(maxlen=4)
 """Columns that nobody uses now: the next block, or the next call, of the same robot need not make them.
 
-A megabyte each, or those of threads some twenty.
+A megabyte each, or those of threads some ten.
 """
 
 

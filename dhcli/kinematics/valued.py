@@ -12,7 +12,7 @@ from dhcli.notation.walk import symbols
 
 
 def with_values(robot: Robot, values: Mapping[str, Value]) -> Robot:
-    """The robot with exact values in the place of lengths and constant angles, which it no longer has by name."""
+    """The robot with exact values in the place of lengths and constant angles; they are no parameters of it."""
     base, tool = put_in(robot.base, values), put_in(robot.tool, values)
     links = tuple(link_with(link, values, robot.convention) for link in robot.links)
     tools = {name: put_in(chain, values) for name, chain in robot.tools.items()}

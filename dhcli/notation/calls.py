@@ -7,8 +7,9 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from dhcli.notation.angle import FULL_TURN_IN_RADIANS, Angle
+from dhcli.notation.brackets import OPENING, STEPS
 from dhcli.notation.glued import in_degrees
-from dhcli.notation.operators import CLOSING, OPENING, Operators
+from dhcli.notation.operators import Operators
 from dhcli.notation.quantity import ANGLE_UNITS, DimensionError, to_angle
 from dhcli.notation.tokens import Token, spelling
 from dhcli.notation.tree import HALF, Call, Expr, Number, Sum, Unit, multiply, power
@@ -80,11 +81,9 @@ class Calls(Operators):
         """The tokens of the bracket that comes next; none where it is long."""
         depth = 0
         for at in range(self.position, min(self.position + LONGEST_KEPT, len(self.tokens))):
-            token = self.tokens[at]
-            if token.kind == "sign":
-                depth += (token.text in OPENING) - (token.text in CLOSING)
-                if depth == 0:
-                    return self.tokens[self.position : at + 1]
+            depth += STEPS.get(self.tokens[at].text, 0)
+            if depth == 0:
+                return self.tokens[self.position : at + 1]
         return ()
 
     def _bare_argument(self) -> Expr:

@@ -5,19 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
+from dhcli.notation.brackets import OPENING, STEPS
 from dhcli.notation.functions import FUNCTIONS
 from dhcli.notation.quantity import UNITS
 from dhcli.notation.tokens import Source, Token
 
-_OPENING = {"(": ")", "[": "]", "{": "}"}
-STEPS = {**dict.fromkeys("([{", 1), **dict.fromkeys(")]}", -1)}
-"""How much deeper one is behind a bracket."""
 _RULES = frozenset("-|:+=")
 
 
 def matching(tokens: Sequence[Token], start: int) -> int:
     """Index of the bracket that closes the one at `start`, or -1."""
-    if start >= len(tokens) or tokens[start].kind != "sign" or tokens[start].text not in _OPENING:
+    if start >= len(tokens) or tokens[start].kind != "sign" or tokens[start].text not in OPENING:
         return -1
     depth = 0
     for i in range(start, len(tokens)):
@@ -106,7 +104,7 @@ def _separates(before: Token, token: Token, after: list[Token]) -> bool:
     """Whether a blank between two tokens begins a new cell: `c1 -s1` does, `c1 - s1`, `cos θ` and `30 mm` do not."""
     if before.kind == "sign" and before.text in "+-*/^√":
         return False
-    if before.kind == "word" and (before.text in FUNCTIONS or (before.text in ("c", "s") and token.text in _OPENING)):
+    if before.kind == "word" and (before.text in FUNCTIONS or (before.text in ("c", "s") and token.text in OPENING)):
         return False
     if token.kind == "sign":
         if token.text in "*/^°)]}'":

@@ -12,6 +12,7 @@ from dataclasses import replace
 
 from dhcli.errors import Place
 from dhcli.frozen import frozen
+from dhcli.notation.brackets import OPENING
 from dhcli.notation.cells import cells_in, matching, rows_in, with_depths
 from dhcli.notation.parser import read_all
 from dhcli.notation.scaled import times, without_factor
@@ -31,7 +32,6 @@ LONGEST = 64 * 2000
 
 _WRAPPERS = frozenset(("array", "matrix", "Matrix", "mat"))
 _ENVIRONMENTS = frozenset(("bmatrix", "pmatrix", "matrix", "Bmatrix", "vmatrix", "smallmatrix", "array"))
-_OPENING = {"(": ")", "[": "]", "{": "}"}
 _COMMENT = regex(r"^[ \t]*[%#].*$", re.MULTILINE)
 """A line that MATLAB or numpy would skip, such as the heading of dhcli's own output."""
 
@@ -130,7 +130,7 @@ def _unwrap(tokens: list[Token]) -> list[Token]:
     tokens = _labelled(_without_environments(tokens))
     for _ in range(MOST_WRAPPINGS):
         tokens = _trim(tokens)
-        if len(tokens) > 1 and tokens[0].kind == "word" and tokens[0].text in _WRAPPERS and tokens[1].text in _OPENING:
+        if len(tokens) > 1 and tokens[0].kind == "word" and tokens[0].text in _WRAPPERS and tokens[1].text in OPENING:
             tokens = tokens[1:]
         closing = matching(tokens, 0)
         if closing != len(tokens) - 1 or closing < 1:

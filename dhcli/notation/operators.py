@@ -10,6 +10,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import ParamSpec
 
+from dhcli.notation.brackets import OPENING
 from dhcli.notation.cursor import Cursor
 from dhcli.notation.quantity import UNITS
 from dhcli.notation.scope import Scope
@@ -24,9 +25,6 @@ LONGEST_NUMBER = 60
 P = ParamSpec("P")
 
 _SUM, _PRODUCT, _POWER = 10, 20, 30
-OPENING = {"(": ")", "[": "]", "{": "}"}
-"""Brackets and what closes them."""
-CLOSING = frozenset(OPENING.values())
 
 
 class Operators(Cursor, ABC):

@@ -10,11 +10,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from dhcli.errors import NotationError, Place
+from dhcli.notation.brackets import OPENING, STEPS
 from dhcli.notation.calls import Calls
 from dhcli.notation.functions import FUNCTIONS, is_usual, nearest_meaning, refusal
 from dhcli.notation.glued import in_degrees, is_factor, unglued
 from dhcli.notation.names import GREEK_NAMES, canonical, parts, suggestion
-from dhcli.notation.operators import OPENING
 from dhcli.notation.quantity import ANGLE_UNITS, UNITS, DimensionError, is_inverse, to_angle, to_length
 from dhcli.notation.scope import OPEN, Scope, trig_name
 from dhcli.notation.tokens import Source, Token, spelling, tokenize
@@ -128,7 +128,7 @@ class Parser(Calls):
         while self.tokens[at].kind != "end":
             token = self.tokens[at]
             if token.kind == "sign":
-                depth += (token.text in OPENING) - (token.text in OPENING.values())
+                depth += STEPS.get(token.text, 0)
                 if token.text == "°":
                     return True
                 if depth == 0:
@@ -148,8 +148,7 @@ class Parser(Calls):
         if tokens[last + 1].text in OPENING and tokens[last + 1].kind == "sign":
             depth = 0
             for i in range(last + 1, len(tokens) - 1):
-                if tokens[i].kind == "sign":
-                    depth += (tokens[i].text in OPENING) - (tokens[i].text in OPENING.values())
+                depth += STEPS.get(tokens[i].text, 0)
                 if depth == 0:
                     return i
             return len(tokens) - 2

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from dhcli.frozen import frozen
-from dhcli.notation.cells import STEPS
+from dhcli.notation.brackets import OPENING, STEPS
 from dhcli.notation.parser import read_all
 from dhcli.notation.quantity import LENGTH_UNITS
 from dhcli.notation.scope import Scope
@@ -14,7 +14,6 @@ from dhcli.notation.tokens import Source, Token
 from dhcli.notation.tree import ONE, Expr, Number, Unit, multiply
 from dhcli.notation.walk import symbols
 
-_OPENING = {"(": ")", "[": "]", "{": "}"}
 _LARGEST_POWER = 9
 _SEPARATORS = frozenset(",;&|=")
 
@@ -93,7 +92,7 @@ def _matrix(tokens: Sequence[Token], wrappers: frozenset[str]) -> tuple[int, int
             return (i, ends[-1] + 3) if ends else (0, -1)
         called = token.kind == "word" and token.text in wrappers and i + 1 < len(tokens)
         opening = i + 1 if called else i
-        if (tokens[opening].text == "[" or (called and tokens[opening].text in _OPENING)) or _holds_matrix(tokens, i):
+        if (tokens[opening].text == "[" or (called and tokens[opening].text in OPENING)) or _holds_matrix(tokens, i):
             return i, _closing(tokens, opening)
     return 0, -1
 

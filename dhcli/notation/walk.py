@@ -42,6 +42,18 @@ def symbols(expr: Expr) -> frozenset[str]:
     return frozenset(found)
 
 
+def decimals(expr: Expr) -> tuple[int | None, ...]:
+    """The decimal places of its numbers: with them expressions that are equal, such as 0.5 and 1/2, are told apart."""
+    stack, found = [expr], []
+    while stack:
+        node = stack.pop()
+        if type(node) is Number:
+            found.append(node.places)
+        else:
+            stack += children(node)
+    return tuple(found)
+
+
 def operations(expr: Expr) -> int:
     """Binary + - * / in the written form; unary minus, cosines and sines cost nothing."""
     return sum(_own_operations(node) for node in walk(expr))

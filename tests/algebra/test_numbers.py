@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from dhcli.algebra import floats
 from dhcli.algebra.arithmetic import Arithmetic, CannotHoldError, plus, right_angle, times
 from dhcli.algebra.equality import equal
 from dhcli.algebra.floats import Floats, cosine_of_degrees
@@ -168,6 +169,15 @@ def test_a_quarter_turn_in_values_is_exact_too() -> None:
     rows = fold(read_chain("Rot(z, theta1) Trans(0.5, 0, 0)"), Floats({"theta1": Angle.in_degrees(90)}))
     assert rows[0] == (0.0, -1.0, 0.0, 0.0)
     assert rows[1] == (1.0, 0.0, 0.0, 0.5)
+
+
+def test_floats_keep_the_cosines_of_so_many_angles_only(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each is that of the angle, however many came before it."""
+    monkeypatch.setattr(floats, "MOST_TURNED", 3)
+    over, angles = Floats(), [Angle.in_degrees(7 * k) for k in range(1, 8)]
+    for angle in (*angles, *angles, *reversed(angles)):
+        assert over.cos_sin(angle) == Floats().cos_sin(angle)
+        assert len(over._turned) <= 3
 
 
 @pytest.mark.parametrize("text", ["√(-1)", "a^(1/3)", "acos(2)", "a^-1 + √(a - 5)", "cos(1e60^5 a)"])

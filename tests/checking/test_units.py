@@ -100,7 +100,7 @@ def test_a_text_that_writes_its_unit_is_believed(ask: str, unit: str) -> None:
     ],
 )
 def test_a_unit_behind_a_vector_is_that_of_every_coordinate(around: str) -> None:
-    """It was that of the last one alone; behind a last coordinate without a bracket it still is."""
+    """Of all coordinates; behind a last one without a bracket it is that of this one alone."""
     exercise, part = exercise_of("position of link 1", given=GIVEN, unit="mm", numeric=True)
     cells = [f"{float(cell) / 1000:.9f}" for row in cells_of(expected(exercise, part)) for cell in row]
     separator = " \\\\ " if "begin" in around else ", "

@@ -121,7 +121,8 @@ def test_a_process_that_waits_for_rows_can_be_stopped(tmp_path: Path, name: str,
                 running.wait(timeout=0.02)
         running.send_signal(getattr(signal, name))
         _, err = running.communicate(timeout=PATIENCE)
-    assert running.returncode == code
+    # A process that ends by Ctrl-C itself, as Python does where nobody catches it, is 130 to a shell as well.
+    assert running.returncode == code or (name, running.returncode) == ("SIGINT", -signal.SIGINT)
     assert "Traceback" not in err
     assert [path.read_text() for path in tmp_path.iterdir()] == ["old"]
 

@@ -138,9 +138,10 @@ class _Slips:
     def _mendable(self, typed: Arm) -> Iterable[int]:
         """The slips that can lead to a robot: before and behind their rows, its axes lie as the right ones do.
 
-        Axes in letters alone tell it; where numbers are rounded, any slip may be the one.
+        Axes in letters alone tell it, in the order of the robot; else any slip may be the one.
         """
-        if has_numbers(typed.chain) or has_numbers(self._forth.arm.chain):
+        right = self._forth.arm
+        if typed.variables != right.variables or has_numbers(typed.chain) or has_numbers(right.chain):
             return range(len(self.every))
         before = TwoArms(self._forth, typed, DEFAULT).reach()
         behind = TwoArms(self._back, Arm.of(inverse(typed.chain), self._robot.variables), DEFAULT).reach()

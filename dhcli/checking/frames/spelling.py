@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from dhcli.checking.pasted import UnreadableError
-from dhcli.notation.operators import OPENING
+from dhcli.notation.brackets import OPENING
 from dhcli.regex import regex
 
 LONGEST = 20_000

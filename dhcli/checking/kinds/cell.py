@@ -101,7 +101,8 @@ class CellQuestion(Question[TypedValue]):
     def causes(self, case: Case, reading: Reading[TypedValue]) -> Causes:
         from dhcli.checking.diagnosis.alternatives import changing
 
-        every = case.memo.of(("alternatives", self), lambda: tuple(changing(case, self._alternatives(case))))
+        kept = ("alternatives", self, case.tolerance)
+        every = case.memo.of(kept, lambda: tuple(changing(case, self._alternatives(case))))
         return tuple((one.slip,) for one in every if one.fits(reading))
 
     def _alternatives(self, case: Case, name: str = "") -> Iterator[Alternative[TypedValue]]:

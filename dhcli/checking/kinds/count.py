@@ -122,7 +122,7 @@ class CountQuestion(Question[int]):
 
     def _slips(self, case: Case) -> tuple[tuple[Slip, int], ...]:
         """Slips in the count, each with the number it gives."""
-        return case.memo.of(("slips", case.part.id), self._miscounted)
+        return case.memo.of(("slips of count", case.part.id), self._miscounted)
 
     def _miscounted(self) -> tuple[tuple[Slip, int], ...]:
         from dhcli.mobility.slips import slips

@@ -20,7 +20,7 @@ from dhcli.errors import DhcliError, NotationError, Place, Problem
 from dhcli.frozen import frozen
 from dhcli.kinematics.frames import View, frame
 from dhcli.kinematics.robot import Robot
-from dhcli.notation.operators import OPENING
+from dhcli.notation.brackets import OPENING
 from dhcli.notation.quantity import DimensionError
 from dhcli.notation.scope import Scope
 from dhcli.notation.writer import write

@@ -85,7 +85,7 @@ class ScalarQuestion(Question[TypedValue]):
         """In symbols mistakes that are the same have one name; in numbers they only happen to agree."""
         from dhcli.checking.diagnosis.alternatives import changing
 
-        every = case.memo.of(("alternatives", self), lambda: tuple(self._alternatives(case)))
+        every = case.memo.of(("alternatives", self, case.tolerance), lambda: tuple(self._alternatives(case)))
         return changing(case, every, reading, distinct=not case.exercise.numeric)
 
     def _alternatives(self, case: Case, name: str = "") -> Iterator[Alternative[TypedValue]]:

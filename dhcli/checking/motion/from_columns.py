@@ -104,7 +104,7 @@ class ColumnsQuestion(MotionQuestion):
 
     def pairs(self, case: Case) -> tuple[Pair, ...]:
         """Two slips at once, worked out once; none where they are too many."""
-        return case.memo.of(("motion pairs", self), lambda: tuple(self._paired(case)))
+        return case.memo.of(("motion pairs", self, case.tolerance), lambda: tuple(self._paired(case)))
 
     def _paired(self, case: Case) -> Iterator[Pair]:
         rows, width = self.right(case).shape

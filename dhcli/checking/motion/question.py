@@ -183,7 +183,7 @@ class MotionQuestion(Question[Entries]):
 
     def _wrong(self, case: Case) -> tuple[Wrong, ...]:
         """The mistakes that change the answer at general values; of those that are the same the first."""
-        return case.memo.of(("motion mistakes", self), lambda: tuple(self._made(case)))
+        return case.memo.of(("motion mistakes", self, case.tolerance), lambda: tuple(self._made(case)))
 
     def single_grids(self, case: Case) -> Iterator[Grid]:
         """The answers that single mistakes lead to."""
@@ -219,7 +219,7 @@ class MotionQuestion(Question[Entries]):
         """Whether a mistake cannot be seen at the values given."""
         if not case.exercise.numeric:
             return False
-        right, limits = case.memo.of(("motion numbers", self), lambda: self.right_numbers(case))
+        right, limits = case.memo.of(("motion numbers", self, case.tolerance), lambda: self.right_numbers(case))
         return within(one.seen, right, limits)
 
     def right_numbers(self, case: Case) -> tuple[Numbers, Numbers]:

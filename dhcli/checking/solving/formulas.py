@@ -13,9 +13,9 @@ from dhcli.checking.solving.putting import put_for
 from dhcli.errors import DhcliError, Place
 from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
+from dhcli.notation.brackets import OPENING
 from dhcli.notation.dimensions import ANGLE_UNITS, LENGTH_UNITS
 from dhcli.notation.names import canonical
-from dhcli.notation.operators import OPENING
 from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import PI, Expr, Number, Sum, Symbol, Trig, Unit, add, multiply, number

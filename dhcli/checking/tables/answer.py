@@ -25,6 +25,7 @@ from dhcli.kinematics.frames import between
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.same_robot import Match
 from dhcli.notation.tree import ZERO
+from dhcli.notation.walk import decimals
 
 FULL_TURN = 7
 """Above this many radians a bare number was meant in degrees."""
@@ -133,7 +134,8 @@ class TableAnswer:
     def _compared(self, rows: tuple[Row, ...], convention: Convention) -> TwoArms:
         """Some rows beside the right robot; what is judged is asked for again when it is explained."""
         made = partial(self._two_arms, rows, convention)
-        return self.memo.recent("compared", (convention, self.tolerance, rows), made)
+        places = tuple([decimals(expr) for row in rows for expr in (row.a, row.d)])
+        return self.memo.recent("compared", (convention, self.tolerance, rows, places), made)
 
     def _two_arms(self, rows: tuple[Row, ...], convention: Convention) -> TwoArms:
         return TwoArms(self._right, self.arm(rows, convention), self.tolerance)

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from types import ModuleType
 
 from dhcli.cli.shell.console import write_out
-from dhcli.notation.operators import OPENING
+from dhcli.notation.brackets import OPENING
 
 _SETTINGS = ("set enable-bracketed-paste off", "tab: self-insert")
 """Pasted rows come line by line as if they were typed, and the tabs in a table from a spreadsheet are blanks."""

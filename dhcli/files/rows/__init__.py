@@ -1,4 +1,4 @@
 """Rows of numbers in files of any length: CSV, JSON Lines and .npy, block by block."""
 
 INDEX = "row"
-"""What the column is called that says where in its file each row stood; dhcli writes it, and leaves it aside."""
+"""What the column is called that says where in its file a row stood: dhcli writes it, and reads nothing from it."""

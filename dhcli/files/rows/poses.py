@@ -14,9 +14,8 @@ import numpy as np
 
 from dhcli.errors import FileError, Place, Problem
 from dhcli.files.reading import explain, source_of
-from dhcli.files.rows import INDEX
 from dhcli.files.rows.cells import plain_table
-from dhcli.files.rows.turns import TURNS, flat, posed
+from dhcli.files.rows.turns import TURNS, check_alone, flat, posed
 from dhcli.notation.decimals import read_json
 
 if TYPE_CHECKING:
@@ -125,7 +124,7 @@ def _of_csv(
     if missing := [head for head in wanted if head not in heads]:
         raise FileError(Problem(f"no column is called {', '.join(missing)}", Place(path, 1), _HINT))
     if whole and wanted == POSITION:
-        _check_alone([head for head in heads if head not in POSITION], Place(path, 1))
+        check_alone([head for head in heads if head not in POSITION], Place(path, 1))
     columns = [heads.index(head) for head in wanted]
 
     def by_cells(lines: Iterable[str], begun: int) -> Iterator[tuple[int, list[float]]]:
@@ -166,18 +165,6 @@ def _numbers(cells: Sequence[object], heads: Sequence[str], place: Place) -> lis
         except (TypeError, ValueError, OverflowError):
             raise FileError(Problem(f"{head} is {cell!r:.40}, which is no number", place)) from None
     return found
-
-
-def _check_alone(others: Sequence[str], place: Place) -> None:
-    """Make sure that nothing beside a position says more of the pose.
-
-    Raises:
-        FileError: Something does, and it is not known what.
-    """
-    if unknown := [head for head in others if head not in (INDEX, "")]:
-        known = f"an orientation is {','.join(TURNS['quaternion'])} or {','.join(TURNS['rpy'])} in radians"
-        message = f"{', '.join(unknown)} beside a position: that says no orientation that is known"
-        raise FileError(Problem(message, place, f"{known}; --task position leaves what else stands there aside"))
 
 
 def _of_json(
@@ -249,7 +236,7 @@ def _pose_of(text: str, place: Place, *, whole: bool) -> list[float]:
             return _numbers([entry for row in content["matrix"][:3] for entry in row], MATRIX, place)
         form = next((key for key in content if key in TURNS), "")
         if whole and not form:
-            _check_alone([key for key in content if key != "position"], place)
+            check_alone([key for key in content if key != "position"], place)
         cells = [*content["position"], *(flat(content[form]) if form else ())]
         return posed(form, _numbers(cells, (*POSITION, *TURNS.get(form, ())), place), place)
     except (ValueError, KeyError, TypeError, IndexError, RecursionError):

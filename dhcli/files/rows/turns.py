@@ -21,6 +21,22 @@ TURNS: Mapping[str, tuple[str, ...]] = {
 """The columns of each way to say an orientation beside a position; angles in radians."""
 
 
+INDEX = "row"
+"""A column of numbers of rows, which is no part of a pose."""
+
+
+def check_alone(others: Sequence[str], place: Place) -> None:
+    """Make sure that nothing beside a position says more of the pose.
+
+    Raises:
+        FileError: Something does, and it is not known what.
+    """
+    if unknown := [head for head in others if head not in (INDEX, "")]:
+        known = f"an orientation is {','.join(TURNS['quaternion'])} or {','.join(TURNS['rpy'])} in radians"
+        message = f"{', '.join(unknown)} beside a position: that says no orientation that is known"
+        raise FileError(Problem(message, place, f"{known}; --task position leaves what else stands there aside"))
+
+
 def posed(form: str, numbers: list[float], place: Place) -> list[float]:
     """A position and its orientation as the upper rows of a matrix; without an orientation the position alone.
 

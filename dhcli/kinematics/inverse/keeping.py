@@ -22,7 +22,7 @@ from dhcli.kinematics.inverse.steps import All, Equation, One, Plan, Step, Two
 from dhcli.kinematics.inverse.tasks import Task
 from dhcli.storage.cache import cache, cached
 
-FORMAT = 3
+FORMAT = 4
 """Goes up with every change of what a plan is made of, or of how it is found."""
 
 SHIPPED = Path(__file__).with_name("plans.jsonl")

@@ -15,6 +15,7 @@ from dhcli.kinematics.inverse.motions import CIRCLE, POINT
 from dhcli.kinematics.inverse.pairings import Cut, Loop, cuts
 from dhcli.kinematics.inverse.planning_all import find_all
 from dhcli.kinematics.inverse.planning_two import find_two
+from dhcli.kinematics.inverse.rows import ROUNDED
 from dhcli.kinematics.inverse.samples import SAMPLES, Samples
 from dhcli.kinematics.inverse.steps import All, Equation, Kind, One, Plan, Step
 
@@ -49,7 +50,7 @@ def find_plan(arm: Arm, held: Sequence[int] = ()) -> Plan:
         NoPlanError: No rule finds some joints, because they are more than the task determines.
     """
     plan = _found(arm, held)
-    return replace(plan, meant=_meant(plan)) if _has_all(plan) else plan
+    return replace(plan, meant=_meant(plan)) if _has_all(plan) or plan.slack > ROUNDED else plan
 
 
 def _has_all(plan: Plan) -> bool:

@@ -56,6 +56,15 @@ def test_a_slip_is_named_whatever_frames_are_drawn(name: str, how: str) -> None:
         assert slip in mark.diagnosis.ids
 
 
+def test_rows_that_changed_places_are_named_though_the_joints_come_in_another_order() -> None:
+    """The joints of a spherical wrist: a slip is looked for in every row where their order is not the robot's."""
+    exercise = question_about_table(robot("puma560"), robot("puma560").convention)
+    text = "[0 0 0 θ1; -90 0 0 θ2; 0 a2 d3 θ3; -90 a3 d4 θ4; -90 0 0 θ6; 90 0 0 θ5]"
+    mark = check(exercise, "table", text)
+    assert mark.diagnosis is not None
+    assert mark.diagnosis.ids
+
+
 def test_a_table_of_another_robot_has_no_cause() -> None:
     """A twist that nobody gets wrong like this."""
     exercise = question_about_table(robot("puma560"), robot("puma560").convention)
