@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import Annotated
 
@@ -106,11 +107,16 @@ def exercise(
     overwrite: Overwrite = False,
 ) -> None:
     """Write a commented exercise file with blanks that lint points at, for you to fill in."""
+    from dhcli.files.library.lookup import Kind, is_path
     from dhcli.files.yaml.exercise_template import exercise_template
     from dhcli.files.yaml.robots import load_robot
 
-    text = exercise_template(name, load_robot(robot_name))
     path = Path(output or f"exercises/{name}.yaml")
+    robot = load_robot(robot_name)
+    called = robot.name
+    if robot.path is not None and is_path(Kind.ROBOTS, robot_name):
+        called = Path(os.path.relpath(robot.path, "." if output == "-" else path.parent)).as_posix()
+    text = exercise_template(name, robot, called)
     _write(text, output, path, f"fill in what is empty, then dhcli lint {path}", overwrite=overwrite)
 
 

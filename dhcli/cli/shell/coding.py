@@ -3,10 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from pathlib import Path
 
 from dhcli.cli.shell.delivery import Delivery
 from dhcli.cli.shell.options import LANGUAGES
 from dhcli.errors import DhcliError, UnknownNameError, did_you_mean
+
+ENDINGS = {
+    ".py": ("python", "numpy"),
+    ".c": ("c",),
+    ".h": ("c",),
+    ".m": ("matlab",),
+    ".jl": ("julia",),
+    ".js": ("javascript",),
+    ".mjs": ("javascript",),
+}
+"""The languages that files of an ending hold; of another ending nothing is said."""
 
 
 def code_delivery(
@@ -31,7 +43,8 @@ def code_delivery(
         overwrite: Whether that file may be overwritten.
 
     Raises:
-        DhcliError: There is no language, none of this name, or one of those options was given.
+        DhcliError: There is no language, none of this name, or one of those options was given, or
+            the file ends as one in another language does.
     """
     if language is None:
         raise DhcliError("--with-values is for --code", "say the language: --code python")
@@ -41,6 +54,13 @@ def code_delivery(
     check_alone("--code", others)
     if format_ not in {None, "json"}:
         raise DhcliError("--code says the language, and --format another", "leave --format out; json gives formulas")
+    held = ENDINGS.get(Path(output or "").suffix.lower(), ())
+    if held and (format_ or language) not in held:
+        ending = next((each for each, languages in ENDINGS.items() if language in languages), "")
+        instead = ".json" if format_ else f"{ending}, or --code {held[0]}"
+        raise DhcliError(
+            f"{output} ends as a file in {held[0]} does, and holds {format_ or language}", f"write {instead}"
+        )
     delivery = Delivery(command, format_ or language, output=output, overwrite=overwrite)
     delivery.chosen(kind)
     return delivery

@@ -25,12 +25,13 @@ MOVED = (0.1, 0.3, "0.1 m..0.3 m step 0.01 m")
 """The lowest and the highest value of a range, and the range."""
 
 
-def exercise_template(name: str, robot: Robot) -> str:
+def exercise_template(name: str, robot: Robot, called: str = "") -> str:
     """The text of a new exercise file.
 
     Args:
         name: Its id, `course/name`.
         robot: The robot it asks about.
+        called: How the file names it, such as a path from its folder; by its name by default.
 
     Raises:
         DhcliError: The id cannot be, or the robot has no link to ask about.
@@ -51,7 +52,7 @@ def exercise_template(name: str, robot: Robot) -> str:
 format: 1
 title: ""
 source: ""                      # your notes, a chapter, a sheet
-robot: {yaml_scalar(robot.name)}
+robot: {yaml_scalar(called or robot.name)}
 
 # In your own words; a student must be able to answer from this text alone.
 task: |

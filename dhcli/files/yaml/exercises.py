@@ -13,7 +13,7 @@ from dhcli.checking.written import Printed, Range, Trial, answer_scope
 from dhcli.errors import DhcliError, FileError, Problem, did_you_mean
 from dhcli.files.keys.exercises import ALSO, EXERCISE, PRINTED, SOURCE, TEST
 from dhcli.files.keys.shapes import names, required
-from dhcli.files.library.lookup import Kind, check_typed, entries, find, full_id
+from dhcli.files.library.lookup import Kind, check_typed, entries, find, full_id, is_path
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.yaml.credits import read_shares
 from dhcli.files.yaml.fields import Problems
@@ -63,14 +63,15 @@ def _loader(name: str | Path) -> _Loader:
     ids = {entry.path: entry.name for entry in entries(Kind.EXERCISES)}
     text = read_text("-" if str(path) == "-" else path)
     robots = _robots_beside(path) if path not in ids else ()
-    return _Loader.of(text, source_of(path), ids.get(path, path.stem), robots)
+    folder = Path() if str(path) == "-" else path.parent
+    return _Loader.of(text, source_of(path), ids.get(path, path.stem), robots, folder)
 
 
 def read_exercise(text: str, source: str, name: str) -> Exercise:
     """Read an exercise from the text of a file.
 
     Args:
-        text: YAML.
+        text: YAML; the path of a robot in it begins at the working folder.
         source: What the text is called in errors.
         name: What the exercise is called.
 
@@ -91,9 +92,12 @@ def _robots_beside(path: Path) -> Iterator[Path]:
 class _Loader:
     """One pass over a file; what is wrong is collected, and something harmless taken in its place."""
 
-    def __init__(self, root: PlacedNode, name: str, refused: list[Problem], robots: tuple[Path, ...]) -> None:
+    def __init__(
+        self, root: PlacedNode, name: str, refused: list[Problem], robots: tuple[Path, ...], folder: Path
+    ) -> None:
         self.problems = Problems(refused)
         self.robots = robots
+        self.folder = folder
         self.name = name
         self.fields = self.problems.document(root, known=names(EXERCISE), required=required(EXERCISE))
         self.robot = self.read_robot("robot")
@@ -114,10 +118,10 @@ class _Loader:
         )
 
     @classmethod
-    def of(cls, text: str, source: str, name: str, robots: Iterable[Path] = ()) -> _Loader:
-        """What reads a text; the robots in the folders come before those of the library."""
+    def of(cls, text: str, source: str, name: str, robots: Iterable[Path] = (), folder: Path = Path()) -> _Loader:
+        """What reads a text; the robots in the folders come before those of the library, and a path begins in one."""
         refused: list[Problem] = []
-        return cls(read_yaml(text, source, refused), name, refused, tuple(robots))
+        return cls(read_yaml(text, source, refused), name, refused, tuple(robots), folder)
 
     def whole(self) -> Exercise:
         """The exercise of a file that says nothing wrong."""
@@ -184,7 +188,9 @@ class _Loader:
             return None
 
     def path_of(self, robot: str) -> str | Path:
-        """The file of a robot in the folders that come first, or its name as it is."""
+        """The file of a robot, beside that of the exercise or in the folders that come first, or its name as it is."""
+        if robot != "-" and is_path(Kind.ROBOTS, robot):
+            return self.folder / robot
         found = (folder / f"{robot}.yaml" for folder in self.robots if NAME.fullmatch(robot))
         return next((path for path in found if path.is_file()), robot)
 
