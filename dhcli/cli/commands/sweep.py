@@ -32,7 +32,7 @@ dhcli sweep puma560 --pose ready --over q2 --over q3 -o reach.csv
 
 dhcli sweep scara --over q1 --over q2 --over d3=0..0.2 --draw reach.svg
 """
-_POSES = 500_000
+_POSES = 4_000_000
 """Poses that take several times as long as the start of a thread."""
 
 

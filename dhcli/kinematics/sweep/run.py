@@ -59,9 +59,9 @@ def sweep(
     """
     check_threads(threads)
     found = {name: Highest(sign) for name, sign in _SIGNS.items()}
-    look = _Look(target, grid, found, wants_rows=each is not None)
+    look = _Look(target, grid, found, threads, wants_rows=each is not None)
     outside = 0
-    for seen in shared(look.at, slabs(grid), threads):
+    for seen in shared(look.at, slabs(grid, threads), threads):
         for name, records in seen.records.items():
             found[name].take(records)
         outside += seen.outside
@@ -102,18 +102,21 @@ class Seen:
 class _Look:
     """Looks at slabs of a grid, several at once if need be."""
 
-    def __init__(self, target: Target, grid: Grid, found: dict[str, Highest], *, wants_rows: bool) -> None:
+    def __init__(
+        self, target: Target, grid: Grid, found: dict[str, Highest], threads: int, *, wants_rows: bool
+    ) -> None:
         """Prepare what all slabs share.
 
         Args:
             target: What is followed.
             grid: The joint values.
             found: The extremes of all slabs before, or of some of them.
+            threads: How many look.
             wants_rows: Whether somebody takes the rows.
         """
         self.forbidden = Forbidden.of(target.robot)
         self._found, self._wants_rows = found, wants_rows
-        self._walk = Walk(target, grid)
+        self._walk = Walk(target, grid, threads)
         self._tables = tables_of(grid) if wants_rows or self.forbidden is not None else []
 
     def at(self, slab: Slab) -> Seen:

@@ -25,8 +25,11 @@ from dhcli.kinematics.values import numbers
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-BLOCK = 32_768
+BLOCK = 65_536
 """Poses at a time."""
+
+SHARED = 4
+"""How many times more where threads share them: each is to be longer at work than at taking turns."""
 
 
 @frozen
@@ -52,15 +55,16 @@ def tables_of(grid: Grid) -> list[NDArray[np.float64]]:
     return [np.array(axis.floats()) for axis in grid.axes]
 
 
-def slabs(grid: Grid) -> Iterator[Slab]:
+def slabs(grid: Grid, threads: int = 1) -> Iterator[Slab]:
     """A grid in its order, in parts of at most `BLOCK` poses: the last axes whole, one in pieces, the others fixed."""
+    most = BLOCK if threads == 1 else SHARED * BLOCK
     counts = [axis.count for axis in grid.axes]
     whole = len(counts)
-    while whole and math.prod(counts[whole - 1 :]) <= BLOCK:
+    while whole and math.prod(counts[whole - 1 :]) <= most:
         whole -= 1
     cut = max(0, whole - 1)
     size = math.prod(counts[cut + 1 :])
-    pieces = math.ceil(counts[cut] / max(1, BLOCK // size))
+    pieces = math.ceil(counts[cut] / max(1, most // size))
     borders = [counts[cut] * k // pieces for k in range(pieces + 1)]
     first = 0
     for fixed in itertools.product(*map(range, counts[:cut])):
@@ -77,18 +81,19 @@ class Walk:
     holds whole, once.
     """
 
-    def __init__(self, target: Target, grid: Grid) -> None:
+    def __init__(self, target: Target, grid: Grid, threads: int = 1) -> None:
         """Work out what all slabs share.
 
         Args:
             target: What is followed.
             grid: The joint values.
+            threads: How many threads the slabs are cut for.
         """
         self._tables = tables_of(grid)
         merged = all(np.abs(table).max() <= MODEST for table in self._tables)
         program = _recorded(target).program(merged=merged, tangents=True)
         self._swept = [k for k, axis in enumerate(grid.axes) if axis.count > 1]
-        parts = next(slabs(grid)).parts
+        parts = next(slabs(grid, threads)).parts
         self._moving = [k for k, part in enumerate(parts) if part.stop - part.start < grid.axes[k].count]
         staying = {k: self._along(k, part) for k, part in enumerate(parts) if k not in self._moving}
         self._spread = Spread(program, staying)
