@@ -30,7 +30,7 @@ _STRIDE = 0.2
 """How far the joints move from one place of a walk to the next [rad, reaches]; near its start, where solutions are to
 be expected, they move by twice as much each time."""
 
-_STRIDES = 40
+_STRIDES = 22
 """How many times they do so, each way."""
 
 _BACK = 3
