@@ -12,7 +12,7 @@ from dhcli.frozen import frozen
 from dhcli.kinematics.axes import Arm, Point
 from dhcli.kinematics.moves import Chain, Rot, angle_names, expressions, names
 from dhcli.kinematics.robot import Value
-from dhcli.kinematics.values import numbers
+from dhcli.kinematics.values import numbers, symbols_of
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Number, Sum
 from dhcli.notation.walk import symbols, walk
@@ -99,11 +99,7 @@ def has_lengths(chain: Chain) -> bool:
 
 def _known(values: Values) -> dict[str, Angle | float]:
     """The values of the robot that are plain numbers."""
-    return dict(numbers({name: value for name, value in values.own.items() if not _names_in(value)}))
-
-
-def _names_in(value: Value) -> frozenset[str]:
-    return value.names if isinstance(value, Angle) else symbols(value)
+    return dict(numbers({name: value for name, value in values.own.items() if not symbols_of(value)}))
 
 
 def _signed(drawn: float, own: Angle | float | None) -> float:

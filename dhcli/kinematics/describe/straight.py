@@ -15,14 +15,13 @@ import math
 from collections.abc import Mapping
 from dataclasses import field, replace
 
-from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
 from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, across, cross, dot, length, plus, scaled
 from dhcli.kinematics.describe.drawn import Drawing, Frame, Line, same_direction
 from dhcli.kinematics.describe.exact import CLOSE
 from dhcli.kinematics.robot import Value
-from dhcli.notation.angle import Angle
+from dhcli.kinematics.validity import in_floats
 from dhcli.notation.tree import ONE
 
 END = "end"
@@ -232,7 +231,7 @@ class _Straight:
         if limits is None:
             strokes[line.name] = abs(2 * math.pi * rate) if line.turns else self.size
             return strokes[line.name]
-        drawn, *ends = (_number(value) for value in (line.drawn, *limits))
+        drawn, *ends = (in_floats(value) for value in (line.drawn, *limits))
         return abs(rate) * max(abs(end - drawn) for end in ends)
 
 
@@ -251,10 +250,6 @@ def _between(u: Vector, v: Vector) -> float:
     """The angle between directions that are nearly the same; 0 where it is a rounding [rad]."""
     angle = math.asin(min(1.0, length(cross(u, plus(v, u, -1)))))
     return angle if angle > CLOSE else 0.0
-
-
-def _number(value: Value) -> float:
-    return value.constant() if isinstance(value, Angle) else Floats().value(value)
 
 
 def _named(line: Line) -> str:
