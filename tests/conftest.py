@@ -77,6 +77,19 @@ def pytest_collection_finish() -> None:
     gc.set_threshold(20_000, 10, 10)
 
 
+_FOUND = set(os.listdir())  # where the tests are started: a checkout
+
+
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    """Fail where a test wrote beside the project's own files and left it there; its own folder is `tmp_path`."""
+    if hasattr(session.config, "workerinput"):
+        return  # told once, by the process that sees all workers end
+    left = sorted(name for name in set(os.listdir(session.config.invocation_params.dir)) - _FOUND if name[0] != ".")
+    if left:
+        session.exitstatus = pytest.ExitCode.TESTS_FAILED
+        sys.stderr.write(f"\nleft behind by a test in the folder of the project: {', '.join(left)}\n")
+
+
 @pytest.fixture(scope="session")
 def homes(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     """Names of folders that nobody has made yet; a folder for each test would cost seconds in all."""

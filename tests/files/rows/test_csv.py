@@ -216,15 +216,16 @@ def test_columns_of_something_else_may_be_left_aside(stamp: str) -> None:
         read("tetha1,theta2,d3\n1,2,3\n", ignores=True)
 
 
-def test_the_numbers_of_rows_that_dhcli_writes_are_left_aside() -> None:
+def test_the_numbers_of_rows_that_dhcli_writes_are_left_aside(tmp_path: Path) -> None:
     """`ik --in` and `--index` put them in front; a joint of that name keeps its column."""
     assert read("row,theta1,theta2,d3\n2,0.1,0.2,0.3\n").tolist() == [ROW]
-    Path("oar.yaml").write_text(
+    oar = tmp_path / "oar.yaml"
+    oar.write_text(
         "format: 1\ntitle: An oar\nsource: a test\nconvention: standard\n"
         "variables: [row]\nlinks: [{a: 1, alpha: 0, d: 0, theta: row}]\n",
         "utf-8",
     )
-    assert read("row\n0.5\n", robot="./oar.yaml").tolist() == [[0.5]]
+    assert read("row\n0.5\n", robot=str(oar)).tolist() == [[0.5]]
 
 
 def test_a_joint_without_a_column_may_stand_still() -> None:
