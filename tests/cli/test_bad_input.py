@@ -50,7 +50,7 @@ from tests.cli.running import Run
         ("fk scara --pose pick --style ful", "did you mean full?"),
         ("fk scara --pose pick --digits 99", "99"),
         ("fk scara --pose pick --digits two", "'two' is not a whole number"),
-        ("fk scara --pose pick -o pose.foo", "known suffixes: .json .tex .md .m .c .py .csv .txt"),
+        ("fk scara --pose pick -o pose.foo", "known suffixes: .json .txt .tex .m .py .csv; or say --format"),
         ("fk scara --pose pick -o nowhere/pose.json", "there is no folder nowhere"),
         ("fk scara --pose pick --overwrite", "--overwrite needs a file"),
         ("fk scara --q 0 0 0", "quotes around them"),
