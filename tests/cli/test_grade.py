@@ -68,7 +68,7 @@ def test_a_sheet_that_cannot_be_read_ends_with_1(dhcli: Run) -> None:
         ("grade hw --exercise nothing", "there is no exercise 'nothing'"),
         ("grade hw --exercise -", "standard input only one"),
         ("grade hw --format latex", "there is no format latex for a class"),
-        ("grade hw -o hw/1/a.yaml", "does not say which format"),
+        ("grade hw -o hw/1/a.yaml", "there is no format yaml for a class"),
         ("grade hw -o old.csv", "exists already"),
     ],
 )
