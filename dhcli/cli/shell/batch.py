@@ -18,12 +18,12 @@ from dhcli.files.rows.blocks import MOST, Block
 from dhcli.files.rows.columns import JointTable
 from dhcli.files.rows.formats import Rows, joint_rows
 from dhcli.files.rows.source import Source, open_source
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.frames import View
 from dhcli.kinematics.many import PoseRows, is_real, numbered
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.sweep.target import target_of
 from dhcli.kinematics.tally import Tally
-from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import joint_values
 from dhcli.render.code.pose_rows import pose_layout
 from dhcli.render.paper import Paper

@@ -7,12 +7,12 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 
 from dhcli.errors import Place, Problem, RobotError
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.limits import warnings
 from dhcli.kinematics.robot import Kind, Robot, Value
 from dhcli.kinematics.sweep.grid import Axis, Grid
 from dhcli.kinematics.sweep.ranges import Over, counted
 from dhcli.kinematics.sweep.target import Target
-from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import Values
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO
