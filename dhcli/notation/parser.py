@@ -50,7 +50,7 @@ def parse(text: str, scope: Scope = OPEN, place: Place | None = None, *, decimal
     return expr
 
 
-def parse_quantity(text: str, scope: Scope = OPEN, place: Place | None = None) -> Expr:
+def parse_quantity(text: str, scope: Scope, place: Place | None = None) -> Expr:
     """Read one expression that must be an angle, a length or a number; its units are still in it.
 
     Raises:

@@ -67,7 +67,7 @@ def rows_wanted(
     arm: Robot,
     chosen: Chosen,
     forms: Sequence[str],
-    point: str | None = None,
+    point: str | None,
     *,
     inverse: bool,
     every: bool,
@@ -111,8 +111,8 @@ def fk_rows(
     delivery: RowDelivery,
     *,
     skip_bad: bool,
-    index: bool = False,
-    jobs: int | None = None,
+    index: bool,
+    jobs: int | None,
 ) -> None:
     """Compute a pose for each row of a file, and hand the poses over as they come.
 

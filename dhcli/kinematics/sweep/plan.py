@@ -29,7 +29,7 @@ COUNTS = (181, 121, 73, 61, 37, 25, 13, 9, 5)
 WHOLE_TURN = Angle.in_degrees(-180), Angle.in_degrees(180)
 
 
-def plan(target: Target, overs: Sequence[Over] = (), held: Values | None = None, place: Place | None = None) -> Grid:
+def plan(target: Target, overs: Sequence[Over], held: Values | None = None, place: Place | None = None) -> Grid:
     """The grid that is asked for.
 
     Args:
