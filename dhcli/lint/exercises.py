@@ -205,6 +205,8 @@ def _trials(judge: Judge) -> Iterator[Finding]:
         judged = _judged(judge, exercise.part(trial.part), answer)
         if judged.verdict.word != trial.verdict:
             message = f"{trial.part}: is judged {_told(judged)}; the test says {trial.verdict}"
+            if not answer:
+                message = f"{trial.part}: the answer of the test is empty; it says {trial.verdict}"
             yield Finding(("tests", index, "mistake" if trial.mistake else "answer"), message, _right(judge, trial))
 
 

@@ -117,13 +117,16 @@ def _files(paths: Iterable[str]) -> Iterator[str]:
 
 def _missing(path: str) -> Problem:
     """Why a path leads nowhere, as reading it tells; a name of the library is not a path."""
+    from dhcli.storage.home import unexpanded
+
     try:
         read_text(path)
     except FileError as error:
         problem = error.problems[0]
         if not path.lower().endswith(SUFFIXES):
             message = problem.message.replace("no such file", "no such file or folder")
-            problem = replace(problem, message=message, hint="lint takes files and folders, such as robots/my-arm.yaml")
+            hint = unexpanded(path) or "lint takes files and folders, such as robots/my-arm.yaml"
+            problem = replace(problem, message=message, hint=hint)
         return problem
     return Problem("has just appeared", Place(path), "try again")  # between two looks at the disk
 
