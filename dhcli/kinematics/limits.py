@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.description import Description
 from dhcli.kinematics.farlimits import far_limits
-from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import Values, symbols_of
 from dhcli.notation.angle import Angle
 
