@@ -12,8 +12,9 @@ from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.checking.written import Trial
 from dhcli.errors import DhcliError
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.limits import is_within_limits
-from dhcli.kinematics.validity import Finding, in_floats
+from dhcli.kinematics.validity import Finding
 from dhcli.kinematics.values import symbols_of
 from dhcli.lint.mistakes import typed
 from dhcli.lint.wording import unfinished

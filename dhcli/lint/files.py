@@ -158,7 +158,7 @@ def _of_file(path: str, names: Names) -> Iterator[Told]:
         found = [Told(_placed(problem, path)) for problem in error.problems]
         found += _besides(path, root, error.problems) if root is not None else ()
     found += [_told(one, root) for one in names.clashes(path) if root is not None]
-    return iter(sorted(found, key=lambda one: _line(one.problem)))
+    return iter(sorted(found, key=lambda one: one.problem.order))
 
 
 def _told(one: Finding, root: PlacedNode) -> Told:
@@ -245,8 +245,3 @@ def _rules_of_exercise(exercise: Exercise, *, judged: bool) -> Iterator[Finding]
 def _placed(problem: Problem, path: str) -> Problem:
     """A problem that is at least in its file."""
     return problem if problem.place is not None else Problem(problem.message, Place(path), problem.hint)
-
-
-def _line(problem: Problem) -> tuple[int, int]:
-    place = problem.place or Place("")
-    return place.line or 0, place.column or 0

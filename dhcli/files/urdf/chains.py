@@ -8,7 +8,7 @@ from dhcli.files.urdf.model import KINDS, Joint, Model
 from dhcli.kinematics.given import text_of
 
 
-def chain_of(model: Model, base: str | None = None, tip: str | None = None) -> tuple[Joint, ...]:
+def chain_of(model: Model, base: str | None, tip: str | None = None) -> tuple[Joint, ...]:
     """The joints from the base to the tip.
 
     Args:
