@@ -8,7 +8,8 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, BinaryIO
 
 from dhcli.cli.shell.console import raw_out, somebody_reads, tell, write_out
-from dhcli.cli.shell.delivery import check_free, check_overwrite, format_by_suffix
+from dhcli.cli.shell.delivery import check_free, check_overwrite
+from dhcli.cli.shell.endings import check_ending, format_by_ending
 from dhcli.errors import DhcliError, UnknownNameError, did_you_mean, plural
 from dhcli.frozen import frozen
 from dhcli.render.code.rows import FORMATS, Layout, RowText
@@ -16,8 +17,6 @@ from dhcli.render.code.rows import FORMATS, Layout, RowText
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
-
-SUFFIXES = {".csv": "csv", ".jsonl": "jsonl", ".ndjson": "jsonl", ".npy": "npy"}
 
 
 class RowSink:
@@ -63,7 +62,7 @@ class RowDelivery:
     """How a person wants rows.
 
     Attributes:
-        format: The format asked for; None leaves it to the file's suffix, and else takes CSV.
+        format: The format asked for; None leaves it to the file's ending, and else takes CSV.
         output: The file to write; None for stdout.
         overwrite: Whether that file may be overwritten.
     """
@@ -81,15 +80,17 @@ class RowDelivery:
         """The format, once everything that can be known before the work has been looked at.
 
         Raises:
-            UnknownNameError: There is no such format or suffix.
-            DhcliError: A terminal would show bytes, or `--overwrite` has no file.
+            UnknownNameError: There is no such format or ending.
+            DhcliError: The file ends as one in another format does, a terminal would show bytes, or `--overwrite`
+                has no file.
             FileError: The file exists already.
         """
         check_overwrite(self.output, overwrite=self.overwrite)
         if self.format is not None and self.format not in FORMATS:
             hint = "jsonl has one object a row" if self.format == "json" else did_you_mean(self.format, FORMATS)
             raise UnknownNameError(f"there is no format {self.format} for rows", hint)
-        name = self.format or format_by_suffix(self.output or "stdout.csv", SUFFIXES, " of rows")
+        name = self.format or format_by_ending(self.output or "stdout.csv", FORMATS, of=" of rows")
+        check_ending(self.output, name, "--format", FORMATS)
         if self.output is not None:
             check_free(self.output, overwrite=self.overwrite)
         elif name == "npy" and sys.stdout.isatty():
