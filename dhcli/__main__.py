@@ -12,10 +12,8 @@ def main() -> int:
     # The matrices are small: more threads of numpy's than one do nothing for them but be started, or get in the way.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     try:
-        from dhcli.cli.lightly import spare_numpy
         from dhcli.cli.main import main as run
 
-        spare_numpy()
         return run()
     except KeyboardInterrupt:  # so early that nothing is there yet to say it
         return 130

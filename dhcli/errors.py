@@ -48,6 +48,11 @@ class Place:
         """`file:line:column`, without the parts that are unknown."""
         return ":".join(str(part) for part in (self.source, self.line, self.column) if part is not None)
 
+    @property
+    def order(self) -> tuple[int, int]:
+        """Line and column, to sort by; what has no line comes first."""
+        return self.line or 0, self.column or 0
+
 
 @frozen
 class Problem:
@@ -68,6 +73,11 @@ class Problem:
         where = f"{self.place}: " if self.place and str(self.place) else ""
         hint = f" ({self.hint})" if self.hint else ""
         return f"{where}{self.message}{hint}"
+
+    @property
+    def order(self) -> tuple[int, int]:
+        """That of its place, in one file; what has no place comes first."""
+        return self.place.order if self.place else (0, 0)
 
 
 class DhcliError(Exception):

@@ -156,29 +156,3 @@ def test_what_help_does_without_is_there_for_others(tmp_path: Path) -> None:
     )
     assert (done.returncode, done.stderr) == (0, "")
     assert "Show the version and stop." in done.stdout
-
-
-SPARED = """
-import sys
-from dhcli.__main__ import main
-sys.argv = ["dhcli", "fk", "puma560", "--in", "q.csv"]
-assert main() == 0
-import numpy
-assert numpy.linalg.eig(numpy.eye(2)).eigenvalues.tolist() == [1, 1]
-assert not any(name.startswith("numpy._typing.") for name in sys.modules)
-assert not numpy.ndarray.reshape.__doc__
-from numpy.typing import ArrayLike, NDArray
-import numpy._typing, numpy.testing
-assert numpy._typing.NDArray is NDArray and numpy._typing.ArrayLike is ArrayLike
-assert "ndarray" in str(NDArray[numpy.float64]) or "NDArray" in str(NDArray[numpy.float64])
-"""
-
-
-def test_what_a_command_does_without_of_numpy_is_there_for_others(tmp_path: Path) -> None:
-    """Its types are its own once somebody asks for them; a notebook has its docstrings, too."""
-    (tmp_path / "q.csv").write_text("theta1,theta2,theta3,theta4,theta5,theta6\n0,0,0,0,0,0\n", encoding="utf-8")
-    for program in (SPARED, "import dhcli, numpy; dhcli.forward_batch; assert numpy.ndarray.reshape.__doc__"):
-        done = subprocess.run(
-            [sys.executable, "-c", program], cwd=tmp_path, capture_output=True, encoding="utf-8", check=False
-        )
-        assert (done.returncode, done.stderr) == (0, "")

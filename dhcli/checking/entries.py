@@ -51,7 +51,7 @@ class Entry:
 Entries: TypeAlias = tuple[tuple[Entry, ...], ...]
 
 
-def read_entries(question: Wanted, exercise: Exercise, text: str, place: Place | None = None) -> Entries:
+def read_entries(question: Wanted, exercise: Exercise, text: str, place: Place | None) -> Entries:
     """Read an answer to a question about a matrix, in the shape of the right one.
 
     Raises:

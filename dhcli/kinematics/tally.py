@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhcli.errors import plural
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.limits import SLACK
 from dhcli.kinematics.placement import locked_words
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.validity import in_floats
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -26,9 +26,7 @@ _FORCE = regex(r"(?<=[\d.) ])N(?: ?[·*]? ?m)?(?![\w^])")
 """Units of rates and forces, which no formula has."""
 
 
-def read_cells(
-    exercise: Exercise, powers: tuple[tuple[int, ...], ...], text: str, place: Place | None = None
-) -> Entries:
+def read_cells(exercise: Exercise, powers: tuple[tuple[int, ...], ...], text: str, place: Place | None) -> Entries:
     """Read an answer in the shape of the right one.
 
     Args:

@@ -107,13 +107,16 @@ def exercise(
     overwrite: Overwrite = False,
 ) -> None:
     """Write a commented exercise file with blanks that lint points at, for you to fill in."""
+    from dhcli.errors import DhcliError
     from dhcli.files.library.lookup import Kind, is_path
     from dhcli.files.yaml.exercise_template import exercise_template
     from dhcli.files.yaml.robots import load_robot
 
+    if robot_name == "-":
+        raise DhcliError("an exercise names its robot, and standard input has no name", "save it: --robot ./arm.yaml")
     path = Path(output or f"exercises/{name}.yaml")
     robot = load_robot(robot_name)
-    called = robot.name
+    called = robot_name
     if robot.path is not None and is_path(Kind.ROBOTS, robot_name):
         called = Path(os.path.relpath(robot.path, "." if output == "-" else path.parent)).as_posix()
     text = exercise_template(name, robot, called)

@@ -14,13 +14,13 @@ from dhcli.frozen import frozen
 from dhcli.geometry.euler import EulerAngles, Order, RollPitchYaw, euler
 from dhcli.geometry.facing import facing
 from dhcli.geometry.rotations import Quaternion
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.forward import numeric_pose
 from dhcli.kinematics.frames import ends
 from dhcli.kinematics.inverse.answer import InverseKinematics
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.transform import Wanted, compose, read_product
-from dhcli.kinematics.validity import in_floats
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import Bare, DimensionError, has_angle_unit, to_angle
 from dhcli.notation.scope import Scope

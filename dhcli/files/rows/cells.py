@@ -37,7 +37,7 @@ class CellError(ValueError):
         self.hint = hint
 
 
-def read_cell(text: str, *, decimal_comma: bool = False) -> float:
+def read_cell(text: str, *, decimal_comma: bool) -> float:
     """The number in a cell.
 
     Args:

@@ -36,7 +36,7 @@ _SAVE = "np.save('q.npy', np.ascontiguousarray(Q, dtype=float))"
 class NpyRows:
     """Reads the rows of an array, shape (N, n), joints in their order; what follows them is nobody's joint."""
 
-    def __init__(self, source: Source, asked: JointTable, threads: int = 1) -> None:
+    def __init__(self, source: Source, asked: JointTable, threads: int) -> None:
         """Read the joint values of a robot, blocks long enough for so many threads."""
         self._source = source
         self._threads = min(threads, MOST_THREADS)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dhcli.errors import FileError, Place, Problem, UnknownNameError, did_you_mean
+from dhcli.files.reading import source_of
 from dhcli.files.urdf.model import KINDS, Joint, Model
 from dhcli.kinematics.given import text_of
 
 
-def chain_of(model: Model, base: str | None = None, tip: str | None = None) -> tuple[Joint, ...]:
+def chain_of(model: Model, base: str | None, tip: str | None = None) -> tuple[Joint, ...]:
     """The joints from the base to the tip.
 
     Args:
@@ -91,7 +92,12 @@ def _tip(model: Model, above: dict[str, Joint], start: str) -> str:
         return moving[0]
     if not moving:
         raise FileError(Problem(f"nothing below {start} moves", Place(model.source)))
-    raise FileError(Problem(f"has {len(moving)} tips: which one?", Place(model.source), f"--tip {_listed(moving)}"))
+    from shlex import quote  # few robots have two
+
+    typed = "-" if model.source == source_of("-") else quote(model.source)
+    made = f"dhcli new robot --from {typed} --tip {quote(moving[0])} makes a file of one"
+    hint = f"--tip {_listed(moving)}; {made}"
+    raise FileError(Problem(f"has {len(moving)} tips: which one?", Place(model.source), hint))
 
 
 def _leaves(model: Model, above: dict[str, Joint], start: str) -> list[str]:

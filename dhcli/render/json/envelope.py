@@ -12,7 +12,7 @@ VERSION = 1
 
 
 def envelope(
-    command: str, content: dict[str, Any] | None, problems: Iterable[Problem] = (), warnings: Iterable[str] = ()
+    command: str, content: dict[str, Any] | None, problems: Iterable[Problem], warnings: Iterable[str] = ()
 ) -> str:
     """The result of a command, or what kept it from one.
 
