@@ -111,12 +111,10 @@ def _notices(rows: Sequence[Graded]) -> Iterator[str]:
         for unit in sorted({row.other_unit for row in sheets} - {""}):
             same = [row for row in sheets if row.other_unit == unit]
             yield f"{exercise}: right but for the unit, {unit}: {plural(len(same), 'sheet')} ({_whose(same)})"
-        for folder, same in handed_in.items():
-            if len(same) > 1:
-                yield f"{exercise}: {len(same)} sheets in {folder}"
-        for name, owners in _owners(sheets).items():
-            if len(owners) > 1:
-                yield f"{exercise}: {name} is the name on sheets of {_few(owners)}"
+        twice = ((folder, len(same)) for folder, same in handed_in.items() if len(same) > 1)
+        yield from (f"{exercise}: {count} sheets in {folder}" for folder, count in twice)
+        namesakes = ((name, owners) for name, owners in _owners(sheets).items() if len(owners) > 1)
+        yield from (f"{exercise}: {name} is the name on sheets of {_few(owners)}" for name, owners in namesakes)
 
 
 def _owner(row: Graded) -> str:
