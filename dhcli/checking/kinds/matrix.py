@@ -56,7 +56,7 @@ class MatrixQuestion(Wanted, Question[Entries]):
 
     def in_unit(self, unit: Fraction, scope: Scope) -> Self:
         """Bare coordinates of a point, and bare lengths of a product, are in the unit of the sheet."""
-        from dhcli.checking.units import chain_in_metres, in_metres
+        from dhcli.checking.units import chain_in_metres, length_in_metres
 
         source = self.source
         if isinstance(source, Composed):
@@ -65,7 +65,7 @@ class MatrixQuestion(Wanted, Question[Entries]):
             return replace(self, source=source)
         pairs = zip(self.point, self.measured, strict=True)
         try:
-            point = tuple(one if measured else in_metres(one, unit, scope) for one, measured in pairs)
+            point = tuple(one if measured else length_in_metres(one, unit, scope) for one, measured in pairs)
         except DimensionError as error:
             raise NotationError(Problem(error.message, None, error.hint)) from None
         return replace(self, source=source, point=point)
