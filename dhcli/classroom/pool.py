@@ -20,12 +20,14 @@ from importlib import import_module
 from multiprocessing import get_context
 from multiprocessing.connection import Connection, wait
 from pathlib import Path
+from queue import SimpleQueue
 from threading import current_thread, main_thread
 from time import monotonic
 from typing import Any, TypeVar
 
 from dhcli.classroom.waiting import Waiting
 from dhcli.errors import DhcliError
+from dhcli.kinematics.sharing import MOST, shared
 
 _ENDINGS = {getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)}
 """The signals at which work ends in order."""
@@ -99,6 +101,43 @@ def spread(
                     _hire(team, work, needs)
                 if task is not None:
                     yield task, outcome
+    finally:
+        with _without_interrupts():
+            for worker in team:
+                worker.end()
+
+
+def in_turn(work: Callable[[Task], Result], tasks: Iterable[Task], *, jobs: int) -> Generator[Result, None, None]:
+    """What a piece of work comes to for each task, in their order, few of them at a time however many there are.
+
+    Args:
+        work: A function at the top of a module, or a `partial` of one; it raises nothing and never gives None.
+        tasks: What it is called with.
+        jobs: How many processes share them.
+
+    Raises:
+        DhcliError: A process dies.
+        Exception: What the tasks raise, once the results of those before it are taken.
+    """
+    team: list[_Worker] = []
+    idle: SimpleQueue[_Worker] = SimpleQueue()
+
+    def asked(task: Task) -> Result:
+        worker = idle.get()
+        with suppress(OSError):  # if it has died, its pipe tells
+            worker.pipe.send(task)
+        while (outcome := worker.outcome()) is None:  # its first word is that it is ready
+            pass
+        if isinstance(outcome, Lost):
+            raise DhcliError("a process that shared the work has died", "--jobs 1 needs the least memory")
+        idle.put(worker)
+        return outcome  # type: ignore[no-any-return]
+
+    try:
+        for _ in range(min(jobs, MOST)):
+            _hire(team, work, None)
+            idle.put(team[-1])
+        yield from shared(asked, tasks, len(team))
     finally:
         with _without_interrupts():
             for worker in team:

@@ -19,7 +19,7 @@ from types import FrameType
 import pytest
 
 from dhcli.classroom import pool
-from dhcli.classroom.pool import Lost, _Worker, spread
+from dhcli.classroom.pool import Lost, _Worker, in_turn, spread
 from dhcli.classroom.waiting import Waiting
 from dhcli.errors import DhcliError
 from tests.classroom.workers import halved, known
@@ -269,3 +269,24 @@ def test_what_the_work_needs_is_imported_before_the_clock_runs() -> None:
     assert list(spread(known, ["colorsys"], jobs=1, timeout=60)) == [("colorsys", False)]
     with pytest.raises(DhcliError, match="could not be started"):
         list(spread(known, ["a"], jobs=1, timeout=60, needs="no_such_module"))
+
+
+def test_results_come_in_the_order_of_tasks_that_are_taken_few_at_a_time() -> None:
+    """However many there are: of an endless row of tasks those at hand are taken."""
+    before = set(active_children())
+    taken = list[int]()
+    results = in_turn(halved, (taken.append(n) or 2 * n for n in itertools.count()), jobs=2)  # type: ignore[func-returns-value]
+    with closing(results):
+        assert list(itertools.islice(results, 12)) == list(range(12))
+        assert len(taken) < 20
+    assert set(active_children()) <= before
+
+
+def test_a_death_in_turn_ends_the_work_with_words() -> None:
+    """What went before it is there, nothing that came after it, and no process is left."""
+    before = set(active_children())
+    results = in_turn(halved, (0, 2, 4, 1, 6, 8, 10, 12, 14, 16), jobs=2)
+    assert list(itertools.islice(results, 3)) == [0, 1, 2]
+    with pytest.raises(DhcliError, match="a process that shared the work has died"):
+        next(results)
+    assert set(active_children()) <= before
