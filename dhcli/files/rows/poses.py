@@ -14,7 +14,8 @@ import numpy as np
 
 from dhcli.errors import FileError, Place, Problem
 from dhcli.files.reading import explain, source_of
-from dhcli.files.rows.cells import plain_table
+from dhcli.files.rows.blocks import cell_problem
+from dhcli.files.rows.cells import CellError, json_number, plain_table
 from dhcli.files.rows.turns import TURNS, check_alone, flat, posed
 from dhcli.notation.decimals import read_json
 
@@ -148,6 +149,21 @@ def _of_csv(
         line += len(lines)
 
 
+def _values(values: Sequence[object], heads: Sequence[str], place: Place) -> list[float]:
+    """The numbers of a row of JSON.
+
+    Raises:
+        FileError: One of them is none.
+    """
+    found = []
+    for value, head in zip(values, heads, strict=True):
+        try:
+            found.append(json_number(value))
+        except CellError as error:
+            raise FileError(cell_problem(head, error, place)) from None
+    return found
+
+
 def _lines(stream: Iterable[str]) -> Iterator[list[str]]:
     """Lines in blocks. At a keyboard it is their end that ends them, once: nothing is asked for again."""
     lines = [""] * BLOCK
@@ -187,9 +203,12 @@ def _objects_at_once(lines: list[str]) -> NDArray[np.float64] | None:
     has no bracket of another one in it, and nothing in them is text.
     """
     text = ",".join(lines)
-    if not all(line.startswith("{") and line.endswith("}") for line in lines) or not text.count("{") == text.count(
-        "}"
-    ) == len(lines):
+    if not (
+        all(line.startswith("{") and line.endswith("}") for line in lines)
+        and text.count("{") == text.count("}") == len(lines)
+        and "true" not in text
+        and "false" not in text
+    ):
         return None
     try:
         rows = read_json(f"[{text}]")
@@ -233,12 +252,12 @@ def _pose_of(text: str, place: Place, *, whole: bool) -> list[float]:
     try:
         content = json.loads(text)
         if "matrix" in content:
-            return _numbers([entry for row in content["matrix"][:3] for entry in row], MATRIX, place)
+            return _values([entry for row in content["matrix"][:3] for entry in row], MATRIX, place)
         form = next((key for key in content if key in TURNS), "")
         if whole and not form:
             check_alone([key for key in content if key != "position"], place)
         cells = [*content["position"], *(flat(content[form]) if form else ())]
-        return posed(form, _numbers(cells, (*POSITION, *TURNS.get(form, ())), place), place)
+        return posed(form, _values(cells, (*POSITION, *TURNS.get(form, ())), place), place)
     except (ValueError, KeyError, TypeError, IndexError, RecursionError):
         hint = '{"matrix": [[...], ...]} or {"position": [x, y, z]}, also with "quaternion": {"w": ...} and the like'
         raise FileError(Problem("is no pose", place, f"wanted: {hint}")) from None

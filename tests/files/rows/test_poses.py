@@ -33,6 +33,8 @@ json_lines = st.one_of(
             '{"matrix": [1, 2], "position": [1, 2, 3]}',
             '{"position": [1, 2, null]}',
             '{"position": [1, true, "3"]}',
+            '{"position": [1, 2, false]}',
+            '{"matrix": [[1, 0, 0, true], [0, 1, 0, 2], [0, 0, 1, 3]]}',
             '{"position": [1, 2, NaN]}',
             '{"position": [1, 2, 1e999]}',
             f'{{"position": [1, 2, 1{"0" * 400}]}}',
@@ -113,3 +115,24 @@ def test_a_row_is_told_by_its_line_in_any_block(tmp_path: Path) -> None:
     assert [str(problem) for problem in bad] == [f"{path}:{BLOCK + 7}: p_y is 'x', which is no number"]
     with pytest.raises(FileError, match="p_y is 'x'"):
         list(pose_blocks(str(path)))
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ('{"position": [1, 2, true]}', "p_z is true, not a number"),
+        ('{"matrix": [[1, 0, 0, 1], [0, 1, false, 2], [0, 0, 1, 3]]}', "r23 is false, not a number"),
+        ('{"position": [1, 2, null]}', "p_z is null, not a number"),
+        ('{"position": [1, "2", 3]}', "p_y is '2', not a number (write it without quotes)"),
+        ('{"position": [1, 2, NaN]}', "p_z is nan, not a finite number"),
+        ('{"position": [[1], 2, 3]}', "p_x is a list or an object, not a number"),
+    ],
+)
+def test_a_value_that_is_no_number_is_told_wherever_it_stands(line: str, said: str) -> None:
+    """Alone, and among rows that are read at once; true is not taken for 1."""
+    rows = [json.dumps({"position": [0, 0, 0]})] * 3
+    for text in (line, "\n".join([*rows, line]), "\n".join([line, *rows])):
+        for way in (read, carefully):
+            found, bad = way(text)
+            assert len(found) == text.count("\n")
+            assert [problem.partition(": ")[2] for problem in bad] == [said]
