@@ -11,7 +11,7 @@ from fractions import Fraction
 from dhcli.errors import NotationError, Place, Problem
 from dhcli.kinematics.moves import Chain, Fixed, Move, Trans, from_factor
 from dhcli.kinematics.ranges import units_in
-from dhcli.notation.factors import parse_factors
+from dhcli.notation.products import parse_factors
 from dhcli.notation.quantity import LENGTH_UNITS, DimensionError
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr, Number, Power, Product, Sum, Symbol, Unit, add, multiply, power

@@ -191,6 +191,7 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("describe", "./arm.urdf", "--base", "base_link", "--tip", "hand", "--as-typed", "--as", "modified"),
     ("describe", "zhou-3r", "--as", "standard", "--steps", "--set", "a=0.3", "--numbers", "--format", "json"),
     ("describe", "puma560", "--as", "axes", "--pose", "ready", "-o", "d.yaml", "--overwrite"),
+    ("describe", "./arm.urdf", "--tip", "hand", "--as", "screws", "--digits", "3"),
     ("describe", "puma560", "--as", "axes", "--tool", "Trans(0,0,0.1) Rot(z,45°)"),
     ("describe", "ur5e", "--as", "standard", "--choose", "next-d,previous-x"),
     ("fk", "./motors.yaml", "--motors", "--q", "0,31°,-33°"),
