@@ -214,7 +214,7 @@ def test_processes_stop_at_the_row_where_one_does(dhcli: Run, tmp_path: Path) ->
     ways = [dhcli("ik", "planar-2r", "--task", "position", "--in", str(path), "--jobs", jobs) for jobs in ("1", "2")]
     assert ways[0] == ways[1]
     assert ways[0].code == 2
-    assert "places.csv:4151: p_z is 'three', which is no number" in ways[0].err
+    assert "places.csv:4151: p_z 'three' is not a number" in ways[0].err
     assert ways[0].out.count("\n") > 1000
 
 
