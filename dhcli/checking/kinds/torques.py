@@ -12,6 +12,7 @@ from dhcli.checking.motion.asked import Motion, read_motion, three
 from dhcli.checking.motion.columns import Columns, columns_in, combined, jacobian_grid
 from dhcli.checking.motion.from_columns import ColumnsQuestion, axes_step
 from dhcli.checking.motion.grid import Grid
+from dhcli.checking.motion.reading import FORCE, TORQUE
 from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
@@ -83,6 +84,9 @@ class TorquesQuestion(ColumnsQuestion):
     def columns(self, case: Case) -> Columns:
         robot, view = self.motion.check(case.exercise.robot)
         return columns_in(case, robot, view)
+
+    def units(self, case: Case) -> tuple[str, ...]:
+        return tuple(TORQUE if one.turns else FORCE for one in self.columns(case).each)
 
     def of_columns(self, _case: Case, columns: Columns) -> Grid:
         six = (*self.force, *self.moment)

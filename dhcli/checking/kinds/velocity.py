@@ -13,6 +13,7 @@ from dhcli.checking.motion.asked import Motion, read_motion, three
 from dhcli.checking.motion.columns import Columns, columns_in, combined, jacobian_grid
 from dhcli.checking.motion.from_columns import ColumnsQuestion, axes_step
 from dhcli.checking.motion.grid import Grid
+from dhcli.checking.motion.reading import SPEED, TURNING
 from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
@@ -83,6 +84,9 @@ class VelocityQuestion(ColumnsQuestion):
     def columns(self, case: Case) -> Columns:
         robot, view = self.motion.check(case.exercise.robot)
         return columns_in(case, robot, view)
+
+    def units(self, _case: Case) -> tuple[str, ...]:
+        return (TURNING if self.angular else SPEED,) * 3
 
     def _rates(self, columns: Columns) -> tuple[Expr, ...]:
         if self.motion.rates is not None:

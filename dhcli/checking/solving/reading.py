@@ -18,7 +18,7 @@ from dhcli.kinematics.values import joint_called, numbers
 from dhcli.notation.angle import Angle
 from dhcli.notation.matrix import parse_matrix
 from dhcli.notation.parser import parse
-from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_length
+from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_plain_length
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
 from dhcli.regex import regex
@@ -126,7 +126,7 @@ def _vector(exercise: Exercise, robot: Robot, joints: Sequence[str], row: Sequen
         turns = name in robot.angles
         number, unit = without_unit(expr, 1.0 if turns else float(exercise.metres))
         try:
-            value = to_angle(expr, bare="deg") if turns else to_length(number)
+            value = to_angle(expr, bare="deg") if turns else to_plain_length(number)
         except DimensionError as error:
             raise UnreadableError(f"{name}: {error.message}") from None
         inside = value.names if isinstance(value, Angle) else symbols(value)
