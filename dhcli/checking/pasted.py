@@ -9,6 +9,7 @@ from dhcli.regex import regex
 __all__ = ["UnreadableError", "WrongUnitError", "as_matrix", "refuse_blanks", "without_label", "without_number_word"]
 
 _ABOUT = regex(r"≈")
+_ABOUT_NUMBER = regex(r"(?<=[\s\[(,;&])≈\s?(?=[+−-]?[\d.])")  # noqa: RUF001
 _EQUATION = regex(r"[\s\d.,+*/^()·×−-]{1,60}=")  # noqa: RUF001
 _UNFILLED = regex(r"(?<![\w}])_(?![\w{])")
 
@@ -50,6 +51,7 @@ def without_label(text: str) -> str:
     Raises:
         UnreadableError: What stands in front is a number and names nothing, `7 = 6`.
     """
+    text = _ABOUT_NUMBER.sub("", text)
     text = _ABOUT.sub("=" if text[: text.find("≈")].strip() else "", text, count=1)
     equation = _EQUATION.match(text)
     if equation:

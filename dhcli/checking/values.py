@@ -154,7 +154,10 @@ def _as_asked(expr: Expr, right: Quantity, exercise: Exercise, bare: Bare) -> Qu
     try:
         return _read_as(expr, right, exercise, bare)
     except DimensionError as error:
-        raise UnreadableError(error.message + (f" ({error.hint})" if error.hint else "")) from None
+        message, hint = error.message, error.hint
+        if not right.is_length and message.endswith("a length is wanted"):
+            message, hint = message.replace("a length is", "a number is"), "leave the unit out"
+        raise UnreadableError(message + (f" ({hint})" if hint else "")) from None
 
 
 def _read_as(expr: Expr, right: Quantity, exercise: Exercise, bare: Bare) -> Quantity:
