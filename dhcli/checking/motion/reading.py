@@ -19,11 +19,12 @@ from dhcli.notation.tree import Expr, Number, multiply
 from dhcli.notation.walk import symbols
 from dhcli.regex import regex
 
-_NAMED = regex(r"(^|[,;\n])[ \t]{0,9}(?:\\?[^\W\d][\w'_{}]{0,12})[ \t]{0,9}=")
-"""What stands before a number of a list: `tau1 =`, `v_x =`."""
+_NAMED = regex(r"(^|[,;\n])[ \t]{0,9}(?:\\dot[ {]?)?(?:\\?[^\W\d][\w'_{}\u0307]{0,12})[ \t]{0,9}=")
+"""What stands before a number of a list: `tau1 =`, `v_x =`, `\\dot\\theta_1 =`."""
 
-_SPEED = regex(r"(?<![A-Za-z_])(mm|cm|m) ?/ ?s(?:ec)?(?![\w^])")
-_TURNING = regex(r"(?<![A-Za-z_])(rad|deg|°) ?/ ?s(?:ec)?(?![\w^])")
+_A_SECOND = r"(?: ?/ ?s(?:ec)?(?![\w^])|[ *·⋅]s(?:\^\{?[-−]1\}?|⁻¹))"  # noqa: RUF001
+_SPEED = regex(rf"(?<![A-Za-z_])(mm|cm|m){_A_SECOND}")
+_TURNING = regex(rf"(?<![A-Za-z_])(rad|deg|°){_A_SECOND}")
 _FORCE = regex(r"(?<=[\d.) ])N(?: ?[·⋅*.]? ?m)?(?![\w^])")
 """Units of rates and forces, which no formula has."""
 
@@ -115,8 +116,9 @@ def _bracketed(body: str, shape: tuple[int, int], scope: Scope) -> str:
     """A list without brackets, or in round ones, as a matrix."""
     if shape[1] == 1:
         body = _NAMED.sub(r"\1", body).strip()
+        body = with_points(body, shape[0]) if shape[0] > 1 else body
         if shape[0] == COORDINATES:
-            return as_column(with_points(body), scope, is_axis=False)
+            return as_column(body, scope, is_axis=False)
         if body.startswith("(") and body.endswith(")") and "," in body and ")" not in body[:-1]:
             body = body[1:-1]
         if "," in body and ";" not in body:

@@ -276,6 +276,11 @@ def parse_number(text: str) -> str:
         ("angular velocity of 0..2 with rates (0.5, -1)", "0, 0, -28.648 deg/s"),
         ("angular velocity of 0..2 with rates (0.5, -1)", "0 rad/s, 0, -0.5 rad/s"),
         ("torques for (0, 10, 0) of 0..2", "tau1 = 4.4867 N m, tau2 = 0.8025 N*m"),
+        ("torques for (0, 10, 0) of 0..2", "τ_1 ≈ 4.4867 Nm; τ_2 ≈ 0.8025 Nm"),
+        ("torques for (0, 10, 0) of 0..2", "4,4867 Nm; 0,8025 Nm"),
+        ("angular velocity of 0..2 with rates (0.5, -1)", "0; 0; -0,5 rad/s"),
+        ("angular velocity of 0..2 with rates (0.5, -1)", "0, 0, -0.5 rad·s⁻¹"),
+        ("velocity of 0..2 with rates (0.5, -1)", "v_x ≈ 0.06665 m s^-1, v_y ≈ 0.1441 m s^{-1}, v_z = 0"),
     ],
 )
 def test_units_of_rates_and_forces_may_stand_behind_numbers(ask: str, answer: str) -> None:
