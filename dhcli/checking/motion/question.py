@@ -118,7 +118,11 @@ class MotionQuestion(Question[Entries]):
 
     def read(self, case: Case, text: str, place: Place | None = None) -> Entries:
         """The entries in the shape of the right answer."""
-        return read_cells(case.exercise, self.right(case).powers, text, place)
+        return read_cells(case.exercise, self.right(case).powers, text, place, self.units(case))
+
+    def units(self, _case: Case) -> tuple[str, ...]:
+        """The unit of each number, for a list of rates or forces."""
+        return ()
 
     def mark(self, case: Case, reading: Reading[Entries]) -> Mark:
         """Entry by entry."""
