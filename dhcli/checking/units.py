@@ -11,7 +11,7 @@ from fractions import Fraction
 from dhcli.errors import NotationError, Place, Problem
 from dhcli.kinematics.moves import Chain, Fixed, Move, Trans, from_factor
 from dhcli.kinematics.ranges import units_in
-from dhcli.notation.factors import parse_factors
+from dhcli.notation.products import parse_factors
 from dhcli.notation.quantity import LENGTH_UNITS, DimensionError
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr, Number, Power, Product, Sum, Symbol, Unit, add, multiply, power
@@ -48,7 +48,7 @@ def has_length_unit(expr: Expr) -> bool:
     return any(isinstance(node, Unit) and node.name in LENGTH_UNITS for node in walk(expr))
 
 
-def in_metres(expr: Expr, unit: Fraction, scope: Scope) -> Expr:
+def length_in_metres(expr: Expr, unit: Fraction, scope: Scope) -> Expr:
     """A length of a sheet with its bare numbers in metres; letters, and what has its own unit, stay.
 
     Args:
@@ -70,7 +70,7 @@ def in_metres(expr: Expr, unit: Fraction, scope: Scope) -> Expr:
 def on_sheet(expr: Expr, unit: Fraction, scope: Scope) -> Expr:
     """A length in metres as it is written on a sheet, where its bare numbers are in another unit."""
     try:
-        return in_metres(expr, 1 / unit, scope)
+        return length_in_metres(expr, 1 / unit, scope)
     except DimensionError:  # nobody types that
         return expr
 
@@ -95,9 +95,9 @@ def chain_in_metres(text: str, unit: Fraction, scope: Scope, place: Place | None
 def move_in_metres(move: Move, unit: Fraction, scope: Scope) -> Move:
     """A move with its bare lengths in metres; the fourth column of a matrix is lengths."""
     if isinstance(move, Trans):
-        return Trans(*(in_metres(length, unit, scope) for length in move.offset))
+        return Trans(*(length_in_metres(length, unit, scope) for length in move.offset))
     if isinstance(move, Fixed):
-        rows = ((row[0], row[1], row[2], in_metres(row[3], unit, scope)) for row in move.rows)
+        rows = ((row[0], row[1], row[2], length_in_metres(row[3], unit, scope)) for row in move.rows)
         return Fixed(tuple(rows))
     return move
 

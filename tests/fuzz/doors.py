@@ -230,7 +230,7 @@ LINES: tuple[tuple[str, ...], ...] = (
     ("ik", "puma560", "--position", "0.4,0.15,0.3", "--euler", "zyz 0,30°,1", "--why"),
     ("ik", "planar-2r", "Trans(0.4,0.15,0)", "--task", "position"),
     ("ik", "scara", "--in", "poses.csv", "--each", "first"),
-    ("ik", "scara", "--in", "poses.csv", "--skip-bad"),
+    ("ik", "scara", "--in", "poses.csv", "--skip-bad", "--jobs", "2"),
     ("ik", "scara", "--in", "poses.csv", "--follow", "--near", "zero"),
     ("check", "planar-2r", "--ik", "--target", "Trans(0.7,0,0)", "--answer", "10, 20"),
     ("check", "planar-2r", "--ik", "--position", "0.5,0.3,0", "--branch", "elbow up", "--answer", "10, 20"),

@@ -157,11 +157,16 @@ class _Object:
 
 
 def _within(row: _Object) -> list[tuple[str, Any]]:
-    """The members of a row; `"q": {...}` holds the joints where `dhcli sweep` has written it."""
-    pairs = []
+    """The members of a row; `"q": {...}` holds the joints where dhcli has written it, a position where they lead."""
+    pairs, is_nested = list[tuple[str, Any]](), any(_is_joints(name, value) for name, value in row.pairs)
     for name, value in row.pairs:
-        pairs += value.pairs if name == "q" and isinstance(value, _Object) else [(name, value)]
+        if not (is_nested and name == "position"):
+            pairs += value.pairs if _is_joints(name, value) else [(name, value)]
     return pairs
+
+
+def _is_joints(name: str, value: object) -> bool:
+    return name == "q" and isinstance(value, _Object)
 
 
 def _parsed(line: str, place: Place) -> object:

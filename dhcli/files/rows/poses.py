@@ -15,6 +15,7 @@ import numpy as np
 
 from dhcli.errors import FileError, Place, Problem
 from dhcli.files.reading import explain, source_of
+from dhcli.files.rows import POSITION
 from dhcli.files.rows.blocks import cell_problem
 from dhcli.files.rows.cells import CellError, json_number, plain_table, read_cell
 from dhcli.files.rows.csvrows import DECIMAL_BETWEEN, DECLARED, SIGNS
@@ -31,8 +32,6 @@ BLOCK = 2048
 
 MATRIX = tuple(head for i in (1, 2, 3) for head in (*(f"r{i}{k}" for k in (1, 2, 3)), f"p_{'xyz'[i - 1]}"))
 """The columns of a pose: three rows of three direction cosines and a length [m]."""
-
-POSITION = ("p_x", "p_y", "p_z")
 
 _HINT = (
     f"wanted: {','.join(MATRIX)}, or {','.join(POSITION)}, also with an orientation beside it such as "
