@@ -260,15 +260,17 @@ def _without_interrupts() -> Iterator[None]:
             yield
         return
     heard: list[int] = []
-    handlers = {number: signal.getsignal(number) for number in _ENDINGS}
-    handlers = {number: handler for number, handler in handlers.items() if handler not in {None, signal.SIG_IGN}}
-    for number in handlers:
-        signal.signal(number, lambda number, _: heard.append(number))
+    # Ctrl-C, which raises in this very place, is put off before the others are, and heard again after them.
+    endings = sorted(_ENDINGS, key=lambda number: number != signal.SIGINT)
+    handlers = [(number, signal.getsignal(number)) for number in endings]
+    handlers = [(number, handler) for number, handler in handlers if handler not in {None, signal.SIG_IGN}]
     try:
+        for number, _ in handlers:
+            signal.signal(number, lambda number, _: heard.append(number))
         with _blocked():
             yield
     finally:
-        for number, handler in handlers.items():
+        for number, handler in reversed(handlers):
             signal.signal(number, handler)
         for number in heard[:1]:
             signal.raise_signal(number)

@@ -247,8 +247,9 @@ def pressed_at(moment: int) -> Callable[[FrameType, str, object], object]:
 @each_way
 @pytest.mark.parametrize("moment", MOMENTS)
 def test_ctrl_c_at_any_moment_leaves_no_process(moment: int) -> None:
-    """It is heard, at once or a moment later, and all processes have gone by then."""
+    """It is heard, at once or a moment later, all processes have gone by then, and every signal is heard as before."""
     traced, others = sys.gettrace(), set(active_children())
+    handlers = [signal.getsignal(number) for number in pool._ENDINGS]
     with idle_thread():
         sys.settrace(pressed_at(moment))
         try:
@@ -260,6 +261,7 @@ def test_ctrl_c_at_any_moment_leaves_no_process(moment: int) -> None:
         finally:
             sys.settrace(traced)
     assert set(active_children()) == others
+    assert [signal.getsignal(number) for number in pool._ENDINGS] == handlers
 
 
 def test_what_the_work_needs_is_imported_before_the_clock_runs() -> None:

@@ -348,6 +348,11 @@ def test_torques_and_rates_come_in_every_format(dhcli: Run, command: str, format
         ("singularities articulated --q 0,0", "3 joints"),
         ("torques planar-2r --pose zero", "torques of what?"),
         ("jacobian planar-2r --in q.csv", "rows of a file: dhcli jacobian planar-2r --rows q.csv"),
+        (
+            "torques planar-2r --pose zero --force 1,0,0 --in q.csv",
+            "a Jacobian for each of the rows of a file: dhcli jacobian planar-2r --rows",
+        ),
+        ("rates planar-2r --pose zero --in q.csv --rates 1,1", "one pose is taken: --q VALUES"),
         ("torques planar-2r --pose zero --force 0,1", "three numbers are wanted"),
         ("torques planar-2r --pose zero --force 0,0,3Nm", "3Nm is in N m, and N is wanted"),
         ("torques planar-2r --pose zero --force 0,0,3kg", "3kg is in kg, and N is wanted"),

@@ -19,7 +19,7 @@ _ROW = "[%s, %s, %s, %s]"
 
 GROUPS = {
     "matrix": Group("matrix", _MATRIX, f"[{_ROW}, {_ROW}, {_ROW}, [0.0, 0.0, 0.0, 1.0]]"),
-    "position": Group.listed("position", ("p_x", "p_y", "p_z")),
+    "position": Group.listed("position", rows.POSITION),
     "rpy": Group.named("rpy", {name: name for name in ("roll", "pitch", "yaw")}),
     "quaternion": Group.named("quaternion", {name: f"q_{name}" for name in "wxyz"}),
     "rotation-vector": Group.listed("rotation-vector", ("r_x", "r_y", "r_z")),
