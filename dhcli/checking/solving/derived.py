@@ -122,35 +122,9 @@ def slipped(derivation: Derivation, robot: Robot) -> Iterator[Slipped]:
 def _in_step(step: Step, name: str) -> Iterator[tuple[Slip, Step]]:
     """What may go wrong in one step."""
     for call in _calls(step, "atan2"):
-        y, x = call.arguments
-        shown = f"atan2 in {name}"
-        if call == step.value or step.spread is None:
-            one = Call("atan", (multiply(y, power(x, -1)),)) if x != ZERO else None
-            if one is not None:
-                words = f"atan stands for {shown}: it loses the quadrants where its second argument is negative"
-                yield (
-                    Slip(f"atan-for-atan2 {name}", words, "which quadrants does atan know?"),
-                    replace(_with(step, call, one), two=step.two if step.two != "opposite" else ""),
-                )
-        words = f"the arguments of {shown} have changed places: the sine comes first"
-        yield (
-            Slip(f"atan2-swapped {name}", words, "which argument of atan2 belongs to the sine?"),
-            _with(step, call, Call("atan2", (x, y))),
-        )
+        yield from _in_arctangent(step, name, call)
     if isinstance(step.spread, Call) and step.spread.function == "acos":
-        inside = step.spread.arguments[0]
-        words = f"the sign in the law of cosines is wrong in {name}: the inner angle of the triangle is 180° less it"
-        yield (
-            Slip(f"cosine-sign {name}", words, "is it the inner angle of the triangle or the outer one?"),
-            replace(step, spread=Call("acos", (negate(inside),))),
-        )
-        if step.value != ZERO:
-            words = f"{name} is computed without the offset: only the direction of the point was taken"
-            turned = Call("acos", (ZERO,)) if step.rule == "ONE" else ZERO
-            yield (
-                Slip(f"offset-left-out {name}", words, "does the arm lie in the plane through the first axis?"),
-                replace(step, spread=turned),
-            )
+        yield from _in_arccosine(step, name, step.spread)
     if step.two:
         words = f"one branch of {name} is left out"
         whole = step.value if step.spread is None else add(step.value, step.spread)
@@ -167,6 +141,38 @@ def _in_step(step: Step, name: str) -> Iterator[tuple[Slip, Step]]:
                 Slip(f"angle-sign {name}", words, "draw the triangle: which angle is the larger one?"),
                 replace(step, value=other),
             )
+
+
+def _in_arctangent(step: Step, name: str, call: Call) -> Iterator[tuple[Slip, Step]]:
+    y, x = call.arguments
+    shown = f"atan2 in {name}"
+    if (call == step.value or step.spread is None) and x != ZERO:
+        one = Call("atan", (multiply(y, power(x, -1)),))
+        words = f"atan stands for {shown}: it loses the quadrants where its second argument is negative"
+        yield (
+            Slip(f"atan-for-atan2 {name}", words, "which quadrants does atan know?"),
+            replace(_with(step, call, one), two=step.two if step.two != "opposite" else ""),
+        )
+    words = f"the arguments of {shown} have changed places: the sine comes first"
+    yield (
+        Slip(f"atan2-swapped {name}", words, "which argument of atan2 belongs to the sine?"),
+        _with(step, call, Call("atan2", (x, y))),
+    )
+
+
+def _in_arccosine(step: Step, name: str, spread: Call) -> Iterator[tuple[Slip, Step]]:
+    words = f"the sign in the law of cosines is wrong in {name}: the inner angle of the triangle is 180° less it"
+    yield (
+        Slip(f"cosine-sign {name}", words, "is it the inner angle of the triangle or the outer one?"),
+        replace(step, spread=Call("acos", (negate(spread.arguments[0]),))),
+    )
+    if step.value != ZERO:
+        words = f"{name} is computed without the offset: only the direction of the point was taken"
+        turned = Call("acos", (ZERO,)) if step.rule == "ONE" else ZERO
+        yield (
+            Slip(f"offset-left-out {name}", words, "does the arm lie in the plane through the first axis?"),
+            replace(step, spread=turned),
+        )
 
 
 def _calls(step: Step, function: str) -> list[Call]:
