@@ -6,7 +6,7 @@ raises one error with five problems. The command line maps the class to an exit 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from enum import IntEnum
 from itertools import islice
 
@@ -48,6 +48,11 @@ class Place:
         """`file:line:column`, without the parts that are unknown."""
         return ":".join(str(part) for part in (self.source, self.line, self.column) if part is not None)
 
+    @property
+    def order(self) -> tuple[int, int]:
+        """Line and column, to sort by; what has no line comes first."""
+        return self.line or 0, self.column or 0
+
 
 @frozen
 class Problem:
@@ -68,6 +73,11 @@ class Problem:
         where = f"{self.place}: " if self.place and str(self.place) else ""
         hint = f" ({self.hint})" if self.hint else ""
         return f"{where}{self.message}{hint}"
+
+    @property
+    def order(self) -> tuple[int, int]:
+        """That of its place, in one file; what has no place comes first."""
+        return self.place.order if self.place else (0, 0)
 
 
 class DhcliError(Exception):
@@ -106,6 +116,12 @@ class UnknownNameError(DhcliError):
 def plural(count: int, noun: str) -> str:
     """`1 row`, `3 rows`."""
     return f"{count} {noun}{'s' * (count != 1)}"
+
+
+def listed(names: Sequence[str], most: int = 12) -> str:
+    """Names in a row, and how many more there are beyond the most that are told."""
+    more = f" and {len(names) - most} more" if len(names) > most else ""
+    return ", ".join(names[:most]) + more
 
 
 def nearest(name: str, known: Iterable[str], most: int = 3, cutoff: float = 0.5) -> tuple[str, ...]:

@@ -67,6 +67,9 @@ def _slotted(cls: type[T]) -> tuple[type[T], Sequence[Field[Any]]]:
 def _field(cls: type, name: str, kind: object) -> Field[Any]:
     """A field from its annotation and what is written after it.
 
+    What marks it as one is private to `dataclasses`. A copy of a field of a class that was compiled has the mark too,
+    but takes six times as long, and with that class 1.6 ms of a start.
+
     Raises:
         ValueError: Its default can be changed, and would be changed for all.
     """

@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, settings
 
-from tests import once
+from tests import once, reporting
 
 collect_ignore = ["bench"]  # programs of their own, not modules with examples to run
 
@@ -58,6 +58,9 @@ settings.register_profile("default", _PATIENT)
 settings.register_profile("ci", _PATIENT, database=None, derandomize=True, print_blob=True)
 settings.register_profile("nightly", settings.get_profile("ci"), max_examples=500)
 settings.load_profile("ci" if os.environ.get("CI") else "default")
+
+
+pytest_configure = reporting.pytest_configure
 
 
 @pytest.hookimpl(tryfirst=True)

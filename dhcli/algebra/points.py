@@ -38,7 +38,7 @@ def general(names: Iterable[str], seed: int) -> Iterator[dict[str, float]]:
     return draws(dict.fromkeys(sorted(names), GENERAL), seed)
 
 
-def all_round(expressions: Iterable[Expr], reach: Reach | None = None) -> Iterator[dict[str, float]]:
+def all_round(expressions: Iterable[Expr], reach: Reach | None) -> Iterator[dict[str, float]]:
     """Forty points for some expressions, angles all round the circle.
 
     Args:

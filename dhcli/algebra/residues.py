@@ -30,6 +30,9 @@ ROOTED = (7, 11, 13, 17, 19, 23, 29, 31)
 RADIAN = "rad"
 """The name under which one radian has a random unit, for e^i is transcendental; no joint is called so."""
 
+ROUNDS = 24
+"""Bases that a prime is tried with."""
+
 LARGEST_RADICAND = 10**12
 """Roots are taken of small integers; a larger residue is the image of some expression."""
 
@@ -124,15 +127,15 @@ def random_below(limit: int) -> int:
     return int.from_bytes(os.urandom((size + 7) // 8), "big") % limit
 
 
-def is_prime(value: int, rounds: int = 24) -> bool:
-    """Miller-Rabin with random bases; wrong with probability below 4^-rounds."""
+def is_prime(value: int) -> bool:
+    """Miller-Rabin with random bases; wrong with probability below 4^-24."""
     for small in (3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71, 73):
         if value % small == 0:
             return value == small
     odd, twos = value - 1, 0
     while odd % 2 == 0:
         odd, twos = odd // 2, twos + 1
-    for _ in range(rounds):
+    for _ in range(ROUNDS):
         witness = pow(random_below(value - 3) + 2, odd, value)
         if witness in (1, value - 1):
             continue

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import shlex
 from abc import abstractmethod
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
@@ -28,6 +28,7 @@ from dhcli.kinematics.conventions import Row
 from dhcli.kinematics.derived import replaced
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.validity import Finding
+from dhcli.notation.names import natural_key
 from dhcli.notation.quantity import LENGTH_UNITS, value_text
 from dhcli.notation.scope import Scope
 from dhcli.notation.styles import THETAS, Joints
@@ -125,9 +126,8 @@ class Question(Asking, Generic[T]):
         Raises:
             RobotError: A name in it has no value.
         """
-        if exercise.numeric and (missing := self.unvalued(exercise)):
-            hint = f"--set {missing[0]}=..., or given: in the file of an exercise"
-            raise RobotError(f"{exercise.id} asks for numbers, and has no value for {', '.join(missing)}", hint)
+        if exercise.numeric:
+            exercise.refuse_without(self.unvalued(exercise))
 
     @abstractmethod
     def expected(self, case: Case, style: str = "short") -> str:
@@ -327,6 +327,20 @@ class Exercise:
     def known(self) -> Mapping[str, Value]:
         """All values there are, given or the robot's own, for what is asked in numbers whatever the other parts are."""
         return replaced(self.robot.derived, self.robot.parameters, self.given) if self.robot else self.given
+
+    def unvalued(self, names: frozenset[str]) -> tuple[str, ...]:
+        """Those of some names that have no value, as people would list them."""
+        return tuple(sorted(names - self.values.keys(), key=natural_key))
+
+    def refuse_without(self, missing: Sequence[str]) -> None:
+        """Say which names have no value although numbers are asked for.
+
+        Raises:
+            RobotError: There are any.
+        """
+        if missing:
+            hint = f"--set {missing[0]}=..., or given: in the file of an exercise"
+            raise RobotError(f"{self.id} asks for numbers, and has no value for {', '.join(missing)}", hint)
 
     def part(self, name: str) -> Part:
         """A part by its name.

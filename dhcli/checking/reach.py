@@ -6,8 +6,8 @@ import re
 
 from dhcli.algebra.points import CIRCLE, EITHER_SIDE, GENERAL, Reach
 from dhcli.checking.exercise import Exercise
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.robot import Robot, Value
-from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import symbols_of
 from dhcli.regex import regex
 

@@ -21,7 +21,6 @@ from dhcli.kinematics.merge import merge
 from dhcli.kinematics.moves import Chain, angle_names, expressions, inverse, names
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import numbers
-from dhcli.notation.names import natural_key
 from dhcli.notation.tree import Expr, Number, Symbol, number
 from dhcli.notation.walk import symbols, walk
 
@@ -68,8 +67,7 @@ def truth_of(question: Wanted, case: Case) -> Truth:
 
 def unvalued(question: Wanted, exercise: Exercise) -> tuple[str, ...]:
     """Names without which an answer in numbers cannot be computed, and that have no value."""
-    named = names(chain_of(question, exercise.robot)) | _point_names(question)
-    return tuple(sorted(named - exercise.values.keys(), key=natural_key))
+    return exercise.unvalued(names(chain_of(question, exercise.robot)) | _point_names(question))
 
 
 def _compute(question: Wanted, case: Case) -> Truth:

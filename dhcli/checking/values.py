@@ -10,7 +10,7 @@ from dhcli.checking.entries import check_names
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.pasted import UnreadableError, WrongUnitError, without_label
 from dhcli.checking.tolerance import NOT_EXACT, Tolerance, is_rounding_of, judge, without_unit
-from dhcli.checking.units import in_metres, is_measure
+from dhcli.checking.units import is_measure, length_in_metres
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
 from dhcli.errors import Place
 from dhcli.frozen import frozen
@@ -82,7 +82,7 @@ def quantity_of(expr: Expr, exercise: Exercise) -> Quantity:
         except DimensionError:
             pass  # a cosine of an angle is a number
     measure = is_measure(expr, scope)
-    return Quantity(to_length(in_metres(expr, exercise.metres, scope) if measure else expr), measure)
+    return Quantity(to_length(length_in_metres(expr, exercise.metres, scope) if measure else expr), measure)
 
 
 def mark_value(exercise: Exercise, right: Quantity, answer: TypedValue, tolerance: Tolerance) -> Mark:
@@ -164,7 +164,7 @@ def _read_as(expr: Expr, right: Quantity, exercise: Exercise, bare: Bare) -> Qua
     from dhcli.checking.angles import in_radians
 
     if not right.is_angle:
-        length = in_metres(expr, exercise.metres, exercise.scope) if right.is_length else expr
+        length = length_in_metres(expr, exercise.metres, exercise.scope) if right.is_length else expr
         return replace(right, value=to_plain_length(length))
     if isinstance(right.value, Angle) and not is_inverse(expr):
         return replace(right, value=to_angle(expr, bare=bare))

@@ -9,7 +9,7 @@ from statistics import fmean
 from dhcli.checking.verdicts import Verdict
 from dhcli.classroom.folder import Folder
 from dhcli.classroom.grades import Graded, PartGrade
-from dhcli.errors import plural
+from dhcli.errors import listed, plural
 from dhcli.frozen import frozen
 
 STEPS = (0, 20, 40, 60, 80, 100)
@@ -52,7 +52,7 @@ class ClassReport:
         spread: How many sheets earned at least each of `STEPS`, and less than the next [%].
         mean: Mean share of the credit; None if nothing could be graded.
         notices: What a person should look at: variants that several sheets share, or one has not, sheets on
-            which nothing but a unit is wrong, and students who handed in an exercise twice.
+            which nothing but a unit is wrong, and students who handed in an exercise twice, or have one name.
     """
 
     folder: Folder
@@ -111,9 +111,12 @@ def _notices(rows: Sequence[Graded]) -> Iterator[str]:
         for unit in sorted({row.other_unit for row in sheets} - {""}):
             same = [row for row in sheets if row.other_unit == unit]
             yield f"{exercise}: right but for the unit, {unit}: {plural(len(same), 'sheet')} ({_whose(same)})"
-        for folder, same in handed_in.items():
-            if len(same) > 1:
-                yield f"{exercise}: {len(same)} sheets in {folder}"
+        twice = ((folder, len(same)) for folder, same in handed_in.items() if len(same) > 1)
+        yield from (f"{exercise}: {count} sheets in {folder}" for folder, count in twice)
+        namesakes = ((name, owners) for name, owners in _owners(sheets).items() if len(owners) > 1)
+        yield from (
+            f"{exercise}: {name} is the name on sheets of {listed(owners, MOST_NAMED)}" for name, owners in namesakes
+        )
 
 
 def _owner(row: Graded) -> str:
@@ -122,11 +125,19 @@ def _owner(row: Graded) -> str:
     return folder if slash else row.sheet
 
 
+def _owners(rows: Sequence[Graded]) -> dict[str, list[str]]:
+    """Whose sheets bear a name, each once."""
+    owners: dict[str, list[str]] = {}
+    for row in rows:
+        same = owners.setdefault(row.student, [])
+        if _owner(row) not in same:
+            same.append(_owner(row))
+    return owners
+
+
 def _whose(rows: Sequence[Graded]) -> str:
     """Names of students, not more than a line holds."""
-    names = list({_owner(row): row.student for row in rows}.values())
-    more = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
-    return ", ".join(names[:MOST_NAMED]) + more
+    return listed(list({_owner(row): row.student for row in rows}.values()), MOST_NAMED)
 
 
 def _figures(exercise: str, part: str, grades: Sequence[PartGrade]) -> PartFigures:

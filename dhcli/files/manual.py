@@ -49,7 +49,7 @@ def topics() -> tuple[Topic, ...]:
     )
 
 
-def read_page(name: str | None = None) -> str:
+def read_page(name: str | None) -> str:
     """A page of the manual as Markdown.
 
     Args:

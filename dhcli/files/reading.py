@@ -81,7 +81,7 @@ def explain(error: OSError, source: str, path: Path | str) -> Problem:
 
 
 def instead_of(path: Path, names: Iterable[str]) -> str:
-    """A hint for a path that leads nowhere: names beside it that are very near, else the folder that was looked in.
+    """A hint for a path that leads nowhere: what `~` stands for, names that are very near, the folder looked in.
 
     Args:
         path: The path as it was typed.
@@ -89,6 +89,10 @@ def instead_of(path: Path, names: Iterable[str]) -> str:
     """
     from difflib import SequenceMatcher
 
+    from dhcli.storage.home import unexpanded
+
+    if home := unexpanded(path):
+        return home
     wanted = Path(path.name).stem.lower()
     like = {
         name: SequenceMatcher(None, wanted, Path(name).stem.lower()).ratio() for name in nearest(path.name, names, 9)

@@ -66,9 +66,12 @@ def not_a_rotation(rows: Sequence[Sequence[Expr]]) -> str:
 
 
 def _slack(rows: Sequence[Sequence[Expr]]) -> float:
-    """How far a product of two columns may be off, where each decimal may be off by half a unit of its last digit."""
+    """How far a product of two columns may be off, where each decimal may be off by half a unit of its last digit.
+
+    That is at most what a dot product may be off, and what an entry of a cross product may from that of a third column.
+    """
     half = digit_slack(rows)
     if not half or any(symbols(entry) for row in rows for entry in row[:3]):
         return LOOSE
     largest = max(sum(abs(Floats().value(row[i])) for row in rows[:3]) for i in range(3))
-    return 2 * half * largest + 3 * half * half + LOOSE
+    return half * (2 * largest + 1) + 3 * half * half + LOOSE

@@ -39,7 +39,7 @@ def coordinates(point: Iterable[Any]) -> list[Expr]:
     return found
 
 
-def in_floats(point: Iterable[Any]) -> list[float]:
+def float_coordinates(point: Iterable[Any]) -> list[float]:
     """Coordinates for a pose in numbers [m]."""
     try:
         return [float(coordinate) for coordinate in point]

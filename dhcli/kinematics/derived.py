@@ -1,10 +1,11 @@
-"""Parameters that follow from others: `a3: 2*a2`, `off: atan2(a3, d4)`."""
+"""The value of a name, and parameters that follow from others: `a3: 2*a2`, `off: atan2(a3, d4)`."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from typing import TypeAlias
 
+from dhcli.algebra.floats import Floats
 from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import DimensionError, to_angle, to_plain_length
@@ -13,6 +14,11 @@ from dhcli.notation.walk import substitute, symbols
 
 Value: TypeAlias = Angle | Expr
 """The value of a name: an exact angle, or an expression of lengths in metres."""
+
+
+def in_floats(value: Value) -> float:
+    """A constant value in radians or metres."""
+    return value.constant() if isinstance(value, Angle) else Floats().value(value)
 
 
 @frozen

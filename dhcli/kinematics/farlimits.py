@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from dhcli.frozen import frozen
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.description import Description
-from dhcli.kinematics.validity import in_floats
 
 
 @frozen

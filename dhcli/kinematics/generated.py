@@ -9,12 +9,12 @@ from dhcli.algebra.tape import Cell, Number, Tape
 from dhcli.algebra.written import Lean, Written, written
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.fold import fold, fold_rows
 from dhcli.kinematics.frames import View, between
 from dhcli.kinematics.merge import merge
 from dhcli.kinematics.moves import Trans, names
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import Values, numbers
 from dhcli.kinematics.velocity.form import Form
 from dhcli.kinematics.velocity.jacobian import moving_joints, rates_by, six_rows

@@ -57,7 +57,7 @@ def text_of(given: object, part: str, hint: str = "") -> str:
     return given
 
 
-def texts_of(given: object, part: str, hint: str = "") -> tuple[str, ...]:
+def texts_of(given: object, part: str, hint: str) -> tuple[str, ...]:
     """A list of texts.
 
     Raises:
@@ -66,7 +66,7 @@ def texts_of(given: object, part: str, hint: str = "") -> tuple[str, ...]:
     return tuple(text_of(each, part, hint) for each in tuple_of(given, part, hint))
 
 
-def tuple_of(given: object, part: str, hint: str = "") -> tuple[object, ...]:
+def tuple_of(given: object, part: str, hint: str) -> tuple[object, ...]:
     """A list of something.
 
     Raises:

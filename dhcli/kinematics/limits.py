@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.description import Description
 from dhcli.kinematics.farlimits import far_limits
-from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import Values, symbols_of
 from dhcli.notation.angle import Angle
 
@@ -29,8 +29,8 @@ def warnings(robot: Description, values: Values) -> Iterator[str]:
             low, high = (in_floats(limit) for limit in robot.limits[joint.name])
             number = in_floats(value)
             if not is_within_limits(robot, joint.name, number):
-                shown, bounds = _shown(number, joint.kind), f"{_shown(low, joint.kind)} to {_shown(high, joint.kind)}"
-                yield f"{joint.name} = {shown} is outside its limits, {bounds}"
+                shown, lowest, highest = _apart(number, low, high, joint.kind)
+                yield f"{joint.name} = {shown} is outside its limits, {lowest} to {highest}"
     yield from _far(robot, values)
 
 
@@ -44,8 +44,8 @@ def _far(robot: Description, values: Values) -> Iterator[str]:
     bounds = dict(zip(far.names, far.bounds, strict=True))
     for name, at, _ in far.beyond(q, SLACK):
         kind = "revolute" if name in far.turning else "prismatic"
-        low, high = (_shown(bound, kind) for bound in bounds[name])
-        yield f"{name} is then {_shown(at, kind)}, outside its limits, {low} to {high}"
+        shown, low, high = _apart(at, *bounds[name], kind)
+        yield f"{name} is then {shown}, outside its limits, {low} to {high}"
 
 
 def is_within_limits(robot: Description, name: str, number: float) -> bool:
@@ -56,5 +56,11 @@ def is_within_limits(robot: Description, name: str, number: float) -> bool:
     return low - SLACK <= number <= high + SLACK
 
 
-def _shown(number: float, kind: str) -> str:
-    return f"{math.degrees(number):.4g}°" if kind == "revolute" else f"{number:.4g} m"
+def _apart(number: float, low: float, high: float, kind: str) -> tuple[str, str, str]:
+    """A value and the limits that it is outside of, with so many digits that it is to be seen that it is."""
+    factor, unit = (math.degrees(1), "°") if kind == "revolute" else (1.0, " m")
+    for digits in range(4, 18):
+        shown, lowest, highest = (f"{each * factor:.{digits}g}{unit}" for each in (number, low, high))
+        if shown not in {lowest, highest}:
+            break
+    return shown, lowest, highest

@@ -37,6 +37,9 @@ CHUNK = 8 * BLOCK
 With fewer they wait more often, with twice as many the columns of two threads no longer fit the last cache.
 """
 
+STRETCH = 8 * CHUNK
+"""Rows that the compiled loop takes at a time: it keeps no columns, and two threads wait for each other at its ends."""
+
 FEW = 16
 """Rows that are played one by one in less time than numpy takes to begin."""
 
@@ -68,7 +71,7 @@ def play(recording: Recording, q: NDArray[np.float64], found: NDArray[Any], thre
     if not by_loop and len(q) <= FEW and _one_by_one(recording, q, found):
         return
     one = partial(_by_loop if by_loop else _by_columns, recording, q, found)
-    chunks = shares(len(q), threads)
+    chunks = shares(len(q), threads, STRETCH if by_loop else CHUNK)
     if threads == 1 or len(chunks) < 2:  # noqa: PLR2004  nothing to share
         for chunk in chunks:
             one(chunk)
@@ -77,11 +80,10 @@ def play(recording: Recording, q: NDArray[np.float64], found: NDArray[Any], thre
             pass
 
 
-def shares(count: int, threads: int) -> list[slice]:
-    """Rows in parts of at most `CHUNK`; for several threads as many and as large for each, but none below a block."""
-    size = CHUNK
+def shares(count: int, threads: int, size: int) -> list[slice]:
+    """Rows in parts of at most that size; for several threads as many and as large for each, but none below a block."""
     if threads > 1:
-        parts = -(-count // CHUNK)
+        parts = -(-count // size)
         parts = min(-(-parts // threads) * threads, count // BLOCK)
         size = -(-count // max(1, parts))
     return [slice(first, first + size) for first in range(0, count, max(1, size))]

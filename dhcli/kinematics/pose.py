@@ -11,7 +11,7 @@ from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
 from dhcli.geometry.motion import dot, inverse, product
-from dhcli.kinematics.coordinates import are_floats, coordinates, in_floats, rows_of
+from dhcli.kinematics.coordinates import are_floats, coordinates, float_coordinates, rows_of
 from dhcli.kinematics.entries import DIGITS, cells_of, in_columns, latex_of
 from dhcli.notation.styles import THETAS, Joints, identifier
 from dhcli.notation.tree import Expr
@@ -198,7 +198,7 @@ class Pose(Generic[N]):
             return self._of_points(other)  # type: ignore[arg-type]
         if len(other) != 3:  # noqa: PLR2004
             raise RobotError(f"a point has three coordinates, not {len(other)}")
-        point: Sequence[N] = coordinates(other) if self.is_symbolic else in_floats(other)  # type: ignore[assignment]
+        point: Sequence[N] = coordinates(other) if self.is_symbolic else float_coordinates(other)  # type: ignore[assignment]
         return tuple(plus(dot(row, point), row[3]) for row in self.rows[:3])  # type: ignore[misc]  # no integers in a pose
 
     def _of_points(self, points: NDArray[Any]) -> NDArray[np.float64]:

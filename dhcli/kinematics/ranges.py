@@ -8,8 +8,8 @@ from typing import Literal, TypeAlias
 
 from dhcli.errors import NotationError, Place, Problem, RobotError
 from dhcli.frozen import frozen
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.robot import Value
-from dhcli.kinematics.validity import in_floats
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import UNITS
 from dhcli.notation.tokens import Source, tokenize

@@ -143,7 +143,7 @@ class Registration:
 
 
 def error_of(
-    match: Match, truth: Arm, other: Arm, point: Point, size: float, enough: tuple[float, float] = (math.inf, math.inf)
+    match: Match, truth: Arm, other: Arm, point: Point, size: float, enough: tuple[float, float]
 ) -> tuple[float, float]:
     """Largest difference between `T'(q)` and `B T(σq + q0) E` at seeded poses: of a direction cosine, and [m].
 

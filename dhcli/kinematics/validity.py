@@ -8,7 +8,7 @@ from fractions import Fraction
 from dhcli.algebra.floats import Floats
 from dhcli.errors import Problem, RobotError, did_you_mean
 from dhcli.frozen import frozen
-from dhcli.kinematics.derived import Value
+from dhcli.kinematics.derived import Value, in_floats
 from dhcli.kinematics.description import Description, Link
 from dhcli.kinematics.moves import Chain, Fixed, Trans, angle_names, expressions, names
 from dhcli.notation.angle import Angle
@@ -209,8 +209,3 @@ def _kind(where: tuple[str | int, ...], name: str, kind: str, values: tuple[Valu
             yield Finding(where, f"{name} turns, and {value} is not an angle", "write 90° or 1.57 rad")
         if kind == "prismatic" and isinstance(value, Angle) and not value.is_zero:
             yield Finding(where, f"{name} slides, and an angle is no length", "write 300 mm or 0.3 m")
-
-
-def in_floats(value: Value) -> float:
-    """A constant value in radians or metres."""
-    return value.constant() if isinstance(value, Angle) else Floats().value(value)

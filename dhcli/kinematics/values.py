@@ -9,11 +9,10 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean, plural
-from dhcli.kinematics.derived import Value, replaced
+from dhcli.kinematics.derived import Value, in_floats, replaced
 from dhcli.kinematics.description import Description
 from dhcli.kinematics.given import mapping_of
 from dhcli.kinematics.moves import Chain, names
-from dhcli.kinematics.validity import in_floats
 from dhcli.notation.angle import Angle
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse

@@ -12,8 +12,9 @@ from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.checking.written import Trial
 from dhcli.errors import DhcliError
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.limits import is_within_limits
-from dhcli.kinematics.validity import Finding, in_floats
+from dhcli.kinematics.validity import Finding
 from dhcli.kinematics.values import symbols_of
 from dhcli.lint.mistakes import typed
 from dhcli.lint.wording import unfinished
@@ -204,6 +205,8 @@ def _trials(judge: Judge) -> Iterator[Finding]:
         judged = _judged(judge, exercise.part(trial.part), answer)
         if judged.verdict.word != trial.verdict:
             message = f"{trial.part}: is judged {_told(judged)}; the test says {trial.verdict}"
+            if not answer:
+                message = f"{trial.part}: the answer of the test is empty; it says {trial.verdict}"
             yield Finding(("tests", index, "mistake" if trial.mistake else "answer"), message, _right(judge, trial))
 
 

@@ -117,13 +117,16 @@ def _files(paths: Iterable[str]) -> Iterator[str]:
 
 def _missing(path: str) -> Problem:
     """Why a path leads nowhere, as reading it tells; a name of the library is not a path."""
+    from dhcli.storage.home import unexpanded
+
     try:
         read_text(path)
     except FileError as error:
         problem = error.problems[0]
         if not path.lower().endswith(SUFFIXES):
             message = problem.message.replace("no such file", "no such file or folder")
-            problem = replace(problem, message=message, hint="lint takes files and folders, such as robots/my-arm.yaml")
+            hint = unexpanded(path) or "lint takes files and folders, such as robots/my-arm.yaml"
+            problem = replace(problem, message=message, hint=hint)
         return problem
     return Problem("has just appeared", Place(path), "try again")  # between two looks at the disk
 
@@ -155,7 +158,7 @@ def _of_file(path: str, names: Names) -> Iterator[Told]:
         found = [Told(_placed(problem, path)) for problem in error.problems]
         found += _besides(path, root, error.problems) if root is not None else ()
     found += [_told(one, root) for one in names.clashes(path) if root is not None]
-    return iter(sorted(found, key=lambda one: _line(one.problem)))
+    return iter(sorted(found, key=lambda one: one.problem.order))
 
 
 def _told(one: Finding, root: PlacedNode) -> Told:
@@ -242,8 +245,3 @@ def _rules_of_exercise(exercise: Exercise, *, judged: bool) -> Iterator[Finding]
 def _placed(problem: Problem, path: str) -> Problem:
     """A problem that is at least in its file."""
     return problem if problem.place is not None else Problem(problem.message, Place(path), problem.hint)
-
-
-def _line(problem: Problem) -> tuple[int, int]:
-    place = problem.place or Place("")
-    return place.line or 0, place.column or 0

@@ -33,14 +33,10 @@ def path_to(root: PlacedNode, place: Place) -> tuple[str | int, ...]:
             steps = [(key.text, key.place, value) for key, value in inner.entries]
         elif isinstance(inner, PlacedSequence):
             steps = [(_id_of(item) or k, item.place, item) for k, item in enumerate(inner.items)]
-        before = [step for step in steps if _reading_order(step[1]) <= _reading_order(place)]
+        before = [step for step in steps if step[1].order <= place.order]
         path += [before[-1][0]] if before else []
         inner = before[-1][2] if before else None
     return tuple(path)
-
-
-def _reading_order(place: Place) -> tuple[int, int]:
-    return place.line or 0, place.column or 0
 
 
 def _below(node: PlacedNode, step: str | int) -> tuple[Place | None, PlacedNode] | None:

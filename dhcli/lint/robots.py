@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from dhcli.algebra.floats import Floats
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.limits import is_within_limits
 from dhcli.kinematics.moves import names
 from dhcli.kinematics.robot import Robot, Value
-from dhcli.kinematics.validity import Finding, in_floats
+from dhcli.kinematics.validity import Finding
 from dhcli.kinematics.values import symbols_of
 from dhcli.lint.wording import unfinished
 from dhcli.notation.angle import Angle

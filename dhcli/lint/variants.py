@@ -10,9 +10,10 @@ from dhcli.checking.judge import Judge
 from dhcli.checking.variants import hidden_by_numbers, vary
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import DhcliError
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.limits import is_within_limits
 from dhcli.kinematics.robot import Value
-from dhcli.kinematics.validity import Finding, in_floats
+from dhcli.kinematics.validity import Finding
 from dhcli.notation.names import canonical
 from dhcli.notation.quantity import value_text
 from dhcli.regex import regex

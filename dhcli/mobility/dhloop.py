@@ -23,7 +23,7 @@ def joints_of_loop(
     rows: Sequence[tuple[Row, Pair]],
     convention: Convention,
     values: Mapping[str, Angle | float],
-    tolerance: float = 0.0,
+    tolerance: float,
 ) -> tuple[Joint, ...]:
     """The joints of a loop in the position that its table gives.
 

@@ -95,7 +95,7 @@ class Part:
         return self.carries(other.first) != self.carries(other.second)
 
 
-def idle_freedoms(model: Model, tolerance: float = TIGHT) -> tuple[Idle, ...]:
+def idle_freedoms(model: Model, tolerance: float) -> tuple[Idle, ...]:
     """All independent idle freedoms; none of those that would disturb each other."""
     found: list[tuple[Idle, Part]] = []
     rows: list[Array] = []

@@ -173,7 +173,7 @@ class Path:
         return math.log(outer / max(inner, FINISHED)) / math.log(far / near)
 
 
-def attempt(path: Path, tolerance: float, least: float = SHAKY) -> Trial:
+def attempt(path: Path, tolerance: float, least: float) -> Trial:
     """Impose amplitudes along one direction.
 
     Args:

@@ -35,7 +35,7 @@ def lambdas(model: Model, tolerance: float = TIGHT) -> tuple[int, ...]:
     return tuple(closure(model.twists[row != 0], tolerance) for row in model.signs)
 
 
-def shortest_lambdas(model: Model, tolerance: float = TIGHT) -> tuple[int, ...]:
+def shortest_lambdas(model: Model, tolerance: float) -> tuple[int, ...]:
     """λ of each loop of a basis of short loops, which a person would choose; see `short_loops`."""
     if len(model.linkage.links) > MOST_LINKS:
         return lambdas(model, tolerance)

@@ -41,13 +41,12 @@ def looks_like_pattern(text: str) -> bool:
     return _leg(_leg_texts(text)[0]) is not None
 
 
-def read_pattern(text: str, space: Space = SPATIAL, place: Place | None = None) -> Linkage | Counts:
+def read_pattern(text: str, space: Space = SPATIAL) -> Linkage | Counts:
     """Read a pattern.
 
     Args:
         text: One of the forms above.
         space: Where the linkage moves.
-        place: Where the text stands, for errors.
 
     Returns:
         The joint graph, or counts where the number of legs is a formula such as `n-RPS`.
@@ -55,7 +54,7 @@ def read_pattern(text: str, space: Space = SPATIAL, place: Place | None = None) 
     Raises:
         LinkageError: It is no pattern.
     """
-    place = place or Place("pattern", None, 1, text)
+    place = Place("pattern", None, 1, text)
     try:
         heading, rest = _heading(text)
         if heading == "loop":

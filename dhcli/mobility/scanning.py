@@ -41,7 +41,7 @@ class Token:
     end: int
 
 
-def joint_pieces(text: str, place: Place | None = None) -> Iterator[tuple[str, Pair]]:
+def joint_pieces(text: str, place: Place | None) -> Iterator[tuple[str, Pair]]:
     """The pieces of a list of joints: the text of a count, which may be empty, and the kind that it counts.
 
     Raises:

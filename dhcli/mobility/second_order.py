@@ -164,7 +164,7 @@ def _halved(centres: Array, faces: Array, half: float) -> tuple[Array, Array]:
     return centres, faces
 
 
-def size_of_curvature(model: Model, motions: Array, twists: Array | None = None) -> float:
+def size_of_curvature(model: Model, motions: Array, twists: Array | None) -> float:
     """The largest second order part of any loop's gap, which tells what is small for a form."""
     largest = 0.0
     for row in range(len(model.chords)):

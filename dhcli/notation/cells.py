@@ -146,3 +146,13 @@ def with_depths(row: Sequence[Token]) -> Iterator[tuple[Token, int]]:
         yield token, depth
         if step > 0:
             depth += step
+
+
+def trimmed(tokens: Sequence[Token]) -> list[Token]:
+    """Tokens without the ends of lines around them, nor the separators behind them."""
+    start, end = 0, len(tokens)
+    while start < end and tokens[start].kind == "newline":
+        start += 1
+    while end > start and (tokens[end - 1].kind == "newline" or tokens[end - 1].text in (",", ";")):
+        end -= 1
+    return list(tokens[start:end])

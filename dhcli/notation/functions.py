@@ -73,7 +73,7 @@ def is_usual(name: str) -> bool:
     return len(stem) == 2 and stem[1] in "xyz" and not index  # noqa: PLR2004  px, py, pz
 
 
-def refusal(word: str, known: Iterable[str] = (), *, called: bool = False, measured: bool = False) -> tuple[str, str]:
+def refusal(word: str, known: Iterable[str], *, called: bool = False, measured: bool = False) -> tuple[str, str]:
     """Why a word that is no declared name cannot be one, with a hint; empty if it may.
 
     Args:
@@ -93,7 +93,7 @@ def refusal(word: str, known: Iterable[str] = (), *, called: bool = False, measu
     return "", ""
 
 
-def nearest_meaning(word: str, known: Iterable[str] = ()) -> str:
+def nearest_meaning(word: str, known: Iterable[str]) -> str:
     """A hint at the function, the unit or the name that a word may have meant; the functions there are if none."""
     candidates = (*known, *dict.fromkeys(FUNCTIONS.values()), *sorted(UNITS - {"°", "m"}), "pi")
     found = nearest(canonical(word), candidates)

@@ -15,9 +15,7 @@ _NAMES = regex(r"[^\W\d_]|(?:[^\W\d_](?:[0-9]+|_\{[^{}]*\}|_[0-9]+))+")
 """What nobody doubts where any name stands for itself: a letter, or letters each with an index."""
 
 
-def unglued(
-    tokens: Sequence[Token], at: int, scope: Scope, *, angle_follows: bool = False
-) -> tuple[tuple[Token, ...], int]:
+def unglued(tokens: Sequence[Token], at: int, scope: Scope, *, angle_follows: bool) -> tuple[tuple[Token, ...], int]:
     """The tokens that a word of several is meant as, and how many it replaces; none if it is no such word.
 
     Args:

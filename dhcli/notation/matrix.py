@@ -13,7 +13,7 @@ from dataclasses import replace
 from dhcli.errors import Place
 from dhcli.frozen import frozen
 from dhcli.notation.brackets import OPENING
-from dhcli.notation.cells import cells_in, matching, rows_in, with_depths
+from dhcli.notation.cells import cells_in, matching, rows_in, trimmed, with_depths
 from dhcli.notation.parser import read_all
 from dhcli.notation.scaled import times, without_factor
 from dhcli.notation.scope import OPEN, Scope
@@ -112,7 +112,7 @@ def _letters(cell: list[Token]) -> str:
 
 def _labelled(tokens: list[Token]) -> list[Token]:
     """Without `T =` in front."""
-    tokens = _trim(tokens)
+    tokens = trimmed(tokens)
     return tokens[2:] if [token.kind for token in tokens[:2]] == ["word", "sign"] and tokens[1].text == "=" else tokens
 
 
@@ -131,13 +131,13 @@ def _unwrap(tokens: list[Token]) -> list[Token]:
     """Without LaTeX environments, `T =`, `array(...)` and the outermost brackets."""
     tokens = _labelled(_without_environments(tokens))
     for _ in range(MOST_WRAPPINGS):
-        tokens = _trim(tokens)
+        tokens = trimmed(tokens)
         if len(tokens) > 1 and tokens[0].kind == "word" and tokens[0].text in _WRAPPERS and tokens[1].text in OPENING:
             tokens = tokens[1:]
         closing = matching(tokens, 0)
         if closing != len(tokens) - 1 or closing < 1:
             break
-        inside = _trim(tokens[1:-1])
+        inside = trimmed(tokens[1:-1])
         if tokens[0].text == "(" and not (inside and (inside[0].text in ("[", "{") or _has_rows(inside))):
             return _tuples(inside) or tokens
         tokens = inside
@@ -162,15 +162,6 @@ def _tuples(tokens: list[Token]) -> list[Token]:
         while start < len(tokens) and (tokens[start].kind == "newline" or tokens[start].text == ","):
             start += 1
     return rows
-
-
-def _trim(tokens: list[Token]) -> list[Token]:
-    start, end = 0, len(tokens)
-    while start < end and tokens[start].kind == "newline":
-        start += 1
-    while end > start and (tokens[end - 1].kind == "newline" or tokens[end - 1].text in (",", ";")):
-        end -= 1
-    return tokens[start:end]
 
 
 def _without_environments(tokens: list[Token]) -> list[Token]:

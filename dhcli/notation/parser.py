@@ -30,27 +30,26 @@ _PIECES = regex(r"[^\W\d_]+(?:[0-9₀-₉]+|_\{[^{}]*\}|_[A-Za-z]+[0-9]*|_[0-9]+
 """One name inside a run of letters and digits: `a1c1` is two."""
 
 
-def parse(text: str, scope: Scope = OPEN, place: Place | None = None, *, decimal_comma: bool = True) -> Expr:
+def parse(text: str, scope: Scope = OPEN, place: Place | None = None) -> Expr:
     """Read one expression.
 
     Args:
         text: What a person wrote.
         scope: The names it may use.
         place: Where the text stands, for errors.
-        decimal_comma: Whether `0,5` may be a number; not where commas separate.
 
     Raises:
         NotationError: With the column, what is wrong there, and what would be read.
     """
     source = Source(text, place or Place("expression"))
-    tokens = [token for token in tokenize(source, decimal_comma=decimal_comma) if token.kind != "newline"]
+    tokens = [token for token in tokenize(source, decimal_comma=True) if token.kind != "newline"]
     parser = Parser(source, tokens, scope)
     expr = parser.expression()
     parser.finish()
     return expr
 
 
-def parse_quantity(text: str, scope: Scope = OPEN, place: Place | None = None) -> Expr:
+def parse_quantity(text: str, scope: Scope, place: Place | None = None) -> Expr:
     """Read one expression that must be an angle, a length or a number; its units are still in it.
 
     Raises:

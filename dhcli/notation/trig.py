@@ -25,6 +25,13 @@ def sine(angle: Angle) -> Expr:
     return (_sin_of, _cos_of, _minus_sin_of, _minus_cos_of)[quarters](rest)
 
 
+def swapped(node: Expr) -> Expr:
+    """The sine of an angle for its cosine and back; anything else as it is."""
+    if isinstance(node, Trig):
+        return sine(node.angle) if node.function == "cos" else cosine(node.angle)
+    return node
+
+
 def _reduce(angle: Angle) -> tuple[int, Angle]:
     """An angle as a number of right angles, 0 to 3, and a rest that holds none."""
     degrees = angle.degrees % FULL_TURN

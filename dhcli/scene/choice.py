@@ -8,8 +8,8 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.robot import Joint, Robot, Value
-from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import Values, parameter_values
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Number

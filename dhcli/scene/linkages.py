@@ -46,7 +46,7 @@ def linkage_figure(
     return figure_of(staged, paper, worksheet=worksheet)
 
 
-def stage_linkage(linkage: Linkage, view: tuple[float, float] | None = None) -> Staged:
+def stage_linkage(linkage: Linkage, view: tuple[float, float] | None) -> Staged:
     """A linkage in space, ready to be drawn."""
     scene = space_scene(linkage)
     return Staged(scene, view or best_view(scene), linkage.title, caption_of(linkage), None)

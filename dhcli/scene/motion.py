@@ -8,8 +8,8 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from dhcli.frozen import frozen
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.robot import Robot, Value
-from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import JointInput, Values
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Number

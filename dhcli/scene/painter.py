@@ -42,7 +42,7 @@ class Piece:
     width: float = 0.0
 
 
-def painted(scene: Scene, camera: Camera, *, turns: bool = True) -> list[Shape]:
+def painted(scene: Scene, camera: Camera, *, turns: bool) -> list[Shape]:
     """All solids of a scene with their rods, hand and turn arrows, from back to front.
 
     Args:

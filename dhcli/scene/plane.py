@@ -42,7 +42,7 @@ class Sheet:
         )
 
 
-def plane_figure(linkage: Linkage, paper: Paper, caption: list[Text], *, worksheet: bool = False) -> Figure:
+def plane_figure(linkage: Linkage, paper: Paper, caption: list[Text], *, worksheet: bool) -> Figure:
     """The figure of a planar linkage that is placed.
 
     Args:

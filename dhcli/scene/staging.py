@@ -8,8 +8,8 @@ from dataclasses import replace
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import NAMES
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.robot import Robot, Value
-from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import JointInput, Values, joint_values, require
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import Bare

@@ -14,6 +14,7 @@ from typing import BinaryIO
 
 from dhcli.errors import FileError, Place, Problem
 from dhcli.regex import regex
+from dhcli.storage.home import unexpanded
 
 _DISK_FULL = {errno.ENOSPC, errno.EDQUOT}
 _TEMPORARY = regex(r"\.dhcli-[0-9a-f]{12}\.tmp")
@@ -119,7 +120,9 @@ def _explain(error: OSError, path: Path) -> Problem:
     """What the operating system said, as a problem."""
     place = Place(str(path))
     if isinstance(error, FileNotFoundError | NotADirectoryError):
-        return Problem(f"cannot be written: there is no folder {path.parent}", place, "make it first")
+        return Problem(
+            f"cannot be written: there is no folder {path.parent}", place, unexpanded(path) or "make it first"
+        )
     if isinstance(error, PermissionError):
         return Problem("cannot be written: no permission", place)
     if error.errno in _DISK_FULL:

@@ -21,3 +21,14 @@ def user_folder(variable: str, *usual: str) -> Path:
         return Path(named)
     home = os.path.expanduser("~")
     return Path(home if os.path.isabs(home) else os.sep, *usual)
+
+
+def unexpanded(path: Path | str) -> str:
+    """What to write instead of a path in which `~` was left for dhcli to expand, as a hint; empty if it was not.
+
+    A shell makes the home of it, but not between quotes, and nobody does in a file, which others read too.
+    """
+    before, mark, below = Path(path).as_posix().partition("~/")
+    if not mark or (before and not before.endswith("/")):
+        return ""
+    return f"~ stays as it is here, write {Path(os.path.expanduser('~'), below)}"

@@ -4,17 +4,21 @@ from __future__ import annotations
 
 import math
 import random
+import sys
 from collections.abc import Iterator
 from dataclasses import replace
+from pathlib import Path
 
 from measure import Row, Task, side_by_side
 
-from dhcli.mobility.constraints import constraint_rank
+sys.path.insert(0, str(Path(__file__).parents[2]))
+
 from dhcli.mobility.large import large_mobility
 from dhcli.mobility.linkage import Joint, Linkage
 from dhcli.mobility.model import model_of
 from dhcli.mobility.pairs import LETTERS, PLANAR
 from dhcli.mobility.truth import true_mobility
+from tests.mobility.dense import constraint_rank
 
 BARS = (20, 100, 400)
 NETS = (50, 200, 400)

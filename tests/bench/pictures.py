@@ -18,7 +18,7 @@ from peers import SLIDE, Link, links
 
 from dhcli import Robot, draw, forward, load_robot
 from dhcli.kinematics.conventions import Convention
-from dhcli.kinematics.validity import in_floats
+from dhcli.kinematics.derived import in_floats
 from dhcli.scene.choice import best_pose, with_examples
 from dhcli.scene.labels import PRINT
 from dhcli.scene.shapes import Figure

@@ -57,6 +57,7 @@ def fast(rounds: int, sizes: tuple[int, ...] = SIZES) -> Iterator[Row]:
         return
     with by_the_loop():
         for size in sizes:
+            touch(size)
             q = joint_values(robot, size)
             ours = Task("dhcli[fast]", lambda q=q: forward_batch(robot, q))
             for peer, close in (
@@ -121,6 +122,7 @@ def beside_each(rounds: int, sizes: tuple[int, ...]) -> Iterator[Row]:
     robot = load_robot(PUMA)
     for size, peer in product(sizes, PEERS):
         if size <= peer.most:
+            touch(size)
             yield of_many(robot, size, peer, rounds)
 
 
@@ -168,6 +170,7 @@ def growth(rounds: int, sizes: tuple[int, ...] = SIZES, size: int = MANY) -> Ite
 def _growth(rounds: int, sizes: tuple[int, ...], size: int) -> Iterator[Row]:
     puma, panda = load_robot(PUMA), load_robot(PANDA)
     for count in sizes:
+        touch(count)
         yield into_place(puma, count, rounds)
     for count in range(2, len(panda.variables) + 1):
         variables, links = panda.variables[:count], panda.links[:count]
@@ -219,6 +222,15 @@ def equal(ours: Array, theirs: Array) -> bool:
         return False
     parts = [slice(first, first + PART) for first in range(0, len(ours), PART)]
     return all(np.allclose(ours[part], theirs[part], rtol=0, atol=CLOSE) for part in parts)
+
+
+def touch(size: int) -> None:
+    """Write once to as much memory as two results take, so that the system has it at hand.
+
+    A virtual machine asks its host for every page that none of its programs touched before; that took ten times as long
+    as to play the rows of ours that met it first, and is told of no library.
+    """
+    np.empty((2 * size, 4, 4)).fill(1.0)
 
 
 def joint_values(robot: Robot, size: int) -> Array:

@@ -50,7 +50,7 @@ from tests.cli.running import Run
         ("fk scara --pose pick --style ful", "did you mean full?"),
         ("fk scara --pose pick --digits 99", "99"),
         ("fk scara --pose pick --digits two", "'two' is not a whole number"),
-        ("fk scara --pose pick -o pose.foo", "known suffixes: .json .tex .md .m .c .py .csv .txt"),
+        ("fk scara --pose pick -o pose.foo", "known suffixes: .json .txt .tex .m .py .csv; or say --format"),
         ("fk scara --pose pick -o nowhere/pose.json", "there is no folder nowhere"),
         ("fk scara --pose pick --overwrite", "--overwrite needs a file"),
         ("fk scara --q 0 0 0", "quotes around them"),
@@ -182,3 +182,35 @@ def test_nothing_that_a_user_types_steers_the_terminal(dhcli: Run, steering: str
     assert not {"\x1b", "\x9b", "\r", "\u202e"} & set(err)
     assert "[bold]x[/bold]" in err or "[bold]" not in steering
     assert ":smile:" in err or ":smile:" not in steering
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "fk ~/arm.yaml",
+        "show ~/arm.yaml",
+        "draw scara --beside ~/arm.yaml",
+        "fk scara --in ~/q.csv",
+        "fk scara --in ~/q.npy",
+        "fk scara --q @~/q.txt",
+        "dof ~/press.yaml",
+        "check planar-two-links ~/a.sheet.yaml",
+        "check planar-2r --table ~/t.yaml",
+        "lint ~/arm.yaml",
+        "lint ~/arms",
+        "grade ~/hw",
+        "new robot --from ~/table.csv",
+        "new robot arm -o ~/arm.yaml",
+        "fk scara --pose pick -o ~/pose.json",
+        "draw scara -o ~/scara.svg",
+        "sweep planar-2r -o ~/points.csv",
+    ],
+)
+def test_a_home_between_quotes_is_told_with_what_to_write(
+    dhcli: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, line: str
+) -> None:
+    """The shell has not expanded it, and no folder of that name is made."""
+    monkeypatch.setenv("HOME", "/home/me")
+    done = dhcli(*line.split())
+    assert (done.code, "~ stays as it is here, write /home/me/" in done.err) == (2, True), done.err
+    assert not list(tmp_path.iterdir())

@@ -70,8 +70,14 @@ def test_a_way_back_takes_the_lengths_that_are_not_put_in(dhcli: Run) -> None:
         (("fk", "scara", "--code", "cobol"), "--code knows no language cobol"),
         (("fk", "scara", "--code", "javascipt"), "did you mean javascript?"),
         (("fk", "scara", "--code", "c", "-o", "fk.py"), "write .c, or --code python"),
-        (("ik", "planar-2r", "--code", "numpy", "-o", "ik.JL"), "ik.JL ends as a file in julia does, and holds numpy"),
-        (("jacobian", "scara", "--code", "c", "--format", "json", "-o", "J.c"), "holds json hint: write .json"),
+        (
+            ("ik", "planar-2r", "--code", "numpy", "-o", "ik.JL"),
+            "in julia does, and --code says numpy",
+        ),
+        (
+            ("jacobian", "scara", "--code", "c", "--format", "json", "-o", "J.c"),
+            "write .json, or leave --format out",
+        ),
         (("fk", "scara", "--with-values"), "--with-values is for --code"),
         (("fk", "scara", "--code", "c", "--links"), "--code and --links ask for different things"),
         (("fk", "scara", "--code", "c", "--as", "rpy", "--let"), "--code and --as and --let ask for different things"),

@@ -68,7 +68,7 @@ def test_a_sheet_that_cannot_be_read_ends_with_1(dhcli: Run) -> None:
         ("grade hw --exercise nothing", "there is no exercise 'nothing'"),
         ("grade hw --exercise -", "standard input only one"),
         ("grade hw --format latex", "there is no format latex for a class"),
-        ("grade hw -o hw/1/a.yaml", "does not say which format"),
+        ("grade hw -o hw/1/a.yaml", "there is no format yaml for a class"),
         ("grade hw -o old.csv", "exists already"),
     ],
 )
@@ -179,17 +179,19 @@ def test_sheets_that_fail_for_the_same_reason_stand_together(dhcli: Run, tmp_pat
 
 
 def test_variants_that_are_shared_or_missing_are_told(dhcli: Run, tmp_path: Path) -> None:
-    """And a student who has handed in twice."""
+    """And a student who has handed in twice, and two of one name."""
     text = partial(sheet, {"a1": "_"}, "yim/planar-in-numbers")
     hand_in(tmp_path, "hw/zed/a.yaml", text(variant="alice"))
     hand_in(tmp_path, "hw/yan/a.yaml", text(variant="alice", name="Yan Y."))
     hand_in(tmp_path, "hw/bob/a.yaml", text())
     hand_in(tmp_path, "hw/sam/1.yaml", text(variant="sam"))
     hand_in(tmp_path, "hw/sam/2.yaml", text(variant="sam"))
+    hand_in(tmp_path, "hw/tom/a.yaml", text(variant="tom", name="Yan Y."))
     notices = [
         "yim/planar-in-numbers: no variant: 1 sheet (bob)",
         "yim/planar-in-numbers: variant alice: 2 sheets (Yan Y., zed)",
         "yim/planar-in-numbers: 2 sheets in sam",
+        "yim/planar-in-numbers: Yan Y. is the name on sheets of tom, yan",
     ]
     data = dhcli("grade", "hw", "--format", "json").envelope["data"]
     assert sorted(data["notices"]) == sorted(notices)

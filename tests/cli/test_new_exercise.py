@@ -12,7 +12,7 @@ def test_a_new_exercise_lints_once_its_blanks_are_filled_in(dhcli: Run, tmp_path
     path = tmp_path / "exercises/my-course/first.yaml"
     blank = dhcli("lint", str(path))
     assert blank.code == 1
-    assert (blank.out + blank.err).count("is empty") == 5
+    assert (blank.out + blank.err).count("is empty") == 6
     assert blank.out.count("still says 'write here") == 4
     text = path.read_text("utf-8").replace('title: ""', "title: A first arm").replace('source: ""', "source: my notes")
     text = text.replace("write here", "the place").replace('hints: [""]', "hints: [look at the table]")
@@ -56,5 +56,5 @@ def test_the_path_of_a_robot_begins_at_the_file_that_names_it(
     assert "robot:" not in dhcli("lint", str(beside)).out
     beside.write_text(text.replace("../../arms/arm.yaml", "./leg.yaml"), "utf-8")
     missing = dhcli("lint", str(beside)).out
-    assert "robot: there is no such file" in missing
+    assert f"robot: {arms / 'leg.yaml'}: there is no such file" in missing
     assert f"looked in {arms}" in missing

@@ -137,6 +137,7 @@ def test_single_precision_is_double_rounded_at_the_end() -> None:
 def test_threads_change_nothing(threads: int, player: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Chunks of few rows, so that there are many; every row is the same to the bit."""
     monkeypatch.setattr(playing, "CHUNK", 16)
+    monkeypatch.setattr(playing, "STRETCH", 32)
     monkeypatch.setattr(playing, "BLOCK", 8)
     robot = load_robot("puma560")
     q = np.random.default_rng(2).uniform(-12, 12, (77, 6))
@@ -157,7 +158,7 @@ def test_more_threads_than_rows_are_no_matter(count: int) -> None:
 @pytest.mark.parametrize("threads", [1, 2, 3, 7])
 def test_threads_have_equal_shares(count: int, threads: int) -> None:
     """All rows once and in order, none longer than a chunk; as many for each thread where there are enough rows."""
-    parts = playing.shares(count, threads)
+    parts = playing.shares(count, threads, CHUNK)
     assert [part.start for part in parts[1:]] == [part.stop for part in parts[:-1]]
     sizes = [min(part.stop, count) - part.start for part in parts]
     assert sum(sizes) == count

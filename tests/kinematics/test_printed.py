@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from dhcli.algebra.floats import Floats
@@ -31,6 +31,7 @@ def printed(first: int, second: int, third: int, places: int) -> tuple[str, np.n
 
 
 @given(angles, angles, angles, st.integers(2, 6))
+@example(133, -86, -138, 2)
 def test_every_rounded_rotation_is_taken_and_becomes_one(first: int, second: int, third: int, places: int) -> None:
     """Within its digits of the true one, orthonormal, and never again in need of sharpening."""
     text, right = printed(first, second, third, places)

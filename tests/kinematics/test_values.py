@@ -206,7 +206,7 @@ def test_only_what_the_asked_frames_need_must_be_given(scara: Robot) -> None:
     [
         ("0,0,0,0,0,0", []),
         ("160°,0,0,0,0,0", []),
-        ("-160.0001°,0,0,0,0,0", ["theta1 = -160° is outside its limits, -160° to 160°"]),
+        ("-160.0001°,0,0,0,0,0", ["theta1 = -160.0001° is outside its limits, -160° to 160°"]),
         ("170°,60°,0,0,0,0", ["theta1 = 170° is outside its limits, -160° to 160°",
                              "theta2 = 60° is outside its limits, -225° to 45°"]),
         ("0,0,0,0,0,7", ["theta6 = 7 rad is more than a turn; did you mean 7°, or --deg?",

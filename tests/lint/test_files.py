@@ -178,7 +178,7 @@ def test_a_draft_is_told_all_that_is_left_to_do_at_once(tmp_path: Path) -> None:
         ("13:13", "tip: is worth nothing"),
         ("14:13", "hints: is empty"),
         ("15:1", "tests: none is RIGHT"),
-        ("16:25", "tip: is judged SKIPPED; the test says WRONG"),
+        ("16:25", "tip: the answer of the test is empty; it says WRONG"),
     ]
 
 

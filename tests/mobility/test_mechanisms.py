@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from dhcli.mobility.constraints import constraint_rank
 from dhcli.mobility.copies import mapped
 from dhcli.mobility.finding import analyse
 from dhcli.mobility.large import large_mobility
 from dhcli.mobility.linkage import Linkage
 from dhcli.mobility.model import model_of
 from dhcli.mobility.truth import true_mobility
+from tests.mobility.dense import constraint_rank
 from tests.mobility.mechanisms import MECHANISMS, linkage
 
 every = pytest.mark.parametrize("name", MECHANISMS)

@@ -13,7 +13,6 @@ import pytest
 
 from dhcli.geometry.rank import rank_of
 from dhcli.mobility import decision
-from dhcli.mobility.constraints import constraint_rank
 from dhcli.mobility.copies import mapped
 from dhcli.mobility.counting import Counts
 from dhcli.mobility.large import _placed, _widest, eliminate, large_mobility
@@ -22,6 +21,7 @@ from dhcli.mobility.model import model_of
 from dhcli.mobility.pairs import LETTERS, PLANAR, SPATIAL, pair_of
 from dhcli.mobility.pebbles import generic_freedoms, independent
 from dhcli.mobility.truth import true_mobility
+from tests.mobility.dense import constraint_rank
 from tests.mobility.mechanisms import MECHANISMS
 from tests.mobility.mechanisms import linkage as mechanism
 

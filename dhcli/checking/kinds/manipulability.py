@@ -59,11 +59,11 @@ class ManipulabilityQuestion(JacobianTask, OneNumberQuestion, ColumnsQuestion):
     def _kept(self, case: Case) -> tuple[int, ...]:
         return kept_rows(found_for(case, self.motion, self.form))
 
-    def _one(self, case: Case, value: float, times: int = 1) -> Grid:
+    def _one(self, case: Case, value: float) -> Grid:
         columns, kept = columns_for(case, self.motion), self._kept(case)
         lengths = min(len(kept), len(columns.each)) - sum(not column.turns for column in columns.each)
         lengths = 0 if kept[0] > 2 else min(lengths, sum(k < 3 for k in kept))  # noqa: PLR2004  the rows of v
-        return Grid(((exact(value),),), ((max(0, lengths) * times,),))
+        return Grid(((exact(value),),), ((max(0, lengths),),))
 
     def _volume(self, case: Case, columns: Columns) -> float:
         rows = values_in(case, columns, self._kept(case))

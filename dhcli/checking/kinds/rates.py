@@ -23,7 +23,6 @@ from dhcli.kinematics.singular.neat import neat_determinant
 from dhcli.kinematics.velocity.cramer import LARGEST, solved
 from dhcli.kinematics.velocity.form import Form, Which
 from dhcli.kinematics.velocity.view import joints_between
-from dhcli.notation.names import natural_key
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import PI, Expr, multiply, number, power
 from dhcli.notation.walk import symbols
@@ -97,7 +96,7 @@ class RatesQuestion(ColumnsQuestion):
     def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
         robot, view = self.motion.check(exercise.robot)
         named = Grid(columns_of(robot, view).cut(range(6)), ()).names | self.names
-        return tuple(sorted(named - exercise.values.keys(), key=natural_key))
+        return exercise.unvalued(named)
 
     def describe(self, _exercise: Exercise) -> str:
         said = []
@@ -107,10 +106,7 @@ class RatesQuestion(ColumnsQuestion):
         return f"the joint rates for {' and '.join(said)} {self.motion.where}, one for each joint"
 
     def computed(self, case: Case) -> Grid:
-        if missing := self.unvalued(case.exercise) if case.exercise.numeric else ():
-            raise RobotError(
-                f"{case.exercise.id} asks for numbers, and has no value for {', '.join(missing)}", "given:"
-            )
+        self.need_values(case.exercise)
         return self.of_columns(case, self.columns(case))
 
     def units(self, case: Case) -> tuple[str, ...]:

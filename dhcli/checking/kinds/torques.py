@@ -9,10 +9,11 @@ from typing import ClassVar, Self
 from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.motion.asked import Motion, read_motion, three
-from dhcli.checking.motion.columns import Columns, columns_in, combined, jacobian_grid
+from dhcli.checking.motion.columns import Columns, combined, jacobian_grid
 from dhcli.checking.motion.from_columns import ColumnsQuestion, axes_step
 from dhcli.checking.motion.grid import Grid
 from dhcli.checking.motion.reading import FORCE, TORQUE
+from dhcli.checking.motion.task import columns_for
 from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
@@ -82,8 +83,7 @@ class TorquesQuestion(ColumnsQuestion):
         return f"the joint {what} with which the end exerts the force {wrench}, {self.motion.where}"
 
     def columns(self, case: Case) -> Columns:
-        robot, view = self.motion.check(case.exercise.robot)
-        return columns_in(case, robot, view)
+        return columns_for(case, self.motion)
 
     def units(self, case: Case) -> tuple[str, ...]:
         return tuple(TORQUE if one.turns else FORCE for one in self.columns(case).each)

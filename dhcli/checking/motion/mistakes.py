@@ -18,7 +18,7 @@ from dhcli.kinematics.frames import ORIGIN, between
 from dhcli.notation.angle import Angle
 from dhcli.notation.derivative import derivative
 from dhcli.notation.tree import Expr, Trig, negate, number
-from dhcli.notation.trig import cosine, sine
+from dhcli.notation.trig import swapped
 from dhcli.notation.walk import rebuild, substitute
 
 IN_COLUMNS = ColumnCatalogue()
@@ -304,10 +304,4 @@ def columns_reversed(columns: Columns) -> Made:
 )
 def sine_cosine(columns: Columns) -> Made:
     """Sine for cosine and back, everywhere."""
-
-    def swapped(node: Expr) -> Expr:
-        if isinstance(node, Trig):
-            return sine(node.angle) if node.function == "cos" else cosine(node.angle)
-        return node
-
     yield "", _changed(columns, lambda entry: rebuild(entry, swapped))

@@ -11,22 +11,21 @@ from itertools import islice
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.points import general
 from dhcli.checking.diagnosis.result import Rank, Slip
-from dhcli.checking.entries import Entries, entries_text
-from dhcli.checking.exercise import Case, Exercise, Question
+from dhcli.checking.entries import Entries, entries_text, values_of
+from dhcli.checking.exercise import Case, Exercise, Memo, Part, Question
 from dhcli.checking.motion.digits import Digits
 from dhcli.checking.motion.grid import Grid, Numbers, alike, over, scale_of, within
 from dhcli.checking.motion.in_entries import sign_causes, signs, swapped, term_causes
-from dhcli.checking.motion.marking import in_other_unit, mark_grid, mark_numbers, values_of
+from dhcli.checking.motion.marking import in_other_unit, mark_grid, mark_numbers
 from dhcli.checking.motion.reading import read_cells
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.symbolic import same
 from dhcli.checking.verdicts import Mark
-from dhcli.errors import DhcliError, Place, RobotError
+from dhcli.errors import DhcliError, Place
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import numbers
-from dhcli.notation.names import natural_key
 
 SEED = 31
 POINTS = 2
@@ -96,10 +95,7 @@ class MotionQuestion(Question[Entries]):
 
     def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
         """Names of the answer without a value."""
-        from dhcli.checking.exercise import Memo, Part
-
-        named = self.right(Case(Part("", self), Memo(exercise))).names
-        return tuple(sorted(named - exercise.values.keys(), key=natural_key))
+        return exercise.unvalued(self.right(Case(Part("", self), Memo(exercise))).names)
 
     def expected(self, case: Case, style: str = "short") -> str:
         """The entries as a matrix; a column in a row."""
@@ -116,10 +112,8 @@ class MotionQuestion(Question[Entries]):
     def _valued(self, case: Case) -> Grid:
         """The right answer, for which every name has a value where numbers are wanted."""
         right, exercise = self.right(case), case.exercise
-        missing = sorted(right.names - exercise.values.keys(), key=natural_key) if exercise.numeric else []
-        if missing:
-            hint = f"--set {missing[0]}=..., or given: in the file of an exercise"
-            raise RobotError(f"{exercise.id} asks for numbers, and has no value for {', '.join(missing)}", hint)
+        if exercise.numeric:
+            exercise.refuse_without(exercise.unvalued(right.names))
         return right
 
     def read(self, case: Case, text: str, place: Place | None = None) -> Entries:

@@ -8,7 +8,7 @@ from dhcli.checking.commas import COORDINATES, comma_remark, with_points
 from dhcli.checking.entries import LARGEST, Entries, Entry, check_names, count_remark
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, without_label
-from dhcli.checking.units import in_metres
+from dhcli.checking.units import length_in_metres
 from dhcli.checking.vectors import as_column
 from dhcli.errors import NotationError, Place
 from dhcli.notation.matrix import Cell, parse_matrix
@@ -170,6 +170,6 @@ def as_read(exercise: Exercise, power: int, expr: Expr) -> Expr:
     if exercise.metres == 1 or not power:
         return to_plain_length(expr)
     if power == 1:
-        return to_plain_length(in_metres(expr, exercise.metres, exercise.scope))
+        return to_plain_length(length_in_metres(expr, exercise.metres, exercise.scope))
     found = to_plain_length(expr)
     return found if symbols(found) else multiply(found, Number(exercise.metres**power))

@@ -52,7 +52,7 @@ class Vector:
 
 
 def read_vectors(
-    exercise: Exercise, robot: Robot, joints: Sequence[str], text: str, place: Place, *, several: bool = True
+    exercise: Exercise, robot: Robot, joints: Sequence[str], text: str, place: Place, *, several: bool
 ) -> list[Vector]:
     """Read joint vectors, a row each: `30°, 45°; 60°, -45°`, `(30, 45), (60, -45)`, or `theta1 = 30°, theta2 = 45°`.
 

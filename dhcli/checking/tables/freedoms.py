@@ -69,7 +69,7 @@ def frame_freedoms(drawn: Drawn, match: Match, variables: Sequence[str], point: 
 
 
 def joint_freedoms(
-    match: Match, variables: Sequence[str], kinds: Sequence[bool], slack: Slack, said: str = ""
+    match: Match, variables: Sequence[str], kinds: Sequence[bool], slack: Slack, said: str
 ) -> tuple[str, ...]:
     """Which joints count from another zero or in the other sense; a sense that has been said is left out."""
     found: list[str] = []

@@ -90,7 +90,7 @@ class TwoArms:
             self._found[end_free] = self._same_robot(end_free=end_free)
         return self._found[end_free]
 
-    def may_be_same(self, *, end_free: bool = False) -> bool:
+    def may_be_same(self, *, end_free: bool) -> bool:
         """A first look at one point, cheap enough for many arms: whether `same_robot` could come out RIGHT at all."""
         truth, other = self._truth, self._other
         if self._is_numeric or has_numbers(truth.chain):

@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import Overwrite, format_option, output_option
+from dhcli.cli.shell.options import Digits, Overwrite, format_option, output_option
 from dhcli.cli.shell.spreading import But
 
 EXAMPLES = """
@@ -33,12 +33,6 @@ dhcli describe fanuc-like --motors --as modified
 """
 
 _NO_MOTORS = "a URDF has no motors that drive joints together: each joint has the widest range that they leave it"
-_SUFFIXES = {".yaml": "yaml", ".yml": "yaml", ".urdf": "urdf"}
-
-
-def _by_suffix(output: str | None) -> str | None:
-    """The format of a robot file by its suffix; others are those of every command."""
-    return next((name for suffix, name in _SUFFIXES.items() if output and output.endswith(suffix)), None)
 
 
 def complete_form(incomplete: str) -> list[str]:
@@ -86,6 +80,7 @@ def describe(
     ] = None,
     numbers: Annotated[bool, typer.Option("--numbers", help="Put the values of lengths in.")] = False,
     format_: Annotated[str | None, format_option("table", "json", "yaml", "urdf")] = None,
+    digits: Digits = None,
     output: Annotated[str | None, output_option(".yaml", ".urdf", ".json", ".txt")] = None,
     overwrite: Overwrite = False,
 ) -> None:
@@ -96,6 +91,7 @@ def describe(
     from dataclasses import replace
 
     from dhcli.cli.shell.delivery import Delivery
+    from dhcli.cli.shell.endings import check_ending
     from dhcli.cli.shell.given import angle_of, lengths_of, named_pose, robot_of
     from dhcli.errors import DhcliError
     from dhcli.kinematics.describe.asked import Asked, check_form
@@ -103,8 +99,12 @@ def describe(
     from dhcli.kinematics.describe.description import describe as described
     from dhcli.kinematics.motors import driven
 
-    format_ = format_ or ("urdf" if as_ == "urdf" else _by_suffix(output))
-    delivery = Delivery("describe", format_, output=output, overwrite=overwrite)
+    if as_ == "urdf":
+        if format_ not in (None, as_):
+            raise DhcliError(f"--as urdf and --format {format_} ask for different things", "leave one of the two out")
+        check_ending(output, as_, "--as", ())
+        format_ = as_
+    delivery = Delivery("describe", format_, digits, output=output, overwrite=overwrite)
     if as_ == "motors":
         if steps or choose or numbers or straighten is not None or chosen.pose is not None:
             raise DhcliError("--as motors has no steps, choices, numbers, pose or straightening", "leave them out")
@@ -113,8 +113,8 @@ def describe(
         delivery.chosen("motors")
         delivery.hand_over("motors", driven(robot_of(chosen)))
         return
-    form = check_form("product" if format_ == "urdf" else as_ or "standard", ("urdf", "motors"))
-    delivery.chosen("description")
+    name = delivery.chosen("description")
+    form = check_form("product" if name == "urdf" else as_ or "standard", ("urdf", "motors"))
     if choose and form not in ("standard", "modified"):
         raise DhcliError("--choose is about tables", "--as standard or --as modified")
     arm = robot_of(chosen)
@@ -123,6 +123,6 @@ def describe(
     within = None if straighten is None else angle_of(straighten, "--straighten")
     result = described(arm, Asked(form, steps, numbers, drawn, read_choices(choose or ""), within))
     # a file says nothing of itself where it is written
-    said = result.straightened.lines()[:1] if result.straightened and format_ in ("yaml", "urdf") else ()
-    lost = (_NO_MOTORS,) if arm.actuators is not None and format_ == "urdf" else ()
+    said = result.straightened.lines()[:1] if result.straightened and name in ("yaml", "urdf") else ()
+    lost = (_NO_MOTORS,) if arm.actuators is not None and name == "urdf" else ()
     delivery.hand_over("description", result, (*arm.remarks, *said, *lost, *result.warnings))

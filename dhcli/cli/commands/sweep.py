@@ -115,11 +115,13 @@ def _points(output: str | None, *, overwrite: bool) -> RowDelivery | None:
     """Where the points go, once it is known that they can; None if nobody wants them."""
     if output is None and not overwrite:
         return None
-    from dhcli.cli.shell.delivery import format_by_suffix
-    from dhcli.cli.shell.rows import SUFFIXES, RowDelivery
+    from dhcli.cli.shell.endings import format_by_ending
+    from dhcli.cli.shell.rows import RowDelivery
+    from dhcli.render.code.rows import FORMATS
 
     if output is not None:
-        format_by_suffix(output, SUFFIXES, " of points", "the summary is on standard output, see --format")
+        summary = "the summary is on standard output, see --format"
+        format_by_ending(output, FORMATS, of=" of points", more=summary)
     delivery = RowDelivery(None, output, overwrite)
     delivery.chosen()
     return delivery

@@ -77,11 +77,13 @@ def watch(
 
 def _watch(judge: Judge, path: str, variant: str | None, key: Callable[[float], str], *, why: bool) -> None:
     """Draw the screen at each save, at each key, and when the window gets another size."""
+    from dhcli.files.library.catalogue import stamp
+
     saved: tuple[int, int] | None = None
     size = shutil.get_terminal_size()
     seen, texts, hints = Seen(), dict[str, str](), 0
     while True:
-        now = _stamp(path), shutil.get_terminal_size()
+        now = stamp(path), shutil.get_terminal_size()
         is_same = now == (saved, size)
         pressed = key(PAUSE) if is_same else ""
         if pressed == "q":
@@ -96,15 +98,6 @@ def _watch(judge: Judge, path: str, variant: str | None, key: Callable[[float], 
         why ^= pressed == "w"
         saved, size = now
         _draw(seen, path, hints, why=why)
-
-
-def _stamp(path: str) -> tuple[int, int]:
-    """When a file was changed and how long it is; an editor that replaces the file may take it away for a moment."""
-    try:
-        found = os.stat(path)  # noqa: PTH116
-    except OSError:
-        return (0, 0)
-    return found.st_mtime_ns, found.st_size
 
 
 def _looked(judge: Judge, path: str, variant: str | None) -> Seen:

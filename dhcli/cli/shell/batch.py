@@ -18,12 +18,12 @@ from dhcli.files.rows.blocks import MOST, Block
 from dhcli.files.rows.columns import JointTable
 from dhcli.files.rows.formats import Rows, joint_rows
 from dhcli.files.rows.source import Source, open_source
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.frames import View
 from dhcli.kinematics.many import PoseRows, is_real, numbered
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.sweep.target import target_of
 from dhcli.kinematics.tally import Tally
-from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import joint_values
 from dhcli.render.code.pose_rows import pose_layout
 from dhcli.render.paper import Paper
@@ -67,7 +67,7 @@ def rows_wanted(
     arm: Robot,
     chosen: Chosen,
     forms: Sequence[str],
-    point: str | None = None,
+    point: str | None,
     *,
     inverse: bool,
     every: bool,
@@ -111,8 +111,8 @@ def fk_rows(
     delivery: RowDelivery,
     *,
     skip_bad: bool,
-    index: bool = False,
-    jobs: int | None = None,
+    index: bool,
+    jobs: int | None,
 ) -> None:
     """Compute a pose for each row of a file, and hand the poses over as they come.
 

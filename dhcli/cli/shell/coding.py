@@ -3,22 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from pathlib import Path
 
 from dhcli.cli.shell.delivery import Delivery
+from dhcli.cli.shell.endings import check_ending
 from dhcli.cli.shell.options import LANGUAGES
 from dhcli.errors import DhcliError, UnknownNameError, did_you_mean
-
-ENDINGS = {
-    ".py": ("python", "numpy"),
-    ".c": ("c",),
-    ".h": ("c",),
-    ".m": ("matlab",),
-    ".jl": ("julia",),
-    ".js": ("javascript",),
-    ".mjs": ("javascript",),
-}
-"""The languages that files of an ending hold; of another ending nothing is said."""
 
 
 def code_delivery(
@@ -54,13 +43,10 @@ def code_delivery(
     check_alone("--code", others)
     if format_ not in {None, "json"}:
         raise DhcliError("--code says the language, and --format another", "leave --format out; json gives formulas")
-    held = ENDINGS.get(Path(output or "").suffix.lower(), ())
-    if held and (format_ or language) not in held:
-        ending = next((each for each, languages in ENDINGS.items() if language in languages), "")
-        instead = ".json" if format_ else f"{ending}, or --code {held[0]}"
-        raise DhcliError(
-            f"{output} ends as a file in {held[0]} does, and holds {format_ or language}", f"write {instead}"
-        )
+    if format_ is None:
+        check_ending(output, language, "--code", LANGUAGES)
+    else:
+        check_ending(output, format_, "--format", (), "leave --format out")
     delivery = Delivery(command, format_ or language, output=output, overwrite=overwrite)
     delivery.chosen(kind)
     return delivery

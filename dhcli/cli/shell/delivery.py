@@ -3,25 +3,16 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from pathlib import Path
 
 from dhcli.cli.shell.console import say, tell, write_out
+from dhcli.cli.shell.endings import ENDINGS, check_ending, format_by_ending
 from dhcli.errors import DhcliError, FileError, Place, Problem, UnknownNameError, did_you_mean
 from dhcli.frozen import frozen
-from dhcli.render.look import Look, check_format, content, render
+from dhcli.render.look import Look, check_format, content, formats, render
 from dhcli.render.paper import Paper
 
-SUFFIXES = {
-    ".json": "json",
-    ".tex": "latex",
-    ".md": "md",
-    ".m": "matlab",
-    ".c": "c",
-    ".py": "numpy",
-    ".csv": "csv",
-    ".txt": "table",
-}
 STYLES = ("short", "full")
 
 
@@ -31,7 +22,7 @@ class Delivery:
 
     Attributes:
         command: The command typed.
-        format: The format asked for; None leaves it to the file's suffix, and else to the terminal's table.
+        format: The format asked for; None leaves it to the file's ending, and else to the terminal's table.
         digits: Decimals asked for.
         style: Spelling of formulas asked for.
         output: The file to write.
@@ -66,18 +57,21 @@ class Delivery:
         self.warn(warned)
 
     def chosen(self, kind: str) -> str:
-        """The format: the one asked for, else that of the file's suffix, else a table.
+        """The format: the one asked for, else that of the file's ending, else a table.
 
         Raises:
-            UnknownNameError: There is no such format, style or suffix.
+            UnknownNameError: There is no such format, style or ending.
+            DhcliError: The file ends as one in another format does.
         """
         if self.style is not None and self.style not in STYLES:
             raise UnknownNameError(f"there is no style {self.style}", did_you_mean(self.style, STYLES) or "short, full")
         check_overwrite(self.output, overwrite=self.overwrite)
         name = self.format
         if name is None and self.output is not None:
-            name = format_by_suffix(self.output, SUFFIXES)
+            name = format_by_ending(self.output, formats(kind), ENDINGS)
         check_format(kind, name or "table")
+        if self.format is not None:
+            check_ending(self.output, self.format, "--format", formats(kind))
         if self.style is not None and name not in (None, "table", "json"):
             raise DhcliError(f"--style is for tables; {name} has its own spelling", "leave one of the two out")
         return name or "table"
@@ -115,27 +109,6 @@ def check_overwrite(output: str | None, *, overwrite: bool) -> None:
     """
     if overwrite and not output:
         raise DhcliError("--overwrite needs a file to overwrite", "name it with -o FILE")
-
-
-def format_by_suffix(output: str, suffixes: Mapping[str, str], of: str = "", more: str = "or say --format") -> str:
-    """The format that the suffix of a file stands for.
-
-    Args:
-        output: The file.
-        suffixes: The format of each suffix that is known.
-        of: What these are the suffixes of, for the hint.
-        more: What else helps.
-
-    Raises:
-        UnknownNameError: The suffix is not one of them.
-    """
-    suffix = Path(output).suffix.lower()
-    if suffix not in suffixes:
-        near = did_you_mean(suffix, suffixes)
-        hint = f"{near} " if near.startswith("did") else ""
-        hint += f"known suffixes{of}: {' '.join(suffixes)}; {more}"
-        raise UnknownNameError(f"{output} does not say which format it should have", hint)
-    return suffixes[suffix]
 
 
 def make_folder(path: Path) -> None:

@@ -55,8 +55,8 @@ def jacobian_rows(
     delivery: RowDelivery,
     *,
     skip_bad: bool,
-    index: bool = False,
-    jobs: int | None = None,
+    index: bool,
+    jobs: int | None,
 ) -> None:
     """Compute a Jacobian for each row of a file, and hand them over as they come; see `fk_rows`.
 

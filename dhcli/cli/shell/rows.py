@@ -5,10 +5,11 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, BinaryIO
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 from dhcli.cli.shell.console import raw_out, somebody_reads, tell, write_out
-from dhcli.cli.shell.delivery import check_free, check_overwrite, format_by_suffix
+from dhcli.cli.shell.delivery import check_free, check_overwrite
+from dhcli.cli.shell.endings import check_ending, format_by_ending
 from dhcli.errors import DhcliError, UnknownNameError, did_you_mean, plural
 from dhcli.frozen import frozen
 from dhcli.render.code.rows import FORMATS, Layout, RowText
@@ -17,24 +18,27 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-SUFFIXES = {".csv": "csv", ".jsonl": "jsonl", ".ndjson": "jsonl", ".npy": "npy"}
-
 
 class RowSink:
     """Takes rows.
 
     Attributes:
         count: Rows taken so far.
+        spell: What makes of a block of rows, shape (N, width), what is written of them; another process may do it.
     """
 
-    def __init__(self, put: Callable[[NDArray[np.float64]], None], *, printed: bool) -> None:
+    def __init__(
+        self, spell: Callable[[NDArray[np.float64]], Any], put: Callable[[Any], None], *, printed: bool
+    ) -> None:
         """Hand every block on.
 
         Args:
-            put: What writes a block.
+            spell: What makes of a block what is written.
+            put: What writes it.
             printed: Whether it goes to stdout, whose reader may go away.
         """
         self.count = 0
+        self.spell = spell
         self._put = put
         self._printed = printed
 
@@ -45,8 +49,12 @@ class RowSink:
 
     def write(self, block: NDArray[np.float64]) -> None:
         """Take rows, shape (N, width)."""
-        self._put(block)
-        self.count += len(block)
+        self.take(self.spell(block), len(block))
+
+    def take(self, spelled: Any, count: int) -> None:  # noqa: ANN401  text or an array
+        """Take so many rows that are spelled already."""
+        self._put(spelled)
+        self.count += count
 
 
 @frozen
@@ -54,7 +62,7 @@ class RowDelivery:
     """How a person wants rows.
 
     Attributes:
-        format: The format asked for; None leaves it to the file's suffix, and else takes CSV.
+        format: The format asked for; None leaves it to the file's ending, and else takes CSV.
         output: The file to write; None for stdout.
         overwrite: Whether that file may be overwritten.
     """
@@ -72,15 +80,17 @@ class RowDelivery:
         """The format, once everything that can be known before the work has been looked at.
 
         Raises:
-            UnknownNameError: There is no such format or suffix.
-            DhcliError: A terminal would show bytes, or `--overwrite` has no file.
+            UnknownNameError: There is no such format or ending.
+            DhcliError: The file ends as one in another format does, a terminal would show bytes, or `--overwrite`
+                has no file.
             FileError: The file exists already.
         """
         check_overwrite(self.output, overwrite=self.overwrite)
         if self.format is not None and self.format not in FORMATS:
             hint = "jsonl has one object a row" if self.format == "json" else did_you_mean(self.format, FORMATS)
             raise UnknownNameError(f"there is no format {self.format} for rows", hint)
-        name = self.format or format_by_suffix(self.output or "stdout.csv", SUFFIXES, " of rows")
+        name = self.format or format_by_ending(self.output or "stdout.csv", FORMATS, of=" of rows")
+        check_ending(self.output, name, "--format", FORMATS)
         if self.output is not None:
             check_free(self.output, overwrite=self.overwrite)
         elif name == "npy" and sys.stdout.isatty():
@@ -116,7 +126,7 @@ def _sink(name: str, layout: Layout, stream: BinaryIO | None = None) -> Iterator
         from dhcli.files.rows.npy import NpyWriter
 
         with NpyWriter(stream or raw_out(), layout.shape or (layout.width,)) as writer:
-            yield RowSink(writer.write, printed=stream is None)
+            yield RowSink(_as_it_is, writer.write, printed=stream is None)
         return
     text = RowText(layout, name)
 
@@ -127,11 +137,15 @@ def _sink(name: str, layout: Layout, stream: BinaryIO | None = None) -> Iterator
         write_out(lines)
         sys.stdout.flush()  # rows show as they come, and a reader that has gone away is noticed
 
-    def put_rows(block: NDArray[np.float64]) -> None:
+    def put_rows(lines: str) -> None:
         # The heading comes with the first rows: work that fails before there are any leaves stdout empty.
-        put(text.lines(block) if sink.count else text.heading + text.lines(block))
+        put(lines if sink.count else text.heading + lines)
 
-    sink = RowSink(put_rows, printed=stream is None)
+    sink = RowSink(text.lines, put_rows, printed=stream is None)
     yield sink
     if not sink.count:
         put(text.heading)
+
+
+def _as_it_is(block: NDArray[np.float64]) -> NDArray[np.float64]:
+    return block

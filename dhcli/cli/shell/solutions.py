@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.goal import Goal
 from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import joint_values
 
 if TYPE_CHECKING:

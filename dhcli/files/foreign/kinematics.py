@@ -19,7 +19,7 @@ KEYS = ("x", "y", "z", "roll", "pitch", "yaw")
 _KINDS = {"R": "continuous", "P": "prismatic", "F": "fixed"}
 
 
-def read_kinematics(text: str, source: str, name: str, joints: str = "", *, as_typed: bool = False) -> Robot:
+def read_kinematics(text: str, source: str, name: str, joints: str, *, as_typed: bool) -> Robot:
     """A robot from a kinematics file.
 
     Args:

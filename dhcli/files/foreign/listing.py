@@ -32,7 +32,7 @@ _CALLED = regex(r"([A-Za-z]\w*)\s*\(")
 _KEYS = ("theta", "d", "a", "alpha", "offset", "qlim", "sigma", "mdh")
 
 
-def read_listing(text: str, source: str, name: str, units: str = "") -> Robot:
+def read_listing(text: str, source: str, name: str, units: str) -> Robot:
     """A robot from the links of a listing.
 
     Args:

@@ -132,10 +132,11 @@ def _state(library: dict[Kind, tuple[Entry, ...]]) -> list[Any]:
     package = Path(__file__).parents[2]
     files = [str(entry.path) for found in library.values() for entry in found]
     readers = sorted(str(path) for room in ROOMS for path in package.joinpath(room).rglob("*.py"))
-    return [__version__, *([os.path.abspath(path), *_stamp(path)] for path in (*files, *readers))]
+    return [__version__, *([os.path.abspath(path), *stamp(path)] for path in (*files, *readers))]
 
 
-def _stamp(path: str) -> tuple[int, int]:
+def stamp(path: str) -> tuple[int, int]:
+    """When a file was changed and how long it is; an editor that replaces the file may take it away for a moment."""
     try:
         found = os.stat(path)
     except OSError:

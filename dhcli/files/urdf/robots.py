@@ -47,7 +47,7 @@ def read_urdf(
     return robot_of_joints(joints, name, model.name or name, said, as_typed=as_typed)
 
 
-def robot_of_joints(joints: tuple[Joint, ...], name: str, title: str, source: str, *, as_typed: bool = False) -> Robot:
+def robot_of_joints(joints: tuple[Joint, ...], name: str, title: str, source: str, *, as_typed: bool) -> Robot:
     """The robot whose joints follow each other.
 
     Args:

@@ -11,11 +11,11 @@ from dhcli.frozen import frozen
 from dhcli.geometry.euler import RollPitchYaw
 from dhcli.geometry.vectors import ORIGIN, Vector, plus
 from dhcli.kinematics.coupling import Uncoupled, is_coupled, uncoupled
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.describe.drawn import Drawing, Frame, Line, drawing_of
 from dhcli.kinematics.describe.exact import exact_length
 from dhcli.kinematics.describe.linear import Point
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.valued import in_numbers
 from dhcli.notation.tree import ONE
 from dhcli.safe import xml_attribute, xml_comment

@@ -10,18 +10,17 @@ from dhcli.checking.exercise import Exercise
 from dhcli.checking.figures import LEVELS
 from dhcli.checking.verdicts import Verdict
 from dhcli.checking.written import Printed, Range, Trial, answer_scope
-from dhcli.errors import DhcliError, FileError, Problem, did_you_mean
+from dhcli.errors import FileError, Problem, did_you_mean
 from dhcli.files.keys.exercises import ALSO, EXERCISE, PRINTED, SOURCE, TEST
 from dhcli.files.keys.shapes import names, required
-from dhcli.files.library.lookup import Kind, check_typed, entries, find, full_id, is_path
+from dhcli.files.library.lookup import Kind, check_typed, entries, find, full_id
 from dhcli.files.reading import read_text, source_of
 from dhcli.files.yaml.credits import read_shares
 from dhcli.files.yaml.fields import Problems
+from dhcli.files.yaml.named import Named
 from dhcli.files.yaml.parts import PartReader
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
 from dhcli.files.yaml.ranges import is_bare, read_variants
-from dhcli.files.yaml.robots import load_robot
-from dhcli.files.yaml.templates import NAME
 from dhcli.files.yaml.tolerances import read_tolerance
 from dhcli.files.yaml.typed import (
     has_unit_of_angle,
@@ -62,9 +61,9 @@ def _loader(name: str | Path) -> _Loader:
     path = name if isinstance(name, Path) else find(Kind.EXERCISES, full_id(name))
     ids = {entry.path: entry.name for entry in entries(Kind.EXERCISES)}
     text = read_text("-" if str(path) == "-" else path)
-    robots = _robots_beside(path) if path not in ids else ()
+    roots = _course_of(path) if path not in ids else ()
     folder = Path() if str(path) == "-" else path.parent
-    return _Loader.of(text, source_of(path), ids.get(path, path.stem), robots, folder)
+    return _Loader.of(text, source_of(path), ids.get(path, path.stem), roots, folder)
 
 
 def read_exercise(text: str, source: str, name: str) -> Exercise:
@@ -81,11 +80,11 @@ def read_exercise(text: str, source: str, name: str) -> Exercise:
     return _Loader.of(text, source, name).whole()
 
 
-def _robots_beside(path: Path) -> Iterator[Path]:
-    """The robots of the course that a file belongs to, so that it means the same wherever it is loaded from."""
+def _course_of(path: Path) -> Iterator[Path]:
+    """The root that a file belongs to, so that it means the same wherever it is loaded from."""
     for folder in path.absolute().parents:
         if folder.name == Kind.EXERCISES.value:
-            yield folder.parent / Kind.ROBOTS.value
+            yield folder.parent
             return
 
 
@@ -93,14 +92,13 @@ class _Loader:
     """One pass over a file; what is wrong is collected, and something harmless taken in its place."""
 
     def __init__(
-        self, root: PlacedNode, name: str, refused: list[Problem], robots: tuple[Path, ...], folder: Path
+        self, root: PlacedNode, name: str, refused: list[Problem], roots: tuple[Path, ...], folder: Path
     ) -> None:
         self.problems = Problems(refused)
-        self.robots = robots
-        self.folder = folder
+        self.named = Named(self.problems, folder, roots)
         self.name = name
         self.fields = self.problems.document(root, known=names(EXERCISE), required=required(EXERCISE))
-        self.robot = self.read_robot("robot")
+        self.robot = self.named.robot("robot", self.fields.scalar("robot"))
         self.unit = self.fields.text("unit", "m")
         self.names = read_texts(self.fields, "names")
         self.given: dict[str, Value] = {}
@@ -114,14 +112,14 @@ class _Loader:
             scope = Scope(is_open=True)  # its names are not known, and that it was not found is told
         unit = LENGTH_UNITS.get(self.unit, Fraction(1))
         self.parts = PartReader(
-            self.problems, scope, self.robot, has_robot, unit, self.tolerance, self.shares, self.printed, []
+            self.problems, scope, self.robot, has_robot, unit, self.tolerance, self.shares, self.printed, self.named, []
         )
 
     @classmethod
-    def of(cls, text: str, source: str, name: str, robots: Iterable[Path] = (), folder: Path = Path()) -> _Loader:
-        """What reads a text; the robots in the folders come before those of the library, and a path begins in one."""
+    def of(cls, text: str, source: str, name: str, roots: Iterable[Path] = (), folder: Path = Path()) -> _Loader:
+        """What reads a text; what stands in the roots comes before the library, and a path begins in the folder."""
         refused: list[Problem] = []
-        return cls(read_yaml(text, source, refused), name, refused, tuple(robots), folder)
+        return cls(read_yaml(text, source, refused), name, refused, tuple(roots), folder)
 
     def whole(self) -> Exercise:
         """The exercise of a file that says nothing wrong."""
@@ -176,36 +174,12 @@ class _Loader:
             picture=picture,
         )
 
-    def read_robot(self, key: str) -> Robot | None:
-        scalar = self.fields.scalar(key)
-        if scalar is None:
-            return None
-        try:
-            return load_robot(self.path_of(scalar.text))
-        except DhcliError as error:
-            for problem in error.problems:
-                self.problems.add(scalar.place, f"{key}: {problem.message}", problem.hint)
-            return None
-
-    def path_of(self, robot: str) -> str | Path:
-        """The file of a robot, beside that of the exercise or in the folders that come first, or its name as it is."""
-        if robot != "-" and is_path(Kind.ROBOTS, robot):
-            return self.folder / robot
-        found = (folder / f"{robot}.yaml" for folder in self.robots if NAME.fullmatch(robot))
-        return next((path for path in found if path.is_file()), robot)
-
     def also(self) -> tuple[Robot, str] | None:
         fields = self.fields.mapping(
             "also", known=names(ALSO), required=required(ALSO), example="{robot: NAME, note: why it is right too}"
         )
-        scalar = fields.scalar("robot")
-        if scalar is None:
-            return None
-        try:
-            return load_robot(self.path_of(scalar.text)), fields.text("note")
-        except DhcliError as error:
-            self.problems.take(error)
-            return None
+        robot = self.named.robot("also", fields.scalar("robot"))
+        return None if robot is None else (robot, fields.text("note"))
 
     def source(self) -> str:
         node = self.fields.get("source")

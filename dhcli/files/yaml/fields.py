@@ -50,7 +50,7 @@ class Problems:
             DhcliError: Of the given kind, if there is at least one problem.
         """
         if self.found:
-            raise kind(sorted(self.found, key=_reading_order))
+            raise kind(sorted(self.found, key=lambda problem: problem.order))
 
     def document(self, root: PlacedNode, *, known: Iterable[str], required: Iterable[str] = ()) -> Fields:
         """The mapping at the top of a file, which must begin with `format: 1`.
@@ -236,9 +236,3 @@ def _hint_for_unknown(key: PlacedScalar, value: PlacedNode, known: tuple[str, ..
     if node_kind(value) == "empty" and key.text.count(")") > key.text.count("("):
         return "a value with a comma needs quotes"
     return did_you_mean(key.text, known)
-
-
-def _reading_order(problem: Problem) -> tuple[int, int]:
-    """Line and column; what has no line comes first."""
-    place = problem.place or Place("")
-    return place.line or 0, place.column or 0

@@ -6,7 +6,7 @@ from dhcli.errors import DhcliError, did_you_mean
 from dhcli.files.yaml.templates import NAME
 
 
-def linkage_template(name: str, form: str = "joints") -> str:
+def linkage_template(name: str, form: str) -> str:
     """The text of a new linkage file.
 
     Args:

@@ -23,11 +23,11 @@ if TYPE_CHECKING:
     from dhcli.kinematics.robot import Robot
 
 
-def find_linkage(what: str, space: Space = SPATIAL, tolerance: float = 0.0) -> Linkage | Counts:
+def find_linkage(what: str | Path, space: Space = SPATIAL, tolerance: float = 0.0) -> Linkage | Counts:
     """What a person means: a file, the name of a linkage or a robot, or a pattern such as `6R`.
 
     Args:
-        what: With `/` or `.yaml` a file, else a known name, else a pattern.
+        what: A path, or with `/` or `.yaml` one, else a known name, else a pattern.
         space: Where a pattern moves; files say it themselves.
         tolerance: Relative error of rounded values.
 
@@ -35,7 +35,7 @@ def find_linkage(what: str, space: Space = SPATIAL, tolerance: float = 0.0) -> L
         LinkageError: It is nothing of these; the message shows one of each.
         FileError: The file is neither a linkage nor a robot.
     """
-    if is_path(Kind.LINKAGES, what):
+    if isinstance(what, Path) or is_path(Kind.LINKAGES, what):
         return load_linkage(Path(what), tolerance)
     if any(entry.name == what for entry in entries(Kind.LINKAGES)):
         return load_linkage(what, tolerance)

@@ -26,7 +26,7 @@ class Parameters:
         formulas: Those that follow from others.
     """
 
-    def __init__(self, problems: Problems, fields: Fields, remarks: list[str] | None, unit: str = "") -> None:
+    def __init__(self, problems: Problems, fields: Fields, remarks: list[str] | None, unit: str) -> None:
         """Read from the fields of a file.
 
         Args:

@@ -17,6 +17,7 @@ from dhcli.files.keys.exercises import PART
 from dhcli.files.keys.shapes import names, required
 from dhcli.files.yaml.credits import read_credit
 from dhcli.files.yaml.fields import Fields, Problems
+from dhcli.files.yaml.named import Named
 from dhcli.files.yaml.placed import PlacedNode, PlacedScalar
 from dhcli.files.yaml.tolerances import read_decimals
 from dhcli.files.yaml.typed import read_flag, read_texts, read_whole
@@ -53,6 +54,7 @@ class PartReader:
         tolerance: The tolerance of the exercise.
         shares: What answers earn in the exercise.
         printed: What the document prints, by part.
+        named: What finds linkages.
         ids: The ids so far, also of parts that cannot be read.
     """
 
@@ -64,6 +66,7 @@ class PartReader:
     tolerance: Tolerance
     shares: Shares
     printed: dict[str, Printed]
+    named: Named
     ids: list[str]
 
     def part(self, node: PlacedNode) -> Part | None:
@@ -115,7 +118,7 @@ class PartReader:
         except NotationError as error:
             self.problems.take(error)
             return None
-        question = question.completed(_Besides(self.problems, fields, ask.place))
+        question = question.completed(_Besides(self.problems, self.named, fields, ask.place))
         if self.robot is not None or not self.has_robot:  # that the robot was not found is told already
             self.check_exists(question, ask.place)
         return question
@@ -151,6 +154,7 @@ class _Besides:
     """What a part says besides `ask:`, for the kinds of questions that need more."""
 
     problems: Problems
+    named: Named
     fields: Fields
     ask: Place
 
@@ -164,14 +168,7 @@ class _Besides:
 
     def linkage(self, name: str) -> object | None:
         """The linkage of a name or a pattern; None if there is none, which is told."""
-        from dhcli.files.yaml.linkages import find_linkage  # few exercises count
-
-        try:
-            return find_linkage(name)
-        except DhcliError as error:
-            for problem in error.problems:
-                self.problems.add(self.ask, f"ask: {problem.message}", problem.hint)
-            return None
+        return self.named.linkage("ask", self.ask, name)
 
     def refuse(self, message: str, hint: str = "") -> None:
         """Note what is wrong with the part."""

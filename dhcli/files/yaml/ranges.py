@@ -31,7 +31,7 @@ _SAME = {"deg": "°", "degree": "°", "degrees": "°", "radian": "rad", "radians
 
 
 def read_variants(
-    fields: Fields, known: Sequence[str], is_angle: Callable[[str], bool], unit: Callable[[str], str] = lambda _: ""
+    fields: Fields, known: Sequence[str], is_angle: Callable[[str], bool], unit: Callable[[str], str]
 ) -> dict[str, Range]:
     """What varies, by name, from the key `variants` of an exercise.
 
@@ -52,7 +52,7 @@ def read_variants(
     return variants
 
 
-def read_range(problems: Problems, node: PlacedNode, key: str, *, is_angle: bool, unit: str = "") -> Range | None:
+def read_range(problems: Problems, node: PlacedNode, key: str, *, is_angle: bool, unit: str) -> Range | None:
     """The values under a name of `variants`; None if they cannot be read.
 
     Args:

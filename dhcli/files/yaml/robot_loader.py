@@ -26,7 +26,6 @@ from dhcli.notation.tokens import is_name
 from dhcli.notation.tree import ZERO, Expr, Trig
 from dhcli.notation.walk import walk
 
-"""Moves that do nothing."""
 ANGLES = ("alpha", "theta", "beta")
 
 

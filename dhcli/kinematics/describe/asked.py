@@ -53,7 +53,7 @@ class Asked:
         return self.steps or self.pose is not None or self.choices != USUAL or self.straighten is not None
 
 
-def check_form(text: str, others: tuple[str, ...] = ()) -> Form:
+def check_form(text: str, others: tuple[str, ...]) -> Form:
     """A form by its name.
 
     Args:

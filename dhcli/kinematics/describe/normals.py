@@ -14,6 +14,9 @@ from dhcli.kinematics.describe.exact import CLOSE
 from dhcli.kinematics.describe.linear import Form, LettersError, Point, Ruler, along, mapped, moved, shifted
 from dhcli.notation.tree import ONE
 
+FAR = 450.0
+"""Sizes of the robot from which on a common normal is told to be far away."""
+
 
 class Lie(StrEnum):
     """How two lines lie to each other."""
@@ -185,10 +188,10 @@ def how_far(found: Normal, ruler: Ruler) -> float:
     return max(map(length, feet), default=0.0) / ruler.size
 
 
-def far_feet(found: Normal, first: Line, second: Line, ruler: Ruler, most: float = 450.0) -> str:
+def far_feet(found: Normal, first: Line, second: Line, ruler: Ruler) -> str:
     """A warning where two axes are nearly parallel, so that their normal lies far away; empty where they are not."""
     far = how_far(found, ruler)
-    if far <= most or found.same:
+    if far <= FAR or found.same:
         return ""
     angle = math.degrees(math.asin(min(1.0, length(cross(first.direction, second.direction)))))
     return (

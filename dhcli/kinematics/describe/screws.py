@@ -36,7 +36,7 @@ class ScrewAxis:
     v: Point
 
 
-def screws_of(drawing: Drawing, side: Side = "space") -> tuple[ScrewAxis, ...]:
+def screws_of(drawing: Drawing, side: Side) -> tuple[ScrewAxis, ...]:
     """The screws of a robot drawn at zero, seen from its base, or from its end.
 
     Args:
@@ -46,7 +46,7 @@ def screws_of(drawing: Drawing, side: Side = "space") -> tuple[ScrewAxis, ...]:
     return tuple(_screw(line, drawing.end if side == "body" else Frame()) for line in drawing.lines)
 
 
-def lines_of(screws: tuple[ScrewAxis, ...], home: Frame, side: Side = "space") -> tuple[Line, ...]:
+def lines_of(screws: tuple[ScrewAxis, ...], home: Frame, side: Side) -> tuple[Line, ...]:
     """The lines of screws, in the base.
 
     Args:

@@ -18,10 +18,10 @@ from dataclasses import field, replace
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
 from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, across, cross, dot, length, plus, scaled
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.describe.drawn import Drawing, Frame, Line, same_direction
 from dhcli.kinematics.describe.exact import CLOSE
 from dhcli.kinematics.robot import Value
-from dhcli.kinematics.validity import in_floats
 from dhcli.notation.tree import ONE
 
 END = "end"

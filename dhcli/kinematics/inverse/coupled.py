@@ -12,11 +12,11 @@ import numpy as np
 from dhcli.errors import RobotError, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.coupling import uncoupled
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.inverse.solutions import Solutions, held_values, in_numbers, turning_joints
 from dhcli.kinematics.inverse.turns import limits_of, outside, placed
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import JointInput, joint_values, numbers, parameter_values
 from dhcli.notation.angle import Angle
 

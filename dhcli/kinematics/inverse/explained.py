@@ -7,10 +7,10 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from dhcli.frozen import frozen
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.inverse.motions import POINT
 from dhcli.kinematics.inverse.solutions import Solutions, shown_beyond
 from dhcli.kinematics.inverse.steps import All, Equation, One, Step, Two
-from dhcli.kinematics.validity import in_floats
 
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.prepared import Prepared

@@ -112,7 +112,7 @@ def _walked(arm: Arm, task: Task, motions: Array, goal: Array, parameter: int, h
 
 
 def moved_to(  # noqa: PLR0913, PLR0917  where from, where to, and what has to stay
-    arm: Arm, task: Task, motions: Array, goal: Array, freedom: Freedom, value: float, held: tuple[int, ...] = ()
+    arm: Arm, task: Task, motions: Array, goal: Array, freedom: Freedom, value: float, held: tuple[int, ...]
 ) -> Array | None:
     """The member of a family with a certain value of its parameter.
 

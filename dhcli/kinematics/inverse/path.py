@@ -13,7 +13,7 @@ from dhcli.frozen import frozen
 from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.inverse.asked import inverse
-from dhcli.kinematics.inverse.batch import BLOCK, solved_block
+from dhcli.kinematics.inverse.batch import BLOCK, solved_blocks
 from dhcli.kinematics.inverse.question import Question, ask
 from dhcli.kinematics.inverse.solutions import in_numbers, turning_joints
 from dhcli.kinematics.inverse.solving import least_singular
@@ -114,8 +114,7 @@ def follow(  # noqa: PLR0913  what may be asked of a path
     turning = turning_joints(robot)
     q = np.full((len(poses), len(robot.variables)), np.nan)
     last = in_numbers(robot, near)
-    for first in range(0, len(poses), BLOCK):
-        found = solved_block(question, poses[first : first + BLOCK], held, tolerance)
+    for first, found in solved_blocks(question, poses, held, tolerance):
         values = question.values(found.motions)
         bounds = np.searchsorted(found.index, np.arange(min(BLOCK, len(poses) - first) + 1))
         for k, (low, high) in enumerate(zip(bounds[:-1].tolist(), bounds[1:].tolist(), strict=True)):

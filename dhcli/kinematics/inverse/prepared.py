@@ -48,7 +48,7 @@ class Prepared:
 
 @lru_cache(maxsize=64)
 def prepare(
-    chain: Chain, variables: tuple[str, ...], values: Known, task_name: TaskName, hold: tuple[str, ...] = ()
+    chain: Chain, variables: tuple[str, ...], values: Known, task_name: TaskName, hold: tuple[str, ...]
 ) -> Prepared:
     """The plan for a robot and a task; kept for when it is asked for again.
 

@@ -86,7 +86,7 @@ def ask(  # noqa: PLR0913  what may be asked of a robot
     check_robot(robot)
     task_called(task)
     size(tolerance, "tolerance")
-    from dhcli.kinematics.validity import in_floats
+    from dhcli.kinematics.derived import in_floats
 
     chain = between(robot, *ends(robot, start, end))
     lengths = parameter_values(robot, parameters)

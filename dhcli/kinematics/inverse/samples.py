@@ -14,17 +14,19 @@ from dhcli.kinematics.inverse.steps import One
 SAMPLES = 12
 """Random poses that an equation is tried at."""
 
+SEED = 5
+
 
 class Samples:
     """Random poses of an arm with all its joint values."""
 
-    def __init__(self, actions: Actions, seed: int = 5) -> None:
+    def __init__(self, actions: Actions) -> None:
         """Draw them."""
         axes = actions.arm.axes
         turns = np.array([axis.turns for axis in axes], dtype=bool)
         low, high = np.where(turns, -np.pi, 0.2), np.where(turns, np.pi, 1.2)
         self.actions = actions
-        self.values = low + (high - low) * spread(SAMPLES, len(axes), seed)
+        self.values = low + (high - low) * spread(SAMPLES, len(axes), SEED)
         self.goal = product(actions.arm, self.values)
 
     def loop(self, known: Sequence[int]) -> Loop:

@@ -232,7 +232,7 @@ def in_numbers(robot: Robot, q: JointInput) -> Array:
     Raises:
         RobotError: They are no joint values of this robot.
     """
-    from dhcli.kinematics.validity import in_floats
+    from dhcli.kinematics.derived import in_floats
 
     values = joint_values(robot, q)
     if missing := [name for name in robot.variables if name not in values]:

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhcli.errors import plural
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.farlimits import far_limits
 from dhcli.kinematics.inverse.solutions import Beyond, Solutions, shown_beyond, turning_joints
 from dhcli.kinematics.limits import SLACK
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.validity import in_floats
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

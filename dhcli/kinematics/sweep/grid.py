@@ -6,9 +6,9 @@ import math
 from fractions import Fraction
 
 from dhcli.frozen import frozen
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.ranges import difference, metres, times, total
 from dhcli.kinematics.robot import Value
-from dhcli.kinematics.validity import in_floats
 from dhcli.notation.angle import Angle
 
 

@@ -24,7 +24,7 @@ class Highest:
     records, those within rounding of the last: when a higher one comes, the first still near it is the answer.
     """
 
-    def __init__(self, sign: int = 1) -> None:
+    def __init__(self, sign: int) -> None:
         """Nothing taken yet.
 
         Args:

@@ -7,12 +7,12 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 
 from dhcli.errors import Place, Problem, RobotError
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.limits import warnings
 from dhcli.kinematics.robot import Kind, Robot, Value
 from dhcli.kinematics.sweep.grid import Axis, Grid
 from dhcli.kinematics.sweep.ranges import Over, counted
 from dhcli.kinematics.sweep.target import Target
-from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import Values
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO
@@ -29,7 +29,7 @@ COUNTS = (181, 121, 73, 61, 37, 25, 13, 9, 5)
 WHOLE_TURN = Angle.in_degrees(-180), Angle.in_degrees(180)
 
 
-def plan(target: Target, overs: Sequence[Over] = (), held: Values | None = None, place: Place | None = None) -> Grid:
+def plan(target: Target, overs: Sequence[Over], held: Values | None = None, place: Place | None = None) -> Grid:
     """The grid that is asked for.
 
     Args:

@@ -10,9 +10,9 @@ from typing import Literal
 
 from dhcli.errors import NotationError, Place, Problem, RobotError
 from dhcli.frozen import frozen
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.ranges import Piece, difference, read_count, split_range, steps_between, times, total, units_in
 from dhcli.kinematics.robot import Robot, Value
-from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import joint_called, read_named
 from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse

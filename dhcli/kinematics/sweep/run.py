@@ -10,6 +10,7 @@ import numpy as np
 
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.sharing import check_threads, shared
 from dhcli.kinematics.sweep.grid import Grid
 from dhcli.kinematics.sweep.highest import SLACK, Highest, Record
@@ -17,7 +18,6 @@ from dhcli.kinematics.sweep.plan import remarks
 from dhcli.kinematics.sweep.result import SIDES, Extreme, Sweep
 from dhcli.kinematics.sweep.target import Target
 from dhcli.kinematics.sweep.walk import Slab, Walk, slabs, tables_of
-from dhcli.kinematics.validity import in_floats
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -39,7 +39,7 @@ def sweep(
     >>> from dhcli.kinematics.sweep.plan import plan
     >>> from dhcli.kinematics.sweep.target import target_of
     >>> target = target_of(load_robot("planar-2r"))
-    >>> found = sweep(target, plan(target))
+    >>> found = sweep(target, plan(target, ()))
     >>> found.farthest.distance, found.box[1]
     (0.7, (-0.7, 0.7))
 

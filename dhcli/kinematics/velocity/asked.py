@@ -29,7 +29,7 @@ MOST_JOINTS = 7
 
 
 def answer_jacobian(
-    robot: Robot, values: Values, view: MotionView, form: Form = GEOMETRIC, *, symbolic: bool = False, let: bool = False
+    robot: Robot, values: Values, view: MotionView, form: Form, *, symbolic: bool, let: bool
 ) -> JacobianAnswer:
     """The Jacobian of a robot, in numbers or in symbols.
 
@@ -114,7 +114,7 @@ def answer_rates(
     values: Values,
     view: MotionView,
     wanted: tuple[Sequence[Expr] | None, Sequence[Expr] | None],
-    damping: float = 0.0,
+    damping: float,
 ) -> VelocityAnswer:
     """The joint rates for a velocity, an angular velocity, or both; see `joint_rates`."""
     from dhcli.kinematics.velocity.rates import rates_at

@@ -118,7 +118,7 @@ def rates_at(
     view: MotionView,
     velocity: Sequence[float] | None,
     angular: Sequence[float] | None,
-    damping: float = 0.0,
+    damping: float,
 ) -> Rates:
     """The same at known values; see `joint_rates`."""
     if velocity is None and angular is None:

@@ -8,11 +8,11 @@ from dhcli.algebra.arithmetic import evaluate
 from dhcli.algebra.tape import Number
 from dhcli.algebra.written import Lean, Written, written
 from dhcli.frozen import frozen
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive_levels import POSITION, ROTATION
 from dhcli.kinematics.inverse.derive_rules import Step
 from dhcli.kinematics.inverse.derive_terms import name_of
-from dhcli.kinematics.validity import in_floats
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO, Call, Expr, Product, Sum, Symbol, Trig
 from dhcli.notation.walk import rebuild, symbols, walk

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from dhcli.frozen import frozen
-from dhcli.notation.styles import THETAS, Joints, Style, plain_name
+from dhcli.notation.styles import Style, plain_name
 from dhcli.notation.tree import Expr, Number
 from dhcli.notation.writer import write
 from dhcli.regex import regex
@@ -137,11 +137,11 @@ class Spelling:
     language: Language
     names: Mapping[str, str]
 
-    def formula(self, expr: Expr, joints: Joints = THETAS) -> str:
+    def formula(self, expr: Expr) -> str:
         """A formula in those names."""
         if type(expr) is Number:
             return decimal(float(expr.value))
-        return write(expr, replace(self.language.style, symbol=self.names.__getitem__), joints)
+        return write(expr, replace(self.language.style, symbol=self.names.__getitem__))
 
     def let(self, name: str, value: str) -> str:
         """A line that gives a name its value."""

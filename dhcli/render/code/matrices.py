@@ -38,7 +38,7 @@ def exact(value: float) -> float:
 
 
 def pose_source(
-    pose: AnyPose, look: Look, *, comment: str = "", named: bool = False, definitions: Sequence[Definition] = ()
+    pose: AnyPose, look: Look, *, comment: str, named: bool = False, definitions: Sequence[Definition] = ()
 ) -> str:
     """A matrix in the language of the format, with what it is in a comment where that language has comments.
 
@@ -65,8 +65,8 @@ def matrix_source(
     joints: Joints,
     look: Look,
     *,
-    comment: str = "",
-    name: str | Letter = "",
+    comment: str,
+    name: str | Letter,
     definitions: Sequence[Definition] = (),
 ) -> str:
     """Any matrix in the language of the format; see `pose_source`.

@@ -33,7 +33,7 @@ INDEX = Group(rows.INDEX, (rows.INDEX,), "%s", is_whole=True)
 """Where the joint values stand in their file."""
 
 
-def pose_layout(forms: Sequence[str], views: Iterable[View] = (), *, index: bool = False) -> Layout:
+def pose_layout(forms: Sequence[str], views: Iterable[View], *, index: bool) -> Layout:
     """The columns for poses.
 
     Args:

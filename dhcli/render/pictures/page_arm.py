@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import DhcliError
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.moves import Fixed, Move, Rot
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.sweep.workspace import Workspace
-from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import JointInput, Values, numbers
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr

@@ -85,7 +85,7 @@ def _text(text: Text) -> str:
     return rf"\node[anchor=base, text={colour}] at {_point(text.at)} {{{label}}};"
 
 
-def maths(words: Words, *, upright: bool = False) -> str:
+def maths(words: Words, *, upright: bool) -> str:
     r"""A label as LaTeX sets it: `$\theta_{1}$`."""
     found = []
     for run in words:

@@ -6,10 +6,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, TypeAlias
 
 from dhcli.kinematics.conventions import NAMES
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.robot import Value
 from dhcli.kinematics.sweep.grid import Axis, Grid
 from dhcli.kinematics.sweep.result import Extreme, Sweep
-from dhcli.kinematics.validity import in_floats
 from dhcli.notation.angle import Angle
 from dhcli.render.code.matrices import csv_line, exact
 from dhcli.render.code.pose_rows import GROUPS

@@ -59,7 +59,7 @@ def title(result: JacobianAnswer) -> str:
     return f"{kind} of {result.robot.name}: {frame_words(view.end)} against {frame_words(view.start)}"
 
 
-def point_words(view: MotionView, joints: Joints, style: str = "short") -> str:
+def point_words(view: MotionView, joints: Joints, style: str) -> str:
     """The point of which a velocity is, or at which a force acts."""
     if view.point != ORIGIN:
         point = f"({', '.join(write(c, style, joints) for c in view.point)}) of {frame_words(view.place)}"

@@ -49,11 +49,11 @@ def test_a_template_lints_once_its_blanks_are_filled_in(name: str, tmp_path: Pat
     """In letters, as it is written."""
     text = exercise_template("c/new", load_robot(name))
     blank = errors(tmp_path, text)
-    assert sum("is empty" in line for line in blank) == 5
+    assert sum("is empty" in line for line in blank) == 6
     left = [line for line in blank if "task: still says 'write here" in line]
     assert len(left) == 4
-    (no_answer,) = [line for line in blank if "tip: is judged SKIPPED; the test says RIGHT" in line]
-    assert len(blank) == 5 + len(left) + 1
+    (no_answer,) = [line for line in blank if "tip: the answer of the test is empty; it says RIGHT" in line]
+    assert len(blank) == 6 + len(left)
     unsaid = errors(tmp_path, filled(text).replace("the place and", "write here"))
     assert [line.partition("task")[2] for line in unsaid] == [line.partition("task")[2] for line in left]
     assert errors(tmp_path, filled(text, with_answer=False)) == [no_answer]

@@ -10,11 +10,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.robot import Value
 from dhcli.kinematics.sweep import walk
 from dhcli.kinematics.sweep.grid import Axis, Grid
 from dhcli.kinematics.sweep.walk import slabs, tables_of
-from dhcli.kinematics.validity import in_floats
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import number
 from tests.strategies import numeric_angles

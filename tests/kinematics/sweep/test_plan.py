@@ -6,12 +6,12 @@ import pytest
 
 from dhcli import load_robot
 from dhcli.errors import RobotError
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.robot import Value
 from dhcli.kinematics.sweep.grid import Grid
 from dhcli.kinematics.sweep.plan import LARGEST, MODEST, plan, remarks
 from dhcli.kinematics.sweep.ranges import read_over
 from dhcli.kinematics.sweep.target import target_of
-from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import joint_values
 
 PI = 3.141592653589793

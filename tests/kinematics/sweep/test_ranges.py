@@ -6,8 +6,8 @@ import pytest
 
 from dhcli import load_robot
 from dhcli.errors import DhcliError
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.sweep.ranges import read_over
-from dhcli.kinematics.validity import in_floats
 
 PI = 3.141592653589793
 

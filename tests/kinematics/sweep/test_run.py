@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from dhcli import Robot, forward, load_robot
 from dhcli import sweep as ask
 from dhcli.errors import RobotError
+from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.frames import View
 from dhcli.kinematics.sweep import walk
 from dhcli.kinematics.sweep.grid import Axis, Grid
@@ -22,7 +23,6 @@ from dhcli.kinematics.sweep.ranges import read_over
 from dhcli.kinematics.sweep.run import sweep
 from dhcli.kinematics.sweep.target import Target, target_of
 from dhcli.kinematics.sweep.walk import Walk, slabs, tables_of
-from dhcli.kinematics.validity import in_floats
 from dhcli.kinematics.values import joint_values
 from dhcli.notation.tree import ZERO, number
 

@@ -23,7 +23,7 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.names import natural_key
 from dhcli.notation.styles import THETAS, Joints
 from dhcli.notation.tree import ZERO, Expr, Sum, Symbol, Trig, add, multiply, negate, number
-from dhcli.notation.trig import cosine, sine
+from dhcli.notation.trig import cosine, sine, swapped
 from dhcli.notation.writer import write
 
 
@@ -109,7 +109,7 @@ def half(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
 )
 def function_other(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
     """Sine for cosine, or the other way round, of one angle in an entry."""
-    return _with_functions(expr, among, lambda old: (_of("sin" if old.function == "cos" else "cos", old.angle),))
+    return _with_functions(expr, among, lambda old: (swapped(old),))
 
 
 @_mistake("angle-lacking", "entry ({entry}) has {term}", "look at the sums of angles in row {row}")

@@ -13,7 +13,7 @@ from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import has_angle_unit
 from dhcli.notation.tree import Expr, Sum, Trig, Unit, add, multiply, negate, number
-from dhcli.notation.trig import cosine, sine
+from dhcli.notation.trig import swapped
 from dhcli.notation.walk import rebuild, substitute, symbols, walk
 
 ValueMaker: TypeAlias = Callable[[Expr, Exercise], Iterator[tuple[str, Expr]]]
@@ -77,7 +77,7 @@ def term_forgotten(expr: Expr, exercise: Exercise) -> Iterator[tuple[str, Expr]]
 def sine_cosine(expr: Expr, exercise: Exercise) -> Iterator[tuple[str, Expr]]:
     """Sine for cosine; of an angle that was asked itself, the complement."""
     if any(isinstance(node, Trig) for node in walk(expr)):
-        yield "", rebuild(expr, _swapped)
+        yield "", rebuild(expr, swapped)
     elif _is_angle(expr, exercise):
         yield "", add(_degrees(90), negate(expr))
 
@@ -91,8 +91,8 @@ def angle_unit(expr: Expr, exercise: Exercise) -> Iterator[tuple[str, Expr]]:
     """Every given angle with its number in the other unit, as on a calculator in the wrong mode."""
     if exercise.numeric and any(isinstance(node, Trig) for node in walk(expr)):
         angles = {name: value for name, value in exercise.given.items() if isinstance(value, Angle)}
-        swapped = {name: Angle(degrees=value.radians, radians=value.degrees) for name, value in angles.items()}
-        yield "", substitute(expr, {}, swapped)
+        in_other = {name: Angle(degrees=value.radians, radians=value.degrees) for name, value in angles.items()}
+        yield "", substitute(expr, {}, in_other)
 
 
 @_mistake("in-mm", "the unit is another, mm for m", "look at the unit of the sheet")
@@ -124,12 +124,6 @@ def _is_angle(expr: Expr, exercise: Exercise) -> bool:
         return False
     inside = symbols(expr)
     return has_angle_unit(expr) or (bool(inside) and all(exercise.scope.is_angle(name) for name in inside))
-
-
-def _swapped(node: Expr) -> Expr:
-    if isinstance(node, Trig):
-        return sine(node.angle) if node.function == "cos" else cosine(node.angle)
-    return node
 
 
 def _degrees(value: int) -> Expr:
