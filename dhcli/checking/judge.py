@@ -95,17 +95,14 @@ class Judge:
 
     def expected(self, part: Part, style: str = "short") -> str:
         """The right answer to a part as a person would type it."""
-        part.question.need_values(self.exercise)
         return part.question.expected(self._case(part), style)
 
     def shortest(self, part: Part) -> str:
         """The right answer to a part in few words and digits, as it is shown."""
-        part.question.need_values(self.exercise)
         return part.question.shortest(self._case(part))
 
     def solution(self, part: Part) -> tuple[Shown, ...]:
         """The steps that lead to the right answer; the last one holds it as it may be typed."""
-        part.question.need_values(self.exercise)
         steps = tuple(part.question.steps(self._case(part)))
         if part.question.statements:
             return steps
@@ -139,7 +136,6 @@ class Judge:
         Raises:
             UnknownNameError: No such mistake can be made here; the hint names those that can.
         """
-        part.question.need_values(self.exercise)
         answer = part.question.answer_with(self._case(part), name)
         if answer is not None:
             return answer
@@ -148,6 +144,12 @@ class Judge:
         raise UnknownNameError(f"{part.id}: the mistake '{name}' cannot be made here", hint)
 
     def _case(self, part: Part) -> Case:
+        """What a question is handed; nothing is asked of one whose answer needs a value that nobody gave.
+
+        Raises:
+            RobotError: A name has no value.
+        """
+        self.memo.of(("valued", part.id), lambda: self.exercise.need_values(part))
         return Case(part, self.memo)
 
     def judged(self, part: Part, answer: str, place: Place | None = None) -> Judged[Any]:

@@ -93,10 +93,8 @@ class RatesQuestion(ColumnsQuestion):
     def names(self) -> frozenset[str]:
         return frozenset().union(*map(symbols, (*(self.linear or ()), *(self.angular or ()))))
 
-    def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
-        robot, view = self.motion.check(exercise.robot)
-        named = Grid(columns_of(robot, view).cut(range(6)), ()).names | self.names
-        return exercise.unvalued(named)
+    def named(self, case: Case) -> frozenset[str]:
+        return self.columns(case).names | self.names
 
     def describe(self, _exercise: Exercise) -> str:
         said = []
@@ -106,7 +104,6 @@ class RatesQuestion(ColumnsQuestion):
         return f"the joint rates for {' and '.join(said)} {self.motion.where}, one for each joint"
 
     def computed(self, case: Case) -> Grid:
-        self.need_values(case.exercise)
         return self.of_columns(case, self.columns(case))
 
     def units(self, case: Case) -> tuple[str, ...]:

@@ -75,6 +75,12 @@ class VelocityQuestion(ColumnsQuestion):
     def names(self) -> frozenset[str]:
         return frozenset().union(*map(symbols, self.motion.rates or ()))
 
+    def rates(self, robot: Robot | None) -> frozenset[str]:
+        if self.motion.rates is not None:
+            return frozenset()
+        robot, view = self.motion.check(robot)
+        return frozenset(map(_rate, joints_between(robot, view.start, view.end)))
+
     def describe(self, exercise: Exercise) -> str:
         what = "the angular velocity [rad/s]" if self.angular else f"the velocity [{exercise.unit}/s]"
         if exercise.unit == "none" and not self.angular:
@@ -91,7 +97,7 @@ class VelocityQuestion(ColumnsQuestion):
     def _rates(self, columns: Columns) -> tuple[Expr, ...]:
         if self.motion.rates is not None:
             return self.motion.rates
-        return tuple(Symbol(f"d{one.joint}") for one in columns.each)
+        return tuple(Symbol(_rate(one.joint)) for one in columns.each)
 
     def of_columns(self, _case: Case, columns: Columns) -> Grid:
         return self._moved(columns, self._rates(columns))
@@ -124,3 +130,8 @@ class VelocityQuestion(ColumnsQuestion):
         values = case.exercise.values if case.exercise.numeric else None
         yield self.shown(case, f"The Jacobian, rows {', '.join(form.labels)}", jacobian_grid(columns, form, values))
         yield Shown("Each column times the rate of its joint, added up")
+
+
+def _rate(joint: str) -> str:
+    """The name of a joint's rate."""
+    return f"d{joint}"
