@@ -21,7 +21,7 @@ from dhcli.kinematics.values import numbers
 from dhcli.notation.matrix import Cell, bracketed, parse_matrix
 from dhcli.notation.names import suggestion
 from dhcli.notation.parser import parse
-from dhcli.notation.quantity import DimensionError, to_length
+from dhcli.notation.quantity import DimensionError, to_plain_length
 from dhcli.notation.tree import ONE, ZERO, Expr, Number, number
 from dhcli.notation.walk import decimals, symbols
 
@@ -159,19 +159,20 @@ def as_read(question: Wanted, row: int, column: int, exercise: Exercise, expr: E
         DimensionError: It is no length, and no number.
     """
     is_bare = is_length(question, row, column) and exercise.metres != 1
-    return to_length(length_in_metres(expr, exercise.metres, exercise.scope) if is_bare else expr)
+    return to_plain_length(length_in_metres(expr, exercise.metres, exercise.scope) if is_bare else expr)
 
 
 def _entry(question: Wanted, exercise: Exercise, cell: Cell, row: int, column: int) -> Entry:
     where = f"entry ({row + 1},{column + 1})"
     length = is_length(question, row, column)
     try:
-        expr = to_length(cell.expr)
+        expr = to_plain_length(cell.expr)
         if expr != cell.expr and not length:
             raise UnreadableError(f"{where} is a direction cosine and has no unit")
         expr = as_read(question, row, column, exercise, cell.expr)
     except DimensionError as error:
-        raise UnreadableError(f"{where}: {error.message}") from None
+        message = error.message if length else error.message.replace("a length is wanted", "a number is wanted")
+        raise UnreadableError(f"{where}: {message}") from None
     check_names(exercise, symbols(expr))
     return Entry(expr, cell.text, cell.expr)
 

@@ -6,11 +6,14 @@ in millimetres `10*c1 + a1*s1` is 0.01*c1 + a1*s1 in metres. A text that writes 
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 
 from dhcli.errors import NotationError, Place, Problem
+from dhcli.kinematics.conventions import Row
 from dhcli.kinematics.moves import Chain, Fixed, Move, Trans, from_factor
 from dhcli.kinematics.ranges import units_in
+from dhcli.kinematics.robot import Robot
 from dhcli.notation.products import parse_factors
 from dhcli.notation.quantity import LENGTH_UNITS, DimensionError
 from dhcli.notation.scope import Scope
@@ -100,6 +103,22 @@ def move_in_metres(move: Move, unit: Fraction, scope: Scope) -> Move:
         rows = ((row[0], row[1], row[2], length_in_metres(row[3], unit, scope)) for row in move.rows)
         return Fixed(tuple(rows))
     return move
+
+
+def in_unit(robot: Robot, unit: Fraction) -> Robot:
+    """A robot in metres as it is where all lengths are numbers of another unit; letters stay letters."""
+    if unit == 1:
+        return robot
+
+    def moved(chain: Chain) -> Chain:
+        return tuple(move_in_metres(move, 1 / unit, robot.scope) for move in chain)
+
+    def row(old: Row) -> Row:
+        a, d = (length_in_metres(length, 1 / unit, robot.scope) for length in (old.a, old.d))
+        return replace(old, a=a, d=d)
+
+    links = tuple(replace(one, moves=moved(one.moves), row=one.row and row(one.row)) for one in robot.links)
+    return replace(robot, links=links, base=moved(robot.base), tool=moved(robot.tool))
 
 
 def _scaled(expr: Expr, unit: Fraction, scope: Scope, power_of: Fraction) -> Expr:

@@ -72,6 +72,8 @@ def read_matrix(source: Source, tokens: Sequence[Token], scope: Scope) -> tuple[
     body = _unwrap(scaled.body)
     if {"&", ";"} <= {token.text for token in body}:  # LaTeX ends a row with \\ alone, and long rows are broken
         body = [token for token in body if token.kind != "newline"]
+    if body and body[0].text == "[" and matching(body, 0) < 0:
+        raise source.error(body[0].start, "this [ is never closed", "write the bracket behind the last row")
     rows = _without_axes([found for row in rows_in(body) if (found := cells_in(source, row))])
     if not rows:
         raise source.error(0, "no matrix is written here", "write [1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1]")
@@ -137,14 +139,29 @@ def _unwrap(tokens: list[Token]) -> list[Token]:
             break
         inside = trimmed(tokens[1:-1])
         if tokens[0].text == "(" and not (inside and (inside[0].text in ("[", "{") or _has_rows(inside))):
-            break
+            return _tuples(inside) or tokens
         tokens = inside
     return tokens
 
 
 def _has_rows(tokens: Sequence[Token]) -> bool:
-    r"""Whether cells and rows are separated here as in LaTeX, `\left(\begin{array}{cc} a & b \\ ...`."""
-    return any(depth == 0 and token.text == "&" for token, depth in with_depths(tokens))
+    r"""Whether cells or rows are separated here, as in `(a b; c d)` or `\left(\begin{array}{cc} a & b \\ ...`."""
+    return any(depth == 0 and token.text in ("&", ";") for token, depth in with_depths(tokens))
+
+
+def _tuples(tokens: list[Token]) -> list[Token]:
+    """Rows in square brackets, where a text has them in round ones, `((1, 0), (0, 1))`; none where it has no rows."""
+    start, rows = 0, list[Token]()
+    while start < len(tokens):
+        closing = matching(tokens, start)
+        row = tokens[start + 1 : closing]
+        if tokens[start].text != "(" or not any(not d and token.text == "," for token, d in with_depths(row)):
+            return []
+        rows += [replace(tokens[start], text="["), *row, replace(tokens[closing], text="]")]
+        start = closing + 1
+        while start < len(tokens) and (tokens[start].kind == "newline" or tokens[start].text == ","):
+            start += 1
+    return rows
 
 
 def _without_environments(tokens: list[Token]) -> list[Token]:

@@ -123,7 +123,7 @@ class MatrixQuestion(Wanted, Question[Entries]):
         return names_in(self)
 
     def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
-        return unvalued(self, exercise)
+        return unvalued(self, exercise) if exercise.numeric else ()
 
     def expected(self, case: Case, style: str = "short") -> str:
         from dhcli.checking.workings import as_text
@@ -157,7 +157,6 @@ class MatrixQuestion(Wanted, Question[Entries]):
         exercise, entries = case.exercise, reading.value
         truth = truth_of(self, case)
         if exercise.numeric:
-            self.need_values(exercise)
             judged = mark_measured(self, truth, entries, case.memo, case.tolerance)
         else:
             judged = mark_symbols(self, truth, entries, case.memo)

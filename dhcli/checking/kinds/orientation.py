@@ -105,7 +105,7 @@ class OrientationQuestion(Question[Turn]):
         return names_in(self.wanted)
 
     def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
-        return unvalued(self.wanted, exercise)
+        return unvalued(self.wanted, exercise) if exercise.numeric else ()
 
     def expected(self, case: Case, _style: str = "short") -> str:
         return self.form.text(self.form.of(self._right(case))[0])

@@ -39,6 +39,9 @@ Twice: TypeAlias = tuple[Slip, Columns, tuple[tuple[Slip, Columns], ...]]
 MOST_WORK = 40_000
 """Pairs of slips, times the entries of an answer, that are worked out: about those of six joints."""
 
+NOTHING_FOLLOWS = (DhcliError, ZeroDivisionError, KeyError)
+"""What becomes of wrong columns that lead nowhere: to no answer, or to a joint that has no value here."""
+
 TINY = 1e-12
 
 MOST_EARLIER = 6
@@ -96,7 +99,7 @@ class ColumnsQuestion(MotionQuestion):
         columns = self.columns(case)
         yield from self.besides(case, columns)
         for slip, changed in _slipped(case, columns):
-            with suppress(DhcliError, ZeroDivisionError):  # nothing follows from them
+            with suppress(*NOTHING_FOLLOWS):
                 yield slip, self.of_columns(case, changed)
 
     # --- Two slips ----------------------------------------------------------------------------------------------
@@ -124,9 +127,9 @@ class ColumnsQuestion(MotionQuestion):
     ) -> Iterator[tuple[Slip, Grid]]:
         """What follows when a second slip is made behind a first, in the columns or after them."""
         for slip, columns in twice:
-            with suppress(DhcliError, ZeroDivisionError):
+            with suppress(*NOTHING_FOLLOWS):
                 yield slip, self.of_columns(case, columns)
-        with suppress(DhcliError, ZeroDivisionError):
+        with suppress(*NOTHING_FOLLOWS):
             yield from self.besides(case, changed)
 
     def _seen(self, case: Case, grid: Grid) -> Numbers:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from fractions import Fraction
 from functools import lru_cache
 
 from dhcli.checking.diagnosis.result import Slip
@@ -12,6 +13,8 @@ from dhcli.checking.kinds.linked import needed
 from dhcli.checking.returned import Shown
 from dhcli.checking.solving.goal import Target, of_robot
 from dhcli.checking.solving.putting import put_for
+from dhcli.checking.units import ONE as METRE
+from dhcli.checking.units import in_unit
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import NAMES
@@ -45,12 +48,22 @@ class Slipped:
     at: str = ""
 
 
-def derivation_of(case: Case, target: Target) -> Derivation | None:
-    """The derivation for the robot and the frames asked about; None where no textbook form is found."""
+def derivation_of(case: Case, target: Target, unit: Fraction = METRE) -> Derivation | None:
+    """The derivation for the robot and the frames asked about; None where no textbook form is found.
+
+    Args:
+        case: Where it is asked.
+        target: What is to be reached.
+        unit: Metres in a length of the derivation: its robot has its bare numbers in that unit.
+    """
     robot = needed(case.exercise.robot)
     if target.along:  # the formulas are of the whole pose
         return None
-    return _derived(robot, *target.ends(robot), "position" if target.task == "position" else "pose")
+    return _derived(_moved(robot, unit), *target.ends(robot), "position" if target.task == "position" else "pose")
+
+
+_moved = lru_cache(maxsize=64)(in_unit)
+"""Each mark asks for the same; without numbers in its table a robot is itself in every unit."""
 
 
 @lru_cache(maxsize=64)

@@ -62,6 +62,8 @@ def pose_blocks(
         first = stream.readline()
         if not first:
             raise FileError(Problem("is empty", Place(source_of(path)), _HINT))
+        if "\0" in first:
+            raise FileError(Problem("is written in UTF-16, or no text", Place(source_of(path)), "save it as UTF-8"))
         if first.lstrip().startswith("{"):
             yield from _of_json(chain((first,), stream), source_of(path), bad, whole=whole)
         else:

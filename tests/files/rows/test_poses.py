@@ -166,3 +166,11 @@ def test_a_comma_beside_a_point_is_not_taken_for_a_decimal_one() -> None:
     found, bad = read("sep=;\np_x;p_y;p_z\n1;2;3\n1,234;0.5;0\n")
     assert found == [(3, [1.0, 2.0, 3.0])]
     assert bad == ["standard input:4: p_x '1,234' is not a number (write 1.234, with a point)"]
+
+
+def test_a_table_in_utf_16_is_called_so(tmp_path: Path) -> None:
+    """As spreadsheets save what they call Unicode."""
+    path = tmp_path / "p.csv"
+    path.write_text("p_x\tp_y\tp_z\n1\t2\t3\n", "utf-16")
+    with pytest.raises(FileError, match="is written in UTF-16"):
+        list(pose_blocks(str(path)))
