@@ -84,19 +84,23 @@ def _field(cls: type, name: str, kind: object) -> Field[Any]:
 def _init(cls: type, found: Sequence[Field[Any]]) -> Callable[..., None]:
     """What takes the values of the fields, by position or by name."""
     taken = [each for each in found if each.init]
+    names = tuple(each.name for each in taken)
     puts = [getattr(cls, each.name).__set__ for each in taken]
     is_finished = hasattr(cls, "__post_init__")
     if not is_finished and 1 <= len(taken) == len(found) <= len(_PLAIN) and all(map(_is_plain, found)):
         plain = _PLAIN[len(found) - 1](*puts)
-        names = ("self", *(each.name for each in found))
         defaults = tuple(each.default for each in found if each.default is not MISSING)
         # The names of the parameters are data of the compiled function: this renames them, and compiles nothing.
+        names = ("self", *names)
         code = plain.__code__.replace(co_varnames=names, co_name="__init__", co_qualname=f"{cls.__qualname__}.__init__")
         return FunctionType(code, plain.__globals__, "__init__", defaults, plain.__closure__)
     made = [(getattr(cls, each.name).__set__, each) for each in found if not each.init]
+    wanted = {*names}
 
     def __init__(self: object, *values: object, **named: object) -> None:  # noqa: N807
-        if named or len(values) != len(taken):
+        if not values and named.keys() == wanted:  # as `replace` gives them
+            values = tuple(map(named.__getitem__, names))
+        elif named or len(values) != len(taken):
             values = _arranged(type(self).__qualname__, taken, values, named)
         for put, value in zip(puts, values, strict=True):
             put(self, value)
@@ -162,8 +166,20 @@ def _init_5(a: _Put, b: _Put, c: _Put, d: _Put, e: _Put) -> FunctionType:
     return cast("FunctionType", init)
 
 
-_PLAIN: tuple[Callable[..., FunctionType], ...] = (_init_1, _init_2, _init_3, _init_4, _init_5)
-"""What takes one value to five: most records have no more, and formulas and their tokens are made of these."""
+def _init_6(a: _Put, b: _Put, c: _Put, d: _Put, e: _Put, f: _Put) -> FunctionType:
+    def init(self: object, p: object, q: object, r: object, s: object, t: object, u: object) -> None:  # noqa: PLR0913, PLR0917
+        a(self, p)
+        b(self, q)
+        c(self, r)
+        d(self, s)
+        e(self, t)
+        f(self, u)
+
+    return cast("FunctionType", init)
+
+
+_PLAIN: tuple[Callable[..., FunctionType], ...] = (_init_1, _init_2, _init_3, _init_4, _init_5, _init_6)
+"""What takes one value to six: most records have no more, and formulas and their tokens are made of these."""
 
 
 def _arranged(

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import shlex
 from abc import abstractmethod
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import field
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
@@ -117,17 +117,11 @@ class Question(Asking, Generic[T]):
     # --- What is right -------------------------------------------------------------------------------------------
 
     def unvalued(self, _exercise: Exercise) -> tuple[str, ...]:
-        """Names without which an answer in numbers cannot be computed, and that have no value."""
-        return ()
+        """Names without a value where the right answer needs one; none where letters may stay.
 
-    def need_values(self, exercise: Exercise) -> None:
-        """Make sure that there is a right answer where numbers are asked for.
-
-        Raises:
-            RobotError: A name in it has no value.
+        An exercise whose file leaves one so does not load, and one that was made on the spot is not judged.
         """
-        if exercise.numeric:
-            exercise.refuse_without(self.unvalued(exercise))
+        return ()
 
     @abstractmethod
     def expected(self, case: Case, style: str = "short") -> str:
@@ -332,13 +326,22 @@ class Exercise:
         """Those of some names that have no value, as people would list them."""
         return tuple(sorted(names - self.values.keys(), key=natural_key))
 
-    def refuse_without(self, missing: Sequence[str]) -> None:
-        """Say which names have no value although numbers are asked for.
+    @property
+    def missing(self) -> tuple[str, ...]:
+        """Names without a value that the right answers to its parts need.
 
         Raises:
-            RobotError: There are any.
+            DhcliError: There is no right answer, whatever the values are.
         """
-        if missing:
+        return tuple(dict.fromkeys(name for part in self.asked for name in part.question.unvalued(self)))
+
+    def need_values(self, part: Part) -> None:
+        """Make sure that there is a right answer where numbers are asked for.
+
+        Raises:
+            RobotError: A name in it has no value.
+        """
+        if missing := part.question.unvalued(self):
             hint = f"--set {missing[0]}=..., or given: in the file of an exercise"
             raise RobotError(f"{self.id} asks for numbers, and has no value for {', '.join(missing)}", hint)
 

@@ -16,6 +16,7 @@ from dhcli.checking.verdicts import COUNTED, INVERSE, TOO_FEW, TRANSPOSED, UNSOL
 from dhcli.errors import DhcliError, NotationError, Place, UnknownNameError, did_you_mean
 from dhcli.kinematics.robot import Value
 from dhcli.kinematics.validity import Finding
+from dhcli.notation.screens import unstyled
 from dhcli.regex import regex
 
 BLANK = regex(r"[\s\[\](){},;.…_?–-]*")  # noqa: RUF001
@@ -94,17 +95,14 @@ class Judge:
 
     def expected(self, part: Part, style: str = "short") -> str:
         """The right answer to a part as a person would type it."""
-        part.question.need_values(self.exercise)
         return part.question.expected(self._case(part), style)
 
     def shortest(self, part: Part) -> str:
         """The right answer to a part in few words and digits, as it is shown."""
-        part.question.need_values(self.exercise)
         return part.question.shortest(self._case(part))
 
     def solution(self, part: Part) -> tuple[Shown, ...]:
         """The steps that lead to the right answer; the last one holds it as it may be typed."""
-        part.question.need_values(self.exercise)
         steps = tuple(part.question.steps(self._case(part)))
         if part.question.statements:
             return steps
@@ -138,7 +136,6 @@ class Judge:
         Raises:
             UnknownNameError: No such mistake can be made here; the hint names those that can.
         """
-        part.question.need_values(self.exercise)
         answer = part.question.answer_with(self._case(part), name)
         if answer is not None:
             return answer
@@ -147,6 +144,12 @@ class Judge:
         raise UnknownNameError(f"{part.id}: the mistake '{name}' cannot be made here", hint)
 
     def _case(self, part: Part) -> Case:
+        """What a question is handed; nothing is asked of one whose answer needs a value that nobody gave.
+
+        Raises:
+            RobotError: A name has no value.
+        """
+        self.memo.of(("valued", part.id), lambda: self.exercise.need_values(part))
         return Case(part, self.memo)
 
     def judged(self, part: Part, answer: str, place: Place | None = None) -> Judged[Any]:
@@ -165,7 +168,8 @@ class Judge:
         case, reading = self._case(part), None
         try:
             refuse_blanks(answer)
-            reading = Reading(answer, part.question.read(case, answer, place))
+            text = unstyled(answer)
+            reading = Reading(text, part.question.read(case, text, place))
             return Judged(_credited(case, part.question.mark(case, reading)), reading)
         except WrongUnitError as error:
             mark = Mark(Verdict.CANNOT_READ, answer.strip(), remarks=error.remarks, other_unit=error.unit)

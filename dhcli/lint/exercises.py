@@ -16,6 +16,7 @@ from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.limits import is_within_limits
 from dhcli.kinematics.validity import Finding
 from dhcli.kinematics.values import symbols_of
+from dhcli.lint.kept import kept
 from dhcli.lint.mistakes import typed
 from dhcli.lint.wording import unfinished
 from dhcli.notation.quantity import value_text
@@ -55,18 +56,19 @@ def findings(judge: Judge) -> Iterator[Finding]:
     yield from _within_limits(exercise)
     yield from _picture(exercise)
     for part in exercise.asked:
-        yield from judge.findings(part, ("parts", part.id))
+        yield from kept(_of_part(judge, part, ("parts", part.id)), ("parts", part.id), part.id)
     tolerances = tuple(_tolerances(exercise))
     yield from tolerances
-    if missing := _missing(exercise):
-        yield missing  # nothing can be judged without it
-        return
-    for part in exercise.asked:
-        yield from _solution(judge, part, ("parts", part.id))
-        yield from _given_away(judge, part, ("parts", part.id))
-        yield from _printed(judge, part)
     if not tolerances:  # else tests fail that are right
         yield from _trials(judge)
+
+
+def _of_part(judge: Judge, part: Part, where: tuple[str | int, ...]) -> Iterator[Finding]:
+    """What judging shows of one part."""
+    yield from judge.findings(part, where)
+    yield from _solution(judge, part, where)
+    yield from _given_away(judge, part, where)
+    yield from _printed(judge, part)
 
 
 def _given_away(judge: Judge, part: Part, where: tuple[str | int, ...]) -> Iterator[Finding]:
@@ -116,19 +118,6 @@ def _within_limits(exercise: Exercise) -> Iterator[Finding]:
             shown = " to ".join(map(value_text, robot.limits[name]))
             message = f"{name}: {value_text(value)} is outside its limits, {shown}"
             yield Finding(("given", name), message, "give it a value that the joint can take", is_warning=True)
-
-
-def _missing(exercise: Exercise) -> Finding | None:
-    """Names without a value, where numbers are asked for."""
-    if not exercise.numeric:
-        return None
-    names = list(dict.fromkeys(name for part in exercise.asked for name in part.question.unvalued(exercise)))
-    if not names:
-        return None
-    angles = exercise.robot.angles if exercise.robot else frozenset()
-    wanted = ", ".join(f"{name}: {'25°' if name in angles else '0.12 m'}" for name in names)
-    message = f"given: no value for {', '.join(names)}, and the answers are numbers"
-    return Finding(("given",), message, f"given: {{{wanted}}}")
 
 
 def _blank_sheet(judge: Judge) -> Iterator[Finding]:

@@ -15,6 +15,7 @@ from dhcli.files.reading import read_text
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence, read_yaml
 from dhcli.frozen import frozen
 from dhcli.kinematics.validity import Finding
+from dhcli.lint.kept import kept
 from dhcli.lint.names import Names
 from dhcli.lint.places import path_to, place_in
 from dhcli.lint.wording import unfinished
@@ -99,8 +100,13 @@ def _files(paths: Iterable[str]) -> Iterator[str]:
     problems: list[Problem] = []
     found: dict[str, str] = {}
     for path in paths:
-        inner = sorted(_in_folder(Path(path), problems)) if Path(path).is_dir() else [Path(path)]
-        if not inner:
+        before = len(problems)
+        inner = sorted(_in_folder(Path(path), problems)) if path and Path(path).is_dir() else [Path(path)]
+        if not path:
+            problems.append(_missing(path))
+        elif not inner and len(problems) > before:
+            continue  # what cannot be read is told
+        elif not inner:
             problems.append(Problem("holds no YAML file", Place(path), "name a folder with robots or exercises"))
         elif path == "-":
             problems.append(
@@ -153,10 +159,12 @@ def _of_file(path: str, names: Names) -> Iterator[Told]:
     found: list[Told] = []
     try:
         root = read_yaml(read_text(path), path, [])  # what it refuses is told by the loader, with all the rest
-        found = [_told(one, root) for one in _rules(path, kind_of(path))]
+        rules = _rules(path, kind_of(path))
     except DhcliError as error:
         found = [Told(_placed(problem, path)) for problem in error.problems]
         found += _besides(path, root, error.problems) if root is not None else ()
+    else:
+        found = [_told(one, root) for one in kept(rules)]
     found += [_told(one, root) for one in names.clashes(path) if root is not None]
     return iter(sorted(found, key=lambda one: one.problem.order))
 
@@ -207,7 +215,7 @@ def _left_to_write(key: str, node: PlacedNode) -> Iterator[Told]:
 
 
 def _rules(path: str, kind: Kind) -> Iterator[Finding]:
-    """What the rules for its kind say of a file.
+    """What the rules for its kind say of a file, which is loaded before that.
 
     Raises:
         DhcliError: It does not load.
@@ -218,11 +226,10 @@ def _rules(path: str, kind: Kind) -> Iterator[Finding]:
     from dhcli.lint import linkages, robots
 
     if kind is Kind.ROBOTS:
-        yield from robots.findings(load_robot(Path(path)))
-    elif kind is Kind.LINKAGES:
-        yield from linkages.findings(load_linkage(Path(path)))
-    else:
-        yield from _rules_of_exercise(load_exercise(Path(path)), judged=True)
+        return robots.findings(load_robot(Path(path)))
+    if kind is Kind.LINKAGES:
+        return linkages.findings(load_linkage(Path(path)))
+    return _rules_of_exercise(load_exercise(Path(path)), judged=True)
 
 
 def _rules_of_exercise(exercise: Exercise, *, judged: bool) -> Iterator[Finding]:
@@ -235,11 +242,11 @@ def _rules_of_exercise(exercise: Exercise, *, judged: bool) -> Iterator[Finding]
     if not judged:
         return
     judge = Judge(exercise)
-    told = tuple(exercises.findings(judge))
+    told = tuple(kept(exercises.findings(judge)))
     yield from told
     if not any(one.where[:1] == ("tolerance",) for one in told):  # else the pose is not what hides mistakes
         yield from mistakes.findings(judge)
-        yield from variants.findings(judge)
+        yield from kept(variants.findings(judge), ("variants",))
 
 
 def _placed(problem: Problem, path: str) -> Problem:

@@ -10,6 +10,7 @@ from dhcli.checking.written import Trial
 from dhcli.errors import DhcliError
 from dhcli.kinematics.validity import Finding
 from dhcli.kinematics.values import numbers
+from dhcli.lint.kept import kept
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import value_text
 
@@ -33,15 +34,18 @@ def typed(judge: Judge, trial: Trial) -> str:
 def findings(judge: Judge) -> Iterator[Finding]:
     """What the pose of an exercise in numbers hides, with a pose that shows it; an error where it is half of all."""
     for part in judge.exercise.asked if judge.exercise.numeric else ():
-        unseen = judge.hidden(part)
-        if not unseen:
-            continue
+        yield from kept(_hidden(judge, part, ("parts", part.id)), ("parts", part.id), part.id)
+
+
+def _hidden(judge: Judge, part: Part, where: tuple[str | int, ...]) -> Iterator[Finding]:
+    """What it hides of one part."""
+    if unseen := judge.hidden(part):
         names = ", ".join(slip.name for slip in unseen[:MOST_NAMED]) + (", ..." if len(unseen) > MOST_NAMED else "")
         blind = len(unseen) > len(judge.slips(part))
         what = "a mistake" if len(unseen) == 1 else f"{len(unseen)} mistakes"
         message = f"{part.id}: this pose does not show {what}: {names}"
         hint = _better(judge, part) or ("" if blind else "nothing to do if it is meant so")
-        yield Finding(("parts", part.id), message, hint, is_warning=not blind)
+        yield Finding(where, message, hint, is_warning=not blind)
 
 
 def _better(judge: Judge, part: Part) -> str:

@@ -63,7 +63,6 @@ class Wish:
         words: Its letters.
         look: The name of its look.
         away: The side on which it is best, a direction; none is as good as any.
-        weight: How large its letters are in parts of the usual.
     """
 
     points: tuple[Flat, ...]

@@ -99,9 +99,9 @@ def test_poses_out_of_reach_have_no_row_and_are_counted(dhcli: Run) -> None:
         (("--in", "-", "--pose", "ready"), "p_x,p_y,p_z\n", "--pose does not go with --in"),
         (("--in", "no-such.csv"), None, "no-such.csv: there is no such file"),
         (("--in", "-"), "x,y\n1,2\n", "no column is called p_x, p_y, p_z"),
-        (("--in", "-"), "p_x,p_y,p_z\n1,two,3\n", "standard input:2: p_y is 'two', which is no number"),
-        (("--in", "-"), "p_x,p_y,p_z\n1,2\n", "p_z is '', which is no number"),
-        (("--in", "-"), "p_x,p_y,p_z\n1,nan,3\n", "not a number"),
+        (("--in", "-"), "p_x,p_y,p_z\n1,two,3\n", "standard input:2: p_y 'two' is not a number"),
+        (("--in", "-"), "p_x,p_y,p_z\n1,2\n", "p_z is empty"),
+        (("--in", "-"), "p_x,p_y,p_z\n1,nan,3\n", "not a finite number"),
         (("--in", "-"), '{"matrix": 3}\n', "is no pose"),
         (("--in", "-"), "", "standard input: is empty"),
         (("--in", "-"), "p_x,p_y,p_z,q_w,q_x,q_y,q_z\n1,2,3,0,0,0,0\n", "are all 0: that is no quaternion"),
@@ -214,7 +214,7 @@ def test_processes_stop_at_the_row_where_one_does(dhcli: Run, tmp_path: Path) ->
     ways = [dhcli("ik", "planar-2r", "--task", "position", "--in", str(path), "--jobs", jobs) for jobs in ("1", "2")]
     assert ways[0] == ways[1]
     assert ways[0].code == 2
-    assert "places.csv:4151: p_z is 'three', which is no number" in ways[0].err
+    assert "places.csv:4151: p_z 'three' is not a number" in ways[0].err
     assert ways[0].out.count("\n") > 1000
 
 

@@ -77,6 +77,10 @@ class DifferentialQuestion(MotionQuestion):
         start, end = ends(robot, self.motion.start or None, self.motion.end or None)
         return textbook_form(between(robot, start, end)), self.motion.axes in ("", start)
 
+    def named(self, case: Case) -> frozenset[str]:
+        pose, _ = self._pose(case)
+        return Grid(pose, POWERS).names | self.names
+
     def computed(self, case: Case) -> Grid:
         pose, in_reference = self._pose(case)
         return _changed(pose, self._delta(), in_reference)

@@ -102,7 +102,8 @@ class FramesQuestion(Question[Answer]):
         return Question.is_whole(self, text) and (text.strip().startswith("[") or len(rows_of(last)) > 1)
 
     def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
-        return tuple(name for name in needed(exercise.robot).parameters if name not in exercise.values)
+        lengths = needed(exercise.robot).parameters if exercise.numeric else ()
+        return tuple(name for name in lengths if name not in exercise.values)
 
     def expected(self, case: Case, _style: str = "short") -> str:
         return frames_text(self._rules(case).sketch.frames, case.exercise)

@@ -17,6 +17,8 @@ from dhcli.checking.returned import Reading, Shown
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
 from dhcli.frozen import frozen
+from dhcli.kinematics.frames import between
+from dhcli.kinematics.moves import names
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.velocity.form import GEOMETRIC, Form
 from dhcli.kinematics.velocity.jacobian import textbook_jacobian
@@ -105,6 +107,12 @@ class JacobianQuestion(ColumnsQuestion):
             return found
         rows = textbook_jacobian(columns.robot, {}, columns.view, self.form).rows  # the same, and shorter
         return replace(found, rows=self.piece(replace(self._grid(case, columns), rows=rows)).rows)
+
+    def named(self, case: Case) -> frozenset[str]:
+        columns = self.columns(case)
+        if not self.form.analytic:
+            return self.right(case).names
+        return columns.names | names(between(columns.robot, columns.view.start, columns.view.end))
 
     def of_columns(self, case: Case, columns: Columns) -> Grid:
         return self.piece(self._grid(case, columns))

@@ -88,11 +88,6 @@ class JointsQuestion(GoalQuestion[Vectors]):
         if self.which == "all":
             yield "A row for each solution; whole turns more or less are the same."
 
-    def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
-        robot = needed(exercise.robot)
-        lengths = {name for name, value in robot.parameters.items() if value is None}
-        return tuple(sorted((self.target.names | lengths) - exercise.known.keys()))
-
     def expected(self, case: Case, _style: str = "short") -> str:
         wanted = self.wanted(case)
         if not wanted:

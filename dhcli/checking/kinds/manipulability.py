@@ -34,9 +34,8 @@ class ManipulabilityQuestion(JacobianTask, OneNumberQuestion, ColumnsQuestion):
     def check(self, robot: Robot | None) -> None:
         self.motion.check(robot)
 
-    def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
-        robot, _ = self.motion.check(exercise.robot)
-        return tuple(name for name in (*robot.variables, *robot.parameters) if name not in exercise.values)
+    def named(self, case: Case) -> frozenset[str]:
+        return self.columns(case).names
 
     def describe(self, _exercise: Exercise) -> str:
         part = {"all": "", "linear": ", rows v", "angular": ", rows ω"}[self.form.part]

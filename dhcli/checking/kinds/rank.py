@@ -35,10 +35,8 @@ class RankQuestion(JacobianTask, OneNumberQuestion):
     def check(self, robot: Robot | None) -> None:
         self.motion.check(robot)
 
-    def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
-        robot, _ = self.motion.check(exercise.robot)
-        used = (*robot.variables, *robot.parameters)
-        return tuple(name for name in used if name not in exercise.values) if exercise.numeric else ()
+    def named(self, case: Case) -> frozenset[str]:
+        return columns_for(case, self.motion).names
 
     def describe(self, exercise: Exercise) -> str:
         where = "at the values given" if exercise.numeric else "at almost all joint values"

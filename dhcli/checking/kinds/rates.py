@@ -12,6 +12,7 @@ from dhcli.checking.motion.columns import Columns, columns_of, combined, jacobia
 from dhcli.checking.motion.from_columns import ColumnsQuestion, axes_step
 from dhcli.checking.motion.grid import Grid, floats_in, over
 from dhcli.checking.motion.linear import solution
+from dhcli.checking.motion.reading import SPEED, TURNING
 from dhcli.checking.motion.task import columns_for
 from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
@@ -92,10 +93,8 @@ class RatesQuestion(ColumnsQuestion):
     def names(self) -> frozenset[str]:
         return frozenset().union(*map(symbols, (*(self.linear or ()), *(self.angular or ()))))
 
-    def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
-        robot, view = self.motion.check(exercise.robot)
-        named = Grid(columns_of(robot, view).cut(range(6)), ()).names | self.names
-        return exercise.unvalued(named)
+    def named(self, case: Case) -> frozenset[str]:
+        return self.columns(case).names | self.names
 
     def describe(self, _exercise: Exercise) -> str:
         said = []
@@ -105,8 +104,10 @@ class RatesQuestion(ColumnsQuestion):
         return f"the joint rates for {' and '.join(said)} {self.motion.where}, one for each joint"
 
     def computed(self, case: Case) -> Grid:
-        self.need_values(case.exercise)
         return self.of_columns(case, self.columns(case))
+
+    def units(self, case: Case) -> tuple[str, ...]:
+        return tuple(TURNING if one.turns else SPEED for one in self.columns(case).each)
 
     def columns(self, case: Case) -> Columns:
         return columns_for(case, self.motion)

@@ -13,6 +13,7 @@ from dhcli.checking.motion.asked import Motion, read_motion, three
 from dhcli.checking.motion.columns import Columns, combined, jacobian_grid
 from dhcli.checking.motion.from_columns import ColumnsQuestion, axes_step
 from dhcli.checking.motion.grid import Grid
+from dhcli.checking.motion.reading import SPEED, TURNING
 from dhcli.checking.motion.task import columns_for
 from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
@@ -74,6 +75,12 @@ class VelocityQuestion(ColumnsQuestion):
     def names(self) -> frozenset[str]:
         return frozenset().union(*map(symbols, self.motion.rates or ()))
 
+    def rates(self, robot: Robot | None) -> frozenset[str]:
+        if self.motion.rates is not None:
+            return frozenset()
+        robot, view = self.motion.check(robot)
+        return frozenset(map(_rate, joints_between(robot, view.start, view.end)))
+
     def describe(self, exercise: Exercise) -> str:
         what = "the angular velocity [rad/s]" if self.angular else f"the velocity [{exercise.unit}/s]"
         if exercise.unit == "none" and not self.angular:
@@ -84,10 +91,13 @@ class VelocityQuestion(ColumnsQuestion):
     def columns(self, case: Case) -> Columns:
         return columns_for(case, self.motion)
 
+    def units(self, _case: Case) -> tuple[str, ...]:
+        return (TURNING if self.angular else SPEED,) * 3
+
     def _rates(self, columns: Columns) -> tuple[Expr, ...]:
         if self.motion.rates is not None:
             return self.motion.rates
-        return tuple(Symbol(f"d{one.joint}") for one in columns.each)
+        return tuple(Symbol(_rate(one.joint)) for one in columns.each)
 
     def of_columns(self, _case: Case, columns: Columns) -> Grid:
         return self._moved(columns, self._rates(columns))
@@ -120,3 +130,8 @@ class VelocityQuestion(ColumnsQuestion):
         values = case.exercise.values if case.exercise.numeric else None
         yield self.shown(case, f"The Jacobian, rows {', '.join(form.labels)}", jacobian_grid(columns, form, values))
         yield Shown("Each column times the rate of its joint, added up")
+
+
+def _rate(joint: str) -> str:
+    """The name of a joint's rate."""
+    return f"d{joint}"

@@ -25,7 +25,7 @@ from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO, Expr, Number, add, multiply, negate, number, power
 from dhcli.notation.trig import cosine, sine
-from dhcli.notation.walk import substitute
+from dhcli.notation.walk import substitute, symbols
 
 Vector: TypeAlias = tuple[Expr, Expr, Expr]
 
@@ -77,6 +77,11 @@ class Columns:
         """Some rows of the six."""
         six = [[*one.linear, *one.angular] for one in self.each]
         return tuple(tuple(column[k] for column in six) for k in kept)
+
+    @property
+    def names(self) -> frozenset[str]:
+        """Every name in them."""
+        return frozenset().union(*(symbols(entry) for row in self.cut(range(6)) for entry in row))
 
     @property
     def moved(self) -> tuple[int, ...]:

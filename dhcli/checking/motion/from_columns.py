@@ -13,11 +13,10 @@ from dhcli.algebra.floats import Floats
 from dhcli.checking.diagnosis.chance import Evidence, is_chance
 from dhcli.checking.diagnosis.plausible import HALF, at_a_point, has_name, is_trivial
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.entries import Entries
+from dhcli.checking.entries import Entries, values_of
 from dhcli.checking.exercise import Case
 from dhcli.checking.motion.columns import Columns
 from dhcli.checking.motion.grid import Grid, Numbers, alike, scale_of, within
-from dhcli.checking.motion.marking import values_of
 from dhcli.checking.motion.mistakes import made, then
 from dhcli.checking.motion.question import MotionQuestion
 from dhcli.checking.pasted import UnreadableError
@@ -39,6 +38,9 @@ Twice: TypeAlias = tuple[Slip, Columns, tuple[tuple[Slip, Columns], ...]]
 
 MOST_WORK = 40_000
 """Pairs of slips, times the entries of an answer, that are worked out: about those of six joints."""
+
+NOTHING_FOLLOWS = (DhcliError, ZeroDivisionError, KeyError)
+"""What becomes of wrong columns that lead nowhere: to no answer, or to a joint that has no value here."""
 
 TINY = 1e-12
 
@@ -97,7 +99,7 @@ class ColumnsQuestion(MotionQuestion):
         columns = self.columns(case)
         yield from self.besides(case, columns)
         for slip, changed in _slipped(case, columns):
-            with suppress(DhcliError, ZeroDivisionError):  # nothing follows from them
+            with suppress(*NOTHING_FOLLOWS):
                 yield slip, self.of_columns(case, changed)
 
     # --- Two slips ----------------------------------------------------------------------------------------------
@@ -125,9 +127,9 @@ class ColumnsQuestion(MotionQuestion):
     ) -> Iterator[tuple[Slip, Grid]]:
         """What follows when a second slip is made behind a first, in the columns or after them."""
         for slip, columns in twice:
-            with suppress(DhcliError, ZeroDivisionError):
+            with suppress(*NOTHING_FOLLOWS):
                 yield slip, self.of_columns(case, columns)
-        with suppress(DhcliError, ZeroDivisionError):
+        with suppress(*NOTHING_FOLLOWS):
             yield from self.besides(case, changed)
 
     def _seen(self, case: Case, grid: Grid) -> Numbers:

@@ -11,12 +11,12 @@ from itertools import islice
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.points import general
 from dhcli.checking.diagnosis.result import Rank, Slip
-from dhcli.checking.entries import Entries, entries_text
+from dhcli.checking.entries import Entries, entries_text, values_of
 from dhcli.checking.exercise import Case, Exercise, Memo, Part, Question
 from dhcli.checking.motion.digits import Digits
 from dhcli.checking.motion.grid import Grid, Numbers, alike, over, scale_of, within
 from dhcli.checking.motion.in_entries import sign_causes, signs, swapped, term_causes
-from dhcli.checking.motion.marking import in_other_unit, mark_grid, mark_numbers, values_of
+from dhcli.checking.motion.marking import in_other_unit, mark_grid, mark_numbers
 from dhcli.checking.motion.reading import read_cells
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Causes, Reading, Shown
@@ -94,12 +94,24 @@ class MotionQuestion(Question[Entries]):
         return True
 
     def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
-        """Names of the answer without a value."""
-        return exercise.unvalued(self.right(Case(Part("", self), Memo(exercise))).names)
+        """Names of the answer without a value; where all that it may hold have one, it is not worked out for that."""
+        if not exercise.numeric:
+            return ()
+        if not exercise.unvalued(frozenset(exercise.scope.names) | self.names | self.rates(exercise.robot)):
+            return ()
+        return exercise.unvalued(self.named(Case(Part("", self), Memo(exercise))))
+
+    def rates(self, _robot: Robot | None) -> frozenset[str]:
+        """Names of joint rates that stand in the answer."""
+        return frozenset()
+
+    def named(self, case: Case) -> frozenset[str]:
+        """Names whose values the answer in numbers needs."""
+        return self.right(case).names
 
     def expected(self, case: Case, style: str = "short") -> str:
         """The entries as a matrix; a column in a row."""
-        return self.text(case, self._valued(case), style)
+        return self.text(case, self.right(case), style)
 
     def text(self, case: Case, grid: Grid, style: str = "short") -> str:
         """A grid as an answer that may be typed."""
@@ -109,20 +121,17 @@ class MotionQuestion(Question[Entries]):
             return "[" + ", ".join(cells) + "]"
         return entries_text([tuple(cells[k : k + width]) for k in range(0, len(cells), width)])
 
-    def _valued(self, case: Case) -> Grid:
-        """The right answer, for which every name has a value where numbers are wanted."""
-        right, exercise = self.right(case), case.exercise
-        if exercise.numeric:
-            exercise.refuse_without(exercise.unvalued(right.names))
-        return right
-
     def read(self, case: Case, text: str, place: Place | None = None) -> Entries:
         """The entries in the shape of the right answer."""
-        return read_cells(case.exercise, self.right(case).powers, text, place)
+        return read_cells(case.exercise, self.right(case).powers, text, place, self.units(case))
+
+    def units(self, _case: Case) -> tuple[str, ...]:
+        """The unit of each number, for a list of rates or forces."""
+        return ()
 
     def mark(self, case: Case, reading: Reading[Entries]) -> Mark:
         """Entry by entry."""
-        return mark_grid(case, self._valued(case), reading.value)
+        return mark_grid(case, self.right(case), reading.value)
 
     # --- Mistakes -----------------------------------------------------------------------------------------------
 
@@ -132,7 +141,7 @@ class MotionQuestion(Question[Entries]):
 
     def answer_with(self, case: Case, name: str) -> str | None:
         """The answer of a mistake, of those too that another one names."""
-        right = self.at_points(case.exercise, self._valued(case))
+        right = self.at_points(case.exercise, self.right(case))
         for slip, grid in self.every(case, self.right(case)):
             if slip.name == name and not alike(self.at_points(case.exercise, grid), right):
                 return self.text(case, grid)
@@ -171,7 +180,7 @@ class MotionQuestion(Question[Entries]):
         """An answer in metres, its bare lengths in the unit in which they plainly are."""
         if not case.exercise.numeric:
             return entries
-        right = self._valued(case)
+        right = self.right(case)
         other = in_other_unit(case, right, entries, mark_numbers(case, case.exercise, right, entries))
         return other.entries if other else entries
 
@@ -184,7 +193,7 @@ class MotionQuestion(Question[Entries]):
         return (one.grid for one in self._wrong(case))
 
     def _made(self, case: Case) -> Iterator[Wrong]:
-        exercise, right = case.exercise, self._valued(case)
+        exercise, right = case.exercise, self.right(case)
         known = [self.at_points(exercise, right)]
         for slip, grid in self.every(case, right):
             try:

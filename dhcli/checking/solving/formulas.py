@@ -5,20 +5,22 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
 from itertools import chain, product
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.solving.putting import put_for
+from dhcli.checking.units import ONE as METRE
 from dhcli.errors import DhcliError, Place
 from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
 from dhcli.notation.brackets import OPENING
-from dhcli.notation.dimensions import ANGLE_UNITS, LENGTH_UNITS
+from dhcli.notation.dimensions import ANGLE_UNITS, LENGTH_UNITS, DimensionError, dimension, has_units, is_inverse
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import PI, Expr, Number, Sum, Symbol, Trig, Unit, add, multiply, number
+from dhcli.notation.tree import PI, Call, Expr, Number, Product, Sum, Symbol, Trig, Unit, add, multiply, number
 from dhcli.notation.walk import rebuild, symbols, walk
 from dhcli.regex import regex
 
@@ -26,6 +28,9 @@ MOST_SIGNS = 4
 """Signs ± in one answer; each doubles its values."""
 
 MOST_STATEMENTS = 12
+_FACTORS = frozenset((0, 1, 2, 4, Fraction(1, 2), Fraction(1, 4), 180))
+"""Numbers of formulas that are all in letters."""
+
 _PLUS_MINUS = regex(r"\\pm|\+\s*/\s*-|\+-")
 _MINUS_PLUS = regex(r"\\mp|-\s*/\s*\+|-\+")
 _HALF_TURN_MORE = regex(r",?\s*or\s+180\s*°?\s*more\s*$")
@@ -55,13 +60,18 @@ class Formula:
         """The names in it."""
         return frozenset[str]().union(*map(symbols, self.values))
 
+    @property
+    def has_measures(self) -> bool:
+        """Whether a number stands in it that may be a length, and is no factor of a formula in letters."""
+        return any(isinstance(n, Number) and abs(n.value) not in _FACTORS for value in self.values for n in walk(value))
+
     def at(self, point: Mapping[str, Angle | float]) -> list[float]:
         """Its real values at a point, angles in radians."""
         over = Floats(point)
         return [value for value in map(over.value, self.values) if math.isfinite(value)]
 
 
-def read_formula(text: str, asked: Sequence[str], scope: Scope, place: Place) -> Formula:
+def read_formula(text: str, asked: Sequence[str], scope: Scope, place: Place, unit: Fraction = METRE) -> Formula:
     """Read a formula: `theta2 = ±acos(D)`, with `D = ...` on a line before it.
 
     Args:
@@ -69,6 +79,7 @@ def read_formula(text: str, asked: Sequence[str], scope: Scope, place: Place) ->
         asked: The names that what is asked for goes by, in canonical form.
         scope: The names that may stand in it.
         place: Where it stands, for errors.
+        unit: Metres in a bare length; the formula is in that unit.
 
     Raises:
         UnreadableError: There are too many signs or statements, or none is the answer.
@@ -80,7 +91,7 @@ def read_formula(text: str, asked: Sequence[str], scope: Scope, place: Place) ->
         raise UnreadableError(f"{signs} signs ± make {2**signs} values; write at most {MOST_SIGNS}")
 
     def values(choices: Iterable[Sequence[str]]) -> tuple[Expr, ...]:
-        found = chain.from_iterable(_values(_signed(text, chosen), asked, scope, place) for chosen in choices)
+        found = chain.from_iterable(_values(_signed(text, chosen), asked, scope, place, unit) for chosen in choices)
         return tuple(dict.fromkeys(found))
 
     together = values(("+" * signs, "-" * signs)) if signs > 1 else ()
@@ -103,7 +114,7 @@ def _signed(text: str, chosen: Sequence[str]) -> str:
     return "".join(letters)
 
 
-def _values(text: str, asked: Sequence[str], scope: Scope, place: Place) -> list[Expr]:
+def _values(text: str, asked: Sequence[str], scope: Scope, place: Place, unit: Fraction) -> list[Expr]:
     statements = [part for line in text.splitlines() for part in line.split(";") if part.strip()]
     if len(statements) > MOST_STATEMENTS:
         raise UnreadableError(f"{len(statements)} lines; the formula and names for what is long in it will do")
@@ -115,12 +126,13 @@ def _values(text: str, asked: Sequence[str], scope: Scope, place: Place) -> list
         rest = match["rest"] if match else statement
         names = Scope(scope.joints, scope.angles, (*scope.lengths, *_symbols(known)), scope.aliases)
         if match and canonical(name.replace(" ", "")) not in asked:
-            known[_defined(name, names, place)] = put_for(_plain(_parsed(rest, names, place)), known)
+            known[_defined(name, names, place)] = put_for(_plain(_parsed(rest, names, place), unit), known)
             continue
         half = _HALF_TURN_MORE.search(rest)
         rest = rest[: half.start()] if half else rest
         for piece in _pieces(rest):
-            value = put_for(_plain(_parsed(piece, names, place)), known)
+            _check_kind(_parsed(piece, names, place), asked[0], scope)
+            value = put_for(_plain(_parsed(piece, names, place), unit), known)
             found += [value, add(value, PI)] if half else [value]
     if not found:
         raise UnreadableError(f"no line says what {asked[0]} is: write {asked[0]} = ...")
@@ -159,8 +171,36 @@ def _pieces(text: str) -> Iterator[str]:
             yield piece[start:]
 
 
-def _plain(expr: Expr) -> Expr:
-    """An expression with its units as numbers: radians and metres."""
+def _check_kind(expr: Expr, asked: str, scope: Scope) -> None:
+    """Refuse a length for an angle, an angle for a length, and a sum of both; letters may be anything.
+
+    Raises:
+        UnreadableError: It is one.
+    """
+    turns = any(map(scope.is_angle, asked.split("+")))
+    if not turns and is_inverse(expr):
+        raise UnreadableError(f"this is an angle, and {asked} is a length")
+    outside = _without_functions(expr)  # bare numbers in these may be lengths beside others with a unit
+    try:
+        power = dimension(outside) if has_units(outside) else None
+    except DimensionError as error:
+        raise UnreadableError(error.message) from None
+    wanted, what = (0, "an angle") if turns else (1, "a length")
+    if power not in (None, wanted):
+        raise UnreadableError(f"by its units this is no {what.split()[1]}, and {asked} is {what}")
+
+
+def _without_functions(expr: Expr) -> Expr:
+    """An expression with a plain angle in the place of each function that stands in it."""
+    if isinstance(expr, Call):
+        return PI
+    if isinstance(expr, Sum):
+        return add(*map(_without_functions, expr.terms))
+    return multiply(*map(_without_functions, expr.factors)) if isinstance(expr, Product) else expr
+
+
+def _plain(expr: Expr, unit: Fraction) -> Expr:
+    """An expression with its units as numbers: radians, and lengths in a unit of so many metres."""
     for node in walk(expr):
         for term in node.terms if isinstance(node, Sum) else ():
             if isinstance(term, Number) and abs(term.value) in _RIGHT_ANGLES:
@@ -170,7 +210,7 @@ def _plain(expr: Expr) -> Expr:
         if not isinstance(node, Unit):
             return node
         if node.name in LENGTH_UNITS:
-            return Number(LENGTH_UNITS[node.name])
+            return Number(LENGTH_UNITS[node.name] / unit)
         radians = node.name in ("rad", "radian", "radians")
         return number(1) if radians or node.name not in ANGLE_UNITS else multiply(PI, Number(number(1).value / 180))
 

@@ -7,6 +7,7 @@ from fractions import Fraction
 from typing import Self, TypeVar
 
 from dhcli.checking.exercise import Exercise, Question
+from dhcli.checking.kinds.linked import needed
 from dhcli.checking.solving.goal import Target
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
@@ -44,5 +45,5 @@ class GoalQuestion(Question[T]):
         return self.target.names
 
     def unvalued(self, exercise: Exercise) -> tuple[str, ...]:
-        """Those of the pose that have no value."""
-        return tuple(sorted(self.target.names - exercise.known.keys()))
+        """Those of the pose and of the robot: joint values are numbers, whatever the other parts are."""
+        return tuple(sorted((self.target.names | set(needed(exercise.robot).parameters)) - exercise.known.keys()))

@@ -78,7 +78,7 @@ EXERCISE = (
     Key(
         "numeric",
         "answers are numbers, in all parts; an expression that has this value is right too, `a1*c1` with a1 and "
-        "theta1 given",
+        "theta1 given; a name that an answer needs and that has no value keeps the exercise from loading",
         FLAG,
         example="numeric: true",
     ),

@@ -10,7 +10,7 @@ from dhcli.checking.exercise import Exercise
 from dhcli.checking.figures import LEVELS
 from dhcli.checking.verdicts import Verdict
 from dhcli.checking.written import Printed, Range, Trial, answer_scope
-from dhcli.errors import FileError, Problem, did_you_mean
+from dhcli.errors import DhcliError, FileError, Problem, did_you_mean
 from dhcli.files.keys.exercises import ALSO, EXERCISE, PRINTED, SOURCE, TEST
 from dhcli.files.keys.shapes import names, required
 from dhcli.files.library.lookup import Kind, check_typed, entries, find, full_id
@@ -102,6 +102,7 @@ class _Loader:
         self.unit = self.fields.text("unit", "m")
         self.names = read_texts(self.fields, "names")
         self.given: dict[str, Value] = {}
+        self.refused: set[str] = set()
         self.read_given()
         self.printed = self.read_printed()
         self.tolerance = read_tolerance(self.fields)
@@ -154,7 +155,7 @@ class _Loader:
         if picture and picture not in LEVELS:
             levels = ", ".join(LEVELS)
             self.problems.add(self.fields.place_of("picture"), f"picture: '{picture}' is not known", f"write {levels}")
-        return Exercise(
+        found = Exercise(
             id=self.name,
             title=self.fields.text("title"),
             source=self.source(),
@@ -173,6 +174,19 @@ class _Loader:
             variants=self.variants(),
             picture=picture,
         )
+        self.check_values(found)
+        return found
+
+    def check_values(self, exercise: Exercise) -> None:
+        """Names without a value, where the right answer needs one; a value that was refused is told already."""
+        try:
+            missing = [name for name in exercise.missing if name not in self.refused]
+        except DhcliError:  # there is no right answer: of a robot that was not found, or one that is too long
+            return
+        if missing:
+            wanted = ", ".join(f"{name}: {'25°' if self.is_angle(name) else '0.12 m'}" for name in missing)
+            message = f"given: no value for {', '.join(missing)}, and the answers are numbers"
+            self.problems.add(self.fields.place_of("given"), message, f"given: {{{wanted}}}")
 
     def also(self) -> tuple[Robot, str] | None:
         fields = self.fields.mapping(
@@ -193,7 +207,9 @@ class _Loader:
         for key in fields.entries:
             scalar = fields.scalar(key)
             value = self.value(scalar, key) if scalar else None
-            if value is not None:
+            if value is None:
+                self.refused.add(key)
+            else:
                 self.given[key] = value
 
     def value(self, scalar: PlacedScalar, key: str) -> Value | None:

@@ -19,7 +19,7 @@ _ROW = "[%s, %s, %s, %s]"
 
 GROUPS = {
     "matrix": Group("matrix", _MATRIX, f"[{_ROW}, {_ROW}, {_ROW}, [0.0, 0.0, 0.0, 1.0]]"),
-    "position": Group.listed("position", ("p_x", "p_y", "p_z")),
+    "position": Group.listed("position", rows.POSITION),
     "rpy": Group("rpy", ("roll", "pitch", "yaw"), '{"roll": %s, "pitch": %s, "yaw": %s}'),
     "quaternion": Group("quaternion", ("q_w", "q_x", "q_y", "q_z"), '{"w": %s, "x": %s, "y": %s, "z": %s}'),
     "rotation-vector": Group.listed("rotation-vector", ("r_x", "r_y", "r_z")),

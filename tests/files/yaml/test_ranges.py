@@ -11,7 +11,8 @@ from dhcli.files.yaml.exercises import read_exercise
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Number
 
-HEAD = "format: 1\ntitle: T\nsource: S\ntask: Do it\nrobot: scara\nnumeric: true\ngiven: {e: 5 mm, beta: 3°}\n"
+GIVEN = "{e: 5 mm, beta: 3°, theta1: 30°, theta2: 40°}"
+HEAD = f"format: 1\ntitle: T\nsource: S\ntask: Do it\nrobot: scara\nnumeric: true\ngiven: {GIVEN}\n"
 PARTS = "parts:\n  - {id: t, ask: pose 0..2}\n"
 
 
