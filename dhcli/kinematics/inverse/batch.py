@@ -83,11 +83,13 @@ def inverse_batch(  # noqa: PLR0913  what may be asked of poses
     check_robot(robot)
     check_threads(threads)
     if is_coupled(robot):
-        from dhcli.kinematics.inverse.coupled import through_many  # few robots are
+        from dhcli.kinematics.inverse.coupled import Carried, through_many  # few robots are
 
-        asked: dict[str, object] = {"task": task, "hold": hold, "start": start, "end": end, "parameters": parameters}
-        asked |= {"near": near, "tolerance": tolerance, "threads": threads}
-        return through_many(inverse_batch, robot, T, each, within_limits=within_limits, **asked)
+        carried = Carried.of(robot, parameters, start, end)
+        if carried is not None:
+            asked: dict[str, object] = {"task": task, "near": near, "hold": hold, "start": start, "end": end}
+            asked |= {"parameters": parameters, "tolerance": tolerance, "threads": threads}
+            return through_many(inverse_batch, carried, T, each, within_limits=within_limits, **asked)
     question, held = ask(
         robot, task, near=near, hold=hold, start=start, end=end, parameters=parameters, tolerance=tolerance
     )

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from dhcli.kinematics.inverse.arm import Array, Ints
+    from dhcli.kinematics.inverse.coupled import Carried
 
 JUMP = 4.0
 """A step this many times as long as both its neighbours is a jump to another branch."""
@@ -105,8 +106,12 @@ def follow(  # noqa: PLR0913  what may be asked of a path
     if near is None:
         raise RobotError("a path needs joint values to begin near to", "give near=")
     if is_coupled(robot):
-        asked: dict[str, object] = {"task": task, "start": start, "end": end, "parameters": parameters}
-        return _coupled(robot, T, near, hold, {**asked, "tolerance": tolerance})
+        from dhcli.kinematics.inverse.coupled import Carried  # few robots are
+
+        carried = Carried.of(robot, parameters, start, end)
+        if carried is not None:
+            asked: dict[str, object] = {"task": task, "start": start, "end": end, "parameters": parameters}
+            return _coupled(carried, T, near, hold, {**asked, "tolerance": tolerance})
     question, held = ask(
         robot, task, near=near, hold=hold, start=start, end=end, parameters=parameters, tolerance=tolerance
     )
@@ -141,7 +146,7 @@ def follow(  # noqa: PLR0913  what may be asked of a path
 
 
 def _coupled(
-    robot: Robot,
+    carried: Carried,
     T: ArrayLike,  # noqa: N803
     near: JointInput,
     hold: Mapping[str, float | str | Angle] | None,
@@ -152,9 +157,7 @@ def _coupled(
     Raises:
         RobotError: A joint is held that moves with others, or the robot has more moves than variables.
     """
-    from dhcli.kinematics.inverse.coupled import Carried  # few robots are
-
-    carried = Carried.of(robot, asked["parameters"])
+    robot = carried.robot
     if not carried.is_whole:
         moves = f"{plural(len(carried.slopes), 'move')} by {plural(len(robot.variables), 'variable')}"
         message = f"{robot.name} has {moves}: on the way from pose to pose its coupling could break"
