@@ -100,7 +100,7 @@ class JointFormulaQuestion(Question[Formula]):
     def notes(self, _exercise: Exercise) -> Iterable[str]:
         yield "Write ± for two signs, or several values with commas: atan2(y, x), acos(x), sqrt(x)."
         yield "Several ± are read both ways: all together, with ∓ against them, and each by itself."
-        yield "Other joints may stand in it. A long part may get a name on a line before: D = ..."
+        yield "Other joints may stand in it. A long part may get a name, before it or behind: D = ..."
 
     def expected(self, case: Case, _style: str = "short") -> str:
         return typed_text(self._derivation(case), self.joints)

@@ -31,6 +31,9 @@ _MINUS_PLUS = regex(r"\\mp|-\s*/\s*\+|-\+")
 _HALF_TURN_MORE = regex(r",?\s*or\s+180\s*°?\s*more\s*$")
 _OR = regex(r"\s+(?:or|and)\s+")
 _STATEMENT = regex(r"\s*(?P<name>[^\W\d][\w{}\\()+ ]*?)\s*=(?!=)\s*(?P<rest>.*)", re.DOTALL)
+_BESIDE = regex(r"(?:,?\s+(?:where|with|and)\b|,)\s*(?=(?P<name>[^\W\d][\w{}\\]*)\s*=(?!=))")
+"""What stands between the formula and a name that is given beside it."""
+
 _RIGHT_ANGLES = frozenset((90, 180, 270, 360))
 
 
@@ -62,7 +65,7 @@ class Formula:
 
 
 def read_formula(text: str, asked: Sequence[str], scope: Scope, place: Place) -> Formula:
-    """Read a formula: `theta2 = ±acos(D)`, with `D = ...` on a line before it.
+    """Read a formula: `theta2 = ±acos(D)`, with `D = ...` on a line before it, or `, D = ...` behind it.
 
     Args:
         text: What was typed.
@@ -84,9 +87,8 @@ def read_formula(text: str, asked: Sequence[str], scope: Scope, place: Place) ->
         return tuple(dict.fromkeys(found))
 
     together = values(("+" * signs, "-" * signs)) if signs > 1 else ()
-    shown = text.strip().splitlines()[-1].strip()
-    match = _STATEMENT.fullmatch(shown)
-    return Formula(values(product("+-", repeat=signs)), match["rest"] if match else shown, signs, together)
+    every = values(product("+-", repeat=signs))
+    return Formula(every, _statements(text, asked)[-1][1].strip(), signs, together)
 
 
 def _signed(text: str, chosen: Sequence[str]) -> str:
@@ -103,23 +105,56 @@ def _signed(text: str, chosen: Sequence[str]) -> str:
     return "".join(letters)
 
 
+def _statements(text: str, asked: Sequence[str]) -> list[tuple[str, str]]:
+    """The names in front of `=` with what stands behind: those of parts of the formula, then the answer without one.
+
+    A part is named on a line of its own, or beside the formula: `acos(D), D = ...`, `acos(D) where D = ...`.
+    """
+    parts, answers = list[tuple[str, str]](), list[tuple[str, str]]()
+
+    def take(statement: str) -> None:
+        found = _part_named(statement, asked)
+        if found:
+            parts.append((found["name"], found["rest"]))
+        elif statement.strip():
+            match = _STATEMENT.fullmatch(statement)
+            answers.append(("", match["rest"] if match else statement))
+
+    for piece in re.split(r"[\n;]", text):
+        start = 0
+        for match in _BESIDE.finditer(piece):
+            is_new = canonical(match["name"]) not in asked or _part_named(piece[start : match.start()], asked)
+            if is_new and not _depth(piece[: match.start()]):
+                take(piece[start : match.start()])
+                start = match.end()
+        take(piece[start:])
+    return [*parts, *answers]
+
+
+def _part_named(statement: str, asked: Sequence[str]) -> re.Match[str] | None:
+    """A statement that gives a name to a part of the formula, and not to what is asked for."""
+    match = _STATEMENT.fullmatch(statement)
+    return match if match and canonical(match["name"].replace(" ", "")) not in asked else None
+
+
+def _depth(text: str) -> int:
+    """How many brackets are open at the end of a text."""
+    return sum((letter in OPENING) - (letter in OPENING.values()) for letter in text)
+
+
 def _values(text: str, asked: Sequence[str], scope: Scope, place: Place) -> list[Expr]:
-    statements = [part for line in text.splitlines() for part in line.split(";") if part.strip()]
+    statements = _statements(text, asked)
     if len(statements) > MOST_STATEMENTS:
         raise UnreadableError(f"{len(statements)} lines; the formula and names for what is long in it will do")
     known: dict[Expr, Expr] = {}
     found = list[Expr]()
-    for statement in statements:
-        match = _STATEMENT.fullmatch(statement)
-        name = match["name"] if match else ""
-        rest = match["rest"] if match else statement
+    for name, rest in statements:
         names = Scope(scope.joints, scope.angles, (*scope.lengths, *_symbols(known)), scope.aliases)
-        if match and canonical(name.replace(" ", "")) not in asked:
+        if name:
             known[_defined(name, names, place)] = put_for(_plain(_parsed(rest, names, place)), known)
             continue
         half = _HALF_TURN_MORE.search(rest)
-        rest = rest[: half.start()] if half else rest
-        for piece in _pieces(rest):
+        for piece in _pieces(rest[: half.start()] if half else rest):
             value = put_for(_plain(_parsed(piece, names, place)), known)
             found += [value, add(value, PI)] if half else [value]
     if not found:
