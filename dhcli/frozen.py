@@ -214,9 +214,10 @@ def _arranged(
 
 def _values_of(names: Sequence[str]) -> Callable[[object], tuple[object, ...]]:
     """What gives some attributes of an object as a tuple."""
-    if len(names) > 1:
-        return attrgetter(*names)
-    return lambda self: tuple(getattr(self, name) for name in names)
+    if not names:
+        return lambda _: ()
+    values = attrgetter(*names)
+    return values if len(names) > 1 else lambda self: (values(self),)
 
 
 def _eq(key: Callable[[object], tuple[object, ...]]) -> Callable[[object, object], bool]:

@@ -49,6 +49,8 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
 if hasattr(signal, "SIGHUP") and signal.getsignal(signal.SIGHUP) is signal.SIG_IGN:
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
+gc.set_threshold(200_000, 10, 10)  # while thousands of tests are made, of which none is garbage
+
 once.remember()
 
 # A busy machine is not a failure: no deadline, and no health check that looks at the clock. At the desk other examples

@@ -11,7 +11,7 @@ from dhcli.checking.exercise import Exercise
 from dhcli.checking.pasted import UnreadableError, WrongUnitError, without_label
 from dhcli.checking.tolerance import NOT_EXACT, Tolerance, is_rounding_of, judge, without_unit
 from dhcli.checking.units import is_measure, length_in_metres
-from dhcli.checking.verdicts import CellMark, Mark, Verdict
+from dhcli.checking.verdicts import UNSOLVED, CellMark, Mark, Verdict
 from dhcli.errors import Place
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Value
@@ -120,7 +120,7 @@ def _verdict_in_unit(
     """The verdict.
 
     Raises:
-        WrongUnitError: Only the unit of an angle is wrong.
+        WrongUnitError: Only the unit is wrong.
     """
     verdict = _verdict(exercise, typed, right, answer.expr, tolerance)
     if right.is_angle and verdict is not Verdict.RIGHT:
@@ -128,6 +128,12 @@ def _verdict_in_unit(
         if _verdict(exercise, in_radians, right, answer.expr, tolerance) is Verdict.RIGHT:
             shown = spelled_value(right, exercise)
             raise WrongUnitError("radians", f"a bare angle is in degrees: write {shown} or {answer.text} rad")
+    if right.is_length and exercise.unit != "none" and verdict in UNSOLVED:
+        for unit in (one for one in ("mm", "cm", "m") if one != exercise.unit):
+            there = replace(exercise, unit=unit)
+            moved = _as_asked(answer.expr, right, there, "deg")
+            if moved != typed and _verdict(there, moved, right, answer.expr, tolerance) not in UNSOLVED:
+                raise WrongUnitError(unit, f"this sheet is in {exercise.unit}")
     return verdict
 
 

@@ -13,24 +13,21 @@ import math
 import signal
 import sys
 from collections import deque
-from collections.abc import Callable, Generator, Hashable, Iterable, Iterator, Sequence
-from contextlib import contextmanager, suppress
+from collections.abc import Callable, Generator, Hashable, Iterable, Sequence
+from contextlib import suppress
 from enum import Enum
 from importlib import import_module
 from multiprocessing import get_context
 from multiprocessing.connection import Connection, wait
 from pathlib import Path
 from queue import SimpleQueue
-from threading import current_thread, main_thread
 from time import monotonic
 from typing import Any, TypeVar
 
+from dhcli.classroom.interrupts import ENDINGS, start_tracker, without_interrupts
 from dhcli.classroom.waiting import Waiting
 from dhcli.errors import DhcliError
 from dhcli.kinematics.sharing import MOST, shared
-
-_ENDINGS = {getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)}
-"""The signals at which work ends in order."""
 
 MANY = 4
 """Tasks for each process above which every one has its next at hand, so that none waits until it is given it."""
@@ -102,7 +99,7 @@ def spread(
                 if task is not None:
                     yield task, outcome
     finally:
-        with _without_interrupts():
+        with without_interrupts():
             for worker in team:
                 worker.end()
 
@@ -139,14 +136,14 @@ def in_turn(work: Callable[[Task], Result], tasks: Iterable[Task], *, jobs: int)
             idle.put(team[-1])
         yield from shared(asked, tasks, len(team))
     finally:
-        with _without_interrupts():
+        with without_interrupts():
             for worker in team:
                 worker.end()
 
 
 def _hire(team: list[_Worker], work: Callable[[Any], object], needs: str | None) -> None:
     """Start a process that is in the team as soon as it is there, so that whatever happens next ends it."""
-    with _without_interrupts():
+    with without_interrupts():
         team.append(_Worker(work, needs, team))
 
 
@@ -177,7 +174,7 @@ class _Worker:
         # A copy has our ends of the pipes too: none of them would ever learn that we have gone.
         ours = [worker.pipe for worker in (*beside, self)] if copied else []
         if not copied:
-            _start_tracker()
+            start_tracker()
         self.process = start.Process(target=_serve, args=(theirs, work, needs, ours), daemon=True)
         self.process.start()
         theirs.close()
@@ -206,7 +203,7 @@ class _Worker:
 
     def end(self) -> None:
         """Stop it, whatever it does; only once, for Ctrl-C may come just after and stop everything again."""
-        with _without_interrupts():  # a process that is waited for, but not known to be gone, could never be closed
+        with without_interrupts():  # a process that is waited for, but not known to be gone, could never be closed
             if self.pipe.closed:
                 return
             self.process.kill()
@@ -222,11 +219,11 @@ def _serve(
     """The life of a process: say that it is ready, then work until nobody gives it work any more."""
     for each in others:
         each.close()
-    for number in _ENDINGS - {signal.SIGINT}:
+    for number in ENDINGS[1:]:
         if callable(signal.getsignal(number)):  # what the first process does at its end
             signal.signal(number, signal.SIG_DFL)
     if hasattr(signal, "pthread_sigmask"):  # it was started deaf to these, too
-        signal.pthread_sigmask(signal.SIG_UNBLOCK, _ENDINGS - {signal.SIGINT})
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, ENDINGS[1:])
     if needs:
         import_module(needs)
     gc.freeze()  # what is imported stays
@@ -246,55 +243,3 @@ def _patience(team: Sequence[_Worker]) -> float | None:
     """Seconds to the next deadline; None while all processes are only starting."""
     first = min(worker.deadline for worker in team)
     return None if math.isinf(first) else max(0.0, first - monotonic())
-
-
-@contextmanager
-def _without_interrupts() -> Iterator[None]:
-    """Hear Ctrl-C and its like only afterwards; a process that starts meanwhile never hears Ctrl-C.
-
-    A process is started with the signals blocked that are blocked here. That does not keep them from this one: a
-    signal goes to any thread that takes it, such as that of a progress bar, and Python raises it in the main thread.
-    """
-    if current_thread() is not main_thread():  # Python raises nothing here
-        with _blocked():
-            yield
-        return
-    heard: list[int] = []
-    # Ctrl-C, which raises in this very place, is put off before the others are, and heard again after them.
-    endings = sorted(_ENDINGS, key=lambda number: number != signal.SIGINT)
-    handlers = [(number, signal.getsignal(number)) for number in endings]
-    handlers = [(number, handler) for number, handler in handlers if handler not in {None, signal.SIG_IGN}]
-    try:
-        for number, _ in handlers:
-            signal.signal(number, lambda number, _: heard.append(number))
-        with _blocked():
-            yield
-    finally:
-        for number, handler in reversed(handlers):
-            signal.signal(number, handler)
-        for number in heard[:1]:
-            signal.raise_signal(number)
-
-
-@contextmanager
-def _blocked() -> Iterator[None]:
-    """Block Ctrl-C and its like in this thread, and in processes that it starts, where the system can."""
-    if not hasattr(signal, "pthread_sigmask"):
-        yield
-        return
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, _ENDINGS)
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
-
-
-def _start_tracker() -> None:
-    """Start what Python keeps beside processes that start from nothing, deaf to what this one is deaf to just now."""
-    if not hasattr(signal, "pthread_sigmask"):  # there it keeps nothing
-        return
-    from multiprocessing import resource_tracker
-
-    blocked = signal.pthread_sigmask(signal.SIG_BLOCK, ())
-    resource_tracker.ensure_running()
-    signal.pthread_sigmask(signal.SIG_SETMASK, blocked)  # Python unblocks Ctrl-C and SIGTERM when it has started it

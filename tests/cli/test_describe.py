@@ -9,7 +9,9 @@ from pathlib import Path
 import pytest
 
 from dhcli import Robot, forward, load_robot
+from dhcli.algebra.floats import Floats
 from dhcli.files.yaml.robots import read_robot
+from dhcli.notation.parser import parse
 from tests.cli.running import run
 
 
@@ -253,6 +255,19 @@ def test_a_page_has_the_digits_that_are_asked_for(tmp_path: Path) -> None:
         exact = run(*words, "--format", "json").data
         assert exact == run(*words, "--format", "json", "--digits", "3").data
     assert "rounded to" not in run("describe", "panda", "--as", "screws").out
+
+
+def test_the_pose_at_zero_of_a_robot_without_letters_is_numbers(tmp_path: Path) -> None:
+    """As forward has it; letters and roots stay."""
+    path = tmp_path / "measured.urdf"
+    path.write_text(SURVEYED.format(x="0.1001", tilt="0.0012"), "utf-8")
+    out = run("describe", str(path), "--as", "screws", "--digits", "12").out
+    rows = [line.strip("⎡⎢⎣⎤⎥⎦ ").split() for line in out.splitlines() if line[0] in "⎡⎢⎣"]
+    right = tip(load_robot(path), (0.0, 0.0, 0.0))
+    assert len(rows) == 4
+    for row, known in zip(rows, right, strict=False):
+        assert [Floats().value(parse(entry)) for entry in row] == pytest.approx(known, abs=1e-12)
+    assert "a2 + a3" in run("describe", "puma560", "--as", "screws").out
 
 
 def test_the_title_of_a_robot_is_not_rounded(tmp_path: Path) -> None:

@@ -9,7 +9,7 @@ import pytest
 from dhcli.cli import app
 from dhcli.cli.shell.endings import ENDINGS
 from dhcli.render.code.rows import FORMATS
-from dhcli.render.look import _RENDERERS
+from dhcli.render.look import _RENDERERS, formats
 from tests.cli.running import Run
 
 LINES = {
@@ -140,6 +140,28 @@ def test_the_next_command_is_one_that_can_be_typed(dhcli: Run, tmp_path: Path) -
     (tmp_path / "my task.yaml").write_text(TASK, "utf-8")
     said = dhcli("start", "my task.yaml", "-o", "my sheet.yaml").err
     assert "then dhcli check 'my task.yaml' 'my sheet.yaml'," in said
+
+
+KINDS = {
+    "check": "marks",
+    "grade": "class",
+    "lint": "lint",
+    "list": "library",
+    "show": "robot",
+    "describe": "description",
+}
+
+
+@pytest.mark.parametrize("command", KINDS)
+def test_the_help_of_a_command_names_the_endings_and_formats_that_it_has(dhcli: Run, command: str) -> None:
+    """And no others: a class is not written as LaTeX."""
+    said = " ".join(dhcli(command, "--help").out.replace("│", " ").split())
+    there = formats(KINDS[command])
+    endings = {ENDINGS[name][0] for name in there}
+    named = said.partition("Write to a file; ")[2].partition(" choose the format")[0]
+    assert set(named.split()) == endings
+    listed = said.partition("--format NAME ")[2].partition(".")[0].replace(" or ", ", ")
+    assert set(listed.split(", ")) == set(there)
 
 
 def test_every_format_has_an_ending() -> None:

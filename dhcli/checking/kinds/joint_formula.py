@@ -105,7 +105,7 @@ class JointFormulaQuestion(Question[Formula]):
             yield f"Numbers that stand for lengths are in {exercise.unit}."
         yield "Write ± for two signs, or several values with commas: atan2(y, x), acos(x), sqrt(x)."
         yield "Several ± are read both ways: all together, with ∓ against them, and each by itself."
-        yield "Other joints may stand in it. A long part may get a name on a line before: D = ..."
+        yield "Other joints may stand in it. A long part may get a name of its own: D = ..."
 
     def expected(self, case: Case, _style: str = "short") -> str:
         return typed_text(self._derivation(case), self.joints)
@@ -195,8 +195,7 @@ class JointFormulaQuestion(Question[Formula]):
         new = tuple(name for name in entries if name not in own.names)
         aliases = dict(own.aliases)
         for name in POSITION if POSITION[0] in entries else ():
-            if not own.has(name[1]):
-                aliases[name[1]] = name
+            aliases |= {other: name for other in (name[1], f"p_{name[1]}") if not own.has(other)}
         return Scope(own.joints, own.angles, (*own.lengths, *new), aliases)
 
     def _derivation(self, case: Case) -> Derivation:

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, ClassVar, Self
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.kinds.linked import needed
-from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.pasted import UnreadableError, WrongUnitError
 from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.solving.goal import of_robot, read_target, solutions
 from dhcli.checking.solving.question import GoalQuestion
 from dhcli.checking.solving.reading import Vector, read_vectors, spelled
-from dhcli.checking.solving.vectors import Range, in_radians
+from dhcli.checking.solving.vectors import RADIANS, Range, in_unit, other_units
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean, plural
 from dhcli.frozen import frozen
@@ -128,10 +128,11 @@ class JointsQuestion(GoalQuestion[Vectors]):
         if not wanted:
             raise self._none_found(found)
         mark = marked(self, case, field, found, wanted, reading.value)
-        if mark.verdict.passed is False and any(one.bare for one in reading.value):
-            degrees = tuple(in_radians(field, one) for one in reading.value)
-            if marked(self, case, field, found, wanted, degrees).verdict is Verdict.RIGHT:
-                raise UnreadableError("right in radians; bare angles are in degrees: write rad behind them")
+        for unit in other_units(field) if mark.verdict.passed is False else ():
+            meant = tuple(in_unit(field, one, unit) for one in reading.value)
+            if meant != reading.value and marked(self, case, field, found, wanted, meant).verdict is Verdict.RIGHT:
+                in_degrees = "bare angles are in degrees: write rad behind them"
+                raise WrongUnitError(unit, in_degrees if unit == RADIANS else f"this sheet is in {case.exercise.unit}")
         return mark
 
     def findings(self, case: Case, where: tuple[str | int, ...]) -> Iterable[Finding]:

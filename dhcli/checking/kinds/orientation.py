@@ -29,7 +29,6 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.matrix import parse_matrix
 from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_length
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
 from dhcli.regex import regex
 
@@ -52,12 +51,10 @@ class Turn:
 
     Attributes:
         values: Its numbers, angles in radians.
-        exprs: The cells, for the digits that were typed.
         bare: Whether an angle was typed without a unit.
     """
 
     values: tuple[float, ...]
-    exprs: tuple[Expr, ...]
     bare: bool
 
 
@@ -142,7 +139,7 @@ class OrientationQuestion(Question[Turn]):
                 raise UnreadableError(f"{name}: a number was asked, and {missing[0]} has no value")
             bare |= k in self.form.angles and not has_angle_unit(expr)
             values.append(value.substitute(angles).constant() if isinstance(value, Angle) else over.value(value))
-        return Turn(tuple(values), tuple(cells), bare)
+        return Turn(tuple(values), bare)
 
     def mark(self, case: Case, reading: Reading[Turn]) -> Mark:
         right, turn = self._right(case), reading.value

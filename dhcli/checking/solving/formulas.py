@@ -35,7 +35,10 @@ _PLUS_MINUS = regex(r"\\pm|\+\s*/\s*-|\+-")
 _MINUS_PLUS = regex(r"\\mp|-\s*/\s*\+|-\+")
 _HALF_TURN_MORE = regex(r",?\s*or\s+180\s*°?\s*more\s*$")
 _OR = regex(r"\s+(?:or|and)\s+")
-_STATEMENT = regex(r"\s*(?P<name>[^\W\d][\w{}\\()+ ]*?)\s*=(?!=)\s*(?P<rest>.*)", re.DOTALL)
+_NEXT = regex(r"(?:,|,?\s+(?:with|where|and)\s)(?=\s*\\?[^\W\d][\w{}\\]{0,20}[ \t]{0,9}=(?!=))")
+"""Between statements in one line: `D = ..., theta2 = ...`, `theta2 = ... with D = ...`."""
+
+_STATEMENT = regex(r"\s*(?P<name>\\?[^\W\d][\w{}\\()+ ]*?)\s*=(?!=)\s*(?P<rest>.*)", re.DOTALL)
 _RIGHT_ANGLES = frozenset((90, 180, 270, 360))
 
 
@@ -72,7 +75,7 @@ class Formula:
 
 
 def read_formula(text: str, asked: Sequence[str], scope: Scope, place: Place, unit: Fraction = METRE) -> Formula:
-    """Read a formula: `theta2 = ±acos(D)`, with `D = ...` on a line before it.
+    """Read a formula: `theta2 = ±acos(D)`, with `D = ...` before it or behind it.
 
     Args:
         text: What was typed.
@@ -85,7 +88,7 @@ def read_formula(text: str, asked: Sequence[str], scope: Scope, place: Place, un
         UnreadableError: There are too many signs or statements, or none is the answer.
         NotationError: It cannot be read.
     """
-    text = _MINUS_PLUS.sub("∓", _PLUS_MINUS.sub("±", text))
+    text = _NEXT.sub("\n", _MINUS_PLUS.sub("∓", _PLUS_MINUS.sub("±", text.strip().rstrip("."))))
     signs = sum(text.count(sign) for sign in "±∓")
     if signs > MOST_SIGNS:
         raise UnreadableError(f"{signs} signs ± make {2**signs} values; write at most {MOST_SIGNS}")
@@ -95,7 +98,7 @@ def read_formula(text: str, asked: Sequence[str], scope: Scope, place: Place, un
         return tuple(dict.fromkeys(found))
 
     together = values(("+" * signs, "-" * signs)) if signs > 1 else ()
-    shown = text.strip().splitlines()[-1].strip()
+    shown = _statements(text, asked)[-1].strip()
     match = _STATEMENT.fullmatch(shown)
     return Formula(values(product("+-", repeat=signs)), match["rest"] if match else shown, signs, together)
 
@@ -114,8 +117,19 @@ def _signed(text: str, chosen: Sequence[str]) -> str:
     return "".join(letters)
 
 
+def _statements(text: str, asked: Sequence[str]) -> list[str]:
+    """The statements of a text, those that define what is long before the answers, wherever they stand."""
+    every = [part for line in text.splitlines() for part in line.split(";") if part.strip()] or [text]
+
+    def answers(statement: str) -> bool:
+        match = _STATEMENT.fullmatch(statement)
+        return match is None or canonical(match["name"].replace(" ", "")) in asked
+
+    return sorted(every, key=answers)
+
+
 def _values(text: str, asked: Sequence[str], scope: Scope, place: Place, unit: Fraction) -> list[Expr]:
-    statements = [part for line in text.splitlines() for part in line.split(";") if part.strip()]
+    statements = _statements(text, asked)
     if len(statements) > MOST_STATEMENTS:
         raise UnreadableError(f"{len(statements)} lines; the formula and names for what is long in it will do")
     known: dict[Expr, Expr] = {}
@@ -160,7 +174,8 @@ def _defined(name: str, scope: Scope, place: Place) -> Expr:
 
 def _pieces(text: str) -> Iterator[str]:
     """Several values: between commas outside brackets, or with `or` between them."""
-    for piece in _OR.split(text.strip().strip("{}")):
+    text = text.strip()
+    for piece in _OR.split(text[1:-1] if text.startswith("{") and text.endswith("}") else text):
         depth, start = 0, 0
         for at, letter in enumerate(piece):
             depth += (letter in OPENING) - (letter in OPENING.values())

@@ -12,6 +12,7 @@ from dhcli.checking.entries import check_names
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.tolerance import without_unit
+from dhcli.checking.units import has_length_unit
 from dhcli.errors import DhcliError, Place, UnknownNameError, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
@@ -42,12 +43,12 @@ class Vector:
 
     Attributes:
         values: Radians and metres, in joint order.
-        bare: Whether an angle was typed without a unit.
+        bare: For each whether it was typed as a mere number, so that its unit is that of the sheet.
         shown: As they were read.
     """
 
     values: tuple[float, ...]
-    bare: bool
+    bare: tuple[bool, ...]
     shown: str
 
 
@@ -140,7 +141,7 @@ def _labelled(exercise: Exercise, robot: Robot, joints: Sequence[str], text: str
 
 
 def _vector(exercise: Exercise, robot: Robot, joints: Sequence[str], row: Sequence[Expr]) -> Vector:
-    values, shown, bare = list[float](), list[str](), False
+    values, shown, bare = list[float](), list[str](), list[bool]()
     known = exercise.known
     over = Floats(numbers(known))
     angles = {name: value for name, value in known.items() if isinstance(value, Angle)}
@@ -155,12 +156,12 @@ def _vector(exercise: Exercise, robot: Robot, joints: Sequence[str], row: Sequen
         check_names(exercise, inside)
         if missing := sorted(inside - known.keys()):
             raise UnreadableError(f"{name}: a number was asked, and {missing[0]} has no value")
-        bare |= turns and not has_angle_unit(expr)
+        bare.append(not inside and not (has_angle_unit(expr) if turns else has_length_unit(expr)))
         values.append(value.substitute(angles).constant() if isinstance(value, Angle) else over.value(value) * unit)
         if not math.isfinite(values[-1]):
             raise UnreadableError(f"{name} is no real number")
         shown.append(spelled(robot, name, values[-1]))
-    return Vector(tuple(values), bare, ", ".join(shown))
+    return Vector(tuple(values), tuple(bare), ", ".join(shown))
 
 
 def spelled(robot: Robot, name: str, value: float) -> str:

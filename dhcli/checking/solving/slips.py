@@ -89,7 +89,7 @@ def _showing(question: WantedJoints, case: Case) -> Iterator[Wrong]:
 
 
 def _is_wrong(question: WantedJoints, case: Case, rows: Sequence[Joints]) -> bool:
-    typed = tuple(Vector(tuple(row), bare=False, shown="") for row in rows)
+    typed = tuple(Vector(tuple(row), (False,) * len(row), shown="") for row in rows)
     return question.mark(case, Reading("", typed)).verdict is Verdict.WRONG
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Exercise
@@ -17,6 +18,9 @@ from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import Chain
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.angle import Angle
+from dhcli.notation.quantity import LENGTH_UNITS
+
+RADIANS = "radians"
 
 FULL_TURN = 2 * math.pi
 FAR = 0.5
@@ -45,13 +49,22 @@ class Landing:
         return Verdict.CLOSE if self.off <= CLOSE_FACTOR else Verdict.WRONG
 
 
-def in_radians(field: Range, one: Vector) -> Vector:
-    """The same numbers with angles in radians, where degrees were read."""
+def other_units(field: Range) -> tuple[str, ...]:
+    """Units that somebody may have typed joint values in, instead of those of the sheet."""
+    kinds, own = {name in field.robot.angles for name in field.joints}, field.exercise.unit
+    lengths = tuple(unit for unit in ("mm", "cm", "m") if unit != own) if False in kinds and own != "none" else ()
+    return (*((RADIANS,) if True in kinds else ()), *lengths)
+
+
+def in_unit(field: Range, one: Vector, unit: str) -> Vector:
+    """The same with the mere numbers for angles in radians, or with those for lengths in another unit."""
+    is_angle = unit == RADIANS
+    factor = math.degrees(1) if is_angle else float(LENGTH_UNITS[unit] / field.exercise.metres)
     meant = tuple(
-        math.degrees(value) if name in field.robot.angles else value
-        for name, value in zip(field.joints, one.values, strict=True)
+        value * factor if bare and (name in field.robot.angles) is is_angle else value
+        for name, value, bare in zip(field.joints, one.values, one.bare, strict=True)
     )
-    return Vector(meant, bare=False, shown=one.shown)
+    return replace(one, values=meant)
 
 
 def apart(robot: Robot, joints: Sequence[str], one: Sequence[float], other: Sequence[float]) -> list[float]:

@@ -14,6 +14,7 @@ from dhcli.checking.tables.comparing import SAME_ROBOT
 from dhcli.checking.tables.motions import Outcome, oddity
 from dhcli.checking.tables.typed_rows import variable_of
 from dhcli.checking.verdicts import Verdict
+from dhcli.frozen import frozen
 from dhcli.geometry.vectors import cross, length
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.same_robot import Miss
@@ -26,12 +27,32 @@ PARALLEL = 1e-6
 """Sine below which two axes of the right robot count as parallel."""
 
 
+@frozen
+class Off:
+    """How an end frame is off, where all axes are right.
+
+    Attributes:
+        shifted: Whether it lies elsewhere.
+        along: Whether it is off along the last axis, so that shifts along axes parallel to that count.
+        turned: Whether it is turned.
+        turned_over: Whether its z axis points another way.
+    """
+
+    shifted: bool
+    along: bool
+    turned: bool
+    turned_over: bool
+
+
+ELSEWHERE = Off(shifted=True, along=True, turned=False, turned_over=False)
+
+
 def first_difference(answer: TableAnswer, outcome: Outcome) -> tuple[str, ...]:
     """Which joints are right and how the next axis differs; then the rows that place it."""
     agreed, variables = outcome.joints, answer.robot.variables
     right = _agreed([str(answer.robot.first + k) for k in range(min(agreed, len(variables)))])
     if agreed >= len(variables):
-        return f"{right}the end frame lies elsewhere", f"look at {end_rows(answer, outcome, is_along=True)}"
+        return f"{right}the end frame lies elsewhere", f"look at {end_rows(answer, outcome, ELSEWHERE)}"
     number = answer.robot.first + agreed
     if outcome.miss is Miss.MOTION or not agreed:
         row = _named([_row_of(answer, agreed)], answer)
@@ -41,34 +62,38 @@ def first_difference(answer: TableAnswer, outcome: Outcome) -> tuple[str, ...]:
     return f"{right}the axis of joint {number} lies elsewhere", f"look at {_placing_rows(answer, outcome)}"
 
 
-def end_rows(answer: TableAnswer, outcome: Outcome, *, is_along: bool) -> str:
-    """The rows that place the end frame on the last axis.
+def end_rows(answer: TableAnswer, outcome: Outcome, off: Off) -> str:
+    """The rows that place the end frame on the last axis, behind which it stands.
 
     Args:
         answer: The table.
         outcome: What came out of its comparison.
-        is_along: Whether the end frame is off along an axis, so that shifts along axes parallel to it count.
+        off: How the end frame is off.
     """
-    agreed = len(answer.robot.variables)
-    last = len(answer.plain)
-    start = _row_of(answer, agreed - 1)
-    rows = _named(list(range(start, last)), answer)
+    joints, last = len(answer.robot.variables), len(answer.plain)
+    start = _row_of(answer, _last_placed(answer, outcome, joints) if off.shifted else joints - 1)
+    said = [_named(list(range(start, last)), answer)]
     if answer.convention is Convention.MODIFIED and last == start + 1:
-        rows = f"d and theta in {rows}"
-    return rows + (_along_parallels(answer, outcome, agreed) if is_along else "")
+        said = [] if off.turned_over and not off.shifted else [f"d and theta in {said[0]}"]  # z is that of the axis
+    if off.along:
+        said += _along_parallels(answer, outcome, joints)
+    if off.turned:
+        said += _mending_twists(answer)
+    return ", and at ".join(said or [_named([start], answer)])
 
 
-def mending_twists(answer: TableAnswer) -> str:
-    """The rows further up in which half a turn of the twist turns the end frame back, in the plainest way."""
-    robot, last = replace(answer, compare=SAME_ROBOT), _row_of(answer, len(answer.robot.variables) - 1)
-    found: dict[int, tuple[int, int]] = {}
+def _mending_twists(answer: TableAnswer) -> list[str]:
+    """The twists before the last axis of which half a turn turns the end frame back, in the plainest way."""
+    last = _row_of(answer, len(answer.robot.variables) - 1)
+    last += answer.convention is Convention.MODIFIED  # where the twist of a row comes before its joint
+    robot, found = replace(answer, compare=SAME_ROBOT), dict[int, tuple[int, int]]()
     for index, row in enumerate(answer.plain[:last]):
         turned = replace(row, alpha=row.alpha + HALF_TURN)
         outcome = robot.judged((*answer.plain[:index], turned, *answer.plain[index + 1 :]))
         if outcome.verdict is Verdict.RIGHT and outcome.match is not None:
             found[index] = oddity(outcome.match)
     plainest = [index for index, odd in found.items() if odd == min(found.values())]
-    return f", and at alpha in {_named(plainest, answer)}" if plainest else ""
+    return [f"alpha in {_named(plainest, answer)}"] if plainest else []
 
 
 def _agreed(names: list[str]) -> str:
@@ -93,16 +118,21 @@ def _turning_rows(answer: TableAnswer, outcome: Outcome) -> str:
 
 def _placing_rows(answer: TableAnswer, outcome: Outcome) -> str:
     """The rows that set how far an axis is from the last one whose place matters, and where along it."""
-    screws = answer.truth.screws(outcome.point)[0]
-    last = max((k for k in range(outcome.joints) if screws[k].turns), default=0)  # of a slide only the direction counts
+    last = _last_placed(answer, outcome, outcome.joints)
     before, here = _row_of(answer, last), _row_of(answer, outcome.joints)
     signs = _mending_signs(answer, outcome, here)
     if signs:
         return f"the signs of alpha, a and d in {_named(signs, answer)}"
     rows = _between(answer, before, here)
     if before not in rows:
-        return f"{_named(rows, answer)}, and at d in {_named([before], answer)}"
-    return _named(rows, answer) + _along_parallels(answer, outcome, last + 1)
+        return f"{_named(rows, answer)}, and at d in {_named([*_parallels(answer, outcome, last + 1), before], answer)}"
+    return ", and at ".join((_named(rows, answer), *_along_parallels(answer, outcome, last + 1)))
+
+
+def _last_placed(answer: TableAnswer, outcome: Outcome, joints: int) -> int:
+    """The last of so many joints whose axis has a place: of a slide only the direction counts."""
+    screws = answer.truth.screws(outcome.point)[0]
+    return max((k for k in range(joints) if screws[k].turns), default=0)
 
 
 def _between(answer: TableAnswer, before: int, here: int) -> list[int]:
@@ -126,14 +156,19 @@ def _mending_signs(answer: TableAnswer, outcome: Outcome, here: int) -> list[int
     return found
 
 
-def _along_parallels(answer: TableAnswer, outcome: Outcome, joints: int) -> str:
-    """Rows further up whose d adds to the same shift, because the axes in between are parallel."""
+def _along_parallels(answer: TableAnswer, outcome: Outcome, joints: int) -> list[str]:
+    """Where d adds to the same shift further up, if anywhere."""
+    rows = _parallels(answer, outcome, joints)
+    return [f"d in {_named(rows, answer)}"] if rows else []
+
+
+def _parallels(answer: TableAnswer, outcome: Outcome, joints: int) -> list[int]:
+    """The rows before that of the last of so many joints whose axes, one behind the other, are parallel to its axis."""
     screws = answer.truth.screws(outcome.point)[0]
     start = joints - 1
     while start > 0 and length(cross(screws[start - 1].direction, screws[start].direction)) <= PARALLEL:
         start -= 1
-    rows = [_row_of(answer, k) for k in range(start, joints - 1)]
-    return f", and at d in {_named(rows, answer)}" if rows else ""
+    return [_row_of(answer, k) for k in range(start, joints - 1)]
 
 
 def _row_of(answer: TableAnswer, joint: int) -> int:

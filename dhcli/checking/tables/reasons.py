@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.tables.answer import TableAnswer
 from dhcli.checking.tables.comparing import SAME_MOTION, SAME_ROBOT
-from dhcli.checking.tables.differences import end_rows, first_difference, mending_twists
+from dhcli.checking.tables.differences import Off, end_rows, first_difference
 from dhcli.checking.tables.freedoms import end_freedoms
 from dhcli.checking.tables.motions import Outcome, oddity
 from dhcli.checking.verdicts import Verdict
@@ -101,10 +102,10 @@ def _is_plainer(free: Outcome, outcome: Outcome) -> bool:
 def _at_the_end(answer: TableAnswer, free: Outcome, match: Match) -> Reason:
     """What is said where all axes are right; where the task fixes more than them, that too."""
     slack = answer.slack(free)
-    is_along = abs(match.tool.offset[2]) > slack.length
-    rows = f"look at {end_rows(answer, free, is_along=is_along)}"
-    if match.tool.tilt() > slack.angle:
-        rows += mending_twists(answer)
+    shifted, along = (max(map(abs, offset)) > slack.length for offset in (match.tool.offset, match.tool.offset[2:]))
+    turned, over = match.tool.tilt() > slack.angle, match.tool.rows[2][2] < math.cos(slack.angle)
+    off = Off(shifted=shifted, along=along, turned=turned, turned_over=over)
+    rows = f"look at {end_rows(answer, free, off)}"
     end = (end_freedoms("end", match.tool, slack) or ("your end frame is another",))[0]
     if answer.compare == SAME_MOTION:
         base = end_freedoms("base", match.base.inverse(), slack)

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
+from dhcli.algebra.floats import Floats
 from dhcli.algebra.terms import TERMS
 from dhcli.geometry.vectors import Vector
 from dhcli.kinematics.conventions import Convention
@@ -23,6 +24,7 @@ from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import spelled
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr, Number, Symbol, multiply
+from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write, write_angle
 from dhcli.regex import regex
 from dhcli.render.look import Look
@@ -194,7 +196,7 @@ def _body(result: Described, look: Look) -> Iterator[str]:
         ]
         yield table_text(["joint", "ω", "v"], rows, look.paper)
         yield "M, the end frame with all joints at zero\n"
-        home = fold(end_of(result.drawing.end), TERMS)
+        home = [list(map(_evaluated, row)) for row in fold(end_of(result.drawing.end), TERMS)]
         yield "".join(f"{line}\n" for line in matrix_lines(home, result.robot.writing, look))
     else:
         yield links_table(result.robot, look)
@@ -222,6 +224,11 @@ def _direction(vector: Vector, look: Look) -> str:
     """`+z`, or components: in a table with as many places as its lengths have, for they move the tip as much."""
     word = axis_word(vector)
     return _triple(tuple(map(exact_factor, vector)), look) if word.startswith("(") else word
+
+
+def _evaluated(entry: Expr) -> Expr:
+    """An entry without letters as a number."""
+    return entry if symbols(entry) else exact_factor(Floats().value(entry))
 
 
 def _triple(entries: tuple[Expr, ...], look: Look) -> str:

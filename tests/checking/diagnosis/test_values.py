@@ -82,7 +82,7 @@ def test_a_value_that_no_slip_explains_gets_no_name() -> None:
 
 @pytest.mark.parametrize(
     ("answer", "slip"),
-    [("0.15", "sin-cos"), ("0.0463", "angle-unit"), ("259.8", "in-mm"), ("-0.2598", "value-sign")],
+    [("0.15", "sin-cos"), ("0.0463", "angle-unit"), ("1000*a*cos(theta)", "in-mm"), ("-0.2598", "value-sign")],
 )
 def test_a_value_in_numbers(answer: str, slip: str) -> None:
     """0.3 cos 30°: by the sine, with the calculator in radians, in millimetres, with the other sign."""

@@ -79,11 +79,23 @@ def test_an_answer_is_judged_by_where_it_takes_the_arm() -> None:
     assert judged("2.6°, 67.9757°").verdict is Verdict.CLOSE
 
 
-def test_radians_without_their_unit_are_told() -> None:
-    """They can be nothing else, so nothing is lost."""
-    mark = judged("0.0432371, 1.1864")
-    assert mark.verdict is Verdict.CANNOT_READ
-    assert "right in radians" in mark.remarks[0]
+@pytest.mark.parametrize(
+    ("answer", "ask", "robot", "unit"),
+    [
+        ("0.0432371, 1.1864", PLACE, "planar-2r", "radians"),
+        ("theta2 = 1.1864, theta1 = 0.0432371", PLACE, "planar-2r", "radians"),
+        ("2.4773°, 1.1864", PLACE, "planar-2r", "radians"),
+        ("0.0432371, 1.1864; 1.03760, -1.1864", f"{PLACE} all", "planar-2r", "radians"),
+        ("0.0432371, 1.1864", f"{PLACE} branch elbow down", "planar-2r", "radians"),
+        ("300, 200, 100", "joints of position (0.1, 0.2, 0.3)", "cartesian", "mm"),
+        ("0.3 m, 20, 10", "joints of position (0.1, 0.2, 0.3)", "cartesian", "cm"),
+    ],
+)
+def test_another_unit_of_joint_values_is_told_and_earns_its_share(answer: str, ask: str, robot: str, unit: str) -> None:
+    """Half of the credit, as that of every other kind; only mere numbers are read so."""
+    mark = judged(answer, ask, robot)
+    assert (mark.verdict, mark.other_unit, mark.earned) == (Verdict.CANNOT_READ, unit, 0.5)
+    assert mark.remarks[0].startswith(f"right in {unit}; ")
 
 
 @pytest.mark.parametrize(

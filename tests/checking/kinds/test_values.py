@@ -115,13 +115,14 @@ def test_a_table_of_seventeen_rows_is_read() -> None:
     assert mark(exercise, part, expected(exercise, part)).verdict in (RIGHT, Verdict.EQUIVALENT)
 
 
-def test_a_cell_in_another_unit_has_its_name() -> None:
-    """Metres on a sheet in millimetres."""
+def test_a_cell_in_another_unit_is_told() -> None:
+    """Metres on a sheet in millimetres; one that writes its unit is believed."""
     exercise, part = exercise_of("cell a 1", numeric=True, unit="mm")
     judged = checked(exercise, part, "0.4")
-    assert judged.verdict is WRONG
-    assert judged.diagnosis is not None
-    assert judged.diagnosis.causes[0][0].name == "in-mm"
+    assert (judged.verdict, judged.other_unit, judged.earned) == (Verdict.CANNOT_READ, "m", 0.5)
+    assert judged.remarks == ("right in m; this sheet is in mm",)
+    assert checked(exercise, part, "0.4 m").verdict is RIGHT
+    assert checked(exercise, part, "0.4 mm").verdict is WRONG
 
 
 @pytest.mark.parametrize(
