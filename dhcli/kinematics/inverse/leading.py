@@ -31,6 +31,7 @@ from dhcli.kinematics.inverse.tasks import for_task, task_called
 from dhcli.kinematics.inverse.turns import limits_of
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.values import joint_values, numbers, parameter_values
+from dhcli.notation.angle import Angle
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -81,10 +82,11 @@ class Leading:
             carried, Driven(arm, task, mix, carried.offsets[rows] * arm.factors, low, high, period), columns, units
         )
 
-    def is_needed(self, hold: Mapping[str, float] | None) -> bool:
+    def is_needed(self, hold: Mapping[str, float | str | Angle] | None) -> bool:
         """Whether the moves are more than the task determines, or what is held moves with others."""
-        held = [self.carried.robot.variables.index(name) for name in hold or () if name in self.carried.robot.variables]
-        if any(self.carried.robot.variables[j] not in self.carried.alone for j in held):
+        names = self.carried.robot.variables
+        held = [names.index(name) for name in held_values(hold) if name in names]
+        if any(names[j] not in self.carried.alone for j in held):
             return True
         if self.carried.is_whole:
             return False
