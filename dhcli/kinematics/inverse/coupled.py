@@ -93,6 +93,20 @@ def through_many(
     return q, np.array([k for _, k in rows], dtype=np.int64)
 
 
+def said_of_many(robot: Robot, **asked: Any) -> str:  # noqa: ANN401
+    """What a reader should know of the solutions of many poses: whether some may be missing; else nothing.
+
+    Args:
+        robot: A robot whose variables share moves.
+        **asked: What is asked of it: task, hold, start, end and parameters; see `inverse_batch`.
+    """
+    carried = Carried.of(robot, asked["parameters"], asked["start"], asked["end"])
+    if carried is None:
+        return ""
+    leading = Leading.of(carried, asked)
+    return leading.said() if leading.is_needed(asked["hold"]) else ""
+
+
 def _loose(arm: Robot, values: Array, index: NDArray[np.int64], asked: Mapping[str, Any]) -> set[int]:
     """The poses at which the arm may move without moving its end."""
     task, rest = asked["task"], {name: value for name, value in asked.items() if name != "task"}

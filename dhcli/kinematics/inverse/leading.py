@@ -82,6 +82,16 @@ class Leading:
             carried, Driven(arm, task, mix, carried.offsets[rows] * arm.factors, low, high, period), columns, units
         )
 
+    @property
+    def moves(self) -> str:
+        """How many moves how many variables make, in words."""
+        return f"{plural(self.driven.arm.joints, 'move')} by {plural(len(self.columns), 'variable')}"
+
+    def said(self, free: int | None = None) -> str:
+        """That the variables are led there from many places, for so many that are not held."""
+        places = "many places" if free is None else f"{STARTS * max(free, 1)} places"
+        return f"{self.moves}: looked for from {places}, which may not find all"
+
     def is_needed(self, hold: Mapping[str, float | str | Angle] | None) -> bool:
         """Whether the moves are more than the task determines, or what is held moves with others."""
         names = self.carried.robot.variables
@@ -132,11 +142,9 @@ class Leading:
             if len(answer) and not asked.get("family"):
                 names = ", ".join(shown_value(robot, at[j], float(answer.q[0, at[j]])) for j in sorted(chosen))
             remarks.append(f"{robot.name} has {plural(len(chosen), 'joint')} more than this needs: held {names}")
-        moves = f"{plural(driven.arm.joints, 'move')} by {plural(len(at), 'variable')}"
-        count = STARTS * max(len(at) - len(held) - len(chosen), 1)
-        remarks.append(f"{moves}: looked for from {count} places, which may not find all")
+        remarks.append(self.said(len(at) - len(held) - len(chosen)))
         if not len(answer):
-            tried = f"nothing that was tried leads there: {moves}, from {count} places"
+            tried = f"nothing that was tried leads there: {self.moves}"
             answer = replace(answer, reachable=False, why=self.what_keeps(T) or tried)
         return replace(answer, remarks=tuple(remarks))
 
