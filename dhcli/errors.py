@@ -6,7 +6,7 @@ raises one error with five problems. The command line maps the class to an exit 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from enum import IntEnum
 from itertools import islice
 
@@ -116,6 +116,12 @@ class UnknownNameError(DhcliError):
 def plural(count: int, noun: str) -> str:
     """`1 row`, `3 rows`."""
     return f"{count} {noun}{'s' * (count != 1)}"
+
+
+def listed(names: Sequence[str], most: int = 12) -> str:
+    """Names in a row, and how many more there are beyond the most that are told."""
+    more = f" and {len(names) - most} more" if len(names) > most else ""
+    return ", ".join(names[:most]) + more
 
 
 def nearest(name: str, known: Iterable[str], most: int = 3, cutoff: float = 0.5) -> tuple[str, ...]:

@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, settings
 
-from tests import once
+from tests import once, reporting
 
 collect_ignore = ["bench"]  # programs of their own, not modules with examples to run
 
@@ -49,6 +49,8 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
 if hasattr(signal, "SIGHUP") and signal.getsignal(signal.SIGHUP) is signal.SIG_IGN:
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
+gc.set_threshold(200_000, 10, 10)  # while thousands of tests are made, of which none is garbage
+
 once.remember()
 
 # A busy machine is not a failure: no deadline, and no health check that looks at the clock. At the desk other examples
@@ -58,6 +60,9 @@ settings.register_profile("default", _PATIENT)
 settings.register_profile("ci", _PATIENT, database=None, derandomize=True, print_blob=True)
 settings.register_profile("nightly", settings.get_profile("ci"), max_examples=500)
 settings.load_profile("ci" if os.environ.get("CI") else "default")
+
+
+pytest_configure = reporting.pytest_configure
 
 
 @pytest.hookimpl(tryfirst=True)

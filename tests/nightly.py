@@ -8,16 +8,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TypeVar
 
-import pytest
 from hypothesis import settings
 
 T = TypeVar("T")
 
 NIGHT = settings.get_current_profile_name() == "nightly"
 """Whether all is tried."""
-
-nightly = pytest.mark.nightly
-"""A test, or a case of one, that ordinary runs leave out."""
 
 
 def examples(share: float) -> settings:
@@ -35,7 +31,7 @@ def in_turn(cases: Sequence[T], turn: int, turns: int) -> Sequence[T]:
     return cases if NIGHT else cases[turn % turns :: turns]
 
 
-def cases_for_nights(cases: Sequence[T], *ordinary: T) -> list[object]:
-    """Cases of a test, all of them nightly but those named."""
+def cases_for_nights(cases: Sequence[T], *ordinary: T) -> Sequence[T]:
+    """Cases of a test, all of them nightly but those named; by day the thousands of others are not even made."""
     assert set(ordinary) <= set(cases)
-    return [case if case in ordinary else pytest.param(case, marks=nightly) for case in cases]
+    return cases if NIGHT else [case for case in cases if case in ordinary]

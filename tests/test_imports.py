@@ -29,7 +29,7 @@ ROBOT = f"{BASE} {FILES} yaml"
 TEXT = f"{ROBOT} render.text"
 COUNTED = f"{BASE} {FILES} mobility render.text"
 DRAWN = f"{ROBOT} kinematics.sweep mobility scene render.pictures"
-LISTED = f"{BASE} csv files files.library storage render.code render.text"
+LISTED = "kinematics notation render csv files files.library storage render.code render.text"
 EXERCISE = f"{ROBOT} checking checking.diagnosis checking.kinds checking.tables mobility"
 CHECK = f"{EXERCISE} csv storage render.code render.text"
 GRADED = "checking checking.diagnosis classroom files kinematics notation render render.text"
@@ -44,7 +44,7 @@ MAY = {
     "fk scara --q 0.3,0.5,0.1 --format json": f"{TEXT} csv json render.code render.json",
     "fk puma560 --pose ready": TEXT,
     "fk puma560 --symbolic": TEXT,
-    "fk puma560 --in q.csv": f"{TEXT} numpy csv json files.rows kinematics.sweep render.code",
+    "fk puma560 --in q.csv": f"{TEXT} numpy csv json files.rows render.code",
     "sweep puma560 --over q1": f"{TEXT} numpy csv kinematics.sweep render.code",
     "jacobian puma560 --symbolic": f"{TEXT} kinematics.velocity",
     "singularities puma560": f"{TEXT} kinematics.singular kinematics.velocity",

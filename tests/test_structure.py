@@ -21,13 +21,19 @@ def module_of(path: Path) -> str:
 
 
 @cache
+def trees() -> dict[str, ast.Module]:
+    """Every module, read once."""
+    return {module_of(path): ast.parse(path.read_text("utf-8")) for path in ROOT.rglob("*.py")}
+
+
+@cache
 def imports() -> dict[str, frozenset[str]]:
     """Every module with the modules of the package that it names, wherever in the file the import stands."""
-    files = {module_of(path): path for path in ROOT.rglob("*.py")}
+    files = trees()
     found: dict[str, frozenset[str]] = {}
-    for name, path in files.items():
+    for name, tree in files.items():
         named: set[str] = set()
-        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+        for node in ast.walk(tree):
             if isinstance(node, ast.Import):
                 named |= {alias.name for alias in node.names}
             elif isinstance(node, ast.ImportFrom) and node.module:
@@ -76,11 +82,11 @@ def test_a_ring_would_be_found() -> None:
     assert rings({"a": frozenset("c"), "b": frozenset("c"), "c": frozenset()}) == []
 
 
-def frozen_otherwise(source: str) -> list[str]:
+def frozen_otherwise(tree: ast.Module) -> list[str]:
     """The classes of a file that are frozen by `dataclass`, which compiles six functions for each."""
     return [
         node.name
-        for node in ast.walk(ast.parse(source))
+        for node in ast.walk(tree)
         if isinstance(node, ast.ClassDef)
         for maker in node.decorator_list
         if isinstance(maker, ast.Call) and any(word.arg == "frozen" for word in maker.keywords)
@@ -89,9 +95,10 @@ def frozen_otherwise(source: str) -> list[str]:
 
 def test_what_is_frozen_is_made_by_the_one_maker() -> None:
     """`@frozen` compiles nothing, and what it makes inherits from its own kind alone."""
-    found = {module_of(path): frozen_otherwise(path.read_text("utf-8")) for path in ROOT.rglob("*.py")}
+    found = {name: frozen_otherwise(tree) for name, tree in trees().items()}
     assert not {name: classes for name, classes in found.items() if classes}
-    assert frozen_otherwise("@dataclass(frozen=True)\nclass A: ...\n@frozen\nclass B: ...") == ["A"]
+    example = ast.parse("@dataclass(frozen=True)\nclass A: ...\n@frozen\nclass B: ...")
+    assert frozen_otherwise(example) == ["A"]
 
 
 def test_what_is_looked_for_is_compiled_when_it_is() -> None:

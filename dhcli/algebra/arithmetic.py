@@ -77,23 +77,23 @@ def evaluate(expr: Expr, over: Evaluator[N]) -> N | int:
         over: The arithmetic, which knows the values of the names.
     """
     # The commonest first; a match would look for the names of their parts besides.
-    if isinstance(expr, Product):
+    if type(expr) is Trig:
+        return over.cos_sin(expr.angle)[expr.function == "sin"]
+    if type(expr) is Symbol:
+        return over.symbol(expr.name)
+    if type(expr) is Product:
         product: N | int = 1
         for factor in expr.factors:
             part: N | int = evaluate(factor, over)
             product = times(product, part)
         return product
-    if isinstance(expr, Trig):
-        return over.cos_sin(expr.angle)[expr.function == "sin"]
-    if isinstance(expr, Symbol):
-        return over.symbol(expr.name)
-    if isinstance(expr, Sum):
+    if type(expr) is Sum:
         total: N | int = 0
         for term in expr.terms:
             part = evaluate(term, over)
             total = plus(total, part)
         return total
-    if isinstance(expr, Number):
+    if type(expr) is Number:
         value = expr.value  # asked of two integers: to compare a fraction takes ten times as long
         return value.numerator if value.denominator == 1 and -1 <= value.numerator <= 1 else over.number(value)
     match expr:

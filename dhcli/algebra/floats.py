@@ -28,8 +28,13 @@ class Floats:
     def __init__(self, values: Mapping[str, Angle | float] | None = None) -> None:
         """Take the values of the names."""
         values = values or {}
-        self._angles = {name: value for name, value in values.items() if isinstance(value, Angle)}
-        self._floats = {name: float(value) for name, value in values.items() if not isinstance(value, Angle)}
+        self._angles: dict[str, Angle] = {}
+        self._floats: dict[str, float] = {}
+        for name, value in values.items():
+            if isinstance(value, Angle):
+                self._angles[name] = value
+            else:
+                self._floats[name] = float(value)
         self._turned: dict[Angle, tuple[float | int, float | int]] = {}
 
     def cos_sin(self, angle: Angle) -> tuple[float | int, float | int]:
@@ -93,7 +98,9 @@ class Floats:
     def power(self, base: float, exponent: Fraction) -> float:
         """A power; NaN where it is not real."""
         try:
-            return math.sqrt(base) if exponent == Fraction(1, 2) else math.pow(base, exponent)
+            if exponent.numerator == 1 and exponent.denominator == 2:  # noqa: PLR2004  a square root
+                return math.sqrt(base)
+            return math.pow(base, exponent.numerator / exponent.denominator)
         except (ValueError, ZeroDivisionError, OverflowError):
             return math.nan
 

@@ -54,7 +54,9 @@ def assemble(tape: Tape, results: Sequence[Number]) -> Program:
     homes = {cell.column: inputs.start + k for k, cell in enumerate(tape.variables.values())}
     homes.update((column, k) for k, column in wanted.items() if column not in homes)
     kept = needed(tape, wanted.values())
-    last_use = {operand: column for column, step in kept.items() for operand in step.columns}
+    uses = {column: step.columns for column, step in kept.items()}
+    last_use = {operand: column for column, operands in uses.items() for operand in operands}
+    stay = set(wanted.values())
     top, free = inputs.stop, set[Register]()
     instructions = []
     for column, step in kept.items():
@@ -62,7 +64,7 @@ def assemble(tape: Tape, results: Sequence[Number]) -> Program:
         if column not in homes:
             homes[column] = free.pop() if free else top
             top = max(top, homes[column] + 1)
-        free.update(homes[o] for o in step.columns if last_use[o] == column and o not in wanted.values())
+        free.update(homes[o] for o in uses[column] if last_use[o] == column and o not in stay)
         instructions.append(Instruction(step.ufunc, (*operands, homes[column])))
     for k, column in wanted.items():
         if homes[column] != k:  # the same number twice, or a joint value as it is

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import field, replace
 from typing import TypeAlias
@@ -11,15 +12,16 @@ from dhcli.checking.commas import comma_remark, with_points
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.pasted import UnreadableError, as_matrix, refuse_blanks, without_label
 from dhcli.checking.truth import is_length, names_of
-from dhcli.checking.units import in_metres
+from dhcli.checking.units import length_in_metres
 from dhcli.checking.vectors import as_column
 from dhcli.checking.wanted import Wanted
 from dhcli.errors import NotationError, Place
 from dhcli.frozen import frozen
+from dhcli.kinematics.values import numbers
 from dhcli.notation.matrix import Cell, bracketed, parse_matrix
 from dhcli.notation.names import suggestion
 from dhcli.notation.parser import parse
-from dhcli.notation.quantity import DimensionError, to_length
+from dhcli.notation.quantity import DimensionError, to_plain_length
 from dhcli.notation.tree import ONE, ZERO, Expr, Number, number
 from dhcli.notation.walk import decimals, symbols
 
@@ -158,19 +160,20 @@ def as_read(question: Wanted, row: int, column: int, exercise: Exercise, expr: E
         DimensionError: It is no length, and no number.
     """
     is_bare = is_length(question, row, column) and exercise.metres != 1
-    return to_length(in_metres(expr, exercise.metres, exercise.scope) if is_bare else expr)
+    return to_plain_length(length_in_metres(expr, exercise.metres, exercise.scope) if is_bare else expr)
 
 
 def _entry(question: Wanted, exercise: Exercise, cell: Cell, row: int, column: int) -> Entry:
     where = f"entry ({row + 1},{column + 1})"
     length = is_length(question, row, column)
     try:
-        expr = to_length(cell.expr)
+        expr = to_plain_length(cell.expr)
         if expr != cell.expr and not length:
             raise UnreadableError(f"{where} is a direction cosine and has no unit")
         expr = as_read(question, row, column, exercise, cell.expr)
     except DimensionError as error:
-        raise UnreadableError(f"{where}: {error.message}") from None
+        message = error.message if length else error.message.replace("a length is wanted", "a number is wanted")
+        raise UnreadableError(f"{where}: {message}") from None
     check_names(exercise, symbols(expr))
     return Entry(expr, cell.text, cell.expr)
 
@@ -212,3 +215,23 @@ def entries_text(rows: Sequence[Sequence[str]]) -> str:
     if len(rows) == 1 and len(rows[0]) == 1:
         return rows[0][0]
     return bracketed(rows)
+
+
+def values_of(entries: Entries, exercise: Exercise) -> tuple[tuple[float, ...], ...]:
+    """What was typed in floats, lengths in metres.
+
+    Raises:
+        UnreadableError: An entry holds a name without a value, or is not finite.
+    """
+    over = Floats(numbers(exercise.values))
+    typed: list[tuple[float, ...]] = []
+    for r, row in enumerate(entries):
+        found: list[float] = []
+        for c, entry in enumerate(row):
+            if missing := sorted(symbols(entry.expr) - exercise.values.keys()):
+                raise UnreadableError(f"entry ({r + 1},{c + 1}) holds {', '.join(missing)}, and a number was asked")
+            found.append(over.value(entry.expr))
+            if not math.isfinite(found[-1]):
+                raise UnreadableError(f"entry ({r + 1},{c + 1}), {entry.text}, is not a finite number")
+        typed.append(tuple(found))
+    return tuple(typed)

@@ -104,8 +104,6 @@ _FORMS = {
     "axis-angle": Form("axis-angle", ("x", "y", "z", "angle"), (3,), "a unit axis and an angle, x y z angle"),
     "rotation-vector": Form("rotation-vector", ("x", "y", "z"), (), "the unit axis times the angle in radians, x y z"),
 }
-NAMES = (*_FORMS, "euler zyz", "fixed xyz")
-"""How forms are asked for."""
 
 
 def _unit(values: Sequence[float], what: str) -> tuple[Any, ...]:

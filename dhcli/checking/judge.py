@@ -16,6 +16,7 @@ from dhcli.checking.verdicts import COUNTED, INVERSE, TOO_FEW, TRANSPOSED, UNSOL
 from dhcli.errors import DhcliError, NotationError, Place, UnknownNameError, did_you_mean
 from dhcli.kinematics.robot import Value
 from dhcli.kinematics.validity import Finding
+from dhcli.notation.screens import unstyled
 from dhcli.regex import regex
 
 BLANK = regex(r"[\s\[\](){},;.…_?–-]*")  # noqa: RUF001
@@ -167,7 +168,8 @@ class Judge:
         case, reading = self._case(part), None
         try:
             refuse_blanks(answer)
-            reading = Reading(answer, part.question.read(case, answer, place))
+            text = unstyled(answer)
+            reading = Reading(text, part.question.read(case, text, place))
             return Judged(_credited(case, part.question.mark(case, reading)), reading)
         except WrongUnitError as error:
             mark = Mark(Verdict.CANNOT_READ, answer.strip(), remarks=error.remarks, other_unit=error.unit)

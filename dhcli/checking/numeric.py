@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 
-from dhcli.algebra.floats import Floats
-from dhcli.checking.entries import Entries, Entry
+from dhcli.checking.entries import Entries, Entry, values_of
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.orientations import (
     LEAST_SLACK,
@@ -18,7 +18,6 @@ from dhcli.checking.orientations import (
     transposed,
     turned,
 )
-from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.symbolic import is_exactly
 from dhcli.checking.tolerance import (
     LEAST_DECIMALS,
@@ -43,8 +42,6 @@ from dhcli.checking.verdicts import (
 )
 from dhcli.checking.wanted import Wanted
 from dhcli.kinematics.entries import rounded
-from dhcli.kinematics.values import numbers
-from dhcli.notation.walk import symbols
 
 LEAST_TURN = 0.1
 """Turn below which entries that are wrong have too few digits and no wrong direction [deg]."""
@@ -73,7 +70,7 @@ def mark_numbers(
         UnreadableError: An entry has no finite value.
     """
     assert truth.numbers is not None  # noqa: S101  the caller has looked
-    typed = _values(entries, exercise)
+    typed = values_of(entries, exercise)
     limits = limits_of(question, truth, tolerance)
     cells = tuple(
         _cell(question, truth, entries[r][c], typed[r][c], limits[r][c], tolerance, (r, c), exercise)
@@ -94,22 +91,6 @@ def mark_numbers(
     if tolerance.exact and verdict is Verdict.RIGHT and not _is_exact(truth, entries, exercise):
         verdict, remarks = Verdict.ROUNDED, (NOT_EXACT, *remarks)
     return Mark(verdict, cells=cells, remarks=remarks, earned=_earned(question, cells, typed, verdict))
-
-
-def _values(entries: Entries, exercise: Exercise) -> list[list[float]]:
-    over = Floats(numbers(exercise.values))
-    typed: list[list[float]] = []
-    for r, row in enumerate(entries):
-        typed.append([])
-        for c, entry in enumerate(row):
-            missing = sorted(symbols(entry.expr) - exercise.values.keys())
-            if missing:
-                raise UnreadableError(f"entry ({r + 1},{c + 1}) holds {', '.join(missing)}, and a number was asked")
-            value = over.value(entry.expr)
-            if not math.isfinite(value):
-                raise UnreadableError(f"entry ({r + 1},{c + 1}), {entry.text}, is not a finite number")
-            typed[-1].append(value)
-    return typed
 
 
 def limits_of(question: Wanted, truth: Truth, tolerance: Tolerance) -> list[list[float]]:
@@ -153,7 +134,7 @@ def _is_rounded(  # noqa: PLR0913, PLR0917  everything that digits are judged by
     question: Wanted,
     truth: Truth,
     entries: Entries,
-    typed: list[list[float]],
+    typed: Sequence[Sequence[float]],
     limits: list[list[float]],
     unit: float,
     least: int = LEAST_DECIMALS,

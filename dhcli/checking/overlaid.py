@@ -9,11 +9,12 @@ from dhcli.checking.entries import Entries
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.returned import Overlaid
 from dhcli.checking.wanted import Wanted
+from dhcli.geometry.vectors import Vector
 from dhcli.kinematics.frames import View
 from dhcli.kinematics.values import Values, numbers
 from dhcli.scene.skeleton import Skeleton
 from dhcli.scene.traced import Traced
-from dhcli.scene.vectors import Frame, Vec, add
+from dhcli.scene.vectors import Frame, add
 
 DRAWN = frozenset({"pose", "rotation", "position"})
 """Pieces of a matrix that say where a frame is, or how it is turned."""
@@ -59,5 +60,5 @@ def _states(frames: tuple[str, ...], skeleton: Skeleton) -> list[Frame]:
     return [skeleton.states[known[name]] if name in known else first if name == "base" else last for name in frames]
 
 
-def _vec(column: tuple[float, ...]) -> Vec:
+def _vec(column: tuple[float, ...]) -> Vector:
     return column[0], column[1], column[2]

@@ -6,12 +6,15 @@ in millimetres `10*c1 + a1*s1` is 0.01*c1 + a1*s1 in metres. A text that writes 
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 
 from dhcli.errors import NotationError, Place, Problem
+from dhcli.kinematics.conventions import Row
 from dhcli.kinematics.moves import Chain, Fixed, Move, Trans, from_factor
 from dhcli.kinematics.ranges import units_in
-from dhcli.notation.factors import parse_factors
+from dhcli.kinematics.robot import Robot
+from dhcli.notation.products import parse_factors
 from dhcli.notation.quantity import LENGTH_UNITS, DimensionError
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr, Number, Power, Product, Sum, Symbol, Unit, add, multiply, power
@@ -48,7 +51,7 @@ def has_length_unit(expr: Expr) -> bool:
     return any(isinstance(node, Unit) and node.name in LENGTH_UNITS for node in walk(expr))
 
 
-def in_metres(expr: Expr, unit: Fraction, scope: Scope) -> Expr:
+def length_in_metres(expr: Expr, unit: Fraction, scope: Scope) -> Expr:
     """A length of a sheet with its bare numbers in metres; letters, and what has its own unit, stay.
 
     Args:
@@ -70,7 +73,7 @@ def in_metres(expr: Expr, unit: Fraction, scope: Scope) -> Expr:
 def on_sheet(expr: Expr, unit: Fraction, scope: Scope) -> Expr:
     """A length in metres as it is written on a sheet, where its bare numbers are in another unit."""
     try:
-        return in_metres(expr, 1 / unit, scope)
+        return length_in_metres(expr, 1 / unit, scope)
     except DimensionError:  # nobody types that
         return expr
 
@@ -95,11 +98,27 @@ def chain_in_metres(text: str, unit: Fraction, scope: Scope, place: Place | None
 def move_in_metres(move: Move, unit: Fraction, scope: Scope) -> Move:
     """A move with its bare lengths in metres; the fourth column of a matrix is lengths."""
     if isinstance(move, Trans):
-        return Trans(*(in_metres(length, unit, scope) for length in move.offset))
+        return Trans(*(length_in_metres(length, unit, scope) for length in move.offset))
     if isinstance(move, Fixed):
-        rows = ((row[0], row[1], row[2], in_metres(row[3], unit, scope)) for row in move.rows)
+        rows = ((row[0], row[1], row[2], length_in_metres(row[3], unit, scope)) for row in move.rows)
         return Fixed(tuple(rows))
     return move
+
+
+def in_unit(robot: Robot, unit: Fraction) -> Robot:
+    """A robot in metres as it is where all lengths are numbers of another unit; letters stay letters."""
+    if unit == 1:
+        return robot
+
+    def moved(chain: Chain) -> Chain:
+        return tuple(move_in_metres(move, 1 / unit, robot.scope) for move in chain)
+
+    def row(old: Row) -> Row:
+        a, d = (length_in_metres(length, 1 / unit, robot.scope) for length in (old.a, old.d))
+        return replace(old, a=a, d=d)
+
+    links = tuple(replace(one, moves=moved(one.moves), row=one.row and row(one.row)) for one in robot.links)
+    return replace(robot, links=links, base=moved(robot.base), tool=moved(robot.tool))
 
 
 def _scaled(expr: Expr, unit: Fraction, scope: Scope, power_of: Fraction) -> Expr:

@@ -10,7 +10,7 @@ from dhcli.checking.entries import check_names
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.pasted import UnreadableError, WrongUnitError, without_label
 from dhcli.checking.tolerance import NOT_EXACT, Tolerance, is_rounding_of, judge, without_unit
-from dhcli.checking.units import in_metres, is_measure
+from dhcli.checking.units import is_measure, length_in_metres
 from dhcli.checking.verdicts import UNSOLVED, CellMark, Mark, Verdict
 from dhcli.errors import Place
 from dhcli.frozen import frozen
@@ -18,7 +18,15 @@ from dhcli.kinematics.robot import Value
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import FULL_TURN, Angle
 from dhcli.notation.parser import parse
-from dhcli.notation.quantity import Bare, DimensionError, has_angle_unit, is_inverse, to_angle, to_length
+from dhcli.notation.quantity import (
+    Bare,
+    DimensionError,
+    has_angle_unit,
+    is_inverse,
+    to_angle,
+    to_length,
+    to_plain_length,
+)
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write, write_angle
@@ -74,7 +82,7 @@ def quantity_of(expr: Expr, exercise: Exercise) -> Quantity:
         except DimensionError:
             pass  # a cosine of an angle is a number
     measure = is_measure(expr, scope)
-    return Quantity(to_length(in_metres(expr, exercise.metres, scope) if measure else expr), measure)
+    return Quantity(to_length(length_in_metres(expr, exercise.metres, scope) if measure else expr), measure)
 
 
 def mark_value(exercise: Exercise, right: Quantity, answer: TypedValue, tolerance: Tolerance) -> Mark:
@@ -152,15 +160,18 @@ def _as_asked(expr: Expr, right: Quantity, exercise: Exercise, bare: Bare) -> Qu
     try:
         return _read_as(expr, right, exercise, bare)
     except DimensionError as error:
-        raise UnreadableError(error.message + (f" ({error.hint})" if error.hint else "")) from None
+        message, hint = error.message, error.hint
+        if not right.is_length and message.endswith("a length is wanted"):
+            message, hint = message.replace("a length is", "a number is"), "leave the unit out"
+        raise UnreadableError(message + (f" ({hint})" if hint else "")) from None
 
 
 def _read_as(expr: Expr, right: Quantity, exercise: Exercise, bare: Bare) -> Quantity:
     from dhcli.checking.angles import in_radians
 
     if not right.is_angle:
-        length = in_metres(expr, exercise.metres, exercise.scope) if right.is_length else expr
-        return replace(right, value=to_length(length))
+        length = length_in_metres(expr, exercise.metres, exercise.scope) if right.is_length else expr
+        return replace(right, value=to_plain_length(length))
     if isinstance(right.value, Angle) and not is_inverse(expr):
         return replace(right, value=to_angle(expr, bare=bare))
     return replace(right, value=in_radians(expr, exercise.scope, bare))

@@ -11,11 +11,13 @@ import re
 from dataclasses import replace
 from typing import Literal, TypeAlias
 
+from dhcli.checking.kinds.linked import needed
 from dhcli.checking.units import has_length_unit
 from dhcli.errors import NotationError, Place, Problem
 from dhcli.frozen import frozen
-from dhcli.kinematics.frames import View
+from dhcli.kinematics.frames import View, frame
 from dhcli.kinematics.moves import Chain, Trans, read_chain
+from dhcli.kinematics.robot import Robot
 from dhcli.notation.matrix import parse_matrix
 from dhcli.notation.quantity import DimensionError, to_length
 from dhcli.notation.scope import Scope
@@ -76,6 +78,32 @@ class Wanted:
     def shape(self) -> tuple[int, int]:
         """Rows and columns of the answer."""
         return {"pose": (4, 4), "rotation": (3, 3), "entry": (1, 1)}.get(self.piece, (3, 1))
+
+    @property
+    def whole(self) -> str:
+        """The matrix in words, whatever is asked of it."""
+        if isinstance(self.source, View):
+            start, end = self.source.start, self.source.end
+            whole = f"A_{end}" if self.is_link else f"T_{start}{end}"
+            whole += f", frame {end} seen from frame {start}"
+        else:
+            whole = self.source.text
+        return f"the inverse of {whole}" if self.inverse else whole
+
+    @property
+    def needs_table(self) -> bool:
+        """Whether it is a matrix of the robot."""
+        return isinstance(self.source, View)
+
+    def check(self, robot: Robot | None) -> None:
+        """Make sure that a robot has its frames.
+
+        Raises:
+            DhcliError: There is no robot, or it has no such frame.
+        """
+        if isinstance(self.source, View):
+            for name in (self.source.start, self.source.end):
+                frame(needed(robot), name)
 
 
 _PIECE = regex(

@@ -63,6 +63,10 @@ def find_sheets(folder: str, *, may_be_none: bool = False) -> Folder:
         FileError: There is no such folder, or no sheet in it.
     """
     root = Path(folder)
+    if not folder:
+        from dhcli.storage.atomic import EMPTY
+
+        raise FileError(Problem(EMPTY, hint="name a folder; . is the current one"))
     if not root.is_dir():
         raise FileError(_no_folder(root, folder))
     others: list[str] = []

@@ -14,6 +14,9 @@ from dhcli.errors import Problem
 TIMEOUT = 10.0
 """Seconds that one sheet may take; an honest one takes a hundredth of one."""
 
+_GLANCE = 1024
+"""Bytes of a sheet before which it has named its exercise; one that has not is graded all the same."""
+
 MARKING = "dhcli.classroom.marking"
 """What grades a sheet, imported where it is graded, and not where the grades are collected."""
 
@@ -48,12 +51,25 @@ def grade_all(
         The grades in the order of the sheets.
     """
     graded: dict[Submission, Graded] = {}
-    done = spread(partial(work, only=only), submissions, jobs=jobs, timeout=timeout, needs=MARKING)
+    named = _named if only is None else lambda _: only
+    done = spread(partial(work, only=only), submissions, jobs=jobs, timeout=timeout, needs=MARKING, alike=named)
     with closing(done) as outcomes:
         for submission, outcome in outcomes:
             graded[submission] = _lost(submission, outcome, timeout) if isinstance(outcome, Lost) else outcome
             tell()
     return tuple(graded[submission] for submission in submissions)
+
+
+def _named(submission: Submission) -> bytes:
+    """Which exercise a sheet seems to be of, at a glance: one process works out an exercise for all of its sheets."""
+    if submission.problem:
+        return b""
+    try:
+        with open(submission.path, "rb") as sheet:  # noqa: PTH123
+            lines = sheet.read(_GLANCE).splitlines()
+    except OSError:
+        return b""
+    return next((line for line in lines if line.startswith(b"exercise:")), b"")
 
 
 def _lost(submission: Submission, why: Lost, timeout: float) -> Graded:

@@ -9,7 +9,7 @@ from statistics import fmean
 from dhcli.checking.verdicts import Verdict
 from dhcli.classroom.folder import Folder
 from dhcli.classroom.grades import Graded, PartGrade
-from dhcli.errors import plural
+from dhcli.errors import listed, plural
 from dhcli.frozen import frozen
 
 STEPS = (0, 20, 40, 60, 80, 100)
@@ -114,7 +114,9 @@ def _notices(rows: Sequence[Graded]) -> Iterator[str]:
         twice = ((folder, len(same)) for folder, same in handed_in.items() if len(same) > 1)
         yield from (f"{exercise}: {count} sheets in {folder}" for folder, count in twice)
         namesakes = ((name, owners) for name, owners in _owners(sheets).items() if len(owners) > 1)
-        yield from (f"{exercise}: {name} is the name on sheets of {_few(owners)}" for name, owners in namesakes)
+        yield from (
+            f"{exercise}: {name} is the name on sheets of {listed(owners, MOST_NAMED)}" for name, owners in namesakes
+        )
 
 
 def _owner(row: Graded) -> str:
@@ -135,13 +137,7 @@ def _owners(rows: Sequence[Graded]) -> dict[str, list[str]]:
 
 def _whose(rows: Sequence[Graded]) -> str:
     """Names of students, not more than a line holds."""
-    return _few(list({_owner(row): row.student for row in rows}.values()))
-
-
-def _few(names: Sequence[str]) -> str:
-    """Names, not more than a line holds."""
-    more = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
-    return ", ".join(names[:MOST_NAMED]) + more
+    return listed(list({_owner(row): row.student for row in rows}.values()), MOST_NAMED)
 
 
 def _figures(exercise: str, part: str, grades: Sequence[PartGrade]) -> PartFigures:

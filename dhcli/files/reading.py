@@ -71,6 +71,10 @@ def _opened(path: Path | str) -> BinaryIO:
 def explain(error: OSError, source: str, path: Path | str) -> Problem:
     """What the operating system said, as a problem."""
     place = Place(source)
+    if isinstance(error, FileNotFoundError | NotADirectoryError) and not str(path):
+        from dhcli.storage.atomic import EMPTY
+
+        return Problem(EMPTY, place)
     if isinstance(error, FileNotFoundError | NotADirectoryError):
         return Problem("there is no such file", place, instead_of(Path(path), _neighbours(Path(path))))
     if isinstance(error, IsADirectoryError) or os.path.isdir(path):

@@ -35,11 +35,6 @@ def roll_pitch_yaw(poses: Table) -> Table:
     return table(RollPitchYaw, poses)
 
 
-def locked(poses: Table) -> NDArray[np.bool_]:
-    """Where pitch is ±90° and only the sum or the difference of roll and yaw counts, shape (N,)."""
-    return np.asarray(RollPitchYaw.of(rotations(poses)).locked)
-
-
 def quaternions(poses: Table) -> Table:
     """Unit quaternions w, x, y, z with w >= 0 of many poses, shape (N, 4, 4): a row for each, shape (N, 4)."""
     return table(Quaternion, poses)

@@ -96,12 +96,13 @@ def is_coupled(robot: Robot) -> bool:
     return False
 
 
-def uncoupled(robot: Robot, *, singly: bool = False) -> Uncoupled:
+def uncoupled(robot: Robot, *, singly: bool = False, joined: frozenset[str] = frozenset()) -> Uncoupled:
     """The arm with a variable of its own for each move.
 
     Args:
         robot: The robot.
         singly: Whether a move that several variables make is one move by each of them.
+        joined: Variables that keep their several moves, because those are one motion.
 
     Raises:
         RobotError: A variable stands in a matrix.
@@ -112,7 +113,7 @@ def uncoupled(robot: Robot, *, singly: bool = False) -> Uncoupled:
             robot.drives, tool=robot.tool, base=robot.base, parameters=robot.parameters, derived=robot.derived
         )
         return Uncoupled(robot, arm, driven.formulas)  # type: ignore[arg-type]
-    splitter = _Splitter(robot, singly=singly)
+    splitter = _Splitter(robot, singly=singly, joined=joined)
     links = tuple(new for link in robot.links for new in splitter.links(link))
     variables = tuple(splitter.formulas)
     arm = replace(
@@ -135,15 +136,15 @@ class _Splitter:
         formulas: The new variables in order, in terms of the old ones.
     """
 
-    def __init__(self, robot: Robot, *, singly: bool) -> None:
-        """Find the variables that make one move alone; they stay."""
+    def __init__(self, robot: Robot, *, singly: bool, joined: frozenset[str]) -> None:
+        """Find the variables that make one move alone; they stay, as do those joined."""
         self._robot = robot
         self._singly = singly
         moves = [move for link in robot.links for move in link.moves]
         inside = [names((move,)).intersection(robot.variables) for move in moves]
         count = {name: sum(name in found for found in inside) for name in robot.variables}
         shared = frozenset().union(*(found for found in inside if len(found) > 1))
-        self._kept = {name for name, times in count.items() if times == 1} - shared
+        self._kept = {name for name, times in count.items() if times == 1 or name in joined} - shared
         self.formulas: dict[str, Value] = {}
 
     def links(self, link: Link) -> Iterator[Link]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import field
 from typing import TYPE_CHECKING
@@ -97,11 +98,20 @@ def _said(poses: NDArray[np.float64], form: str) -> NDArray[np.float64]:
     return poses[:, :3, 3] if form == "position" else table(ORIENTATIONS[form], poses)
 
 
+def are_finite(numbers: NDArray[np.float64]) -> bool:
+    """Whether it is seen at a glance that all numbers are finite: those whose squares have a sum are.
+
+    Larger ones than their squares can be may be finite, too; whoever is told that they are not looks at each.
+    """
+    flat = numbers.ravel(order="K")
+    with np.errstate(all="ignore"):
+        return math.isfinite(flat @ flat)
+
+
 def is_real(results: NDArray[np.float64]) -> NDArray[np.bool_]:
     """In which rows of poses or Jacobians, shape (N, ...), every entry is a real number; shape (N,)."""
-    with np.errstate(all="ignore"):
-        if np.isfinite(results.sum()):  # a sum of what is not finite never is
-            return np.ones(len(results), dtype=np.bool_)
+    if are_finite(results):
+        return np.ones(len(results), dtype=np.bool_)
     where = tuple(range(1, results.ndim))
     return np.all(np.isfinite(results), axis=where)  # type: ignore[no-any-return]  # numpy: or one bool
 

@@ -6,7 +6,6 @@ from dataclasses import replace
 
 from dhcli.errors import RobotError
 from dhcli.kinematics.actuators import Actuators
-from dhcli.kinematics.forward import link_with
 from dhcli.kinematics.robot import Robot, Value, check_robot
 
 
@@ -18,6 +17,8 @@ def in_motors(robot: Robot) -> Robot:
     Raises:
         RobotError: Its motors are not known.
     """
+    from dhcli.kinematics.forward import link_with  # few robots are asked by their motors
+
     motors = driven(robot).actuators
     assert motors is not None  # noqa: S101  that is what has just been looked for
     formulas = motors.formulas

@@ -9,7 +9,8 @@ from dhcli.errors import Place
 from dhcli.frozen import frozen
 from dhcli.geometry.motion import inverse as undone
 from dhcli.notation.angle import Angle
-from dhcli.notation.factors import AXES, Axis, Factor, in_order_of_motion, parse_factors
+from dhcli.notation.factors import AXES, Axis, Factor
+from dhcli.notation.products import in_order_of_motion, parse_factors
 from dhcli.notation.scope import OPEN, Scope
 from dhcli.notation.styles import THETAS, Joints
 from dhcli.notation.tree import PI, ZERO, Expr, Number, Symbol, add, multiply, negate, number

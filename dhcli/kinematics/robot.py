@@ -15,7 +15,7 @@ from dhcli.kinematics.description import Description, Joint, Kind, Link
 from dhcli.kinematics.given import text_of
 from dhcli.kinematics.validity import check
 
-__all__ = ["Joint", "Kind", "Link", "Robot", "Value", "check_robot"]
+__all__ = ["Joint", "Kind", "Link", "Robot", "Value", "check_robot", "read_from"]
 
 
 class Robot(Description):
@@ -217,6 +217,14 @@ class Robot(Description):
 def _above(module: str, name: str) -> Any:  # noqa: ANN401  each caller says what it is
     """A function of a floor above, which reads and writes files and is imported when it is asked for."""
     return getattr(import_module(f"dhcli.{module}"), name)
+
+
+def read_from(robot: Robot, path: Path) -> Robot:
+    """The same robot, which was read from a file. It is valid, so that nothing of it is looked at again."""
+    found: Robot = object.__new__(Robot)
+    for each in fields(robot):
+        object.__setattr__(found, each.name, path if each.name == "path" else getattr(robot, each.name))
+    return found
 
 
 def check_robot(robot: object) -> None:

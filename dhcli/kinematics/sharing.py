@@ -38,6 +38,9 @@ def shared(work: Callable[[Part], Result], parts: Iterable[Part], threads: int) 
         work: What is done with a part; by several threads at once.
         parts: The parts.
         threads: How many threads share them; with one no other is started.
+
+    Raises:
+        Exception: What work raises, or the parts do, once the results of the parts before it are taken.
     """
     if threads == 1:
         yield from map(work, parts)
@@ -47,9 +50,19 @@ def shared(work: Callable[[Part], Result], parts: Iterable[Part], threads: int) 
     threads = min(threads, MOST)
     waiting: deque[Future[Result]] = deque()
     pool = ThreadPoolExecutor(threads)
+
+    def begun() -> Iterator[Future[Result]]:
+        try:
+            for part in parts:
+                yield pool.submit(work, part)
+        except Exception as error:  # noqa: BLE001  raised in its turn, after what the parts before it come to
+            failed = Future[Result]()
+            failed.set_exception(error)
+            yield failed
+
     try:
-        for part in parts:
-            waiting.append(pool.submit(work, part))
+        for future in begun():
+            waiting.append(future)
             if len(waiting) > AHEAD * threads:
                 yield waiting.popleft().result()
         while waiting:

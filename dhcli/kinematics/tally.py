@@ -18,6 +18,9 @@ from dhcli.kinematics.robot import Robot
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+_ROWS_IN_ONE = 64
+"""Rows that lie in one where the least of each column is looked for."""
+
 
 class Tally:
     """Counts rows of joint values that a person would be warned about one by one.
@@ -51,16 +54,15 @@ class Tally:
         if not len(q):
             return
         outside = np.zeros(len(q), dtype=np.bool_)
-        columns = np.ascontiguousarray(q.T)  # along rows numpy finds the least in a tenth of the time
-        extremes = zip(columns.min(axis=1).tolist(), columns.max(axis=1).tolist(), strict=True)
+        extremes = zip(_along(np.minimum, q), _along(np.maximum, q), strict=True)
         for k, (joint, (least, most)) in enumerate(zip(self._robot.joints, extremes, strict=True)):
             low, high = self._limits.get(joint.name, (-math.inf, math.inf))
             if least < low - SLACK or most > high + SLACK:
-                beyond = (columns[k] < low - SLACK) | (columns[k] > high + SLACK)
+                beyond = (q[:, k] < low - SLACK) | (q[:, k] > high + SLACK)
                 self._outside[joint.name] += int(beyond.sum())
                 outside |= beyond
             if in_radians[k] and joint.kind == "revolute" and max(-least, most) > math.tau:
-                self._turning[joint.name] += int((np.abs(columns[k]) > math.tau).sum())
+                self._turning[joint.name] += int((np.abs(q[:, k]) > math.tau).sum())
         self._any_outside += int(outside.sum())
 
     def warnings(self) -> Iterator[str]:
@@ -72,6 +74,19 @@ class Tally:
         for form, count in self._locked.items():
             if count:
                 yield locked_words(form, f" in {count} of {plural(self.rows, 'row')}")
+
+
+def _along(chosen: np.ufunc, q: NDArray[np.float64]) -> list[float]:
+    """The least or the most of each column, of which there is a row or more.
+
+    Many rows lie in one: numpy compares two rows so long in a fraction of the time that it takes for two short ones.
+    """
+    whole = len(q) - len(q) % _ROWS_IN_ONE
+    if whole:
+        wide = chosen.reduce(q[:whole].reshape(-1, _ROWS_IN_ONE * q.shape[1]))
+        q = np.concatenate((wide.reshape(_ROWS_IN_ONE, -1), q[whole:]))
+    chosen_of_each: list[float] = chosen.reduce(q).tolist()
+    return chosen_of_each
 
 
 def _listed(counts: Counter[str]) -> str:

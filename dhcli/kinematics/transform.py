@@ -21,10 +21,11 @@ from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.question import AnyPose, SeenPoint, folded
 from dhcli.kinematics.robot import Value
 from dhcli.kinematics.sharpened import sharpened
-from dhcli.notation.factors import Factor, moves_of, parse_factors
+from dhcli.notation.factors import Factor
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
 from dhcli.notation.pasted import pose_matrix
+from dhcli.notation.products import moves_of, parse_factors
 from dhcli.notation.quantity import DimensionError, to_angle, to_plain_length
 from dhcli.notation.scope import Scope, usual
 from dhcli.notation.tree import ZERO, Expr, Trig

@@ -100,8 +100,13 @@ def _files(paths: Iterable[str]) -> Iterator[str]:
     problems: list[Problem] = []
     found: dict[str, str] = {}
     for path in paths:
-        inner = sorted(_in_folder(Path(path), problems)) if Path(path).is_dir() else [Path(path)]
-        if not inner:
+        before = len(problems)
+        inner = sorted(_in_folder(Path(path), problems)) if path and Path(path).is_dir() else [Path(path)]
+        if not path:
+            problems.append(_missing(path))
+        elif not inner and len(problems) > before:
+            continue  # what cannot be read is told
+        elif not inner:
             problems.append(Problem("holds no YAML file", Place(path), "name a folder with robots or exercises"))
         elif path == "-":
             problems.append(

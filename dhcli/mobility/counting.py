@@ -14,7 +14,7 @@ from functools import cached_property
 from dhcli.frozen import frozen
 from dhcli.mobility.linkage import Linkage
 from dhcli.mobility.pairs import LinkageError, Pair, Space
-from dhcli.notation.tree import ONE, ZERO, Expr, Number, Product, Sum, add, is_negative, multiply, negate, number
+from dhcli.notation.tree import ONE, ZERO, Expr, Number, Product, Sum, add, is_negative, multiply, number
 from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write
 
@@ -202,8 +202,3 @@ def _sum_text(parts: list[tuple[Expr, int]]) -> str:
     if not texts:
         return "0"
     return texts[0] if len(texts) == 1 else f"({' + '.join(texts)})"
-
-
-def difference(first: Expr, second: Expr) -> Expr:
-    """One formula less another, multiplied out."""
-    return expanded(add(first, negate(second)))

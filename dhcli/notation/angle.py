@@ -12,7 +12,9 @@ from fractions import Fraction
 from dhcli.frozen import frozen
 from dhcli.notation.names import natural_key
 
-ZERO = Fraction(0)
+ZERO, ONCE = Fraction(0), Fraction(1)
+"""What most angles are made of; the same ones always, so that to compare them takes no arithmetic."""
+
 FULL_TURN = Fraction(360)
 FULL_TURN_IN_RADIANS = Fraction(44, 7)
 """A number beyond this beside a joint angle is meant in degrees, or `rad` would stand behind it."""
@@ -60,7 +62,7 @@ class Angle(Hashed):
     @classmethod
     def of(cls, name: str) -> Angle:
         """The angle that a single name stands for."""
-        return cls(((name, Fraction(1)),))
+        return cls(((name, ONCE),))
 
     @classmethod
     def in_degrees(cls, value: int | Fraction) -> Angle:
@@ -92,7 +94,9 @@ class Angle(Hashed):
         return Angle(terms, _plus(self.degrees, other.degrees), _plus(self.radians, other.radians))
 
     def __neg__(self) -> Angle:
-        return Angle(tuple((name, -factor) for name, factor in self.terms), -self.degrees, -self.radians)
+        return Angle(
+            tuple((name, -factor) for name, factor in self.terms), _negated(self.degrees), _negated(self.radians)
+        )
 
     def __sub__(self, other: Angle) -> Angle:
         return self + (-other)
@@ -129,6 +133,10 @@ class Angle(Hashed):
     def constant(self) -> float:
         """The constant part [rad]."""
         return (math.radians(self.degrees) if self.degrees else 0.0) + (float(self.radians) if self.radians else 0.0)
+
+
+def _negated(value: Fraction) -> Fraction:
+    return value if value is ZERO else -value
 
 
 def _plus(first: Fraction, second: Fraction) -> Fraction:

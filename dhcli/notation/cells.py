@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 from dhcli.notation.brackets import OPENING, STEPS
@@ -33,6 +34,7 @@ def rows_in(tokens: list[Token]) -> Iterator[list[Token]]:
     if groups:
         yield from groups
         return
+    tokens = _as_commas(tokens)
     row: list[Token] = []
     depth = 0
     for token in tokens:
@@ -43,6 +45,26 @@ def rows_in(tokens: list[Token]) -> Iterator[list[Token]]:
         elif token.kind != "newline":
             row.append(token)
     yield row
+
+
+def _as_commas(tokens: list[Token]) -> list[Token]:
+    """Semicolons as commas where they stand between the cells of rows by lines, `a;b;c` below `d;e;f`."""
+    lines: list[list[list[Token]]] = [[[]]]
+    for token, depth in with_depths(tokens):
+        if depth == 0 and token.kind == "newline":
+            lines.append([[]])
+        elif depth == 0 and token.text == ";":
+            lines[-1].append([])
+        elif depth == 0 and token.text in (",", "&", "|"):
+            return tokens
+        else:
+            lines[-1][-1].append(token)
+    rows = [line for line in lines if any(line)]
+    whole = len(rows) > 1 and len(rows[0]) > 1 and len({len(row) for row in rows}) == 1
+    if not whole or not all(cell and len(_blank_separated(cell)) == 1 for row in rows for cell in row):
+        return tokens
+    both = with_depths(tokens)
+    return [replace(token, text=",") if depth == 0 and token.text == ";" else token for token, depth in both]
 
 
 def _groups(tokens: list[Token]) -> list[list[Token]]:
@@ -124,3 +146,13 @@ def with_depths(row: Sequence[Token]) -> Iterator[tuple[Token, int]]:
         yield token, depth
         if step > 0:
             depth += step
+
+
+def trimmed(tokens: Sequence[Token]) -> list[Token]:
+    """Tokens without the ends of lines around them, nor the separators behind them."""
+    start, end = 0, len(tokens)
+    while start < end and tokens[start].kind == "newline":
+        start += 1
+    while end > start and (tokens[end - 1].kind == "newline" or tokens[end - 1].text in (",", ";")):
+        end -= 1
+    return list(tokens[start:end])

@@ -6,7 +6,6 @@ in the very middle of two floats orjson may read the one, Python the other.)
 
 from __future__ import annotations
 
-import json
 from contextlib import suppress
 from functools import cache
 from typing import TYPE_CHECKING, Any, NoReturn
@@ -70,8 +69,11 @@ def read_json(text: str) -> Any:  # noqa: ANN401  whatever stands there
         ValueError: It is no JSON.
         RecursionError: It has brackets in brackets in brackets.
     """
-    orjson = quick_json()
-    return orjson.loads(text) if orjson is not None else json.loads(text, parse_constant=_refuse)
+    if (orjson := quick_json()) is not None:
+        return orjson.loads(text)
+    import json  # what holds no JSON needs none
+
+    return json.loads(text, parse_constant=_refuse)
 
 
 @cache

@@ -1,39 +1,32 @@
-"""Products of moves as text: `Trans(8, -6, 14) Rot(y, 90°) [1 0 0 2; ...] inv(Rot_z(theta1))`.
+"""One factor of a product as text: `Rot(y, 90°)`, `Trans(8, -6, 14)`, `rpy(10°, 20°, 30°)`, `[1 0 0 2; ...]`.
 
 Reads the spelling only; what a move does to a frame is the business of kinematics.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import replace
-from itertools import groupby
-from typing import Literal
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Literal
 
-from dhcli.errors import Place
 from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
-from dhcli.notation.cells import matching
 from dhcli.notation.matrix import read_matrix
-from dhcli.notation.operators import DEEPEST
 from dhcli.notation.parser import Parser
 from dhcli.notation.quantity import DimensionError, to_angle, to_plain_length, with_unit
 from dhcli.notation.quarters import with_right_angles
-from dhcli.notation.scope import OPEN, Scope
-from dhcli.notation.tokens import Source, Token, tokenize
+from dhcli.notation.scope import Scope
+from dhcli.notation.tokens import Source, Token
 from dhcli.notation.tree import ONE, ZERO, Expr
 from dhcli.regex import regex
 
-MOST_FACTORS = 200
-LONGEST = 20_000
+if TYPE_CHECKING:
+    from dhcli.notation.turns import Part
 
 Axis = Literal["x", "y", "z"]
 AXES: tuple[Axis, ...] = ("x", "y", "z")
 
 _ROTATION = regex(r"(?:Rot|rot|Rotate|R)_?\{?([xyz])?\}?")
 _TRANSLATION = regex(r"(?:Trans|trans|Transl|transl|Translate|T|D)_?\{?([xyz])?\}?")
-_INVERSE = frozenset(("inv", "inverse", "Inv"))
-_WHERE = frozenset(("fixed", "current"))
 _TURNS = {"rpy": 3, "euler": 4, "quaternion": 4, "quat": 4, "rotvec": 3, "rotation_vector": 3}
 """Rotations by several numbers, and how many each takes."""
 EXAMPLE = "write Trans(1, 2, 3) Rot(z, 90°), or a matrix [1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1]"
@@ -66,22 +59,8 @@ class Factor:
     about: Literal["", "fixed", "current"] = ""
 
 
-def moves_of(factors: Sequence[Factor]) -> Iterator[list[Factor]]:
-    """Factors move by move: a rotation about any axis is one move, and so is what stands in `fixed(...)`."""
-    for _, group in groupby(factors, key=lambda factor: factor.start):
-        yield list(group)
-
-
-def in_order_of_motion(factors: Sequence[Factor]) -> list[Factor]:
-    """Factors as they are multiplied: a move about the fixed frame stands before all that were typed before it."""
-    ordered: list[Factor] = []
-    for group in moves_of(factors):
-        ordered = group + ordered if group[0].about == "fixed" else ordered + group
-    return ordered
-
-
 @frozen
-class _Reading:
+class Reading:
     """What the readers of one product share: its text, the names it may use, and where to say what was taken for what.
 
     Without a place for remarks, angles are taken as they stand.
@@ -93,90 +72,12 @@ class _Reading:
     unit: str = ""
 
 
-def parse_factors(
-    text: str, scope: Scope = OPEN, place: Place | None = None, remarks: list[str] | None = None, unit: str = ""
-) -> tuple[Factor, ...]:
-    """Read a product of moves and matrices, from left to right.
-
-    Args:
-        text: What a person wrote.
-        scope: The names it may use.
-        place: Where the text stands, for errors.
-        remarks: Where to say that 1.5708 rad was taken as 90°; without it such angles are taken as they stand.
-        unit: The unit of bare lengths; empty for metres.
+def read_matrix_factor(reading: Reading, tokens: Sequence[Token], *, inverse: bool) -> Factor:
+    """A literal 4x4 matrix.
 
     Raises:
-        NotationError: With the column, what is wrong there, and what would be read.
+        NotationError: It is no pose.
     """
-    source = Source(text, place or Place("product"))
-    tokens = [token for token in tokenize(source, most=LONGEST) if token.kind != "end"]
-    factors = tuple(_product(_Reading(source, scope, remarks, unit), tokens, inverse=False))
-    if not factors:
-        raise source.error(0, "no move is written here", EXAMPLE)
-    if len(factors) > MOST_FACTORS:
-        raise source.error(factors[MOST_FACTORS].start, f"more than {MOST_FACTORS} moves are not read")
-    return factors
-
-
-def _product(reading: _Reading, tokens: Sequence[Token], *, inverse: bool, depth: int = 0) -> list[Factor]:
-    source = reading.source
-    if depth > DEEPEST:
-        raise source.error(tokens[0].start if tokens else 0, f"brackets nested deeper than {DEEPEST} are not read")
-    factors: list[Factor] = []
-    i = 0
-    while i < len(tokens):
-        token = tokens[i]
-        if token.kind == "newline" or (token.kind == "sign" and token.text in "*@"):
-            i += 1
-            continue
-        opening = i + 1 if token.kind == "word" and token.text != "begin" else i
-        closing = _end_of_environment(tokens, i) if token.text == "begin" else matching(tokens, opening)
-        if closing < 0 and tokens[opening : opening + 1] and tokens[opening].text in ("(", "[", "{"):
-            raise source.error(tokens[opening].start, f"{tokens[opening].text} is never closed", "close the bracket")
-        if closing < 0:
-            raise source.error(token.start, f"{token.text!r} is not a move or a matrix", EXAMPLE)
-        inside = tokens[opening + 1 : closing]
-        end = _inverse_mark(tokens, closing)
-        turned = inverse != (end > closing)
-        if token.kind == "word" and token.text in _INVERSE:
-            part = _product(reading, inside, inverse=not turned, depth=depth + 1)
-            factors.extend(part[::-1] if inverse else part)
-        elif token.text == "(":
-            part = _product(reading, inside, inverse=turned, depth=depth + 1)
-            factors.extend(part[::-1] if inverse else part)
-        elif token.kind == "word" and token.text in _WHERE:
-            if depth or turned:
-                raise source.error(token.start, f"{token.text}(...) stands by itself", "not in brackets, nor inverted")
-            part = _product(reading, inside, inverse=False, depth=depth + 1)
-            about: Literal["fixed", "current"] = "fixed" if token.text == "fixed" else "current"
-            text = source.text[inside[0].start : inside[-1].end] if inside else ""
-            factors.extend(replace(factor, about=about, start=token.start, text=text) for factor in part)
-        elif token.kind == "sign" or token.text in ("begin", "array", "matrix", "Matrix"):
-            factors.append(_matrix(reading, tokens[i : closing + 1], inverse=turned))
-        else:
-            part = _moves(reading, token, inside, tokens[closing], inverse=turned)
-            factors.extend(part[::-1] if turned != inverse else part)
-        i = end + 1
-    return factors[::-1] if inverse else factors
-
-
-def _end_of_environment(tokens: Sequence[Token], start: int) -> int:
-    for i in range(start, len(tokens) - 3):
-        if tokens[i].text == "end" and tokens[i + 1].text == "{":
-            return i + 3
-    return -1
-
-
-def _inverse_mark(tokens: Sequence[Token], closing: int) -> int:
-    """Where `^-1` or `^{-1}` behind a factor ends, or the closing bracket itself."""
-    texts = "".join(token.text for token in tokens[closing + 1 : closing + 6])
-    for mark, length in (("^-1", 3), ("^{-1}", 5), ("^(-1)", 5)):
-        if texts.startswith(mark):
-            return closing + length
-    return closing
-
-
-def _matrix(reading: _Reading, tokens: Sequence[Token], *, inverse: bool) -> Factor:
     source = reading.source
     cells = read_matrix(source, tokens, reading.scope)
     start, text = tokens[0].start, source.text[tokens[0].start : tokens[-1].end]
@@ -185,7 +86,7 @@ def _matrix(reading: _Reading, tokens: Sequence[Token], *, inverse: bool) -> Fac
         raise source.error(start, f"a pose has 4 rows of 4, this matrix is {shape}", "add the row 0 0 0 1")
     units = ("", "", "", reading.unit)
     rows = tuple(
-        tuple(_length(source, cell.expr, cell.start, unit) for cell, unit in zip(row, units, strict=True))
+        tuple(_in_metres(source, cell.expr, cell.start, unit) for cell, unit in zip(row, units, strict=True))
         for row in cells[:3]
     )
     for cell, right in zip(cells[3], (ZERO, ZERO, ZERO, ONE), strict=True):
@@ -194,70 +95,83 @@ def _matrix(reading: _Reading, tokens: Sequence[Token], *, inverse: bool) -> Fac
     return Factor("matrix", text, rows=rows, inverse=inverse, start=start)
 
 
-def _moves(reading: _Reading, word: Token, inside: Sequence[Token], close: Token, *, inverse: bool) -> list[Factor]:
-    """A move, which several factors may stand for: a rotation about any axis, or by several numbers."""
-    source, scope = reading.source, reading.scope
+def read_move(reading: Reading, word: Token, inside: Sequence[Token], close: Token, *, inverse: bool) -> list[Factor]:
+    """A move, which several factors may stand for: a rotation about any axis, or by several numbers.
+
+    Args:
+        reading: What the readers share.
+        word: Its name, such as `Rot`.
+        inside: What stands in its brackets.
+        close: The closing bracket.
+        inverse: Whether its inverse is meant.
+
+    Raises:
+        NotationError: It is no move, or its arguments are none of such a one.
+    """
     arguments = _arguments(inside)
-    name = word.text if word.text in _TURNS else ""
-    any_axis = word.text in ("Rot", "rot") and len(arguments) == 2 and arguments[0][0].text in ("[", "(")  # noqa: PLR2004
-    if not name and not any_axis:
-        return [_move(reading, word, inside, close, inverse=inverse)]
-    from dhcli.notation import turns  # few products have one
+    is_about = word.text in ("Rot", "rot") and len(arguments) == 2 and arguments[0][0].text in ("[", "(")  # noqa: PLR2004
+    if word.text not in _TURNS and not is_about:
+        return [_move(reading, word, arguments, close, inverse=inverse)]
+    from dhcli.notation.turns import Turn  # few products have one
 
-    text = source.text[word.start : close.end]
-
-    def angles(parts: list[list[Token]]) -> list[Angle]:
-        return [_angle(reading, _parse(source, part, scope, close), part[0].start) for part in parts]
-
-    def numbers(parts: list[list[Token]]) -> list[Expr]:
-        return [_length(source, _parse(source, part, scope, close), part[0].start) for part in parts]
-
-    if name and len(arguments) != _TURNS[name]:
-        example = turns.EXAMPLES[name]
-        raise source.error(word.start, f"{name} takes {_TURNS[name]} values, not {len(arguments)}", f"write {example}")
-    if any_axis and len(axis := _arguments(arguments[0][1:-1])) != len(AXES):
-        raise source.error(word.start, f"an axis has three coordinates, not {len(axis)}", "write Rot([1, 2, 2], 40°)")
-    try:
-        if any_axis:
-            parts = turns.about(numbers(axis), angles(arguments[1:])[0])
-        elif name == "rpy":
-            parts = turns.in_order("fixed xyz", angles(arguments))
-        elif name == "euler":
-            order = source.text[arguments[0][0].start : arguments[0][-1].end]
-            parts = turns.in_order(order, angles(arguments[1:]))
-        elif name in ("quaternion", "quat"):
-            parts = turns.by_quaternion(numbers(arguments))
-        else:
-            parts = turns.by_vector(angles(arguments))
-    except DimensionError as error:
-        raise source.error(word.start, error.message, error.hint) from None
+    text = reading.source.text[word.start : close.end]
     return [
         Factor("rot", text, axis=part.axis, angle=part.angle, inverse=inverse, start=word.start)
-        if isinstance(part, turns.Turn)
+        if isinstance(part, Turn)
         else Factor("matrix", text, rows=part.rows, inverse=inverse, start=word.start)
-        for part in parts
+        for part in _turns(reading, word, arguments, close)
     ]
 
 
-def _move(reading: _Reading, word: Token, inside: Sequence[Token], close: Token, *, inverse: bool) -> Factor:
-    source, scope = reading.source, reading.scope
+def _turns(reading: Reading, word: Token, arguments: list[list[Token]], close: Token) -> tuple[Part, ...]:
+    """What a rotation about any axis, or by several numbers, is made of."""
+    from dhcli.notation import turns
+
+    source, name = reading.source, word.text
+
+    def angles(parts: list[list[Token]]) -> list[Angle]:
+        return [_angle(reading, part, close) for part in parts]
+
+    def numbers(parts: list[list[Token]]) -> list[Expr]:
+        return [_length(reading, part, close) for part in parts]
+
+    if name in _TURNS and len(arguments) != _TURNS[name]:
+        example = turns.EXAMPLES[name]
+        raise source.error(word.start, f"{name} takes {_TURNS[name]} values, not {len(arguments)}", f"write {example}")
+    try:
+        if name == "rpy":
+            return turns.in_order("fixed xyz", angles(arguments))
+        if name == "euler":
+            order = source.text[arguments[0][0].start : arguments[0][-1].end]
+            return turns.in_order(order, angles(arguments[1:]))
+        if name in ("quaternion", "quat"):
+            return turns.by_quaternion(numbers(arguments))
+        if name in _TURNS:
+            return turns.by_vector(angles(arguments))
+        if len(axis := _arguments(arguments[0][1:-1])) != len(AXES):
+            hint = "write Rot([1, 2, 2], 40°)"
+            raise source.error(word.start, f"an axis has three coordinates, not {len(axis)}", hint)
+        return turns.about(numbers(axis), angles(arguments[1:])[0])
+    except DimensionError as error:
+        raise source.error(word.start, error.message, error.hint) from None
+
+
+def _move(reading: Reading, word: Token, arguments: list[list[Token]], close: Token, *, inverse: bool) -> Factor:
+    source = reading.source
     text = source.text[word.start : close.end]
-    arguments = _arguments(inside)
     if match := _ROTATION.fullmatch(word.text):
         axis, rest = _axis(source, match[1], arguments, word, close, "Rot(z, 90°)")
-        angle = _angle(reading, _parse(source, rest[0], scope, close), rest[0][0].start)
+        angle = _angle(reading, rest[0], close)
         return Factor("rot", text, axis=axis, angle=angle, inverse=inverse, start=word.start)
     if match := _TRANSLATION.fullmatch(word.text):
         if match[1] or len(arguments) == 2:  # noqa: PLR2004  Trans(z, d1) and Trans_z(d1)
             axis, rest = _axis(source, match[1], arguments, word, close, "Trans(0, 0, d1)")
-            length = _length(source, _parse(source, rest[0], scope, close), rest[0][0].start, reading.unit)
+            length = _length(reading, rest[0], close, reading.unit)
             lengths = [length if name == axis else ZERO for name in AXES]
         else:
             if len(arguments) != len(AXES):
                 raise source.error(word.start, f"{word.text} takes three lengths", "write Trans(1, 2, 3)")
-            lengths = [
-                _length(source, _parse(source, part, scope, close), part[0].start, reading.unit) for part in arguments
-            ]
+            lengths = [_length(reading, part, close, reading.unit) for part in arguments]
         return Factor("trans", text, offset=(lengths[0], lengths[1], lengths[2]), inverse=inverse, start=word.start)
     raise source.error(word.start, f"{word.text} is not a move", EXAMPLE)
 
@@ -290,23 +204,29 @@ def _arguments(tokens: Sequence[Token]) -> list[list[Token]]:
     return [part for part in parts if part]
 
 
-def _parse(source: Source, tokens: list[Token], scope: Scope, close: Token) -> Expr:
-    parser = Parser(source, [*tokens, Token("end", "", close.start, close.start, spaced=False)], scope)
+def _parse(reading: Reading, tokens: list[Token], close: Token) -> Expr:
+    end = Token("end", "", close.start, close.start, spaced=False)
+    parser = Parser(reading.source, [*tokens, end], reading.scope)
     expr = parser.expression()
     parser.finish()
     return expr
 
 
-def _angle(reading: _Reading, expr: Expr, start: int) -> Angle:
+def _angle(reading: Reading, tokens: list[Token], close: Token) -> Angle:
+    expr = _parse(reading, tokens, close)
     if reading.remarks is not None:
         expr = with_right_angles(expr, reading.remarks)
     try:
         return to_angle(expr, bare="refuse")
     except DimensionError as error:
-        raise reading.source.error(start, error.message, error.hint) from None
+        raise reading.source.error(tokens[0].start, error.message, error.hint) from None
 
 
-def _length(source: Source, expr: Expr, start: int, unit: str = "") -> Expr:
+def _length(reading: Reading, tokens: list[Token], close: Token, unit: str = "") -> Expr:
+    return _in_metres(reading.source, _parse(reading, tokens, close), tokens[0].start, unit)
+
+
+def _in_metres(source: Source, expr: Expr, start: int, unit: str) -> Expr:
     try:
         return to_plain_length(with_unit(expr, unit))
     except DimensionError as error:

@@ -13,7 +13,7 @@ from dataclasses import replace
 from dhcli.errors import Place
 from dhcli.frozen import frozen
 from dhcli.notation.brackets import OPENING
-from dhcli.notation.cells import cells_in, matching, rows_in, with_depths
+from dhcli.notation.cells import cells_in, matching, rows_in, trimmed, with_depths
 from dhcli.notation.parser import read_all
 from dhcli.notation.scaled import times, without_factor
 from dhcli.notation.scope import OPEN, Scope
@@ -72,6 +72,8 @@ def read_matrix(source: Source, tokens: Sequence[Token], scope: Scope) -> tuple[
     body = _unwrap(scaled.body)
     if {"&", ";"} <= {token.text for token in body}:  # LaTeX ends a row with \\ alone, and long rows are broken
         body = [token for token in body if token.kind != "newline"]
+    if body and body[0].text == "[" and matching(body, 0) < 0:
+        raise source.error(body[0].start, "this [ is never closed", "write the bracket behind the last row")
     rows = _without_axes([found for row in rows_in(body) if (found := cells_in(source, row))])
     if not rows:
         raise source.error(0, "no matrix is written here", "write [1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1]")
@@ -110,7 +112,7 @@ def _letters(cell: list[Token]) -> str:
 
 def _labelled(tokens: list[Token]) -> list[Token]:
     """Without `T =` in front."""
-    tokens = _trim(tokens)
+    tokens = trimmed(tokens)
     return tokens[2:] if [token.kind for token in tokens[:2]] == ["word", "sign"] and tokens[1].text == "=" else tokens
 
 
@@ -129,31 +131,37 @@ def _unwrap(tokens: list[Token]) -> list[Token]:
     """Without LaTeX environments, `T =`, `array(...)` and the outermost brackets."""
     tokens = _labelled(_without_environments(tokens))
     for _ in range(MOST_WRAPPINGS):
-        tokens = _trim(tokens)
+        tokens = trimmed(tokens)
         if len(tokens) > 1 and tokens[0].kind == "word" and tokens[0].text in _WRAPPERS and tokens[1].text in OPENING:
             tokens = tokens[1:]
         closing = matching(tokens, 0)
         if closing != len(tokens) - 1 or closing < 1:
             break
-        inside = _trim(tokens[1:-1])
+        inside = trimmed(tokens[1:-1])
         if tokens[0].text == "(" and not (inside and (inside[0].text in ("[", "{") or _has_rows(inside))):
-            break
+            return _tuples(inside) or tokens
         tokens = inside
     return tokens
 
 
 def _has_rows(tokens: Sequence[Token]) -> bool:
-    r"""Whether cells and rows are separated here as in LaTeX, `\left(\begin{array}{cc} a & b \\ ...`."""
-    return any(depth == 0 and token.text == "&" for token, depth in with_depths(tokens))
+    r"""Whether cells or rows are separated here, as in `(a b; c d)` or `\left(\begin{array}{cc} a & b \\ ...`."""
+    return any(depth == 0 and token.text in ("&", ";") for token, depth in with_depths(tokens))
 
 
-def _trim(tokens: list[Token]) -> list[Token]:
-    start, end = 0, len(tokens)
-    while start < end and tokens[start].kind == "newline":
-        start += 1
-    while end > start and (tokens[end - 1].kind == "newline" or tokens[end - 1].text in (",", ";")):
-        end -= 1
-    return tokens[start:end]
+def _tuples(tokens: list[Token]) -> list[Token]:
+    """Rows in square brackets, where a text has them in round ones, `((1, 0), (0, 1))`; none where it has no rows."""
+    start, rows = 0, list[Token]()
+    while start < len(tokens):
+        closing = matching(tokens, start)
+        row = tokens[start + 1 : closing]
+        if tokens[start].text != "(" or not any(not d and token.text == "," for token, d in with_depths(row)):
+            return []
+        rows += [replace(tokens[start], text="["), *row, replace(tokens[closing], text="]")]
+        start = closing + 1
+        while start < len(tokens) and (tokens[start].kind == "newline" or tokens[start].text == ","):
+            start += 1
+    return rows
 
 
 def _without_environments(tokens: list[Token]) -> list[Token]:

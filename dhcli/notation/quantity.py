@@ -132,9 +132,10 @@ def to_plain_length(expr: Expr) -> Expr:
     Raises:
         DimensionError: As `to_length`, or it is an angle by an inverse function.
     """
+    length = to_length(expr)
     if is_inverse(expr):
         raise DimensionError("an inverse function is an angle, a length is wanted", "write 0.4 m or 400 mm")
-    return to_length(expr)
+    return length
 
 
 def has_angle_unit(expr: Expr) -> bool:

@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from dhcli.frozen import frozen
 from dhcli.notation.brackets import OPENING, STEPS
+from dhcli.notation.cells import trimmed
 from dhcli.notation.parser import read_all
 from dhcli.notation.quantity import LENGTH_UNITS
 from dhcli.notation.scope import Scope
@@ -46,7 +47,7 @@ def without_factor(source: Source, tokens: list[Token], scope: Scope, wrappers: 
     start, end = _matrix(tokens, wrappers)
     if end < 0 or (start == 0 and end == len(tokens) - 1):
         return Scaled(tokens)
-    before, after = _trimmed(tokens[:start]), _trimmed(tokens[end + 1 :])
+    before, after = trimmed(tokens[:start]), trimmed(tokens[end + 1 :])
     if not (before or after) or not _is_factor(before) or not _is_factor(after):
         return Scaled(tokens)
     if not before and len(after) == 1 and after[0].text in LENGTH_UNITS:
@@ -109,15 +110,6 @@ def _closing(tokens: Sequence[Token], start: int) -> int:
         if depth == 0:
             return i
     return -1
-
-
-def _trimmed(tokens: Sequence[Token]) -> list[Token]:
-    start, end = 0, len(tokens)
-    while start < end and tokens[start].kind == "newline":
-        start += 1
-    while end > start and (tokens[end - 1].kind == "newline" or tokens[end - 1].text in (",", ";")):
-        end -= 1
-    return list(tokens[start:end])
 
 
 def _is_factor(tokens: Sequence[Token]) -> bool:

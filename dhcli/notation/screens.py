@@ -33,6 +33,25 @@ _NAME_OF_BRACKET = regex(r"(?<![\w.])k[0-9]{1,3}(?![\w])")
 _COMMON_FACTOR = regex(r"\s*([0-9](?:\.[0-9]{1,20})?[eE][+-]?[0-9]{1,3})[^\S\n]*\*[^\S\n]*\n")
 _GRID = regex(r"[\s0-9,;.eE\[\]()+−–-]*")  # noqa: RUF001
 _NUMBER = regex(r"[+−–-]?[0-9]{1,30}(?:,[0-9]{1,30})?(?:[eE][+-]?[0-9]{1,3})?")  # noqa: RUF001
+_STYLED = regex(r"[\U0001d400-\U0001d7ff\u210e\uff01-\uff5e\u3000]")
+_SIGNS = {
+    "ᵀ": "^T",
+    "⟨": "(",
+    "⟩": ")",
+    "〈": "(",
+    "〉": ")",
+    "、": ",",
+    "î": "i",
+    "ĵ": "j",
+    "\u0302": "",
+    "½": "(1/2)",
+    "⅓": "(1/3)",
+    "⅔": "(2/3)",
+    "¼": "(1/4)",
+    "¾": "(3/4)",
+}
+"""What stands around vectors and in those of their axes, to the hat of k̂; and fractions in one sign."""
+
 _SIDES = (3, 4)
 
 
@@ -51,6 +70,18 @@ def plain(text: str) -> str:
     return stripped
 
 
+def unstyled(text: str) -> str:
+    """A text with plain letters, digits and signs for those that papers set and wide keyboards type: 𝜃 is θ.
+
+    A raised T, angle brackets of a vector and ½ become what is read there; letters that only look alike stay.
+    """
+    if text.isascii():
+        return text
+    from unicodedata import normalize  # few texts need it
+
+    return "".join(normalize("NFKC", one) if _STYLED.match(one) else _SIGNS.get(one, one) for one in text)
+
+
 def equations(text: str) -> str:
     r"""A list of equations without the `\begin{array}{rcl}` around it."""
     return _ROWS_OF_EQUATIONS.sub(" ", text) if "\\begin{array}" in text and "=" in text else text
@@ -63,10 +94,13 @@ def with_factor(text: str) -> str:
 
 
 def with_points(text: str) -> str:
-    """A square of numbers with decimal commas between blanks, with points; any other text as it is."""
+    """A square of numbers with decimal commas between blanks or semicolons, with points; any other text as it is."""
     if "," not in text or not _GRID.fullmatch(text):
         return text
-    lines = [line.split() for line in re.split(r"[\n;]", text.strip().strip("[]()")) if line.strip()]
+    inside = text.strip().strip("[]()")
+    lines = [line.split() for line in re.split(r"[\n;]", inside) if line.strip()]
+    if "\n" in inside and ";" in inside:  # a table as programs write it where 0,5 is a half
+        lines = [re.split(r"\s*;\s*", line.strip(" ;")) for line in inside.split("\n") if line.strip()]
     width = len(lines[0]) if lines else 0
     whole = len(lines) > 1 and width in _SIDES and all(len(line) == width for line in lines)
     if not whole or not all(_NUMBER.fullmatch(number) for line in lines for number in line):

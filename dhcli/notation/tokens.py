@@ -20,7 +20,7 @@ Kind = Literal["number", "word", "sign", "newline", "end"]
 _OPERATORS = {
     **dict.fromkeys("−–—‐‑﹣-", "-"),  # noqa: RUF001  the many dashes that are meant as a minus
     **dict.fromkeys("×·⋅∙∗*", "*"),  # noqa: RUF001
-    **dict.fromkeys("÷/∕", "/"),
+    **dict.fromkeys("÷/∕⁄", "/"),  # noqa: RUF001
     "√": "√",
     "°": "°",
     "º": "°",

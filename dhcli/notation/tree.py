@@ -16,7 +16,7 @@ from operator import itemgetter
 from typing import Literal
 
 from dhcli.frozen import frozen
-from dhcli.notation.angle import Angle, Hashed
+from dhcli.notation.angle import ONCE, Angle, Hashed
 from dhcli.notation.names import natural_key
 from dhcli.notation.roots import square_root
 
@@ -237,7 +237,7 @@ def multiply(*factors: Expr) -> Expr:
     if plain is not None:
         return plain
     number_part = ONE
-    radicand = Fraction(1)
+    radicand = ONCE
     powers: dict[Expr, Fraction] = {}
     for factor in _flat(factors, Product):
         if type(factor) is Number:
@@ -248,18 +248,19 @@ def multiply(*factors: Expr) -> Expr:
         if type(factor) is Sum and is_negative(factor.terms[0]):
             factor = negate(factor)  # noqa: PLW2901  the sign moves outside the bracket
             number_part = Number(-number_part.value, number_part.places)
-        base, exponent = (factor.base, factor.exponent) if type(factor) is Power else (factor, Fraction(1))
+        base, exponent = (factor.base, factor.exponent) if type(factor) is Power else (factor, ONCE)
         if type(base) is Number and exponent == HALF and base.value >= 0:
             radicand *= base.value
         else:
-            powers[base] = powers.get(base, Fraction(0)) + exponent
-    if radicand != 1:
+            known = powers.get(base)
+            powers[base] = exponent if known is None else known + exponent
+    if radicand is not ONCE:
         outside, root = square_root(radicand)
         number_part = _multiply_numbers(number_part, Number(outside))
         if root != 1:
             powers[Power(Number(Fraction(root)), HALF)] = Fraction(1)
     kept = [
-        base if exponent == 1 else Power(base, exponent)
+        base if exponent is ONCE or exponent == 1 else Power(base, exponent)
         for base, exponent in powers.items()
         if exponent or type(base) is Unit
     ]
@@ -346,7 +347,7 @@ def _scale(factor: Number, *rest: Expr) -> Expr:
         return factor
     if len(rest) == 1 and type(rest[0]) is Product:
         rest = rest[0].factors
-    if factor.value == 1:
+    if factor is ONE or factor.value == 1:
         return rest[0] if len(rest) == 1 else Product(rest)
     if factor.value == -1 and len(rest) == 1 and type(rest[0]) is Sum:
         return negate(rest[0])

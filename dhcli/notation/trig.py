@@ -34,9 +34,11 @@ def swapped(node: Expr) -> Expr:
 
 def _reduce(angle: Angle) -> tuple[int, Angle]:
     """An angle as a number of right angles, 0 to 3, and a rest that holds none."""
+    constant = angle.degrees  # most are whole, and to divide fractions takes ten times as long
+    if constant.denominator == 1 and constant.numerator % 90 == 0:
+        rest = Angle(angle.terms, radians=angle.radians) if constant else angle
+        return constant.numerator // 90 % 4, rest
     degrees = angle.degrees % FULL_TURN
-    if degrees % 90 == 0:
-        return int(degrees // 90), angle if not angle.degrees else Angle(angle.terms, Fraction(0), angle.radians)
     if not angle.terms and not angle.radians:
         return int(degrees // 90), Angle(degrees=degrees % 90)
     return 0, Angle(angle.terms, degrees if degrees <= FULL_TURN / 2 else degrees - FULL_TURN, angle.radians)

@@ -33,12 +33,15 @@ def symbols(expr: Expr) -> frozenset[str]:
     """All names, those inside angles too."""
     if type(expr) is Symbol:
         return frozenset((expr.name,))
-    found: set[str] = set()
-    for node in walk(expr):
+    stack, found = [expr], set[str]()
+    while stack:
+        node = stack.pop()
         if type(node) is Symbol:
             found.add(node.name)
         elif type(node) is Trig:
-            found |= node.angle.names
+            found.update(name for name, _ in node.angle.terms)
+        else:
+            stack += children(node)
     return frozenset(found)
 
 

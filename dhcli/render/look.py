@@ -11,6 +11,7 @@ from typing import Any
 from dhcli.errors import UnknownNameError
 from dhcli.frozen import frozen
 from dhcli.kinematics.entries import DIGITS, rounded
+from dhcli.regex import regex
 from dhcli.render.paper import Paper
 
 _NOUNS = {
@@ -183,6 +184,9 @@ _CONTENTS = {
 
 _NOISE = 1e-9
 """What is smaller is taken for rounding and shown as 0."""
+_DECIMAL = regex(r"[0-9]+\.[0-9]+")
+_FEWEST = 3
+"""Digits of a number that would be rounded to nothing."""
 
 
 @frozen
@@ -195,6 +199,7 @@ class Look:
         digits: Decimals; None for what the format usually has.
         style: Spelling of formulas, `short` or `full`; None for what the format usually has.
         in_file: Whether it goes into a file, which should run by itself.
+        places: Most decimals of a number in a formula; None for all it has.
     """
 
     format: str = "table"
@@ -202,6 +207,13 @@ class Look:
     digits: int | None = None
     style: str | None = None
     in_file: bool = False
+    places: int | None = None
+
+    def formula(self, text: str) -> str:
+        """A formula for people: a number that has more decimals than are shown is rounded, though never to nothing."""
+        if self.places is None:
+            return text
+        return _DECIMAL.sub(lambda number: _shorter(number[0], self.places or 0), text)
 
     def number(self, value: float) -> str:
         """A number for people."""
@@ -252,6 +264,14 @@ def check_format(kind: str, name: str) -> None:
         if ("function", name) in _RENDERERS and kind in _FUNCTIONS:
             hint = f"a function that runs is --code {name}; {hint}"
         raise UnknownNameError(f"there is no format {name}{of}", hint)
+
+
+def _shorter(number: str, places: int) -> str:
+    """A decimal number without its sign, in fewer places if it has more."""
+    if len(number.partition(".")[2]) <= places:
+        return number
+    short = rounded(float(number), places)
+    return short if short != "0" else rounded(float(number), _FEWEST - 1 - math.floor(math.log10(float(number))))
 
 
 def _imported(where: str) -> Any:  # noqa: ANN401  one of the functions named above

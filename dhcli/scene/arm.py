@@ -7,13 +7,14 @@ from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise
 
+from dhcli.geometry.vectors import ORIGIN, Vector, cross, dot, scaled
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values
 from dhcli.scene.bodies import body_of
 from dhcli.scene.fan import HALF, NEAR, Slid, fanned
 from dhcli.scene.primitives import Anchor, Arrow, Box, Dimension, Drum, Hand, Plate, Rod, Scene, Solid
 from dhcli.scene.skeleton import Axis, Skeleton
-from dhcli.scene.vectors import NULL, Frame, Vec, across, add, cross, dot, norm, scaled, sub, unit
+from dhcli.scene.vectors import Frame, across, add, norm, sub, unit
 from dhcli.scene.words import Run, Words, joined
 
 DRUM, LEAST_DRUM = 0.07, 0.045
@@ -51,7 +52,7 @@ def arm_scene(robot: Robot, values: Values, size: float | None = None) -> Scene:
         arrows=tuple(arrows(skeleton.states, skeleton.numbered, size)),
         dimensions=tuple(_dimensions(skeleton)),
         plate=plate,
-        pinned=(Anchor(0, NULL),) if flat and robot.first == 1 else (),
+        pinned=(Anchor(0, ORIGIN),) if flat and robot.first == 1 else (),
     )
     return _with_hand(scene, skeleton, slid)
 
@@ -93,11 +94,11 @@ def _rods(skeleton: Skeleton, slid: tuple[Slid, ...], size: float) -> Iterator[R
         ends.append(Anchor(leg.state, leg.end))
     for state, ends in by_state.items():
         varies = any(leg.state == state and leg.variable for leg in skeleton.legs)
-        yield Rod(ends[0], Anchor(state + 1, NULL) if varies else ends[-1], (ROD * 0.8 if varies else ROD) * size)
+        yield Rod(ends[0], Anchor(state + 1, ORIGIN) if varies else ends[-1], (ROD * 0.8 if varies else ROD) * size)
     for each in slid:
         if each.stub:
             axis = each.axis
-            yield Rod(Anchor(axis.state, scaled(axis.direction, each.shift)), Anchor(axis.state, NULL), ROD * size)
+            yield Rod(Anchor(axis.state, scaled(axis.direction, each.shift)), Anchor(axis.state, ORIGIN), ROD * size)
 
 
 def _plate(skeleton: Skeleton, solids: tuple[Solid, ...], slid: tuple[Slid, ...], size: float) -> Plate | None:
@@ -134,7 +135,7 @@ PLATE = 2.9
 def _stand(plate: Plate | None, size: float) -> Iterator[Rod]:
     """The piece between the ground and the place of the first joint."""
     if plate is not None and norm(plate.centre.at) > 0:
-        yield Rod(plate.centre, Anchor(plate.centre.state, NULL), ROD * size)
+        yield Rod(plate.centre, Anchor(plate.centre.state, ORIGIN), ROD * size)
 
 
 def _with_hand(scene: Scene, skeleton: Skeleton, slid: tuple[Slid, ...]) -> Scene:
@@ -150,15 +151,15 @@ def _with_hand(scene: Scene, skeleton: Skeleton, slid: tuple[Slid, ...]) -> Scen
             reach = max(reach, span[1])
     local = _local(frame, forward)
     wrist = scaled(local, reach + 0.5 * scene.unit if reach else 0.0)
-    stem = (Rod(Anchor(end, NULL), Anchor(end, wrist), ROD * scene.unit),) if reach else ()
-    side: Vec = (0.0, 1.0, 0.0) if abs(local[1]) < 0.9 else (1.0, 0.0, 0.0)  # noqa: PLR2004  not along y
+    stem = (Rod(Anchor(end, ORIGIN), Anchor(end, wrist), ROD * scene.unit),) if reach else ()
+    side: Vector = (0.0, 1.0, 0.0) if abs(local[1]) < 0.9 else (1.0, 0.0, 0.0)  # noqa: PLR2004  not along y
     if scene.plate is None and abs(local[2]) < 0.1:  # noqa: PLR2004  in the plane
         side = cross((0.0, 0.0, 1.0), local)
     side = unit(sub(side, scaled(local, dot(side, local))))
     return replace(scene, rods=(*scene.rods, *stem), hand=Hand(Anchor(end, wrist), local, side, HAND * scene.unit))
 
 
-def _forward(skeleton: Skeleton, last: Slid) -> Vec:
+def _forward(skeleton: Skeleton, last: Slid) -> Vector:
     """Where the fingers point in the world."""
     for leg in reversed(skeleton.legs):
         start, stop = skeleton.ends(leg)
@@ -181,7 +182,7 @@ def _is_in_row(skeleton: Skeleton) -> bool:
     return abs(dot(last, before)) > PARALLEL
 
 
-def _local(frame: Frame, direction: Vec) -> Vec:
+def _local(frame: Frame, direction: Vector) -> Vector:
     return dot(direction, frame.x), dot(direction, frame.y), dot(direction, frame.z)
 
 
@@ -193,7 +194,7 @@ def arrows(states: tuple[Frame, ...], numbered: tuple[tuple[str, int], ...], siz
         numbered: The names of those that have one, each with its place among the states.
         size: The radius of the drums [m].
     """
-    merged: list[tuple[Vec, Vec, str, int, list[Words]]] = []
+    merged: list[tuple[Vector, Vector, str, int, list[Words]]] = []
     for name, state in numbered:
         frame = states[state]
         for letter, direction in (("x", frame.x), ("z", frame.z)):
@@ -206,18 +207,18 @@ def arrows(states: tuple[Frame, ...], numbered: tuple[tuple[str, int], ...], siz
             else:
                 merged.append((frame.origin, direction, letter, state, [words]))
     for origin, direction, letter, state, names in merged:
-        local: Vec = (1.0, 0.0, 0.0) if letter == "x" else (0.0, 0.0, 1.0)
+        local: Vector = (1.0, 0.0, 0.0) if letter == "x" else (0.0, 0.0, 1.0)
         under = letter == "x" and any(
             kind == "z" and norm(sub(direction, other)) < SAME and norm(sub(origin, start)) < SAME * size
             for start, other, kind, _, _ in merged
         )  # an x axis along a z axis is shorter, so that both heads are seen
         length = ARROW * size * (0.62 if under else 1.0)
-        yield Arrow(Anchor(state, NULL), local, "x" if letter == "x" else "z", joined(names), length)
+        yield Arrow(Anchor(state, ORIGIN), local, "x" if letter == "x" else "z", joined(names), length)
 
 
 def _dimensions(skeleton: Skeleton) -> Iterator[Dimension]:
     states = [leg.state for leg in skeleton.legs]
     for leg in skeleton.legs:
         varies, alone = bool(leg.variable), states.count(leg.state) == 1
-        end = Anchor(leg.state + 1, NULL) if varies and alone else Anchor(leg.state, leg.end)
+        end = Anchor(leg.state + 1, ORIGIN) if varies and alone else Anchor(leg.state, leg.end)
         yield Dimension(Anchor(leg.state, leg.start), end, leg.words, variable=varies, direct=not alone)

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 
 from dhcli.errors import RobotError
+from dhcli.geometry.vectors import Vector, dot
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import JointInput, Values, numbers, require
 from dhcli.notation.quantity import Bare
@@ -23,7 +24,7 @@ from dhcli.scene.shapes import Figure, Shape, arrowhead, ring
 from dhcli.scene.skeleton import Skeleton
 from dhcli.scene.staging import Paper, fitted, foot, stage_arm, values_at
 from dhcli.scene.traced import Traced, paired, traced
-from dhcli.scene.vectors import Flat, Frame, Vec, along, dot, norm, sub
+from dhcli.scene.vectors import Flat, Frame, along, norm, sub
 from dhcli.scene.words import Run, Words
 
 FAR = 4.0
@@ -150,7 +151,7 @@ def traced_robot(other: Robot, robot: Robot, values: Values) -> Traced:
     return traced(other.name, segments, numbers(given), pairs)
 
 
-def _is_near(point: Vec, skeleton: Skeleton) -> bool:
+def _is_near(point: Vector, skeleton: Skeleton) -> bool:
     """Whether a point is on the paper of the arm; one in another unit would make the arm a dot."""
     return norm(sub(point, skeleton.states[0].origin)) <= FAR * _size(skeleton)
 

@@ -7,10 +7,11 @@ from dataclasses import field
 from typing import Protocol
 
 from dhcli.frozen import frozen
+from dhcli.geometry.vectors import Vector, cross, dot, scaled
 from dhcli.scene.camera import Camera
 from dhcli.scene.primitives import Ball, Drum, Face, Scene, Solid
 from dhcli.scene.shapes import Shape, hull, ring
-from dhcli.scene.vectors import Vec, add, along, cross, dot, norm, scaled, sub, unit
+from dhcli.scene.vectors import add, along, norm, sub, unit
 
 RIM = 32
 """Corners of the rim of a drum."""
@@ -24,13 +25,13 @@ class Body(Protocol):
     """A solid in the world."""
 
     @property
-    def centre(self) -> Vec:
+    def centre(self) -> Vector:
         """Its middle."""
 
-    def span(self, point: Vec, towards: Vec) -> tuple[float, float] | None:
+    def span(self, point: Vector, towards: Vector) -> tuple[float, float] | None:
         """Where a line through a point enters and leaves the body, counted along a direction; None past it."""
 
-    def samples(self) -> tuple[Vec, ...]:
+    def samples(self) -> tuple[Vector, ...]:
         """Points all over its surface."""
 
     def shapes(self, camera: Camera) -> list[Shape]:
@@ -41,13 +42,13 @@ class Body(Protocol):
 class Cylinder:
     """A drum in the world."""
 
-    centre: Vec
-    axis: Vec
+    centre: Vector
+    axis: Vector
     radius: float
     half: float
-    across: tuple[Vec, Vec] = field(repr=False)
+    across: tuple[Vector, Vector] = field(repr=False)
 
-    def span(self, point: Vec, towards: Vec) -> tuple[float, float] | None:
+    def span(self, point: Vector, towards: Vector) -> tuple[float, float] | None:
         """Where a line goes through; see Body."""
         rel = sub(point, self.centre)
         height, climb = dot(rel, self.axis), dot(towards, self.axis)
@@ -63,14 +64,14 @@ class Cylinder:
             return None
         return _between(low, high, height, climb, self.half)
 
-    def rim(self, end: float) -> tuple[Vec, ...]:
+    def rim(self, end: float) -> tuple[Vector, ...]:
         """The circle at one end."""
         middle = along(self.centre, self.axis, end * self.half)
         u, v = self.across
         turns = [2 * math.pi * i / RIM for i in range(RIM)]
         return tuple(along(along(middle, u, self.radius * math.cos(t)), v, self.radius * math.sin(t)) for t in turns)
 
-    def samples(self) -> tuple[Vec, ...]:
+    def samples(self) -> tuple[Vector, ...]:
         """Points of both rims, and of the middle."""
         return (
             *self.rim(1)[::4],
@@ -100,11 +101,11 @@ class Cylinder:
 class Block:
     """A box in the world."""
 
-    centre: Vec
-    axes: tuple[Vec, Vec, Vec]
+    centre: Vector
+    axes: tuple[Vector, Vector, Vector]
     halves: tuple[float, float, float]
 
-    def span(self, point: Vec, towards: Vec) -> tuple[float, float] | None:
+    def span(self, point: Vector, towards: Vector) -> tuple[float, float] | None:
         """Where a line goes through; see Body."""
         rel = sub(point, self.centre)
         low, high = -math.inf, math.inf
@@ -115,14 +116,14 @@ class Block:
             low, high = cut
         return low, high
 
-    def corner(self, *signs: int) -> Vec:
+    def corner(self, *signs: int) -> Vector:
         """One of the eight corners."""
         point = self.centre
         for sign, axis, half in zip(signs, self.axes, self.halves, strict=True):
             point = along(point, axis, sign * half)
         return point
 
-    def samples(self) -> tuple[Vec, ...]:
+    def samples(self) -> tuple[Vector, ...]:
         """The corners, and the middles of the faces."""
         corners = [self.corner(i, j, k) for i in (-1, 1) for j in (-1, 1) for k in (-1, 1)]
         faces = [
@@ -155,17 +156,17 @@ class Block:
 class Sphere:
     """A ball in the world."""
 
-    centre: Vec
+    centre: Vector
     radius: float
 
-    def span(self, point: Vec, towards: Vec) -> tuple[float, float] | None:
+    def span(self, point: Vector, towards: Vector) -> tuple[float, float] | None:
         """Where a line goes through; see Body."""
         rel = sub(point, self.centre)
         b, c = dot(rel, towards), dot(rel, rel) - self.radius * self.radius * INSIDE
         root = b * b - c
         return (-b - math.sqrt(root), -b + math.sqrt(root)) if root > 0 else None
 
-    def samples(self) -> tuple[Vec, ...]:
+    def samples(self) -> tuple[Vector, ...]:
         """Six points of its surface."""
         r = self.radius
         return tuple(add(self.centre, v) for v in ((r, 0, 0), (-r, 0, 0), (0, r, 0), (0, -r, 0), (0, 0, r), (0, 0, -r)))
@@ -181,11 +182,11 @@ class Sphere:
 class Sheet:
     """A flat link in the world."""
 
-    centre: Vec
-    corners: tuple[Vec, ...]
+    centre: Vector
+    corners: tuple[Vector, ...]
     look: str = "sheet"
 
-    def span(self, point: Vec, towards: Vec) -> tuple[float, float] | None:
+    def span(self, point: Vector, towards: Vector) -> tuple[float, float] | None:
         """Where a line goes through; see Body."""
         a, b, c = self.corners[:3]
         normal = unit(cross(sub(b, a), sub(c, a)))
@@ -200,7 +201,7 @@ class Sheet:
         }
         return (t, t) if len(signs) == 1 else None
 
-    def samples(self) -> tuple[Vec, ...]:
+    def samples(self) -> tuple[Vector, ...]:
         """Corners drawn a little inwards, and the middle."""
         return (*(add(scaled(c, 0.8), scaled(self.centre, 0.2)) for c in self.corners), self.centre)
 
@@ -229,7 +230,7 @@ def body_of(scene: Scene, solid: Solid) -> Body:
     return Block(centre, (axis, side, cross(axis, side)), (half, half * 0.8, half * 0.8))
 
 
-def _level(axis: Vec) -> Vec:
+def _level(axis: Vector) -> Vector:
     """A level direction at right angles to an axis."""
     flat = cross((0.0, 0.0, 1.0), axis)
     return unit(flat) if norm(flat) > 1e-6 else (1.0, 0.0, 0.0)  # noqa: PLR2004  an upright axis

@@ -7,7 +7,8 @@ from collections.abc import Iterable
 
 from dhcli.errors import DhcliError, Problem, did_you_mean
 from dhcli.frozen import frozen
-from dhcli.scene.vectors import Flat, Vec, dot
+from dhcli.geometry.vectors import Vector, dot
+from dhcli.scene.vectors import Flat
 
 VIEWS = {"iso": (37.0, 26.0), "front": (0.0, 0.0), "side": (-90.0, 0.0), "top": (-90.0, 90.0)}
 """Named views: azimuth and elevation of the eye [deg]."""
@@ -34,9 +35,9 @@ class Camera:
 
     azimuth: float
     elevation: float
-    right: Vec
-    up: Vec
-    towards: Vec
+    right: Vector
+    up: Vector
+    towards: Vector
     scale: float = 1.0
     centre: Flat = (0.0, 0.0)
     middle: Flat = (0.0, 0.0)
@@ -48,22 +49,22 @@ class Camera:
         ce, se = _cos_sin(elevation)
         return cls(azimuth, elevation, (-sa, ca, 0.0), (-se * ca, -se * sa, ce), (ce * ca, ce * sa, se))
 
-    def flat(self, point: Vec) -> Flat:
+    def flat(self, point: Vector) -> Flat:
         """Where a point is on paper, to the right and down [px]."""
         return (
             self.middle[0] + self.scale * dot(point, self.right) - self.centre[0],
             self.middle[1] - self.scale * dot(point, self.up) - self.centre[1],
         )
 
-    def flat_direction(self, direction: Vec) -> Flat:
+    def flat_direction(self, direction: Vector) -> Flat:
         """A direction on paper, as long as it looks for a length of one."""
         return dot(direction, self.right), -dot(direction, self.up)
 
-    def depth(self, point: Vec) -> float:
+    def depth(self, point: Vector) -> float:
         """How near a point is to the reader [m]."""
         return dot(point, self.towards)
 
-    def fitted(self, points: Iterable[Vec], room: tuple[float, float, float, float], most: float) -> Camera:
+    def fitted(self, points: Iterable[Vector], room: tuple[float, float, float, float], most: float) -> Camera:
         """The same view with all points inside a rectangle.
 
         Args:

@@ -8,6 +8,7 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
+from dhcli.geometry.vectors import cross, dot
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.robot import Joint, Robot, Value
 from dhcli.kinematics.values import Values, parameter_values
@@ -17,7 +18,7 @@ from dhcli.scene.bodies import body_of
 from dhcli.scene.camera import Camera
 from dhcli.scene.primitives import Arrow, Hand, Scene
 from dhcli.scene.skeleton import Skeleton
-from dhcli.scene.vectors import Frame, along, cross, dot, norm, sub, unit
+from dhcli.scene.vectors import Frame, along, norm, sub, unit
 
 SEEN_FROM = tuple(
     (az, el) for el in (26.0, 18.0, 34.0) for az in (37.0, 25.0, 52.0, -37.0, -52.0, 128.0, 143.0, -143.0)

@@ -7,8 +7,9 @@ ahead; those between stay. Frames never move.
 from __future__ import annotations
 
 from dhcli.frozen import frozen
+from dhcli.geometry.vectors import Vector, dot
 from dhcli.scene.skeleton import Axis, Leg, Skeleton
-from dhcli.scene.vectors import Vec, dot, norm, sub, unit
+from dhcli.scene.vectors import norm, sub, unit
 
 NEAR = 2.3
 """Joints nearer than this many radii share a place."""
@@ -133,7 +134,7 @@ def _away(skeleton: Skeleton, axis: Axis) -> int:
     point, direction = skeleton.place(axis)
     down = _down(skeleton, axis)
     for leg in _neighbours(skeleton, axis, before=False)[:1]:
-        towards: Vec = unit(sub(skeleton.ends(leg)[1], point))
+        towards: Vector = unit(sub(skeleton.ends(leg)[1], point))
         if dot(towards, direction) * down > 0.5:  # noqa: PLR2004  within 60°
             return -1
     return 1

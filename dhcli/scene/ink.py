@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from itertools import pairwise
+from itertools import accumulate, pairwise
+from operator import add
 
 from dhcli.scene.shapes import Shape
 from dhcli.scene.vectors import Flat
@@ -40,7 +41,7 @@ class Ink:
 
     def amount(self, left: float, top: float, right: float, bottom: float) -> int:
         """How much ink is in a rectangle."""
-        table = self._sums()
+        table = self.table or self._sums()
         wide = self.columns + 1
         i, j = max(0, int(left / CELL)), max(0, int(top / CELL))
         k, m = min(self.columns, int(right / CELL) + 1), min(self.rows, int(bottom / CELL) + 1)
@@ -82,16 +83,12 @@ class Ink:
                     self.cells[at] = max(self.cells[at], weight)
 
     def _sums(self) -> list[int]:
-        """The summed-area table, made when it is first asked for."""
-        if self.table is None:
-            wide = self.columns + 1
-            table = [0] * wide
-            for j in range(self.rows):
-                total = 0
-                table.append(0)
-                above = j * wide + 1
-                for i, value in enumerate(self.cells[j * self.columns : (j + 1) * self.columns]):
-                    total += value
-                    table.append(total + table[above + i])
-            self.table = table
-        return self.table
+        """Make the summed-area table, when it is first asked for."""
+        wide = self.columns + 1
+        self.table = table = [0] * wide
+        for j in range(self.rows):
+            row = accumulate(self.cells[j * self.columns : (j + 1) * self.columns])
+            above = table[j * wide + 1 : (j + 1) * wide]
+            table.append(0)
+            table.extend(map(add, row, above))
+        return table

@@ -63,7 +63,6 @@ class Wish:
         words: Its letters.
         look: The name of its look.
         away: The side on which it is best, a direction; none is as good as any.
-        weight: How large its letters are in parts of the usual.
     """
 
     points: tuple[Flat, ...]
@@ -127,7 +126,7 @@ def placed(wishes: list[Wish], ink: Ink, room: Rect, lettering: Lettering = PRIN
         best: tuple[float, Rect, Flat] | None = None
         for rings in (RINGS, FAR_RINGS):
             for cost, rect, point in _places(wish, box, rings, room):
-                if (best and cost >= best[0]) or any(rect.meets(other) for other in taken):
+                if (best and cost >= best[0]) or _is_taken(rect, taken):
                     continue
                 full = cost + _under(rect, point, ink, taken, leaders)
                 if best is None or full < best[0] - 1e-9:
@@ -155,13 +154,22 @@ def _places(wish: Wish, box: Flat, rings: tuple[float, ...], room: Rect) -> Iter
             for dx, dy in PLACES:
                 reach = ring + min(half_w / max(abs(dx), 1e-9), half_h * 0.8 / max(abs(dy), 1e-9))
                 x, y = point[0] + dx * reach, point[1] + dy * reach
+                if x - half_w < room.left or x + half_w > room.right:
+                    continue
+                if y - half_h < room.top or y + half_h > room.bottom:
+                    continue
                 rect = Rect(x - half_w, y - half_h, x + half_w, y + half_h)
-                if rect.left < room.left or rect.right > room.right:
-                    continue
-                if rect.top < room.top or rect.bottom > room.bottom:
-                    continue
                 side = (dx * wish.away[0] + dy * wish.away[1]) / wanted if wanted > 1e-9 else 1.0  # noqa: PLR2004
                 yield DISTANCE * ring + TURNED * (1 - side) + 0.01 * number, rect, point
+
+
+def _is_taken(rect: Rect, taken: list[Rect]) -> bool:
+    """Whether a rectangle meets one of others; asked for each place of each label, so without a call for each."""
+    left, top, right, bottom = rect.left, rect.top, rect.right, rect.bottom
+    for other in taken:
+        if left < other.right and other.left < right and top < other.bottom and other.top < bottom:
+            return True
+    return False
 
 
 def _under(rect: Rect, point: Flat, ink: Ink, taken: list[Rect], leaders: list[tuple[Flat, Flat]]) -> float:

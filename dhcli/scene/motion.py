@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from dhcli.frozen import frozen
+from dhcli.geometry.vectors import Vector
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import JointInput, Values
@@ -21,7 +22,7 @@ from dhcli.scene.primitives import Scene
 from dhcli.scene.shapes import Figure, Shape
 from dhcli.scene.skeleton import Skeleton
 from dhcli.scene.staging import LARGEST_DRUM, MARGIN, Paper, extent, foot, posed, stage_arm, value_words, values_at
-from dhcli.scene.vectors import Flat, Vec
+from dhcli.scene.vectors import Flat
 
 if TYPE_CHECKING:
     from dhcli.notation.quantity import Bare
@@ -55,7 +56,7 @@ class Motion:
 
     robot: Robot
     scenes: tuple[Scene, ...]
-    places: tuple[Vec, ...]
+    places: tuple[Vector, ...]
     steps: tuple[int, ...]
     view: tuple[float, float]
     caption: str
@@ -153,5 +154,5 @@ def _like(value: Value, number: float) -> Value:
     return Angle(radians=exact) if isinstance(value, Angle) else Number(exact)
 
 
-def _end(robot: Robot, values: Mapping[str, Value]) -> Vec:
+def _end(robot: Robot, values: Mapping[str, Value]) -> Vector:
     return Skeleton.of(robot, values).states[-1].origin

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from dhcli.geometry.vectors import Vector, dot
 from dhcli.scene.bodies import Cylinder, body_of
 from dhcli.scene.camera import Camera
 from dhcli.scene.ink import Ink
@@ -12,7 +13,7 @@ from dhcli.scene.labels import Wish
 from dhcli.scene.painter import turn_arc
 from dhcli.scene.primitives import Anchor, Arrow, Box, Dimension, Drum, Scene
 from dhcli.scene.shapes import Shape, arrowhead, ring
-from dhcli.scene.vectors import Flat, Vec, along, dot, norm, sub
+from dhcli.scene.vectors import Flat, along, norm, sub
 from dhcli.scene.words import Run, spelled
 
 END_ON = 0.13
@@ -103,7 +104,7 @@ def joint_axes(scene: Scene, camera: Camera, first: int | None) -> tuple[list[Sh
     return shapes, wishes if first is not None else []
 
 
-def _reach(scene: Scene, centre: Vec, axis: Vec, sign: int) -> float:
+def _reach(scene: Scene, centre: Vector, axis: Vector, sign: int) -> float:
     """How far the axis of a joint is drawn on one side of its middle; where the hand is on it, past the hand."""
     reach, hand = 3.2 * scene.unit, scene.hand
     if hand is None:

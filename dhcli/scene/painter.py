@@ -7,12 +7,13 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from dhcli.frozen import frozen
+from dhcli.geometry.vectors import Vector, cross, dot, scaled
 from dhcli.scene.bodies import Body, Cylinder, body_of
 from dhcli.scene.camera import Camera
 from dhcli.scene.order import ordered
 from dhcli.scene.primitives import Drum, Hand, Plate, Rod, Scene
 from dhcli.scene.shapes import Shape, arrowhead, ring
-from dhcli.scene.vectors import Flat, Vec, along, cross, dot, middle, norm, scaled, sub, unit
+from dhcli.scene.vectors import Flat, along, middle, norm, sub, unit
 
 PIECE, MOST_PIECES = 0.4, 80
 """Length of a piece of a rod in radii of a drum, and how many of them a rod has at the most."""
@@ -35,7 +36,7 @@ class Piece:
         width: How wide a rod is [px]; 0 for a line.
     """
 
-    middle: Vec
+    middle: Vector
     line: tuple[Flat, ...]
     look: str
     owner: int
@@ -74,7 +75,7 @@ def painted(scene: Scene, camera: Camera, *, turns: bool) -> list[Shape]:
     return shapes
 
 
-def turn_arc(body: Cylinder, camera: Camera) -> list[Vec]:
+def turn_arc(body: Cylinder, camera: Camera) -> list[Vector]:
     """The points of a turn arrow around a drum, from its start to its tip."""
     front = sub(camera.towards, scaled(body.axis, dot(camera.towards, body.axis)))
     facing = unit(front) if norm(front) > 0.05 else unit(cross(camera.up, body.axis))  # noqa: PLR2004  end on
@@ -103,7 +104,7 @@ def _rod_pieces(scene: Scene, bodies: list[Body], camera: Camera) -> Iterator[Pi
 
 
 def _one_rod(
-    rod: Rod, start: Vec, end: Vec, bodies: list[Body], camera: Camera, owner: tuple[int, float]
+    rod: Rod, start: Vector, end: Vector, bodies: list[Body], camera: Camera, owner: tuple[int, float]
 ) -> Iterator[Piece]:
     number, unit_length = owner
     length = norm(sub(end, start))
@@ -121,7 +122,7 @@ def _one_rod(
             yield Piece(along(point, camera.towards, -0.02 * unit_length), (camera.flat(point),), look, number, width)
 
 
-def _outside(start: Vec, way: Vec, length: float, bodies: list[Body]) -> list[tuple[float, float]]:
+def _outside(start: Vector, way: Vector, length: float, bodies: list[Body]) -> list[tuple[float, float]]:
     """The parts of a line that are in no body; what is inside one is dropped."""
     parts = [(0.0, length)]
     for body in bodies:
@@ -137,7 +138,7 @@ def _outside(start: Vec, way: Vec, length: float, bodies: list[Body]) -> list[tu
     return parts
 
 
-def _is_inside(point: Vec, bodies: list[Body], camera: Camera) -> bool:
+def _is_inside(point: Vector, bodies: list[Body], camera: Camera) -> bool:
     return any(span and span[0] < 0 < span[1] for span in (body.span(point, camera.towards) for body in bodies))
 
 
@@ -147,7 +148,7 @@ def grip(scene: Scene, hand: Hand, camera: Camera) -> Shape:
     return Shape(tuple(map(camera.flat, (*sides, *reversed(tips)))), "grip", closed=True)
 
 
-def _fork(scene: Scene, hand: Hand) -> tuple[Vec, tuple[Vec, Vec], tuple[Vec, Vec]]:
+def _fork(scene: Scene, hand: Hand) -> tuple[Vector, tuple[Vector, Vector], tuple[Vector, Vector]]:
     """The middle of the hand's bar, its ends, and the tips of the fingers."""
     wrist, state = scene.point(hand.wrist), hand.wrist.state
     forward, across = (scaled(scene.direction(state, d), hand.size) for d in (hand.forward, hand.across))
@@ -244,7 +245,7 @@ def ground(scene: Scene, plate: Plate, camera: Camera) -> Iterator[Shape]:
         yield Shape((at(low, s - low), at(high, s - high)), "hatch")
 
 
-def _break(centre: Vec, normal: Vec, size: float, camera: Camera) -> Iterator[Shape]:
+def _break(centre: Vector, normal: Vector, size: float, camera: Camera) -> Iterator[Shape]:
     """A wavy line across the end of a rod."""
     x, y = camera.flat(centre)
     fx, fy = camera.flat_direction(normal)

@@ -6,9 +6,10 @@ import math
 from collections.abc import Iterator
 
 from dhcli.errors import plural
+from dhcli.geometry.vectors import ORIGIN, Vector, dot, scaled
 from dhcli.mobility.linkage import Joint, Linkage
 from dhcli.mobility.pairs import LinkageError
-from dhcli.scene.vectors import NULL, Vec, dot, norm, scaled, sub, unit
+from dhcli.scene.vectors import norm, sub, unit
 
 SAME = 1e-9
 """Points nearer than this part of the linkage's size are one."""
@@ -40,7 +41,7 @@ class Places:
         self.size = math.hypot(*(max(p[i] for p in known) - min(p[i] for p in known) for i in range(3))) if known else 0
         self.size = self.size or 1.0
         self.at = tuple(self._place(joint) for joint in linkage.joints)
-        self.links: dict[str, list[Vec]] = {link: [] for link in linkage.links}
+        self.links: dict[str, list[Vector]] = {link: [] for link in linkage.links}
         for joint, at in zip(linkage.joints, self.at, strict=True):
             for link, held in self._held(joint, at):
                 if all(not self.same(held, other) for other in self.links[link]):
@@ -49,13 +50,13 @@ class Places:
             if point.link:
                 self.links[point.link].append(point.at)
 
-    def same(self, a: Vec, b: Vec) -> bool:
+    def same(self, a: Vector, b: Vector) -> bool:
         """Whether two points are one."""
         return math.dist(a, b) < SAME * self.size
 
-    def named(self) -> Iterator[tuple[str, Vec]]:
+    def named(self) -> Iterator[tuple[str, Vector]]:
         """Every name with its point: as the file calls them, else the numbers of the joints."""
-        seen: list[Vec] = []
+        seen: list[Vector] = []
         held = [at for points in self.links.values() for at in points]
         for point in self.linkage.points:
             if any(self.same(point.at, other) for other in held):
@@ -66,11 +67,11 @@ class Places:
                 seen.append(at)
                 yield joint.name, at
 
-    def _place(self, joint: Joint) -> Vec:
+    def _place(self, joint: Joint) -> Vector:
         """Where a joint is; one without a point, such as a slider, is where the lighter of its links is held."""
         if joint.point is not None:
             return joint.point
-        found: list[tuple[int, Vec]] = []
+        found: list[tuple[int, Vector]] = []
         for link in joint.links:
             others = [o.point for o in self.linkage.joints if link in o.links and o is not joint and o.point]
             if others and (link != self.linkage.ground or not found):
@@ -81,9 +82,9 @@ class Places:
         if joint.pair.name == "prismatic" and joint.axis and len(found) == 2 and max(n for n, _ in found) < 10:  # noqa: PLR2004
             (_, a), (_, b) = found
             return scaled((a[0] + b[0], a[1] + b[1], a[2] + b[2]), 0.5)
-        return min(found)[1] if found else NULL
+        return min(found)[1] if found else ORIGIN
 
-    def _held(self, joint: Joint, at: Vec) -> Iterator[tuple[str, Vec]]:
+    def _held(self, joint: Joint, at: Vector) -> Iterator[tuple[str, Vector]]:
         """The points that a joint gives to its links."""
         first, second = joint.links
         if joint.pair.name in ("cam", "bar", "rolling") and joint.point and joint.other:
@@ -105,7 +106,7 @@ def check_count(linkage: Linkage) -> None:
         raise LinkageError(f"{linkage.name} has {count}, more than the {MOST_LINKS} that a picture holds")
 
 
-def corners(points: list[Vec]) -> list[Vec]:
+def corners(points: list[Vector]) -> list[Vector]:
     """The points of a link in an order that goes around it."""
     if len(points) < 3:  # noqa: PLR2004  a bar
         return points
@@ -116,14 +117,14 @@ def corners(points: list[Vec]) -> list[Vec]:
     widest = max(beside, key=norm)
     v = unit(widest)
 
-    def turn(point: Vec) -> float:
+    def turn(point: Vector) -> float:
         way = sub(point, middle)
         return math.atan2(dot(way, v), dot(way, u))
 
     return sorted(points, key=turn)
 
 
-def is_straight(points: list[Vec], size: float) -> bool:
+def is_straight(points: list[Vector], size: float) -> bool:
     """Whether points lie on one line."""
     ends = farthest(points)
     way = unit(sub(ends[1], ends[0]))
@@ -131,6 +132,6 @@ def is_straight(points: list[Vec], size: float) -> bool:
     return max(map(norm, aside)) < 1e-6 * size
 
 
-def farthest(points: list[Vec]) -> tuple[Vec, Vec]:
+def farthest(points: list[Vector]) -> tuple[Vector, Vector]:
     """The two points farthest apart."""
     return max(((a, b) for a in points for b in points), key=lambda pair: math.dist(*pair))

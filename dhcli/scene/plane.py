@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 
 from dhcli.frozen import frozen
+from dhcli.geometry.vectors import Vector
 from dhcli.mobility.linkage import Joint, Linkage
 from dhcli.scene.ink import Ink
 from dhcli.scene.labels import Rect, Wish, placed
@@ -13,7 +14,7 @@ from dhcli.scene.overlay import hatching, support
 from dhcli.scene.places import Places, corners, farthest, is_straight
 from dhcli.scene.shapes import Figure, Shape, Text, hull, ring
 from dhcli.scene.staging import Paper
-from dhcli.scene.vectors import Flat, Vec, unit
+from dhcli.scene.vectors import Flat, unit
 from dhcli.scene.words import Run, named
 
 BAR, PIN = 7.5, 5.5
@@ -34,7 +35,7 @@ class Sheet:
     centre: Flat
     middle: Flat
 
-    def at(self, point: Vec) -> Flat:
+    def at(self, point: Vector) -> Flat:
         """Where a point is [px]."""
         return (
             self.middle[0] + self.scale * (point[0] - self.centre[0]),
@@ -62,7 +63,7 @@ def plane_figure(linkage: Linkage, paper: Paper, caption: list[Text], *, workshe
     return Figure(paper.width, paper.height, (*shapes, *leaders), (*texts, *caption), linkage.title)
 
 
-def circles(places: Places) -> Iterator[tuple[str, Vec, float]]:
+def circles(places: Places) -> Iterator[tuple[str, Vector, float]]:
     """Wheels and cams: the link, the centre and the radius of each."""
     seen = set()
     for joint in places.linkage.joints:
@@ -72,7 +73,7 @@ def circles(places: Places) -> Iterator[tuple[str, Vec, float]]:
                 yield link, centre, radius
 
 
-def _round(joint: Joint, places: Places) -> Iterator[tuple[str, Vec, float]]:
+def _round(joint: Joint, places: Places) -> Iterator[tuple[str, Vector, float]]:
     if joint.pair.name == "gear" and joint.radii:
         for link, radius in zip(joint.links, joint.radii, strict=True):
             yield link, _hub(link, joint.carrier or "", places), radius
@@ -86,7 +87,7 @@ def _round(joint: Joint, places: Places) -> Iterator[tuple[str, Vec, float]]:
         yield joint.links[1], joint.other, second
 
 
-def _hub(link: str, carrier: str, places: Places) -> Vec:
+def _hub(link: str, carrier: str, places: Places) -> Vector:
     """Where a wheel turns in its carrier."""
     for joint, at in zip(places.linkage.joints, places.at, strict=True):
         if set(joint.links) == {link, carrier} and joint.point:
@@ -119,7 +120,7 @@ def _ground(places: Places, sheet: Sheet) -> Iterator[Shape]:
     linkage = places.linkage
     if _is_bar(places):
         return
-    seen: list[Vec] = []
+    seen: list[Vector] = []
     for joint, at in zip(linkage.joints, places.at, strict=True):
         if linkage.ground not in joint.links or any(places.same(at, other) for other in seen):
             continue
@@ -188,7 +189,7 @@ def _wheels(places: Places, sheet: Sheet) -> Iterator[Shape]:
 
 def _joints(places: Places, sheet: Sheet) -> Iterator[Shape]:
     linkage = places.linkage
-    seen: list[Vec] = []
+    seen: list[Vector] = []
     for joint, at in zip(linkage.joints, places.at, strict=True):
         x, y = sheet.at(at)
         if joint.pair.name == "prismatic" and joint.axis:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import Literal, NamedTuple, TypeAlias
 
 from dhcli.frozen import frozen
-from dhcli.scene.vectors import Frame, Vec
+from dhcli.geometry.vectors import Vector
+from dhcli.scene.vectors import Frame
 from dhcli.scene.words import Words
 
 
@@ -18,7 +19,7 @@ class Anchor(NamedTuple):
     """
 
     state: int
-    at: Vec
+    at: Vector
 
 
 @frozen
@@ -52,7 +53,7 @@ class Drum:
 
     name: str
     centre: Anchor
-    axis: Vec
+    axis: Vector
     radius: float
     half: float
 
@@ -71,8 +72,8 @@ class Box:
 
     name: str
     centre: Anchor
-    axis: Vec
-    side: Vec
+    axis: Vector
+    side: Vector
     half: float
 
 
@@ -118,7 +119,7 @@ class Arrow:
     """
 
     start: Anchor
-    direction: Vec
+    direction: Vector
     letter: Literal["x", "y", "z"]
     words: Words
     length: float
@@ -155,7 +156,7 @@ class Plate:
     """
 
     centre: Anchor
-    normal: Vec
+    normal: Vector
     size: float
     broken: bool = False
 
@@ -172,8 +173,8 @@ class Hand:
     """
 
     wrist: Anchor
-    forward: Vec
-    across: Vec
+    forward: Vector
+    across: Vector
     size: float
 
 
@@ -213,10 +214,10 @@ class Scene:
     marks: tuple[Mark, ...] = ()
     pinned: tuple[Anchor, ...] = ()
 
-    def point(self, anchor: Anchor) -> Vec:
+    def point(self, anchor: Anchor) -> Vector:
         """Where an anchored point is in the world [m]."""
         return self.states[anchor.state].point(anchor.at)
 
-    def direction(self, state: int, local: Vec) -> Vec:
+    def direction(self, state: int, local: Vector) -> Vector:
         """Where a direction of a state points in the world."""
         return self.states[state].direction(local)

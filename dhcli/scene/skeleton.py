@@ -8,6 +8,7 @@ from typing import Literal, TypeAlias
 
 from dhcli.algebra.floats import Floats
 from dhcli.frozen import frozen
+from dhcli.geometry.vectors import ORIGIN, Vector, scaled
 from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans, expressions
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values, numbers
@@ -15,12 +16,12 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr, Number
 from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write, write_angle
-from dhcli.scene.vectors import NULL, WORLD, Frame, Vec, add, norm, scaled, sub, unit
+from dhcli.scene.vectors import WORLD, Frame, add, norm, sub, unit
 from dhcli.scene.words import Words, spelled
 
 Given: TypeAlias = Mapping[str, Angle | float]
 
-AXES: Mapping[str, Vec] = {"x": WORLD.x, "y": WORLD.y, "z": WORLD.z}
+AXES: Mapping[str, Vector] = {"x": WORLD.x, "y": WORLD.y, "z": WORLD.z}
 
 
 @frozen
@@ -37,7 +38,7 @@ class Axis:
     name: str
     kind: Literal["revolute", "prismatic"]
     state: int
-    direction: Vec
+    direction: Vector
 
 
 @frozen
@@ -53,8 +54,8 @@ class Leg:
     """
 
     state: int
-    start: Vec
-    end: Vec
+    start: Vector
+    end: Vector
     words: Words
     variable: str = ""
 
@@ -105,12 +106,12 @@ class Skeleton:
             found += _legs_of(state, move, floats, self.robot)
         return tuple(leg for leg in found if leg.variable or norm(sub(leg.end, leg.start)) > 0)
 
-    def ends(self, leg: Leg) -> tuple[Vec, Vec]:
+    def ends(self, leg: Leg) -> tuple[Vector, Vector]:
         """Where a piece starts and ends in the world [m]."""
         frame = self.states[leg.state]
         return frame.point(leg.start), frame.point(leg.end)
 
-    def place(self, axis: Axis) -> tuple[Vec, Vec]:
+    def place(self, axis: Axis) -> tuple[Vector, Vector]:
         """A point of a joint's axis in the world, and its direction."""
         frame = self.states[axis.state]
         return frame.origin, frame.direction(axis.direction)
@@ -124,7 +125,7 @@ def moved(frame: Frame, move: Move, floats: Floats) -> Frame:
     if isinstance(move, Trans):
         return frame._replace(origin=frame.point(offset(move, floats)))
     rows = [[float(floats.length(entry)) for entry in row] for row in move.rows]
-    columns: list[Vec] = [(rows[0][i], rows[1][i], rows[2][i]) for i in range(4)]
+    columns: list[Vector] = [(rows[0][i], rows[1][i], rows[2][i]) for i in range(4)]
     x, y, z = (frame.direction(column) for column in columns[:3])
     return Frame(x, y, z, frame.point(columns[3]))
 
@@ -139,7 +140,7 @@ def turned(frame: Frame, axis: str, cos: float, sin: float) -> Frame:
     return Frame(_mix(x, y, cos, sin), _mix(y, x, cos, -sin), z, origin)
 
 
-def _mix(a: Vec, b: Vec, cos: float, sin: float) -> Vec:
+def _mix(a: Vector, b: Vector, cos: float, sin: float) -> Vector:
     return add(scaled(a, cos), scaled(b, sin))
 
 
@@ -167,13 +168,13 @@ def variables_of(move: Trans, robot: Robot) -> list[str]:
     return [name for name in robot.variables if name in held]
 
 
-def slope(move: Trans, name: str, given: Given) -> Vec:
+def slope(move: Trans, name: str, given: Given) -> Vector:
     """How a translation grows with a variable, in which it is affine."""
     low, high = (offset(move, Floats({**given, name: at})) for at in (0.0, 1.0))
     return sub(high, low)
 
 
-def offset(move: Trans, floats: Floats) -> Vec:
+def offset(move: Trans, floats: Floats) -> Vector:
     """A translation in numbers [m]."""
     x, y, z = (float(floats.length(length)) for length in move.offset)
     return x, y, z
@@ -190,7 +191,7 @@ def _legs_of(state: int, move: Move, floats: Floats, robot: Robot) -> list[Leg]:
 
 def _stretches(state: int, lengths: list[Expr], floats: Floats, robot: Robot) -> list[Leg]:
     """One piece for each axis that a move goes along, x before y before z."""
-    found, at = [], NULL
+    found, at = [], ORIGIN
     for axis, expr in zip(AXES.values(), lengths, strict=True):
         value = float(floats.length(expr))
         held = [name for name in robot.variables if name in symbols(expr)]

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from dhcli.geometry.vectors import Vector
 from dhcli.mobility.linkage import Joint, Linkage
 from dhcli.scene.fan import HALF, STEP
 from dhcli.scene.places import Places, corners, farthest, is_straight
 from dhcli.scene.primitives import Anchor, Ball, Box, Drum, Face, Mark, Rod, Scene, Solid
-from dhcli.scene.vectors import WORLD, Vec, across, along, unit
+from dhcli.scene.vectors import WORLD, across, along, unit
 from dhcli.scene.words import named
 
 SIZE, ROD = 0.036, 0.2
@@ -43,7 +44,7 @@ def space_scene(linkage: Linkage) -> Scene:
     return Scene((WORLD,) * len(state), size, tuple(solids), tuple(rods), marks=marks)
 
 
-def holder(places: Places, at: Vec) -> str:
+def holder(places: Places, at: Vector) -> str:
     """The link that holds a point: one that may move, if there is one."""
     ground = places.linkage.ground
     holders = [link for link, held in places.links.items() if any(places.same(at, point) for point in held)]
@@ -61,7 +62,7 @@ def _shift(places: Places, number: int, size: float) -> float:
     return STEP * size * (-1 if number == sharing[0] else 1)
 
 
-def _bodies(joint: Joint, at: Vec, shift: float, size: float, state: int) -> Iterator[Solid]:
+def _bodies(joint: Joint, at: Vector, shift: float, size: float, state: int) -> Iterator[Solid]:
     if joint.pair.name in TURNING and joint.axis:
         axis = unit(joint.axis)
         yield Drum(joint.name, Anchor(state, along(at, axis, shift)), axis, size, HALF * size)
@@ -71,7 +72,7 @@ def _bodies(joint: Joint, at: Vec, shift: float, size: float, state: int) -> Ite
         yield Ball(Anchor(state, at), 0.8 * size)
 
 
-def _arms(joint: Joint, at: Vec, size: float, state: dict[str, int]) -> Iterator[Rod]:
+def _arms(joint: Joint, at: Vector, size: float, state: dict[str, int]) -> Iterator[Rod]:
     """The cross of a universal joint, each arm in the bearings of its link."""
     if joint.pair.name == "universal" and joint.axis and joint.axis2:
         for link, axis in zip(joint.links, (joint.axis, joint.axis2), strict=True):
@@ -79,7 +80,9 @@ def _arms(joint: Joint, at: Vec, size: float, state: dict[str, int]) -> Iterator
             yield Rod(ends[0], ends[1], 0.12 * size)
 
 
-def _link(linkage: Linkage, state: int, points: list[Vec], extent: float, size: float) -> tuple[list[Rod], list[Face]]:
+def _link(
+    linkage: Linkage, state: int, points: list[Vector], extent: float, size: float
+) -> tuple[list[Rod], list[Face]]:
     """A rod between two points, a plate through three and more."""
     is_ground = linkage.links[state] == linkage.ground
     if len(points) < 2:  # noqa: PLR2004  nothing between
@@ -104,5 +107,5 @@ def _shafts(places: Places, slid: list[float], size: float, state: dict[str, int
             yield Rod(Anchor(held, start), Anchor(held, end), ROD * size, ground=places.linkage.ground in joint.links)
 
 
-def _rod(start: Vec, end: Vec, size: float, state: int) -> Rod:
+def _rod(start: Vector, end: Vector, size: float, state: int) -> Rod:
     return Rod(Anchor(state, start), Anchor(state, end), ROD * size)

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
+from dhcli.geometry.vectors import Vector
 from dhcli.kinematics.conventions import NAMES
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.robot import Robot, Value
@@ -23,7 +24,7 @@ from dhcli.scene.painter import grip, painted
 from dhcli.scene.primitives import Ball, Box, Drum, Face, Scene
 from dhcli.scene.shapes import Figure, Shape, Text
 from dhcli.scene.skeleton import Skeleton
-from dhcli.scene.vectors import Vec, along
+from dhcli.scene.vectors import along
 from dhcli.scene.words import Run, named, plain
 
 WIDTH, HEIGHT = 820.0, 640.0
@@ -152,7 +153,7 @@ def figure_of(staged: Staged, paper: Paper | None = None, *, worksheet: bool = F
     return Figure(paper.width, paper.height, (*shapes, *leaders, *over), tuple(texts), staged.title, caption)
 
 
-def fitted(scene: Scene, view: tuple[float, float], paper: Paper, more: Sequence[Vec] = ()) -> Camera:
+def fitted(scene: Scene, view: tuple[float, float], paper: Paper, more: Sequence[Vector] = ()) -> Camera:
     """The camera that has everything of a scene on paper; the same for a figure and its worksheet."""
     room = (
         paper.margin,
@@ -165,7 +166,7 @@ def fitted(scene: Scene, view: tuple[float, float], paper: Paper, more: Sequence
     return Camera.at(*view).fitted([*extent(scene), *more], room, most)
 
 
-def extent(scene: Scene) -> list[Vec]:
+def extent(scene: Scene) -> list[Vector]:
     """Points that span a scene."""
     points = [scene.point(end) for rod in scene.rods for end in (rod.start, rod.end)]
     for solid in scene.solids:
@@ -192,12 +193,12 @@ def extent(scene: Scene) -> list[Vec]:
     return points
 
 
-def add_flat(point: Vec, x: float, y: float) -> Vec:
+def add_flat(point: Vector, x: float, y: float) -> Vector:
     """A point moved in the plane of x and y."""
     return point[0] + x, point[1] + y, point[2]
 
 
-_AXES: tuple[Vec, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+_AXES: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
 def posed(robot: Robot, q: JointInput, pose: str | None, full: Values, bare: Bare) -> tuple[str, Mapping[str, Value]]:

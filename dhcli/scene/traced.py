@@ -6,9 +6,10 @@ from collections.abc import Iterable, Sequence
 
 from dhcli.algebra.floats import Floats
 from dhcli.frozen import frozen
+from dhcli.geometry.vectors import Vector
 from dhcli.kinematics.moves import Chain
 from dhcli.scene.skeleton import Given, moved
-from dhcli.scene.vectors import WORLD, Frame, Vec
+from dhcli.scene.vectors import WORLD, Frame
 
 CLOSE = 1e-6
 """How near frames of two tables in full precision are the same."""
@@ -33,7 +34,7 @@ class Traced:
 
     name: str
     frames: tuple[tuple[str, Frame], ...]
-    line: tuple[Vec, ...]
+    line: tuple[Vector, ...]
     pairs: Pairs
     note: str = ""
     close: float = CLOSE
@@ -51,7 +52,7 @@ def traced(name: str, segments: Iterable[tuple[str, Chain]], given: Given, pairs
     """
     floats, frame = Floats(given), WORLD
     frames: list[tuple[str, Frame]] = []
-    line: list[Vec] = [frame.origin]
+    line: list[Vector] = [frame.origin]
     for ends_in, moves in segments:
         for move in moves:
             frame = moved(frame, move, floats)

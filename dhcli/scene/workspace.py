@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import NamedTuple
 
+from dhcli.geometry.vectors import Vector
 from dhcli.kinematics.sweep.workspace import Counts, Workspace
 from dhcli.scene.camera import VIEWS, Camera
 from dhcli.scene.painter import painted
@@ -14,7 +15,7 @@ from dhcli.scene.panels import on_one_sheet
 from dhcli.scene.primitives import Scene
 from dhcli.scene.shapes import Figure, Shape, Text
 from dhcli.scene.staging import Paper, Staged, extent, foot
-from dhcli.scene.vectors import WORLD, Flat, Vec
+from dhcli.scene.vectors import WORLD, Flat
 from dhcli.scene.words import Run, spelled
 
 FLAT = 0.05
@@ -55,7 +56,7 @@ class View(NamedTuple):
     up: str
     counts: Counts
 
-    def place(self, right: float, up: float) -> Vec:
+    def place(self, right: float, up: float) -> Vector:
         """A point of the plane that is seen, in space."""
         at = {self.right: right, self.up: up}
         return at.get("x", 0.0), at.get("y", 0.0), at.get("z", 0.0)

@@ -16,6 +16,8 @@ from dhcli.errors import FileError, Place, Problem
 from dhcli.regex import regex
 from dhcli.storage.home import unexpanded
 
+EMPTY = "the name is empty, as of a variable of the shell that is not set"
+"""What is wrong with a path of no letters, which stands for the current folder elsewhere."""
 _DISK_FULL = {errno.ENOSPC, errno.EDQUOT}
 _TEMPORARY = regex(r"\.dhcli-[0-9a-f]{12}\.tmp")
 _LEFT_AFTER = 24 * 3600
@@ -42,6 +44,23 @@ def write_whole(path: Path | str, content: str | bytes, *, overwrite: bool) -> N
         raise FileError(Problem(f"cannot be written: {character} has no UTF-8", Place(str(path)))) from None
     with whole_file(path, overwrite=overwrite) as stream:
         stream.write(payload)
+
+
+def check_place(path: Path | str) -> None:
+    """Refuse a place where no file can be written, before work begins that would be lost.
+
+    Raises:
+        FileError: It is a folder, its own folder is not there, or nothing may be written in it.
+    """
+    there = Path(os.path.realpath(path))
+    if not str(path):
+        raise FileError(Problem(EMPTY, hint="name a file"))
+    if there.is_dir():
+        raise FileError(Problem("is a folder", Place(str(path)), "name a file in it"))
+    if not there.parent.is_dir():
+        raise FileError(_explain(FileNotFoundError(), Path(path)))
+    if (not there.exists() or there.is_file()) and not os.access(there.parent, os.W_OK | os.X_OK):
+        raise FileError(_explain(PermissionError(), Path(path)))
 
 
 @contextmanager

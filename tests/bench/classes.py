@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import os
 import random
+import sys
 import tempfile
 from collections.abc import Iterator
 from dataclasses import replace
@@ -12,13 +14,11 @@ from pathlib import Path
 from textwrap import indent
 
 from measure import Row, Task, number, side_by_side
+from startup import run
 
 from dhcli import load_exercise
 from dhcli.checking.judge import Judge
 from dhcli.checking.variants import vary
-from dhcli.classroom.folder import find_sheets
-from dhcli.classroom.grades import Graded
-from dhcli.classroom.grading import grade_all
 
 SHEETS = 500
 EXERCISES = (
@@ -30,33 +30,35 @@ EXERCISES = (
 MISTAKEN = 0.45
 """Share of the answers that hold a mistake."""
 
-PATIENCE = 60.0
+PATIENCE = "60s"
 
 
 def rows(rounds: int) -> Iterator[Row]:
-    """The class graded both ways in turn."""
+    """The class graded both ways in turn, each time by a command from its start to its end."""
     with tempfile.TemporaryDirectory() as folder:
         for k, text in enumerate(islice(_texts(), SHEETS)):
             path = Path(folder, f"student-{k}", "sheet.yaml")
             path.parent.mkdir()
             path.write_text(text, "utf-8")
-        sheets = find_sheets(folder).submissions
         jobs = os.cpu_count() or 1
+        os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 
-        def graded(processes: int) -> tuple[Graded, ...]:
-            return grade_all(sheets, jobs=processes, timeout=PATIENCE)
+        def graded(processes: int) -> str:
+            words = ["grade", folder, "--jobs", str(processes), "--timeout", PATIENCE, "--format", "json"]
+            return run([sys.executable, "-m", "dhcli", *words]).stdout
 
         wrong = 0
 
-        def same(ours: tuple[Graded, ...], theirs: tuple[Graded, ...]) -> bool:
+        def same(ours: str, theirs: str) -> bool:
             nonlocal wrong
-            wrong = sum(part.earned < part.credit for sheet in ours for part in sheet.parts)
-            return ours == theirs and not any(sheet.problems for sheet in ours)
+            report = json.loads(ours)["data"]
+            wrong = sum(part["earned"] < part["credit"] for row in report["results"] for part in row["parts"])
+            return ours == theirs and report["graded"] == SHEETS
 
         row = side_by_side(
             "grading a class",
-            Task(f"grade_all, jobs={jobs}", lambda: graded(jobs)),
-            Task("grade_all, jobs=1", lambda: graded(1)),
+            Task(f"dhcli grade, --jobs {jobs}", lambda: graded(jobs)),
+            Task("dhcli grade, --jobs 1", lambda: graded(1)),
             same,
             rounds=rounds,
         )

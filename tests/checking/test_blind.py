@@ -15,7 +15,7 @@ from dhcli.checking.marked import PartMark
 from dhcli.checking.verdicts import Verdict
 from dhcli.files.library.lookup import Kind, entries
 from tests.judging import judge_of, mark_sheet, vary
-from tests.nightly import some
+from tests.nightly import in_turn, some
 
 MOST = 0.15
 """Share of the credit that a sheet may earn whose answers show no work."""
@@ -64,8 +64,11 @@ def test_no_blind_strategy_earns_more_than_a_guess(name: str) -> None:
         assert math.fsum(one.mark.earned * one.part.credit for one in by_work) <= MOST * sheet.credit, title
 
 
-@pytest.mark.parametrize("name", [name for name, path in PATHS.items() if "\nvariants:" in path.read_text("utf-8")])
-@pytest.mark.parametrize("seed", ["2", "anna"])
+VARIED = [name for name, path in PATHS.items() if "\nvariants:" in path.read_text("utf-8")]
+SEEDS = ("2", "anna")
+
+
+@pytest.mark.parametrize(("name", "seed"), [(name, s) for k, name in enumerate(VARIED) for s in in_turn(SEEDS, k, 2)])
 def test_a_sheet_copied_from_another_variant_earns_no_more_than_a_guess(name: str, seed: str) -> None:
     """Its answers follow from each other; but none of them comes from the numbers given."""
     exercise = load_exercise(PATHS[name])

@@ -170,3 +170,60 @@ def test_rows_that_run_together_are_told_apart_by_nobody(pose: Exercise) -> None
     verdict, said = remarks(pose, "c12 -s12 0 0 s12 c12 0 0 0 0 1 0 0 0 0 1")
     assert verdict is Verdict.CANNOT_READ
     assert said == ("all 16 cells stand in one row; a 4x4 matrix was asked: put ; or a line end behind each row",)
+
+
+@pytest.mark.parametrize(
+    "answer",
+    [
+        "［c12，－s12，0，a1*c1 + a2*c12；s12，c12，0，a1*s1 + a2*s12；0，0，1，0；0，0，0，1］",
+        "[𝑐12 −𝑠12 0 𝑎1*𝑐1+𝑎2*𝑐12; 𝐬12 𝐜12 0 𝑎1*𝑠1+𝑎2*𝑠12; 𝟎 0 1 0; 0 0 0 𝟏]",
+        "[cos(𝜃1+𝜃2), -sin(𝜃1+𝜃2), 0, a1 cos 𝜃1 + a2 c12; s12, c12, 0, a1 s1 + a2 s12; 0,0,1,0; 0,0,0,1]",
+        "((c12,-s12,0,a1*c1+a2*c12),(s12,c12,0,a1*s1+a2*s12),(0,0,1,0),(0,0,0,1))",
+        "(c12 -s12 0 a1*c1+a2*c12; s12 c12 0 a1*s1+a2*s12; 0 0 1 0; 0 0 0 1)",
+        "mat(c12, -s12, 0, a1*c1+a2*c12; s12, c12, 0, a1*s1+a2*s12; 0,0,1,0; 0,0,0,1)",
+        "c12;-s12;0;a1*c1+a2*c12\ns12;c12;0;a1*s1+a2*s12\n0;0;1;0\n0;0;0;1",
+        "[cos(½(2θ1+2θ2)) -s12 0 a1*c1+a2*c12; s12 c12 0 a1*s1+a2*s12; 0 0 1 0; 0 0 0 1]",
+    ],
+)
+def test_letters_of_papers_wide_signs_and_round_brackets_are_read(pose: Exercise, answer: str) -> None:
+    """As they are pasted from a PDF, typed on a keyboard of wide letters, and by programs."""
+    assert check(pose, pose.parts[0].id, answer).verdict is Verdict.RIGHT
+
+
+@pytest.mark.parametrize(
+    "answer",
+    [
+        "⟨a1 c1 + a2 c12, a1 s1 + a2 s12, 0⟩",
+        "(a1c1+a2c12)î + (a1s1+a2s12)ĵ",
+        "[a1*c1+a2*c12, a1*s1+a2*s12, 0]ᵀ",
+    ],
+)
+def test_signs_of_vectors_are_read(position: Exercise, answer: str) -> None:
+    """Angle brackets, hats and a raised T."""
+    mark_ = check(position, position.parts[0].id, answer)
+    assert mark_.verdict is not Verdict.CANNOT_READ, mark_.remarks
+
+
+def test_a_look_alike_letter_is_still_named(pose: Exercise) -> None:
+    """A Cyrillic letter is no styled Latin one."""
+    found = check(pose, pose.parts[0].id, "[с12 -s12 0 0; s12 c12 0 0; 0 0 1 0; 0 0 0 1]")
+    assert found.verdict is Verdict.CANNOT_READ
+
+
+def test_a_bracket_that_is_never_closed_is_told(pose: Exercise) -> None:
+    """It is what is wrong, whatever else cannot be read then."""
+    found = check(pose, pose.parts[0].id, "[0.25 -0.96 0 0\n0.96 0.25 0 0\n0 0 1 0\n0 0 0 1")
+    assert "this [ is never closed" in found.remarks[0]
+
+
+@pytest.mark.parametrize(
+    "answer",
+    [
+        "0,2588; -0,9659; 0; 0,4241\n0,9659; 0,2588; 0; 0,4898\n0; 0; 1; 0\n0; 0; 0; 1",
+        "[≈0.2588 ≈-0.9659 0 0.4241; 0.9659 0.2588 0 0.4898; 0 0 1 0; 0 0 0 1]",
+        "０．２５８８　－０．９６５９　０　０．４２４１；0.9659　0.2588 0 ０．４８９８；0 0 1 0；0 0 0 １",
+    ],
+)
+def test_numbers_of_other_keyboards_are_read(answer: str) -> None:
+    """Wide digits, decimal commas between semicolons in lines, and a sign of about before a number."""
+    assert check(load_exercise("yim/planar-in-numbers"), "t02", answer).verdict is Verdict.RIGHT

@@ -10,7 +10,6 @@ import signal
 import subprocess
 import sys
 import threading
-from collections import deque
 from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager
 from multiprocessing import active_children
@@ -19,13 +18,29 @@ from types import FrameType
 
 import pytest
 
-from dhcli.classroom import pool
-from dhcli.classroom.pool import Lost, _Worker, spread
+from dhcli.classroom import interrupts, pool
+from dhcli.classroom.interrupts import ENDINGS
+from dhcli.classroom.pool import Lost, _Worker, in_turn, spread
+from dhcli.classroom.waiting import Waiting
 from dhcli.errors import DhcliError
 from tests.classroom.workers import halved, known
 from tests.nightly import some
 
+WAYS = ["from nothing", *(["as a copy"] if sys.platform == "linux" else [])]
 
+
+@pytest.fixture(params=WAYS)
+def way(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> str:
+    """Each way in which a process starts; what runs the tests has threads, and would never be copied."""
+    monkeypatch.setattr(pool, "_is_alone", lambda: request.param == "as a copy")
+    return str(request.param)
+
+
+each_way = pytest.mark.usefixtures("way")
+pytestmark = pytest.mark.filterwarnings("ignore:.*multi-threaded, use of fork:DeprecationWarning")
+
+
+@each_way
 def test_every_task_has_one_outcome() -> None:
     """However many processes die on the way: each odd number kills one."""
     outcomes = list(spread(halved, range(6), jobs=3, timeout=60))
@@ -33,6 +48,7 @@ def test_every_task_has_one_outcome() -> None:
     assert dict(outcomes) == {n: Lost.DIED if n % 2 else n / 2 for n in range(6)}
 
 
+@each_way
 def test_what_waits_behind_a_death_is_done_by_another() -> None:
     """Every process has a task at hand while there are many; where it dies at one, the next is not lost with it."""
     numbers = [1 if n % 7 == 3 else 2 * n for n in range(40)]
@@ -47,7 +63,7 @@ def test_time_is_counted_from_when_a_task_is_begun(monkeypatch: pytest.MonkeyPat
     monkeypatch.setattr(pool, "monotonic", lambda: now)
     worker = _Worker(halved)
     try:
-        worker.supply(deque([2, 4, 6]), 2, timeout=10)
+        worker.supply(Waiting([2, 4, 6], alike=lambda _: None), 2, timeout=10)
         assert (list(worker.tasks), worker.deadline) == ([2, 4], 10)
         now = 7.0
         assert (worker.done(timeout=10), worker.deadline) == (2, 17)
@@ -92,6 +108,7 @@ def to_any_thread() -> None:
 
 
 @unix
+@each_way
 @pytest.mark.parametrize("press", [to_this_thread, to_any_thread])
 def test_ctrl_c_while_a_process_ends_leaves_it_ended(
     press: Callable[[], None], monkeypatch: pytest.MonkeyPatch
@@ -116,6 +133,7 @@ def test_ctrl_c_while_a_process_ends_leaves_it_ended(
 
 
 @unix
+@each_way
 def test_a_process_ends_where_nobody_is_told_of_it() -> None:
     """Some shells and containers start programs with SIGCHLD ignored: to wait for a process then gives no result."""
     worker = _Worker(halved)
@@ -132,14 +150,15 @@ def test_a_process_ends_where_nobody_is_told_of_it() -> None:
 
 
 @unix
+@each_way
 def test_ctrl_c_while_processes_start_ends_them(monkeypatch: pytest.MonkeyPatch) -> None:
     """It waits until the process is known, and then stops everything."""
     started: list[_Worker] = []
     start = _Worker.__init__
 
-    def interrupted(self: _Worker, work: Callable[[object], object], needs: str | None) -> None:
+    def interrupted(self: _Worker, *values: object) -> None:
         started.append(self)
-        start(self, work, needs)
+        start(self, *values)  # type: ignore[arg-type]
         to_any_thread()
 
     with idle_thread():
@@ -149,14 +168,66 @@ def test_ctrl_c_while_processes_start_ends_them(monkeypatch: pytest.MonkeyPatch)
     assert [worker.pipe.closed for worker in started] == [True]
 
 
+ALONE = "from tests.classroom.workers import *; from dhcli.classroom.pool import _is_alone, spread\n"
+BESIDE = f"{ALONE}import threading; threading.Thread(target=threading.Event().wait, daemon=True).start()\n"
+PROGRAMS = [ALONE, BESIDE]
+"""The beginning of a program of one thread, whose processes are copies of it on Linux, and of one of two."""
+
+
+def start(code: str) -> subprocess.Popen[str]:
+    """A program that can import the tests."""
+    return subprocess.Popen(
+        [sys.executable, "-c", code],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        cwd=Path(__file__).parents[2],
+    )
+
+
+def said_by(code: str) -> tuple[str, str]:
+    """What a program says on both streams."""
+    with start(code) as running:
+        return running.communicate(timeout=60)
+
+
 @unix
-def test_no_process_hears_ctrl_c() -> None:
+@pytest.mark.parametrize("program", PROGRAMS)
+def test_no_process_hears_ctrl_c(program: str) -> None:
     """Not even the first one of a program, before which Python starts a process of its own."""
-    code = "from dhcli.classroom.pool import spread\nfrom tests.classroom.workers import deaf\n"
-    code += "print(sorted(spread(deaf, range(4), jobs=2, timeout=60)))"
-    words = [sys.executable, "-c", code]
-    done = subprocess.run(words, capture_output=True, text=True, check=False, timeout=60, cwd=Path(__file__).parents[2])
-    assert (done.stdout, done.stderr) == ("[(0, True), (1, True), (2, True), (3, True)]\n", "")
+    code = f"{program}print(sorted(spread(deaf, range(4), jobs=2, timeout=60)))"
+    assert said_by(code) == ("[(0, True), (1, True), (2, True), (3, True)]\n", "")
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere all processes start from nothing")
+def test_only_what_runs_alone_is_copied() -> None:
+    """A copy knows what the first process has imported, and none of a thread that would not be there."""
+    code = "import colorsys; print(_is_alone(), [*spread(known, ['colorsys'], jobs=1, timeout=60)])"
+    assert said_by(ALONE + code) == ("True [('colorsys', True)]\n", "")
+    assert said_by(BESIDE + code) == ("False [('colorsys', False)]\n", "")
+
+
+@unix
+@pytest.mark.parametrize("program", PROGRAMS)
+def test_a_process_ends_as_any_other_where_the_first_one_has_its_own_way(program: str) -> None:
+    """It inherits no handler, and what is ignored stays ignored."""
+    code = "import signal; signal.signal(signal.SIGTERM, print); signal.signal(signal.SIGHUP, signal.SIG_IGN)\n"
+    code += "print([*spread(endings, [0], jobs=1, timeout=60)])"
+    assert said_by(program + code) == ("[(0, ('SIG_DFL', 'SIG_IGN'))]\n", "")
+
+
+@unix
+@pytest.mark.parametrize("program", PROGRAMS)
+def test_processes_end_where_the_first_one_is_killed(program: str) -> None:
+    """None keeps the pipe of another open: all of them have gone when nobody can write any more."""
+    code = "outcomes = spread(known, ['a', 'b', 'c'], jobs=3, timeout=60)\n"
+    code += "print(*[next(outcomes) for _ in range(2)], flush=True); input()"
+    with start(program + code) as running:
+        assert running.stdout is not None
+        assert running.stdout.readline().count("False") == 2
+        running.kill()
+        assert running.communicate(timeout=60)[0] == ""
 
 
 def pressed_at(moment: int) -> Callable[[FrameType, str, object], object]:
@@ -164,7 +235,7 @@ def pressed_at(moment: int) -> Callable[[FrameType, str, object], object]:
     lines = itertools.count()
 
     def trace(frame: FrameType, event: str, _: object) -> object:
-        if frame.f_code.co_filename != pool.__file__:
+        if frame.f_code.co_filename not in {pool.__file__, interrupts.__file__}:
             return None
         if event == "line" and next(lines) == moment:
             to_any_thread()
@@ -174,10 +245,12 @@ def pressed_at(moment: int) -> Callable[[FrameType, str, object], object]:
 
 
 @unix
+@each_way
 @pytest.mark.parametrize("moment", MOMENTS)
 def test_ctrl_c_at_any_moment_leaves_no_process(moment: int) -> None:
-    """It is heard, at once or a moment later, and all processes have gone by then."""
+    """It is heard, at once or a moment later, and all processes have gone by then; later signals are, too."""
     traced, others = sys.gettrace(), set(active_children())
+    endings = [signal.getsignal(number) for number in ENDINGS]
     with idle_thread():
         sys.settrace(pressed_at(moment))
         try:
@@ -189,6 +262,7 @@ def test_ctrl_c_at_any_moment_leaves_no_process(moment: int) -> None:
         finally:
             sys.settrace(traced)
     assert set(active_children()) == others
+    assert [signal.getsignal(number) for number in ENDINGS] == endings
 
 
 def test_what_the_work_needs_is_imported_before_the_clock_runs() -> None:
@@ -198,3 +272,24 @@ def test_what_the_work_needs_is_imported_before_the_clock_runs() -> None:
     assert list(spread(known, ["colorsys"], jobs=1, timeout=60)) == [("colorsys", False)]
     with pytest.raises(DhcliError, match="could not be started"):
         list(spread(known, ["a"], jobs=1, timeout=60, needs="no_such_module"))
+
+
+def test_results_come_in_the_order_of_tasks_that_are_taken_few_at_a_time() -> None:
+    """However many there are: of an endless row of tasks those at hand are taken."""
+    before = set(active_children())
+    taken = list[int]()
+    results = in_turn(halved, (taken.append(n) or 2 * n for n in itertools.count()), jobs=2)  # type: ignore[func-returns-value]
+    with closing(results):
+        assert list(itertools.islice(results, 12)) == list(range(12))
+        assert len(taken) < 20
+    assert set(active_children()) <= before
+
+
+def test_a_death_in_turn_ends_the_work_with_words() -> None:
+    """What went before it is there, nothing that came after it, and no process is left."""
+    before = set(active_children())
+    results = in_turn(halved, (0, 2, 4, 1, 6, 8, 10, 12, 14, 16), jobs=2)
+    assert list(itertools.islice(results, 3)) == [0, 1, 2]
+    with pytest.raises(DhcliError, match="a process that shared the work has died"):
+        next(results)
+    assert set(active_children()) <= before

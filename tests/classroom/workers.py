@@ -37,3 +37,9 @@ def deaf(_: object) -> bool:
 def known(module: str) -> bool:
     """Whether the process has imported a module."""
     return module in sys.modules
+
+
+def endings(_: object) -> tuple[str, ...]:
+    """What the process does at signals that ask it to end."""
+    handlers = (signal.getsignal(number) for number in (signal.SIGTERM, signal.SIGHUP))
+    return tuple(getattr(handler, "name", "its own") for handler in handlers)

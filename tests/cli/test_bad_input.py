@@ -1,5 +1,6 @@
 """What people get wrong, and what dhcli says: where, what, what would be right; exit code 2 and nothing on stdout."""
 
+import os
 from pathlib import Path
 
 import pytest
@@ -214,3 +215,48 @@ def test_a_home_between_quotes_is_told_with_what_to_write(
     done = dhcli(*line.split())
     assert (done.code, "~ stays as it is here, write /home/me/" in done.err) == (2, True), done.err
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("fk", "scara", "--in", ""),
+        ("ik", "scara", "--in", ""),
+        ("check", "planar-two-links", ""),
+        ("new", "robot", "arm", "--from", ""),
+        ("lint", ""),
+        ("grade", ""),
+        ("draw", "scara", "--in", ""),
+        ("fk", "scara", "--pose", "pick", "--format", "json", "-o", ""),
+    ],
+)
+def test_a_path_of_no_letters_is_not_the_folder_one_stands_in(
+    dhcli: Run, tmp_path: Path, words: tuple[str, ...]
+) -> None:
+    """A variable of the shell that is not set leaves nothing; what stands here is not meant."""
+    (tmp_path / "a.yaml").write_text("format: 1\n", "utf-8")
+    done = dhcli(*words)
+    assert done.code == 2
+    assert "the name is empty" in done.err + done.out
+
+
+@pytest.mark.parametrize(
+    ("output", "said"),
+    [
+        ("nowhere/x.json", "there is no folder nowhere"),
+        ("folder.json", "is a folder"),
+        ("closed/x.json", "no permission"),
+    ],
+)
+def test_a_place_where_nothing_can_be_written_is_told_before_the_work(
+    dhcli: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, output: str, said: str
+) -> None:
+    """So that no class is graded for nothing."""
+    for name in ("hw", "folder.json", "closed"):
+        (tmp_path / name).mkdir()
+    dhcli("start", "planar-two-links", "-o", "hw/a.yaml")
+    may = os.access
+    monkeypatch.setattr(os, "access", lambda path, mode: "closed" not in str(path) and may(path, mode))
+    monkeypatch.setattr("dhcli.classroom.grading.grade_all", lambda *_, **__: pytest.fail("it was graded"))
+    done = dhcli("grade", "hw", "-o", output)
+    assert (done.code, said in done.err + done.out) == (2, True), done.err

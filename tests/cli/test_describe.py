@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import pytest
 
+from dhcli import Robot, forward, load_robot
+from dhcli.algebra.floats import Floats
+from dhcli.files.yaml.robots import read_robot
+from dhcli.notation.parser import parse
 from tests.cli.running import run
 
 
@@ -170,3 +175,104 @@ def test_an_angle_to_straighten_within_is_read_with_care(angle: str, message: st
     result = run("describe", "ur5e", "--straighten", angle)
     assert result.code == 2
     assert message in result.err
+
+
+SURVEYED = """\
+<robot name="measured">
+  <link name="l0"/><link name="l1"/><link name="l2"/><link name="l3"/>
+  <joint name="j1" type="continuous"><parent link="l0"/><child link="l1"/>
+    <origin xyz="0 0 0.333" rpy="1.5707963 0 0"/><axis xyz="0 0 1"/></joint>
+  <joint name="j2" type="continuous"><parent link="l1"/><child link="l2"/>
+    <origin xyz="{x} 0.2503 0" rpy="-1.5707963 {tilt} 0"/><axis xyz="0 0 1"/></joint>
+  <joint name="j3" type="continuous"><parent link="l2"/><child link="l3"/>
+    <origin xyz="0.3 0 0.05" rpy="0.785398 0 0.523599"/><axis xyz="0 1 0"/></joint>
+</robot>
+"""
+SIZES = [("0.1001", "0.0012"), ("0.0001", "0.00002"), ("81.5", "1.1"), ("0", "0.3")]
+
+
+def tip(robot: Robot, q: tuple[float, ...]) -> list[list[float]]:
+    """The pose of the tool in the base."""
+    return [list(map(float, row)) for row in forward(robot, q, start="base", end="tool").matrix]
+
+
+def typed_off(out: str, form: str) -> Robot:
+    """A robot that somebody has typed off the page."""
+    heads, rows, ends = [], [], {}
+    for line in out.splitlines():
+        cells = re.split(r"\s{2,}", line.strip())
+        if cells[0] == "i":
+            heads = [cell[0].replace("α", "alpha").replace("θ", "theta") for cell in cells[1:-1]]
+            heads = [{"a": "a", "d": "d"}.get(head, head) for head in heads]
+        elif heads and cells[0].isdecimal():
+            rows.append(", ".join(f"{head}: {cell}" for head, cell in zip(heads, cells[1:-1], strict=True)))
+        elif line.startswith(("to base: ", "to tool: ")):
+            ends[line[3:7]] = line[9:]
+    text = f"format: 1\ntitle: x\nsource: x\nconvention: {form}\nvariables: [j1, j2, j3]\nlinks:\n"
+    text += "".join(f"  - {{{row}}}\n" for row in rows) + "".join(f"{key}: {moves}\n" for key, moves in ends.items())
+    return read_robot(text, "page", "page")
+
+
+@pytest.mark.parametrize("form", ["standard", "modified"])
+@pytest.mark.parametrize(("x", "tilt"), SIZES)
+def test_a_page_has_the_digits_that_the_tip_needs_and_a_file_all(tmp_path: Path, form: str, x: str, tilt: str) -> None:
+    """Whoever types the table off gets the tip as near as it says."""
+    path = tmp_path / "measured.urdf"
+    path.write_text(SURVEYED.format(x=x, tilt=tilt), "utf-8")
+    out = run("describe", str(path), "--as", form).out
+    assert not re.search(r"\.\d{13}", out)
+    said = re.search(r"rounded to (\d+) decimals, which moves the tip by at most (\S+) µm", out)
+    assert said is not None
+    assert max(map(len, re.findall(r"\.(\d+)", out.partition("rounded")[0]))) <= int(said[1])
+    assert float(said[2]) <= 1.0
+    typed, robot = typed_off(out, form), load_robot(path)
+    files = []
+    for name in ("table.yaml", "arm.urdf"):
+        assert run("describe", str(path), "--as", form, "-o", str(tmp_path / name)).code in (0, 2)
+        files += [load_robot(tmp_path / name)] if (tmp_path / name).exists() else []
+    reach = 0.7 + float(x)
+    for q in ((0.0, 0.0, 0.0), (0.3, -1.2, 2.0), (-2.5, 0.7, -0.4)):
+        right = tip(robot, q)
+        off = max(abs(a[3] - b[3]) for a, b in zip(tip(typed, q), right, strict=True))
+        assert off <= float(said[2]) * 1.05e-6
+        for file in files:
+            rows = zip(tip(file, q), right, strict=True)
+            assert max(abs(a - b) for r, s in rows for a, b in zip(r, s, strict=True)) <= 1e-12 * max(1.0, reach)
+    assert files
+
+
+def test_a_page_has_the_digits_that_are_asked_for(tmp_path: Path) -> None:
+    """In every form; what is short stays so, and nothing becomes nothing."""
+    path = tmp_path / "measured.urdf"
+    path.write_text(SURVEYED.format(x="0.1001", tilt="0.0012"), "utf-8")
+    for form in ("standard", "axes", "screws", "body-screws", "product"):
+        words = ("describe", str(path), "--as", form)
+        out = run(*words, "--digits", "3").out
+        assert "rounded to" not in out
+        assert not re.search(r"\.\d{4}", out.replace("0.00036", ""))
+        assert re.search(r"\.\d{8}\b", run(*words).out)
+        assert re.search(r"\.\d{15}\b", run(*words, "--digits", "15").out)
+        exact = run(*words, "--format", "json").data
+        assert exact == run(*words, "--format", "json", "--digits", "3").data
+    assert "rounded to" not in run("describe", "panda", "--as", "screws").out
+
+
+def test_the_pose_at_zero_of_a_robot_without_letters_is_numbers(tmp_path: Path) -> None:
+    """As forward has it; letters and roots stay."""
+    path = tmp_path / "measured.urdf"
+    path.write_text(SURVEYED.format(x="0.1001", tilt="0.0012"), "utf-8")
+    out = run("describe", str(path), "--as", "screws", "--digits", "12").out
+    rows = [line.strip("⎡⎢⎣⎤⎥⎦ ").split() for line in out.splitlines() if line[0] in "⎡⎢⎣"]
+    right = tip(load_robot(path), (0.0, 0.0, 0.0))
+    assert len(rows) == 4
+    for row, known in zip(rows, right, strict=False):
+        assert [Floats().value(parse(entry)) for entry in row] == pytest.approx(known, abs=1e-12)
+    assert "a2 + a3" in run("describe", "puma560", "--as", "screws").out
+
+
+def test_the_title_of_a_robot_is_not_rounded(tmp_path: Path) -> None:
+    """It is somebody's words."""
+    path = tmp_path / "measured.urdf"
+    named = SURVEYED.replace('name="measured"', 'name="v1.234567890123456"')
+    path.write_text(named.format(x="0.1001", tilt="0.0012"), "utf-8")
+    assert run("describe", str(path)).out.startswith("v1.234567890123456 ")

@@ -9,7 +9,7 @@ import pytest
 from dhcli.cli import app
 from dhcli.cli.shell.endings import ENDINGS
 from dhcli.render.code.rows import FORMATS
-from dhcli.render.look import _RENDERERS
+from dhcli.render.look import _RENDERERS, formats
 from tests.cli.running import Run
 
 LINES = {
@@ -29,6 +29,17 @@ LINES = {
     "lint": "lint . --format json",
 }
 """For each command with a format and a file: what writes neither C nor a table."""
+
+
+TASK = """\
+format: 1
+title: x
+source: x
+robot: my robot.yaml
+task: x
+parts:
+  - {id: tip, ask: position of pose 0..1}
+"""
 
 
 @pytest.mark.parametrize("ending", [".c", ".H", ".pdf", ".xlsx"])
@@ -98,6 +109,59 @@ def test_a_form_that_is_a_format_is_held_to_the_ending_too(dhcli: Run, tmp_path:
     assert (done.code, "and --as says urdf" in done.err, "write .urdf" in done.err) == (2, True, True)
     assert "ask for different things" in dhcli("describe", "scara", "--as", "urdf", "--format", "yaml").err
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("line", "ending"),
+    [
+        ("new robot arm", ".yaml"),
+        ("new linkage press", ".yaml"),
+        ("new exercise c/one --robot scara", ".yaml"),
+        ("start planar-two-links", ".yaml"),
+        ("schema robot", ".json"),
+    ],
+)
+def test_what_has_one_format_goes_in_no_file_of_another(dhcli: Run, tmp_path: Path, line: str, ending: str) -> None:
+    """Such a file is found by no command."""
+    done = dhcli(*line.split(), "-o", "x.csv")
+    assert (done.code, "x.csv ends as a file in csv does, and would hold " in done.err) == (2, True)
+    assert f"hint: write {ending}\n" in done.err
+    assert not list(tmp_path.iterdir())
+    for name in (f"x{ending}", "x"):
+        assert dhcli(*line.split(), "-o", name).code == 0
+
+
+def test_the_next_command_is_one_that_can_be_typed(dhcli: Run, tmp_path: Path) -> None:
+    """Where a file is called as a name is, or has a blank in its own."""
+    assert "next: dhcli show ./arm, then dhcli fk ./arm --symbolic" in dhcli("new", "robot", "arm", "-o", "arm").err
+    assert dhcli("show", "./arm").code == 0
+    assert "next: dhcli show 'my arm.yaml'," in dhcli("new", "robot", "arm", "-o", "my arm.yaml").err
+    (tmp_path / "my robot.yaml").write_text((tmp_path / "arm").read_text("utf-8"), "utf-8")
+    (tmp_path / "my task.yaml").write_text(TASK, "utf-8")
+    said = dhcli("start", "my task.yaml", "-o", "my sheet.yaml").err
+    assert "then dhcli check 'my task.yaml' 'my sheet.yaml'," in said
+
+
+KINDS = {
+    "check": "marks",
+    "grade": "class",
+    "lint": "lint",
+    "list": "library",
+    "show": "robot",
+    "describe": "description",
+}
+
+
+@pytest.mark.parametrize("command", KINDS)
+def test_the_help_of_a_command_names_the_endings_and_formats_that_it_has(dhcli: Run, command: str) -> None:
+    """And no others: a class is not written as LaTeX."""
+    said = " ".join(dhcli(command, "--help").out.replace("│", " ").split())
+    there = formats(KINDS[command])
+    endings = {ENDINGS[name][0] for name in there}
+    named = said.partition("Write to a file; ")[2].partition(" choose the format")[0]
+    assert set(named.split()) == endings
+    listed = said.partition("--format NAME ")[2].partition(".")[0].replace(" or ", ", ")
+    assert set(listed.split(", ")) == set(there)
 
 
 def test_every_format_has_an_ending() -> None:

@@ -319,13 +319,15 @@ def test_a_point_is_followed_through_all_rows(dhcli: Run) -> None:
 
 @pytest.mark.parametrize("suffix", ["csv", "jsonl", "npy"])
 def test_the_points_of_a_sweep_are_read_again(dhcli: Run, suffix: str) -> None:
-    """Every pose comes out where the sweep says it is."""
+    """Every pose comes out where the sweep says it is; an array has no names that would tell what is no joint."""
     ranges = ("--over", "q1=0..1 n 3", "--over", "d3=0..0.2 n 2")
     assert dhcli("sweep", "scara", *ranges, "-o", f"points.{suffix}").code == 0
     assert dhcli("sweep", "scara", *ranges, "-o", "expected.csv").code == 0
     words = ("fk", "scara", "--in", f"points.{suffix}", "--as", "position")
-    assert "--ignore-columns" in dhcli(*words).err
-    done = dhcli(*words, "--ignore-columns")
+    done = dhcli(*words)
+    if suffix == "npy":
+        assert "--ignore-columns" in done.err
+        done = dhcli(*words, "--ignore-columns")
     assert table(done.out) == pytest.approx(table(Path("expected.csv").read_text("utf-8"))[:, 3:], abs=1e-12)
 
 

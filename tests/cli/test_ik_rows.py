@@ -6,6 +6,10 @@ import csv
 import io
 import json
 import math
+import os
+import signal
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -95,9 +99,9 @@ def test_poses_out_of_reach_have_no_row_and_are_counted(dhcli: Run) -> None:
         (("--in", "-", "--pose", "ready"), "p_x,p_y,p_z\n", "--pose does not go with --in"),
         (("--in", "no-such.csv"), None, "no-such.csv: there is no such file"),
         (("--in", "-"), "x,y\n1,2\n", "no column is called p_x, p_y, p_z"),
-        (("--in", "-"), "p_x,p_y,p_z\n1,two,3\n", "standard input:2: p_y is 'two', which is no number"),
-        (("--in", "-"), "p_x,p_y,p_z\n1,2\n", "p_z is '', which is no number"),
-        (("--in", "-"), "p_x,p_y,p_z\n1,nan,3\n", "not a number"),
+        (("--in", "-"), "p_x,p_y,p_z\n1,two,3\n", "standard input:2: p_y 'two' is not a number"),
+        (("--in", "-"), "p_x,p_y,p_z\n1,2\n", "p_z is empty"),
+        (("--in", "-"), "p_x,p_y,p_z\n1,nan,3\n", "not a finite number"),
         (("--in", "-"), '{"matrix": 3}\n', "is no pose"),
         (("--in", "-"), "", "standard input: is empty"),
         (("--in", "-"), "p_x,p_y,p_z,q_w,q_x,q_y,q_z\n1,2,3,0,0,0,0\n", "are all 0: that is no quaternion"),
@@ -184,3 +188,64 @@ def test_what_it_writes_goes_back_through_fk(dhcli: Run, form: str) -> None:
     assert [round(row[1], 12) for row in rows] == [0.3, 0.3, 0.4, 0.4]
     assert dhcli("jacobian", "scara", "--rows", "-", stdin=joints.out).code == 0
     assert dhcli("ik", "scara", "--in", "-", stdin=poses.out).code == 0
+
+
+def _three_blocks() -> list[str]:
+    """4200 places in the plane of an arm, some of them out of its reach, as rows of CSV with a heading."""
+    places = np.random.default_rng(2).uniform((-0.4, -0.4, 0.0), (0.9, 0.9, 0.0), (4200, 3))
+    return ["p_x,p_y,p_z\n", *(",".join(map(repr, place)) + "\n" for place in places.tolist())]
+
+
+def test_processes_write_what_one_does(dhcli: Run, tmp_path: Path) -> None:
+    """The same bytes, and the same words about what has no solution."""
+    path = tmp_path / "places.csv"
+    path.write_text("".join(_three_blocks()))
+    ways = [dhcli("ik", "planar-2r", "--task", "position", "--in", str(path), "--jobs", jobs) for jobs in ("1", "2")]
+    assert ways[0] == ways[1]
+    assert ways[0].code == 1
+    assert "of 4200 poses have no solution" in ways[0].err
+    assert ways[0].out.count("\n") > 1000
+
+
+def test_processes_stop_at_the_row_where_one_does(dhcli: Run, tmp_path: Path) -> None:
+    """A cell that is no number in the third block, with the rows of the blocks before it."""
+    path = tmp_path / "places.csv"
+    path.write_text("".join([*_three_blocks()[:4150], "1,2,three\n"]))
+    ways = [dhcli("ik", "planar-2r", "--task", "position", "--in", str(path), "--jobs", jobs) for jobs in ("1", "2")]
+    assert ways[0] == ways[1]
+    assert ways[0].code == 2
+    assert "places.csv:4151: p_z 'three' is not a number" in ways[0].err
+    assert ways[0].out.count("\n") > 1000
+
+
+def test_a_path_is_not_shared(dhcli: Run) -> None:
+    """Each of its rows goes on from the one before; one process is as many as there may be."""
+    line = ("ik", "planar-2r", "--task", "position", "--in", "-", "--follow", "--near", "0.1,0.2", "--jobs")
+    done = dhcli(*line, "2", stdin="p_x,p_y,p_z\n0.6,0.2,0\n")
+    assert (done.code, done.out) == (2, "")
+    assert "--follow goes from row to row" in done.err
+    assert dhcli(*line, "1", stdin="p_x,p_y,p_z\n0.6,0.2,0\n").code == 0
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals as Unix knows them")
+def test_ctrl_c_stops_all_processes(tmp_path: Path) -> None:
+    """It comes once rows have been written, while others are at work on the next ones."""
+    pose = forward_batch(load_robot("puma560"), [[0.3, -0.5, 0.7, 1, 0.8, -2]])
+    np.save(tmp_path / "poses.npy", np.broadcast_to(pose, (10**5, *pose.shape[1:])))  # seconds of work
+    words = ["ik", "puma560", "--in", "poses.npy", "--jobs", "2"]
+    with subprocess.Popen(
+        [sys.executable, "-m", "dhcli", *words],
+        cwd=tmp_path,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])},
+        start_new_session=True,
+    ) as running:
+        assert running.stdout is not None
+        for _ in range(20_000):  # more than the first block, so that the others have begun
+            running.stdout.readline()
+        os.killpg(running.pid, signal.SIGINT)
+        _, err = running.communicate(timeout=60)  # it ends when nobody is left who could write there
+    assert running.returncode == 130
+    assert "Traceback" not in err

@@ -348,6 +348,11 @@ def test_torques_and_rates_come_in_every_format(dhcli: Run, command: str, format
         ("singularities articulated --q 0,0", "3 joints"),
         ("torques planar-2r --pose zero", "torques of what?"),
         ("jacobian planar-2r --in q.csv", "rows of a file: dhcli jacobian planar-2r --rows q.csv"),
+        (
+            "torques planar-2r --pose zero --force 1,0,0 --in q.csv",
+            "a Jacobian for each of the rows of a file: dhcli jacobian planar-2r --rows",
+        ),
+        ("rates planar-2r --pose zero --in q.csv --rates 1,1", "one pose is taken: --q VALUES"),
         ("torques planar-2r --pose zero --force 0,1", "three numbers are wanted"),
         ("torques planar-2r --pose zero --force 0,0,3Nm", "3Nm is in N m, and N is wanted"),
         ("torques planar-2r --pose zero --force 0,0,3kg", "3kg is in kg, and N is wanted"),
@@ -411,7 +416,11 @@ def test_fifty_joints_in_numbers_are_like_any(dhcli: Run) -> None:
     found = json.loads(dhcli("jacobian", "long.yaml", "--q", q, "--format", "json").out)["data"]["matrix"]
     assert [len(row) for row in found] == [50] * 6
     assert dhcli("rates", "long.yaml", "--q", q, "--velocity", "0.1,0,0").code == 0
-    assert "no list of conditions that anybody would read" in dhcli("singularities", "long.yaml").out
+    told = "no list of conditions that anybody would read; of more than 9 joints none is looked for; --q shows"
+    assert told in dhcli("singularities", "long.yaml").out
+    Path("long.yaml").write_text(long_arm(8).replace("90°", "20°"), "utf-8")
+    told = "no list of conditions that anybody would read; one or two joints at right angles do not lower it; --q shows"
+    assert told in dhcli("singularities", "long.yaml").out
 
 
 def test_one_joint_moves_along_a_circle(dhcli: Run) -> None:

@@ -7,7 +7,7 @@ import pytest
 
 from dhcli.errors import RobotError
 from dhcli.geometry.euler import ORDERS, Order, RollPitchYaw
-from dhcli.geometry.many import axis_angles, locked, quaternions, roll_pitch_yaw, rotations, table
+from dhcli.geometry.many import axis_angles, quaternions, roll_pitch_yaw, rotations, table
 from dhcli.geometry.rotations import AxisAngle, Quaternion, RotationVector
 
 
@@ -66,7 +66,7 @@ def test_no_pose_is_no_row(form: type[RollPitchYaw[float]]) -> None:
 def test_the_poles_of_pitch_are_found() -> None:
     """As many as one by one."""
     alone = [RollPitchYaw.of(pose[:3, :3].tolist()).locked for pose in POSES]
-    assert locked(POSES).tolist() == alone
+    assert np.asarray(RollPitchYaw.of(rotations(POSES)).locked).tolist() == alone
     assert sum(alone) == 32
 
 

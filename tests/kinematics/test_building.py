@@ -9,11 +9,18 @@ import numpy as np
 import pytest
 
 from dhcli import DhcliError, Robot, forward, list_robots, load_robot
+from dhcli.files.urdf.writing import urdf_text
 from dhcli.files.yaml.robots import read_robot
+from dhcli.files.yaml.writing import described_text
+from dhcli.kinematics import robot as robot_module
+from dhcli.kinematics.describe.asked import Asked
+from dhcli.kinematics.describe.description import describe
+from dhcli.kinematics.validity import check
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+ROOT = Path(__file__).parents[2]
 PLANAR = [("a1", 0, 0, "theta1"), {"a": 0.3, "alpha": "0°", "theta": "theta2"}]
 
 
@@ -59,6 +66,27 @@ def test_a_robot_is_read_from_text_and_remembers_its_file(tmp_path: Path) -> Non
     assert (read.path, loaded.path, loaded.copy().path) == (None, path, None)
     with pytest.raises(DhcliError, match="text:1:1: format: is missing"):
         Robot.from_text("title: t\n")
+
+
+@pytest.mark.parametrize("name", ["planar-2r", "panda", "axes.yaml", "arm.urdf"])
+def test_a_robot_is_validated_once_when_it_is_loaded(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Whatever it is written as; that it knows its file is no reason to look again."""
+    if "." in name:
+        described = describe(load_robot("planar-2r"), Asked("axes"))
+        text = described_text(described) if name.endswith(".yaml") else urdf_text(described.robot)
+        (tmp_path / name).write_text(text, "utf-8")
+    else:
+        text = (ROOT / "robots" / f"{name}.yaml").read_text("utf-8").replace("\ntitle:", "\ntitle: a new")
+        name = f"{name}.yaml"
+        (tmp_path / name).write_text(text, "utf-8")
+    seen: list[Robot] = []
+    monkeypatch.setattr(robot_module, "check", lambda robot: (seen.append(robot), check(robot)))
+    loaded = load_robot(tmp_path / name)
+    assert [one for one in seen if one.title] == [loaded]
+    assert loaded.path == tmp_path / name
+    assert loaded.joints == loaded.copy().joints
 
 
 def test_a_chain_of_a_urdf_is_read_from_text() -> None:

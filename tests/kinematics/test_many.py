@@ -68,6 +68,7 @@ def test_rows_that_are_no_numbers_are_told_apart() -> None:
     wanted = PoseRows(SCARA, (View("0", "1"), View("0", "3")), LENGTHS)
     poses = wanted.poses(np.array([[0.1, 0.2, 0.3], [0.1, np.nan, 0.3], [0.1, 0.2, np.inf]]))
     assert is_real(poses).tolist() == [True, False, False]
+    assert is_real(wanted.poses(np.array([[0.1, 0.2, 1e300]] * 2))).all()  # whose squares are too large for a number
 
 
 def test_what_no_row_can_have_is_refused_before_there_is_one() -> None:

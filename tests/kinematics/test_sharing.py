@@ -65,3 +65,17 @@ def test_an_error_of_one_part_ends_the_work() -> None:
     with pytest.raises(ArithmeticError, match="2"):
         next(results)
     assert len(begun) < 20
+
+
+@pytest.mark.parametrize("threads", [1, 2, 5])
+def test_what_went_before_a_fault_is_there_with_any_number_of_threads(threads: int) -> None:
+    """Also where no more than a few parts could be begun before the parts themselves end badly."""
+
+    def parts() -> Iterator[int]:
+        yield from range(7)
+        raise ValueError("no more")
+
+    found = list[int]()
+    with pytest.raises(ValueError, match="no more"):
+        found.extend(shared(lambda part: part * part, parts(), threads))
+    assert found == [0, 1, 4, 9, 16, 25, 36]

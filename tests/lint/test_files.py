@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -193,3 +194,17 @@ def test_a_file_that_does_not_load_is_still_told_that_its_name_is_taken(tmp_path
     """The name needs no more than the file."""
     messages = [one.message for one in findings(tmp_path, DRAFT, "puma560.yaml")]
     assert any("is the name of the built-in robot" in message for message in messages)
+
+
+def test_a_folder_that_cannot_be_read_is_not_called_empty(here: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One problem, and the one there is."""
+    (here / "closed").mkdir()
+
+    def walk(folder: Path, onerror: Callable[[OSError], None]) -> Iterator[object]:
+        onerror(PermissionError(13, "Permission denied", str(folder)))
+        return iter(())
+
+    monkeypatch.setattr("os.walk", walk)
+    with pytest.raises(FileError) as error:
+        lint(["closed"])
+    assert str(error.value) == "closed: cannot be read: Permission denied"

@@ -15,10 +15,10 @@ from hypothesis import strategies as st
 import dhcli
 from dhcli.algebra.equality import equal
 from dhcli.errors import NotationError
-from dhcli.notation.factors import parse_factors
 from dhcli.notation.matrix import parse_matrix
 from dhcli.notation.operators import DEEPEST
 from dhcli.notation.parser import parse
+from dhcli.notation.products import parse_factors
 from dhcli.notation.scope import MOST_READ, OPEN, Scope
 from dhcli.notation.styles import STYLES
 from dhcli.notation.tree import ONE, Expr, Unit, add, multiply, number

@@ -7,8 +7,8 @@ import pytest
 from dhcli.errors import NotationError
 from dhcli.kinematics.moves import Chain, Fixed, Rot, Trans, inverse, read_chain
 from dhcli.notation.angle import Angle
-from dhcli.notation.factors import MOST_FACTORS, parse_factors
 from dhcli.notation.parser import parse
+from dhcli.notation.products import MOST_FACTORS, parse_factors
 from dhcli.notation.quantity import to_angle, to_length
 
 RIGHT = Angle.in_degrees(90)

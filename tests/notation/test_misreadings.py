@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from dhcli.errors import NotationError
-from dhcli.notation.factors import parse_factors
 from dhcli.notation.parser import parse, parse_quantity
+from dhcli.notation.products import parse_factors
 from dhcli.notation.quantity import DimensionError, to_angle, to_length
 from dhcli.notation.scope import OPEN, Scope, usual
 from dhcli.notation.writer import write, write_angle

@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from dhcli.notation.factors import parse_factors
 from dhcli.notation.parser import parse
+from dhcli.notation.products import parse_factors
 from dhcli.notation.quantity import to_angle
 from dhcli.notation.quarters import right_angle_of, with_right_angles
 from dhcli.notation.writer import write_angle

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from dhcli import forward, load_robot
 from dhcli.files.yaml.robots import read_robot
+from dhcli.geometry.vectors import Vector, cross, dot
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import joint_values
@@ -21,7 +22,7 @@ from dhcli.scene.drawing import Drawing
 from dhcli.scene.primitives import Box, Drum, Scene
 from dhcli.scene.skeleton import Skeleton
 from dhcli.scene.staging import values_at
-from dhcli.scene.vectors import Vec, cross, dot, norm, sub
+from dhcli.scene.vectors import norm, sub
 from tests.scene.examples import ROBOTS
 
 REAL = tuple(name for name in ROBOTS if not name.startswith("dh-link"))
@@ -41,7 +42,7 @@ def _scene(name: str) -> Scene:
     return arm_scene(robot, {**full, **best_pose(robot, full)[1]})
 
 
-def _is_on(point: Vec, start: Vec, direction: Vec) -> bool:
+def _is_on(point: Vector, start: Vector, direction: Vector) -> bool:
     return norm(cross(sub(point, start), direction)) < 1e-9
 
 

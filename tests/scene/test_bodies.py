@@ -7,27 +7,28 @@ import math
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from dhcli.geometry.vectors import Vector, cross, dot
 from dhcli.scene.bodies import Block, Body, Cylinder, Sphere
 from dhcli.scene.camera import Camera
 from dhcli.scene.order import ordered
-from dhcli.scene.vectors import Vec, along, cross, dot, norm, sub, unit
+from dhcli.scene.vectors import along, norm, sub, unit
 
 numbers = st.floats(-2, 2)
 vectors = st.tuples(numbers, numbers, numbers)
 directions = vectors.filter(lambda v: norm(v) > 0.2).map(unit)
 
 
-def _cylinder(centre: Vec, axis: Vec) -> Cylinder:
+def _cylinder(centre: Vector, axis: Vector) -> Cylinder:
     side = unit(cross(axis, (0.3, 0.5, 0.81)))
     return Cylinder(centre, axis, 0.7, 0.9, (side, cross(axis, side)))
 
 
-def _block(centre: Vec, axis: Vec) -> Block:
+def _block(centre: Vector, axis: Vector) -> Block:
     side = unit(cross(axis, (0.3, 0.5, 0.81)))
     return Block(centre, (axis, side, cross(axis, side)), (0.6, 0.5, 0.4))
 
 
-def _has_inside(body: Body, point: Vec) -> bool:
+def _has_inside(body: Body, point: Vector) -> bool:
     """Whether a point is inside, from the definition of the body and not by its lines."""
     rel = sub(point, body.centre)
     if isinstance(body, Cylinder):
@@ -48,7 +49,7 @@ def _has_inside(body: Body, point: Vec) -> bool:
     way=directions,
 )
 def test_a_line_is_inside_a_body_between_the_ends_of_its_span_and_nowhere_else(
-    make: object, centre: Vec, axis: Vec, point: Vec, way: Vec
+    make: object, centre: Vector, axis: Vector, point: Vector, way: Vector
 ) -> None:
     """Tried at points along the line, away from the very surface."""
     assert callable(make)
@@ -76,7 +77,7 @@ def test_of_two_drums_in_line_with_the_eye_the_nearer_is_painted_last(azimuth: f
 
 @given(azimuth=st.floats(-360, 360), elevation=st.floats(-90, 90), point=vectors)
 def test_a_camera_has_right_angles_and_keeps_lengths_across_the_line_of_sight(
-    azimuth: float, elevation: float, point: Vec
+    azimuth: float, elevation: float, point: Vector
 ) -> None:
     """Right, up and towards the reader are a right-handed frame."""
     camera = Camera.at(azimuth, elevation)

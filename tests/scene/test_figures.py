@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from functools import cache
 
 import pytest
 
@@ -23,6 +24,7 @@ from tests.nightly import NIGHT
 from tests.scene.examples import LINKAGES, ROBOTS, long_robot, odd_robots
 
 
+@cache
 def _figure(name: str, pose: str | None = None, view: str | None = None) -> Figure:
     if name in LINKAGES:
         linkage = load_linkage(name)

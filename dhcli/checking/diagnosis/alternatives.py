@@ -6,13 +6,14 @@ the same care for spelling, units and digits.
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Callable, Iterable, Iterator
-from typing import Generic, TypeVar
+from typing import ClassVar, Generic, TypeVar
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case
+from dhcli.checking.exercise import Case, Question
 from dhcli.checking.pasted import UnreadableError
-from dhcli.checking.returned import Reading
+from dhcli.checking.returned import Causes, Reading
 from dhcli.errors import NotationError
 from dhcli.frozen import frozen
 
@@ -41,6 +42,39 @@ class Alternative(Generic[T]):
             return False
 
 
+class AlternativesQuestion(Question[T]):
+    """A question of which whoever has made a mistake answers another one rightly.
+
+    Attributes:
+        has_one_name: Whether in symbols mistakes that are the same have one name; in numbers they only happen to agree.
+    """
+
+    __slots__ = ()
+
+    has_one_name: ClassVar[bool] = True
+
+    @abstractmethod
+    def alternatives(self, case: Case, name: str = "") -> Iterable[Alternative[T]]:
+        """Every mistake with its question; those of one name, where only they are looked for."""
+
+    def slips(self, case: Case) -> Iterable[Slip]:
+        """Those that change the answer."""
+        return (one.slip for one in self._changing(case))
+
+    def answer_with(self, case: Case, name: str) -> str | None:
+        """What is typed with a mistake."""
+        changed = changing(case, self.alternatives(case, name))
+        return next((one.answer for one in changed if one.slip.name == name), None)
+
+    def causes(self, case: Case, reading: Reading[T]) -> Causes:
+        """The mistakes that lead to an answer."""
+        return tuple((one.slip,) for one in self._changing(case, reading))
+
+    def _changing(self, case: Case, reading: Reading[T] | None = None) -> Iterator[Alternative[T]]:
+        every = case.memo.of(("alternatives", self, case.tolerance), lambda: tuple(self.alternatives(case)))
+        return changing(case, every, reading, distinct=self.has_one_name and not case.exercise.numeric)
+
+
 def changing(
     case: Case, found: Iterable[Alternative[T]], reading: Reading[T] | None = None, *, distinct: bool = False
 ) -> Iterator[Alternative[T]]:
@@ -63,11 +97,6 @@ def changing(
                 continue
             known.append(one)
         yield one
-
-
-def answer_of(found: Iterable[Alternative[T]], name: str) -> str | None:
-    """The answer of a mistake, by its name; None if it is not among them."""
-    return next((one.answer for one in found if one.slip.name == name), None)
 
 
 def _read(case: Case, text: str) -> Reading[T] | None:

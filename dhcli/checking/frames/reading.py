@@ -9,7 +9,7 @@ from dhcli.checking.exercise import Exercise
 from dhcli.checking.frames.sketch import Pose
 from dhcli.checking.frames.spelling import AXIS, SHAPE, is_minus, named_cells, rows_of, triple
 from dhcli.checking.pasted import UnreadableError
-from dhcli.checking.units import in_metres
+from dhcli.checking.units import length_in_metres
 from dhcli.errors import NotationError, Place
 from dhcli.frozen import frozen
 from dhcli.geometry.vectors import ORIGIN, UNITS, Vector, length, scaled
@@ -17,7 +17,7 @@ from dhcli.kinematics.describe.drawn import Frame
 from dhcli.kinematics.describe.linear import Point, point_of
 from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
-from dhcli.notation.quantity import DimensionError, to_length
+from dhcli.notation.quantity import DimensionError, to_plain_length
 from dhcli.notation.tree import ONE, ZERO, Expr
 from dhcli.notation.walk import substitute, symbols
 
@@ -105,7 +105,7 @@ class _Reader:
         scope, found = self.exercise.scope, []
         for expr in self.vector(text, name, "(a1, 0, 0)"):
             try:
-                found.append(to_length(in_metres(expr, self.exercise.metres, scope)))
+                found.append(to_plain_length(length_in_metres(expr, self.exercise.metres, scope)))
             except DimensionError as error:
                 raise UnreadableError(f"{name}: {error.message} ({error.hint})") from None
         return _finite(found, text, name)

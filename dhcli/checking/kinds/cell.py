@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, Any, ClassVar, Self
+from typing import Any, ClassVar, Self
 
+from dhcli.checking.diagnosis.alternatives import Alternative, AlternativesQuestion
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Exercise, Question
+from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.kinds.linked import found_link, link_of, place_of, read_number
 from dhcli.checking.pasted import UnreadableError
-from dhcli.checking.returned import Causes, Reading, Shown
+from dhcli.checking.returned import Reading, Shown
 from dhcli.checking.values import Quantity, TypedValue, is_right_value, mark_value, read_typed_value, spelled_value
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import DhcliError, NotationError, Place, Problem, RobotError
@@ -21,16 +22,12 @@ from dhcli.kinematics.robot import Robot, Value
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import multiply
 
-if TYPE_CHECKING:
-    from dhcli.checking.diagnosis.alternatives import Alternative
-
-
 LENGTHS = ("a", "d")
 """Columns of lengths; the others are angles."""
 
 
 @frozen
-class CellQuestion(Question[TypedValue]):
+class CellQuestion(AlternativesQuestion[TypedValue]):
     """One cell of the robot's DH table."""
 
     column: str
@@ -39,6 +36,7 @@ class CellQuestion(Question[TypedValue]):
     words: ClassVar = ("cell",)
     examples: ClassVar = ("cell alpha 2",)
     is_in_table: ClassVar = True
+    has_one_name: ClassVar = False
 
     @classmethod
     def asked(cls, text: str, _scope: Scope, place: Place | None) -> Self:
@@ -88,26 +86,8 @@ class CellQuestion(Question[TypedValue]):
         """A cell: a length with the unit of the sheet, or an angle."""
         return Quantity(value, is_length=self.column in LENGTHS, is_angle=self.column not in LENGTHS)
 
-    def slips(self, case: Case) -> Iterable[Slip]:
-        from dhcli.checking.diagnosis.alternatives import changing
-
-        return (one.slip for one in changing(case, self._alternatives(case)))
-
-    def answer_with(self, case: Case, name: str) -> str | None:
-        from dhcli.checking.diagnosis.alternatives import answer_of, changing
-
-        return answer_of(changing(case, self._alternatives(case, name)), name)
-
-    def causes(self, case: Case, reading: Reading[TypedValue]) -> Causes:
-        from dhcli.checking.diagnosis.alternatives import changing
-
-        kept = ("alternatives", self, case.tolerance)
-        every = case.memo.of(kept, lambda: tuple(changing(case, self._alternatives(case))))
-        return tuple((one.slip,) for one in every if one.fits(reading))
-
-    def _alternatives(self, case: Case, name: str = "") -> Iterator[Alternative[TypedValue]]:
+    def alternatives(self, case: Case, name: str = "") -> Iterator[Alternative[TypedValue]]:
         """A slip in the row, or the same column of the row before or behind."""
-        from dhcli.checking.diagnosis.alternatives import Alternative
         from dhcli.checking.diagnosis.mistakes.changes import scale_of
         from dhcli.checking.diagnosis.slips import setting_of, table_candidates, table_slips
 

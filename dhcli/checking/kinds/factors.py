@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, ClassVar, Self
+from typing import ClassVar, Self
 
+from dhcli.checking.diagnosis.alternatives import Alternative, AlternativesQuestion
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Exercise, Question
+from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.kinds.linked import found_link, link_of, place_of, read_number
 from dhcli.checking.pasted import without_label
-from dhcli.checking.returned import Causes, Reading, Shown
+from dhcli.checking.returned import Reading, Shown
 from dhcli.checking.tolerance import NOT_EXACT, Tolerance
 from dhcli.checking.units import chain_in_metres, move_in_metres
 from dhcli.checking.verdicts import Mark, Verdict
@@ -24,12 +25,9 @@ from dhcli.kinematics.moves import Chain, spelled
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.scope import Scope
 
-if TYPE_CHECKING:
-    from dhcli.checking.diagnosis.alternatives import Alternative
-
 
 @frozen
-class FactorsQuestion(Question[Chain]):
+class FactorsQuestion(AlternativesQuestion[Chain]):
     """The elementary moves of a link, in order."""
 
     link: str
@@ -67,25 +65,8 @@ class FactorsQuestion(Question[Chain]):
     def mark(self, case: Case, reading: Reading[Chain]) -> Mark:
         return _mark(case.exercise, link_of(case.exercise, self.link).moves, reading.value, case.tolerance)
 
-    def slips(self, case: Case) -> Iterable[Slip]:
-        return (one.slip for one in self._changing(case))
-
-    def answer_with(self, case: Case, name: str) -> str | None:
-        from dhcli.checking.diagnosis.alternatives import answer_of, changing
-
-        return answer_of(changing(case, self._alternatives(case, name)), name)
-
-    def causes(self, case: Case, reading: Reading[Chain]) -> Causes:
-        return tuple((one.slip,) for one in self._changing(case, reading))
-
-    def _changing(self, case: Case, reading: Reading[Chain] | None = None) -> Iterator[Alternative[Chain]]:
-        from dhcli.checking.diagnosis.alternatives import changing
-
-        return changing(case, self._alternatives(case), reading, distinct=not case.exercise.numeric)
-
-    def _alternatives(self, case: Case, name: str = "") -> Iterator[Alternative[Chain]]:
+    def alternatives(self, case: Case, name: str = "") -> Iterator[Alternative[Chain]]:
         """Slips in the moves of the link, each move a factor of its own."""
-        from dhcli.checking.diagnosis.alternatives import Alternative
         from dhcli.checking.diagnosis.mistakes import Level
         from dhcli.checking.diagnosis.mistakes.changes import OTHER
         from dhcli.checking.diagnosis.slips import candidates, setting_of

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from functools import partial
 from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Exercise, Question
+from dhcli.checking.exercise import Case, Exercise, Memo, Question
 from dhcli.checking.kinds.linked import needed
-from dhcli.checking.pasted import UnreadableError
+from dhcli.checking.pasted import UnreadableError, WrongUnitError
 from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.solving import covering
-from dhcli.checking.solving.covering import Asked, Outcome
+from dhcli.checking.solving.covering import Asked
 from dhcli.checking.solving.derived import (
     Slipped,
     derivation_of,
@@ -21,6 +23,7 @@ from dhcli.checking.solving.derived import (
 )
 from dhcli.checking.solving.formulas import Formula, read_formula
 from dhcli.checking.solving.goal import Target, of_robot
+from dhcli.checking.solving.told import told
 from dhcli.checking.solving.typed import exprs_of, formula_of, typed_text, values_of
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import NotationError, Place, Problem, RobotError, UnknownNameError
@@ -29,10 +32,10 @@ from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive_levels import POSITION, ROTATION
 from dhcli.kinematics.inverse.derive_terms import name_of
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.validity import Finding
+from dhcli.notation.angle import Angle
 from dhcli.notation.names import canonical
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import Symbol
+from dhcli.notation.tree import Expr, Number, Symbol, multiply
 from dhcli.regex import regex
 
 _ASKED = regex(
@@ -97,10 +100,12 @@ class JointFormulaQuestion(Question[Formula]):
         }.get(self.target.task, f"the pose of frame {end}, its entries r11 to r33 and px, py, pz")
         return f"a formula for {self._name} with all its values, from {given} seen from frame {start}"
 
-    def notes(self, _exercise: Exercise) -> Iterable[str]:
+    def notes(self, exercise: Exercise) -> Iterable[str]:
+        if exercise.metres != 1:
+            yield f"Numbers that stand for lengths are in {exercise.unit}."
         yield "Write ± for two signs, or several values with commas: atan2(y, x), acos(x), sqrt(x)."
         yield "Several ± are read both ways: all together, with ∓ against them, and each by itself."
-        yield "Other joints may stand in it. A long part may get a name, before it or behind: D = ..."
+        yield "Other joints may stand in it. A long part may get a name of its own: D = ..."
 
     def expected(self, case: Case, _style: str = "short") -> str:
         return typed_text(self._derivation(case), self.joints)
@@ -108,18 +113,15 @@ class JointFormulaQuestion(Question[Formula]):
     def steps(self, case: Case) -> Iterable[Shown]:
         yield from steps_shown(self._derivation(case), self._name)
 
-    def findings(self, case: Case, _where: tuple[str | int, ...]) -> Iterable[Finding]:
-        derivation = derivation_of(case, self.target)
-        if derivation is None:
-            yield Finding((*_where, "ask"), f"{case.part.id}: no textbook form is found", "ask for numbers: joints of")
-
     def read(self, case: Case, text: str, place: Place | None = None) -> Formula:
         robot = needed(case.exercise.robot)
         labels = [*self.joints, self._name.replace(" ", "")] if len(self.joints) == 1 else [self._name.replace(" ", "")]
         labels += [self._sum_name] if len(self.joints) > 1 else []
         aliases = [alias for alias, name in robot.scope.aliases.items() if (name,) == self.joints]
         scope = self._scope(case.exercise)
-        formula = read_formula(text, [*map(canonical, labels), *aliases], scope, place or Place("answer"))
+        formula = read_formula(
+            text, [*map(canonical, labels), *aliases], scope, place or Place("answer"), case.exercise.metres
+        )
         if set(self.joints) <= formula.names:
             raise UnreadableError(f"{self._name} itself stands in it; it may hold the pose, lengths and other joints")
         return formula
@@ -132,12 +134,26 @@ class JointFormulaQuestion(Question[Formula]):
         expected = typed_text(derivation, self.joints)
         if outcome.is_right:
             return Mark(Verdict.RIGHT, formula.text, earned=1.0, expected=expected)
-        earned, remarks = 0.0, tuple(self._said(case, outcome, formula.text))
+        if other := self._other_unit(case, reading):
+            raise WrongUnitError(other, f"this sheet is in {case.exercise.unit}")
+        earned, remarks = 0.0, tuple(told(outcome, cases, self._asked, self._candidates(derivation), formula.text))
         if outcome.is_sound:
             earned = outcome.share
         elif outcome.is_covering:
             earned = EARNED_TOO_MUCH
         return Mark(Verdict.WRONG, formula.text, remarks=remarks, earned=earned, expected=expected)
+
+    def _other_unit(self, case: Case, reading: Reading[Formula]) -> str:
+        """The unit in which all numbers of a wrong formula are right lengths, if there is one."""
+        exercise, bare = case.exercise, reading.value.has_measures
+        for unit in ("mm", "cm", "m") if bare and exercise.unit not in ("none", "") else ():
+            if unit == exercise.unit:
+                continue
+            there = Case(case.part, case.memo.of(("in unit", unit), partial(Memo, replace(exercise, unit=unit))))
+            formula = self.read(there, reading.text)
+            if covering.tried(formula, self._cases(there), self._asked, self._derivation(there).robot).is_right:
+                return unit
+        return ""
 
     def slips(self, case: Case) -> Iterator[Slip]:
         return (slip for slip, _, _ in self._showing(case))
@@ -179,48 +195,31 @@ class JointFormulaQuestion(Question[Formula]):
         new = tuple(name for name in entries if name not in own.names)
         aliases = dict(own.aliases)
         for name in POSITION if POSITION[0] in entries else ():
-            if not own.has(name[1]):
-                aliases[name[1]] = name
+            aliases |= {other: name for other in (name[1], f"p_{name[1]}") if not own.has(other)}
         return Scope(own.joints, own.angles, (*own.lengths, *new), aliases)
 
     def _derivation(self, case: Case) -> Derivation:
-        found = derivation_of(case, self.target)
+        found = derivation_of(case, self.target, case.exercise.metres)
         if found is None:
-            raise RobotError(f"{needed(case.exercise.robot).name} has no textbook form by these rules")
+            name = needed(case.exercise.robot).name
+            raise RobotError(f"{name} has no textbook form by these rules", "ask for numbers: joints of")
         return found
+
+    def _candidates(self, derivation: Derivation) -> tuple[tuple[str, Expr], ...]:
+        """What may tell where a formula holds."""
+        entries = [(name, Symbol(name)) for name in self._entries]
+        return (*entries, *covering.arguments(exprs_of(derivation, self.joints), derivation.robot))
 
     def _cases(self, case: Case) -> tuple[covering.Case, ...]:
         def drawn() -> tuple[covering.Case, ...]:
             derivation = self._derivation(case)
             robot, textbook = derivation.robot, values_of(formula_of(derivation, self.joints))
-            lengths = of_robot(robot, case.exercise.values)
+            scale = Number(1 / case.exercise.metres)
+            given = of_robot(robot, case.exercise.values).items()
+            lengths = {name: v if isinstance(v, Angle) else multiply(scale, v) for name, v in given}
             return covering.points(derivation, robot, lengths, self._asked, Formula(textbook, "", 0))
 
         return case.memo.of(("points", self.joints, self.target), drawn)
-
-    def _said(self, case: Case, outcome: Outcome, text: str) -> Iterator[str]:
-        """What a formula gets right, and what it loses."""
-        cases, derivation = self._cases(case), self._derivation(case)
-        entries = [(name, Symbol(name)) for name in self._entries]
-        candidates = [*entries, *covering.arguments(exprs_of(derivation, self.joints), derivation.robot)]
-        right = covering.where(outcome.hits, cases, self._asked, candidates)
-        only = f"right where {right} only" if right else f"right for {outcome.share:.0%} of the solutions"
-        if not any(outcome.hits):
-            if outcome.silent == len(cases):
-                yield "it has no real value at any of the poses tried"
-            else:
-                yield "it gives no solution at any of the poses tried"
-        elif outcome.is_sound:
-            by = next((name for name in ("acos", "asin", "atan(", "sqrt") if name in text and "±" not in text), "")
-            yield f"{only}: {by.strip('(')} gives one of two" if by else f"{only}: some values are missing"
-        elif outcome.wrapped:
-            yield f"{only}: elsewhere it is half a turn off, as atan loses the quadrants on the left"
-        elif outcome.is_covering:
-            yield "no value is missing, but some of its values solve nothing"
-        else:
-            yield only
-        if any(outcome.hits) and 0 < outcome.silent < len(cases):
-            yield "it has no real value at some poses that are reached"
 
     def _showing(self, case: Case) -> tuple[tuple[Slip, str, list[list[float]]], ...]:
         """Every slip whose formula is wrong, with that formula and its values."""

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.entries import Entries, Entry, entries_text, read_entries
 from dhcli.checking.exercise import Case, Exercise, Question
-from dhcli.checking.kinds.linked import needed
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Causes, Judged, Matrices, Overlaid, Points, Reading, Shown
 from dhcli.checking.truth import is_length, names_in, truth_of, unvalued
@@ -18,8 +17,7 @@ from dhcli.checking.verdicts import IN_OTHER_UNIT, UNSOLVED, Mark, Verdict
 from dhcli.checking.wanted import Composed, Wanted, read_wanted
 from dhcli.errors import DhcliError, NotationError, Place, Problem
 from dhcli.frozen import frozen
-from dhcli.kinematics.frames import View, frame
-from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.frames import View
 from dhcli.notation.brackets import OPENING
 from dhcli.notation.quantity import DimensionError
 from dhcli.notation.scope import Scope
@@ -58,7 +56,7 @@ class MatrixQuestion(Wanted, Question[Entries]):
 
     def in_unit(self, unit: Fraction, scope: Scope) -> Self:
         """Bare coordinates of a point, and bare lengths of a product, are in the unit of the sheet."""
-        from dhcli.checking.units import chain_in_metres, in_metres
+        from dhcli.checking.units import chain_in_metres, length_in_metres
 
         source = self.source
         if isinstance(source, Composed):
@@ -67,43 +65,24 @@ class MatrixQuestion(Wanted, Question[Entries]):
             return replace(self, source=source)
         pairs = zip(self.point, self.measured, strict=True)
         try:
-            point = tuple(one if measured else in_metres(one, unit, scope) for one, measured in pairs)
+            point = tuple(one if measured else length_in_metres(one, unit, scope) for one, measured in pairs)
         except DimensionError as error:
             raise NotationError(Problem(error.message, None, error.hint)) from None
         return replace(self, source=source, point=point)
-
-    def check(self, robot: Robot | None) -> None:
-        if isinstance(self.source, View):
-            for name in (self.source.start, self.source.end):
-                frame(needed(robot), name)
-
-    @property
-    def needs_table(self) -> bool:
-        return isinstance(self.source, View)
 
     def describe(self, exercise: Exercise) -> str:
         from dhcli.checking.workings import coordinates
 
         point = coordinates(self, exercise)
-        return self._in_words(self._whole, f"the point ({point})", f"the vector ({point})")
+        return self._in_words(f"the point ({point})", f"the vector ({point})")
 
     def describe_form(self, _exercise: Exercise) -> str:
         """Neither the factors of a product nor the coordinates of a point are told."""
-        words = self._in_words(self._whole, "a point", "a vector")
+        words = self._in_words("a point", "a vector")
         return words if isinstance(self.source, View) else words.rpartition(": ")[2]
 
-    @property
-    def _whole(self) -> str:
-        if isinstance(self.source, View):
-            start, end = self.source.start, self.source.end
-            whole = f"A_{end}" if self.is_link else f"T_{start}{end}"
-            whole += f", frame {end} seen from frame {start}"
-        else:
-            whole = self.source.text
-        return f"the inverse of {whole}" if self.inverse else whole
-
-    def _in_words(self, whole: str, point: str, vector: str) -> str:
-        row, column = self.index
+    def _in_words(self, point: str, vector: str) -> str:
+        whole, (row, column) = self.whole, self.index
         pieces = {
             "pose": f"{whole}: a 4x4 matrix, row by row",
             "rotation": f"the rotation of {whole}: a 3x3 matrix",
@@ -136,7 +115,7 @@ class MatrixQuestion(Wanted, Question[Entries]):
         if self.shape == (1, 1) or "\\end" in text or text.strip().startswith(("[", "array", "np.")):
             return True
         rows, columns = self.shape
-        apart = outside_brackets(text)
+        apart = _outside_brackets(text)
         return rows - 1 == apart[";"] or (columns == 1 and rows - 1 in apart.values())
 
     @property
@@ -292,7 +271,7 @@ class MatrixQuestion(Wanted, Question[Entries]):
         return overlaid_matrix(case.exercise, self, reading.value, values)
 
 
-def outside_brackets(text: str) -> dict[str, int]:
+def _outside_brackets(text: str) -> dict[str, int]:
     """How many commas and semicolons stand outside brackets."""
     depth, found = 0, {",": 0, ";": 0}
     for letter in text:

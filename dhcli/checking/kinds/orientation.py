@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING, ClassVar, Self
 
 from dhcli.algebra.floats import Floats
@@ -12,7 +13,6 @@ from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.entries import check_names
 from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.forms import Form, form_of
-from dhcli.checking.kinds.linked import needed
 from dhcli.checking.orientations import angle_between, transposed, turned
 from dhcli.checking.pasted import UnreadableError, WrongUnitError
 from dhcli.checking.returned import Causes, Reading, Shown
@@ -23,14 +23,12 @@ from dhcli.checking.wanted import NotAskedError, Wanted, read_wanted
 from dhcli.errors import Place, RobotError, plural
 from dhcli.frozen import frozen
 from dhcli.geometry.euler import Order
-from dhcli.kinematics.frames import View, frame
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
 from dhcli.notation.matrix import parse_matrix
 from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_length
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
 from dhcli.regex import regex
 
@@ -53,12 +51,10 @@ class Turn:
 
     Attributes:
         values: Its numbers, angles in radians.
-        exprs: The cells, for the digits that were typed.
         bare: Whether an angle was typed without a unit.
     """
 
     values: tuple[float, ...]
-    exprs: tuple[Expr, ...]
     bare: bool
 
 
@@ -85,26 +81,17 @@ class OrientationQuestion(Question[Turn]):
         if match is None:
             raise NotAskedError(text)
         found = read_wanted(f"rotation of {_ROTATION_OF.sub('', match['rest'])}", scope, place)
-        return cls(found, form_of(" ".join(match["form"].split())))
+        return cls(replace(found, is_link=False), form_of(" ".join(match["form"].split())))
 
     def check(self, robot: Robot | None) -> None:
-        if isinstance(self.wanted.source, View):
-            for name in (self.wanted.source.start, self.wanted.source.end):
-                frame(needed(robot), name)
+        self.wanted.check(robot)
 
     @property
     def needs_table(self) -> bool:
-        return isinstance(self.wanted.source, View)
+        return self.wanted.needs_table
 
     def describe(self, _exercise: Exercise) -> str:
-        source = self.wanted.source
-        if not isinstance(source, View):
-            whole = source.text
-        else:
-            whole = f"T_{source.start}{source.end}, frame {source.end} seen from frame {source.start}"
-        if self.wanted.inverse:
-            whole = f"the inverse of {whole}"
-        return f"the orientation of {whole}: {self.form.words}"
+        return f"the orientation of {self.wanted.whole}: {self.form.words}"
 
     def blank(self, _exercise: Exercise) -> tuple[int, int]:
         return 1, len(self.form.parts)
@@ -152,7 +139,7 @@ class OrientationQuestion(Question[Turn]):
                 raise UnreadableError(f"{name}: a number was asked, and {missing[0]} has no value")
             bare |= k in self.form.angles and not has_angle_unit(expr)
             values.append(value.substitute(angles).constant() if isinstance(value, Angle) else over.value(value))
-        return Turn(tuple(values), tuple(cells), bare)
+        return Turn(tuple(values), bare)
 
     def mark(self, case: Case, reading: Reading[Turn]) -> Mark:
         right, turn = self._right(case), reading.value

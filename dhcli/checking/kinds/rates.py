@@ -12,6 +12,7 @@ from dhcli.checking.motion.columns import Columns, columns_of, combined, jacobia
 from dhcli.checking.motion.from_columns import ColumnsQuestion, axes_step
 from dhcli.checking.motion.grid import Grid, floats_in, over
 from dhcli.checking.motion.linear import solution
+from dhcli.checking.motion.reading import SPEED, TURNING
 from dhcli.checking.motion.task import columns_for
 from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
@@ -104,6 +105,9 @@ class RatesQuestion(ColumnsQuestion):
 
     def computed(self, case: Case) -> Grid:
         return self.of_columns(case, self.columns(case))
+
+    def units(self, case: Case) -> tuple[str, ...]:
+        return tuple(TURNING if one.turns else SPEED for one in self.columns(case).each)
 
     def columns(self, case: Case) -> Columns:
         return columns_for(case, self.motion)

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, ClassVar, Self
+from typing import ClassVar, Self
 
+from dhcli.checking.diagnosis.alternatives import Alternative, AlternativesQuestion
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Exercise, Question
-from dhcli.checking.returned import Causes, Reading, Shown
+from dhcli.checking.exercise import Case, Exercise
+from dhcli.checking.returned import Reading, Shown
 from dhcli.checking.values import TypedValue, is_right_value, mark_value, quantity_of, read_typed_value, spelled_value
 from dhcli.checking.verdicts import Mark
 from dhcli.errors import NotationError, Place, Problem
@@ -20,12 +21,9 @@ from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr, Trig
 from dhcli.notation.walk import symbols, walk
 
-if TYPE_CHECKING:
-    from dhcli.checking.diagnosis.alternatives import Alternative
-
 
 @frozen
-class ScalarQuestion(Question[TypedValue]):
+class ScalarQuestion(AlternativesQuestion[TypedValue]):
     """An angle, a length or a number, computed from an expression."""
 
     expr: Expr
@@ -70,26 +68,7 @@ class ScalarQuestion(Question[TypedValue]):
     def mark(self, case: Case, reading: Reading[TypedValue]) -> Mark:
         return mark_value(case.exercise, quantity_of(self.expr, case.exercise), reading.value, case.tolerance)
 
-    def slips(self, case: Case) -> Iterable[Slip]:
-        return (one.slip for one in self._changing(case))
-
-    def answer_with(self, case: Case, name: str) -> str | None:
-        from dhcli.checking.diagnosis.alternatives import answer_of, changing
-
-        return answer_of(changing(case, self._alternatives(case, name)), name)
-
-    def causes(self, case: Case, reading: Reading[TypedValue]) -> Causes:
-        return tuple((one.slip,) for one in self._changing(case, reading))
-
-    def _changing(self, case: Case, reading: Reading[TypedValue] | None = None) -> Iterator[Alternative[TypedValue]]:
-        """In symbols mistakes that are the same have one name; in numbers they only happen to agree."""
-        from dhcli.checking.diagnosis.alternatives import changing
-
-        every = case.memo.of(("alternatives", self, case.tolerance), lambda: tuple(self._alternatives(case)))
-        return changing(case, every, reading, distinct=not case.exercise.numeric)
-
-    def _alternatives(self, case: Case, name: str = "") -> Iterator[Alternative[TypedValue]]:
-        from dhcli.checking.diagnosis.alternatives import Alternative
+    def alternatives(self, case: Case, name: str = "") -> Iterator[Alternative[TypedValue]]:
         from dhcli.checking.diagnosis.mistakes.values import IN_VALUES
 
         kind = name.partition(" ")[0]

@@ -12,6 +12,7 @@ from dhcli.checking.motion.asked import Motion, read_motion, three
 from dhcli.checking.motion.columns import Columns, combined, jacobian_grid
 from dhcli.checking.motion.from_columns import ColumnsQuestion, axes_step
 from dhcli.checking.motion.grid import Grid
+from dhcli.checking.motion.reading import FORCE, TORQUE
 from dhcli.checking.motion.task import columns_for
 from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
@@ -83,6 +84,9 @@ class TorquesQuestion(ColumnsQuestion):
 
     def columns(self, case: Case) -> Columns:
         return columns_for(case, self.motion)
+
+    def units(self, case: Case) -> tuple[str, ...]:
+        return tuple(TORQUE if one.turns else FORCE for one in self.columns(case).each)
 
     def of_columns(self, _case: Case, columns: Columns) -> Grid:
         six = (*self.force, *self.moment)

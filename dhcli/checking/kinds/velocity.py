@@ -13,6 +13,7 @@ from dhcli.checking.motion.asked import Motion, read_motion, three
 from dhcli.checking.motion.columns import Columns, combined, jacobian_grid
 from dhcli.checking.motion.from_columns import ColumnsQuestion, axes_step
 from dhcli.checking.motion.grid import Grid
+from dhcli.checking.motion.reading import SPEED, TURNING
 from dhcli.checking.motion.task import columns_for
 from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
@@ -89,6 +90,9 @@ class VelocityQuestion(ColumnsQuestion):
 
     def columns(self, case: Case) -> Columns:
         return columns_for(case, self.motion)
+
+    def units(self, _case: Case) -> tuple[str, ...]:
+        return (TURNING if self.angular else SPEED,) * 3
 
     def _rates(self, columns: Columns) -> tuple[Expr, ...]:
         if self.motion.rates is not None:

@@ -6,10 +6,9 @@ from collections.abc import Iterable, Sequence
 from typing import Self
 
 from dhcli.checking.diagnosis.chance import Evidence, is_chance
-from dhcli.checking.entries import Entries, Entry
+from dhcli.checking.entries import Entries, Entry, values_of
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.motion.grid import Grid, Numbers, scale_of, within
-from dhcli.checking.motion.marking import values_of
 from dhcli.checking.tolerance import SLACK, typed_decimals, without_unit
 from dhcli.frozen import frozen
 

@@ -13,11 +13,10 @@ from dhcli.algebra.floats import Floats
 from dhcli.checking.diagnosis.chance import Evidence, is_chance
 from dhcli.checking.diagnosis.plausible import HALF, at_a_point, has_name, is_trivial
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.entries import Entries
+from dhcli.checking.entries import Entries, values_of
 from dhcli.checking.exercise import Case
 from dhcli.checking.motion.columns import Columns
 from dhcli.checking.motion.grid import Grid, Numbers, alike, scale_of, within
-from dhcli.checking.motion.marking import values_of
 from dhcli.checking.motion.mistakes import made, then
 from dhcli.checking.motion.question import MotionQuestion
 from dhcli.checking.pasted import UnreadableError

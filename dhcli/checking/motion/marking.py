@@ -2,23 +2,19 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 
-from dhcli.algebra.floats import Floats
-from dhcli.checking.entries import Entries, Entry, entries_text
+from dhcli.checking.entries import Entries, Entry, entries_text, values_of
 from dhcli.checking.exercise import Case, Exercise
-from dhcli.checking.motion.grid import Grid, Numbers, scale_of, typed
+from dhcli.checking.motion.grid import Grid, scale_of, typed
 from dhcli.checking.motion.reading import as_read
-from dhcli.checking.pasted import UnreadableError, WrongUnitError
+from dhcli.checking.pasted import WrongUnitError
 from dhcli.checking.symbolic import about_equal, counterexample, has_decimals, same
 from dhcli.checking.tolerance import is_rounding_of, judge, typed_decimals, without_unit
 from dhcli.checking.verdicts import IN_OTHER_UNIT, CellMark, Mark, Verdict, worst
 from dhcli.frozen import frozen
-from dhcli.kinematics.values import numbers
-from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write
 
 PASSED = (Verdict.RIGHT, Verdict.ROUNDED)
@@ -109,23 +105,6 @@ def in_other_unit(case: Case, right: Grid, entries: Entries, own: Sequence[CellM
         if (False, True) in clear and (True, False) not in clear:
             return InUnit(unit, moved, cells)
     return None
-
-
-def values_of(entries: Entries, exercise: Exercise) -> Numbers:
-    """What was typed in floats, lengths in metres.
-
-    Raises:
-        UnreadableError: An entry holds a name without a value, or is not finite.
-    """
-    arithmetic, found = Floats(numbers(exercise.values)), []
-    for r, row in enumerate(entries):
-        for c, entry in enumerate(row):
-            if missing := sorted(symbols(entry.expr) - exercise.values.keys()):
-                raise UnreadableError(f"entry ({r + 1},{c + 1}) holds {', '.join(missing)}, and a number was asked")
-            if not math.isfinite(arithmetic.value(entry.expr)):
-                raise UnreadableError(f"entry ({r + 1},{c + 1}), {entry.text}, is not a finite number")
-        found.append(tuple(arithmetic.value(entry.expr) for entry in row))
-    return tuple(found)
 
 
 def _in_rows(cells: Sequence[str], width: int) -> str:

@@ -11,12 +11,12 @@ from itertools import islice
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.points import general
 from dhcli.checking.diagnosis.result import Rank, Slip
-from dhcli.checking.entries import Entries, entries_text
+from dhcli.checking.entries import Entries, entries_text, values_of
 from dhcli.checking.exercise import Case, Exercise, Memo, Part, Question
 from dhcli.checking.motion.digits import Digits
 from dhcli.checking.motion.grid import Grid, Numbers, alike, over, scale_of, within
 from dhcli.checking.motion.in_entries import sign_causes, signs, swapped, term_causes
-from dhcli.checking.motion.marking import in_other_unit, mark_grid, mark_numbers, values_of
+from dhcli.checking.motion.marking import in_other_unit, mark_grid, mark_numbers
 from dhcli.checking.motion.reading import read_cells
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.returned import Causes, Reading, Shown
@@ -123,7 +123,11 @@ class MotionQuestion(Question[Entries]):
 
     def read(self, case: Case, text: str, place: Place | None = None) -> Entries:
         """The entries in the shape of the right answer."""
-        return read_cells(case.exercise, self.right(case).powers, text, place)
+        return read_cells(case.exercise, self.right(case).powers, text, place, self.units(case))
+
+    def units(self, _case: Case) -> tuple[str, ...]:
+        """The unit of each number, for a list of rates or forces."""
+        return ()
 
     def mark(self, case: Case, reading: Reading[Entries]) -> Mark:
         """Entry by entry."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from fractions import Fraction
 from functools import lru_cache
 
 from dhcli.checking.diagnosis.result import Slip
@@ -12,6 +13,8 @@ from dhcli.checking.kinds.linked import needed
 from dhcli.checking.returned import Shown
 from dhcli.checking.solving.goal import Target, of_robot
 from dhcli.checking.solving.putting import put_for
+from dhcli.checking.units import ONE as METRE
+from dhcli.checking.units import in_unit
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import NAMES
@@ -45,12 +48,22 @@ class Slipped:
     at: str = ""
 
 
-def derivation_of(case: Case, target: Target) -> Derivation | None:
-    """The derivation for the robot and the frames asked about; None where no textbook form is found."""
+def derivation_of(case: Case, target: Target, unit: Fraction = METRE) -> Derivation | None:
+    """The derivation for the robot and the frames asked about; None where no textbook form is found.
+
+    Args:
+        case: Where it is asked.
+        target: What is to be reached.
+        unit: Metres in a length of the derivation: its robot has its bare numbers in that unit.
+    """
     robot = needed(case.exercise.robot)
     if target.along:  # the formulas are of the whole pose
         return None
-    return _derived(robot, *target.ends(robot), "position" if target.task == "position" else "pose")
+    return _derived(_moved(robot, unit), *target.ends(robot), "position" if target.task == "position" else "pose")
+
+
+_moved = lru_cache(maxsize=64)(in_unit)
+"""Each mark asks for the same; without numbers in its table a robot is itself in every unit."""
 
 
 @lru_cache(maxsize=64)
@@ -109,35 +122,9 @@ def slipped(derivation: Derivation, robot: Robot) -> Iterator[Slipped]:
 def _in_step(step: Step, name: str) -> Iterator[tuple[Slip, Step]]:
     """What may go wrong in one step."""
     for call in _calls(step, "atan2"):
-        y, x = call.arguments
-        shown = f"atan2 in {name}"
-        if call == step.value or step.spread is None:
-            one = Call("atan", (multiply(y, power(x, -1)),)) if x != ZERO else None
-            if one is not None:
-                words = f"atan stands for {shown}: it loses the quadrants where its second argument is negative"
-                yield (
-                    Slip(f"atan-for-atan2 {name}", words, "which quadrants does atan know?"),
-                    replace(_with(step, call, one), two=step.two if step.two != "opposite" else ""),
-                )
-        words = f"the arguments of {shown} have changed places: the sine comes first"
-        yield (
-            Slip(f"atan2-swapped {name}", words, "which argument of atan2 belongs to the sine?"),
-            _with(step, call, Call("atan2", (x, y))),
-        )
+        yield from _in_arctangent(step, name, call)
     if isinstance(step.spread, Call) and step.spread.function == "acos":
-        inside = step.spread.arguments[0]
-        words = f"the sign in the law of cosines is wrong in {name}: the inner angle of the triangle is 180° less it"
-        yield (
-            Slip(f"cosine-sign {name}", words, "is it the inner angle of the triangle or the outer one?"),
-            replace(step, spread=Call("acos", (negate(inside),))),
-        )
-        if step.value != ZERO:
-            words = f"{name} is computed without the offset: only the direction of the point was taken"
-            turned = Call("acos", (ZERO,)) if step.rule == "ONE" else ZERO
-            yield (
-                Slip(f"offset-left-out {name}", words, "does the arm lie in the plane through the first axis?"),
-                replace(step, spread=turned),
-            )
+        yield from _in_arccosine(step, name, step.spread)
     if step.two:
         words = f"one branch of {name} is left out"
         whole = step.value if step.spread is None else add(step.value, step.spread)
@@ -154,6 +141,38 @@ def _in_step(step: Step, name: str) -> Iterator[tuple[Slip, Step]]:
                 Slip(f"angle-sign {name}", words, "draw the triangle: which angle is the larger one?"),
                 replace(step, value=other),
             )
+
+
+def _in_arctangent(step: Step, name: str, call: Call) -> Iterator[tuple[Slip, Step]]:
+    y, x = call.arguments
+    shown = f"atan2 in {name}"
+    if (call == step.value or step.spread is None) and x != ZERO:
+        one = Call("atan", (multiply(y, power(x, -1)),))
+        words = f"atan stands for {shown}: it loses the quadrants where its second argument is negative"
+        yield (
+            Slip(f"atan-for-atan2 {name}", words, "which quadrants does atan know?"),
+            replace(_with(step, call, one), two=step.two if step.two != "opposite" else ""),
+        )
+    words = f"the arguments of {shown} have changed places: the sine comes first"
+    yield (
+        Slip(f"atan2-swapped {name}", words, "which argument of atan2 belongs to the sine?"),
+        _with(step, call, Call("atan2", (x, y))),
+    )
+
+
+def _in_arccosine(step: Step, name: str, spread: Call) -> Iterator[tuple[Slip, Step]]:
+    words = f"the sign in the law of cosines is wrong in {name}: the inner angle of the triangle is 180° less it"
+    yield (
+        Slip(f"cosine-sign {name}", words, "is it the inner angle of the triangle or the outer one?"),
+        replace(step, spread=Call("acos", (negate(spread.arguments[0]),))),
+    )
+    if step.value != ZERO:
+        words = f"{name} is computed without the offset: only the direction of the point was taken"
+        turned = Call("acos", (ZERO,)) if step.rule == "ONE" else ZERO
+        yield (
+            Slip(f"offset-left-out {name}", words, "does the arm lie in the plane through the first axis?"),
+            replace(step, spread=turned),
+        )
 
 
 def _calls(step: Step, function: str) -> list[Call]:

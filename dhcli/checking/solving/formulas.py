@@ -5,20 +5,22 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
 from itertools import chain, product
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.pasted import UnreadableError
 from dhcli.checking.solving.putting import put_for
+from dhcli.checking.units import ONE as METRE
 from dhcli.errors import DhcliError, Place
 from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
 from dhcli.notation.brackets import OPENING
-from dhcli.notation.dimensions import ANGLE_UNITS, LENGTH_UNITS
+from dhcli.notation.dimensions import ANGLE_UNITS, LENGTH_UNITS, DimensionError, dimension, has_units, is_inverse
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import PI, Expr, Number, Sum, Symbol, Trig, Unit, add, multiply, number
+from dhcli.notation.tree import PI, Call, Expr, Number, Product, Sum, Symbol, Trig, Unit, add, multiply, number
 from dhcli.notation.walk import rebuild, symbols, walk
 from dhcli.regex import regex
 
@@ -26,14 +28,17 @@ MOST_SIGNS = 4
 """Signs ± in one answer; each doubles its values."""
 
 MOST_STATEMENTS = 12
+_FACTORS = frozenset((0, 1, 2, 4, Fraction(1, 2), Fraction(1, 4), 180))
+"""Numbers of formulas that are all in letters."""
+
 _PLUS_MINUS = regex(r"\\pm|\+\s*/\s*-|\+-")
 _MINUS_PLUS = regex(r"\\mp|-\s*/\s*\+|-\+")
 _HALF_TURN_MORE = regex(r",?\s*or\s+180\s*°?\s*more\s*$")
 _OR = regex(r"\s+(?:or|and)\s+")
-_STATEMENT = regex(r"\s*(?P<name>[^\W\d][\w{}\\()+ ]*?)\s*=(?!=)\s*(?P<rest>.*)", re.DOTALL)
-_BESIDE = regex(r"(?:,?\s+(?:where|with|and)\b|,)\s*(?=(?P<name>[^\W\d][\w{}\\]*)\s*=(?!=))")
-"""What stands between the formula and a name that is given beside it."""
+_NEXT = regex(r"(?:,|,?\s+(?:with|where|and)\s)(?=\s*\\?[^\W\d][\w{}\\]{0,20}[ \t]{0,9}=(?!=))")
+"""Between statements in one line: `D = ..., theta2 = ...`, `theta2 = ... with D = ...`."""
 
+_STATEMENT = regex(r"\s*(?P<name>\\?[^\W\d][\w{}\\()+ ]*?)\s*=(?!=)\s*(?P<rest>.*)", re.DOTALL)
 _RIGHT_ANGLES = frozenset((90, 180, 270, 360))
 
 
@@ -58,37 +63,44 @@ class Formula:
         """The names in it."""
         return frozenset[str]().union(*map(symbols, self.values))
 
+    @property
+    def has_measures(self) -> bool:
+        """Whether a number stands in it that may be a length, and is no factor of a formula in letters."""
+        return any(isinstance(n, Number) and abs(n.value) not in _FACTORS for value in self.values for n in walk(value))
+
     def at(self, point: Mapping[str, Angle | float]) -> list[float]:
         """Its real values at a point, angles in radians."""
         over = Floats(point)
         return [value for value in map(over.value, self.values) if math.isfinite(value)]
 
 
-def read_formula(text: str, asked: Sequence[str], scope: Scope, place: Place) -> Formula:
-    """Read a formula: `theta2 = ±acos(D)`, with `D = ...` on a line before it, or `, D = ...` behind it.
+def read_formula(text: str, asked: Sequence[str], scope: Scope, place: Place, unit: Fraction = METRE) -> Formula:
+    """Read a formula: `theta2 = ±acos(D)`, with `D = ...` before it or behind it.
 
     Args:
         text: What was typed.
         asked: The names that what is asked for goes by, in canonical form.
         scope: The names that may stand in it.
         place: Where it stands, for errors.
+        unit: Metres in a bare length; the formula is in that unit.
 
     Raises:
         UnreadableError: There are too many signs or statements, or none is the answer.
         NotationError: It cannot be read.
     """
-    text = _MINUS_PLUS.sub("∓", _PLUS_MINUS.sub("±", text))
+    text = _NEXT.sub("\n", _MINUS_PLUS.sub("∓", _PLUS_MINUS.sub("±", text.strip().rstrip("."))))
     signs = sum(text.count(sign) for sign in "±∓")
     if signs > MOST_SIGNS:
         raise UnreadableError(f"{signs} signs ± make {2**signs} values; write at most {MOST_SIGNS}")
 
     def values(choices: Iterable[Sequence[str]]) -> tuple[Expr, ...]:
-        found = chain.from_iterable(_values(_signed(text, chosen), asked, scope, place) for chosen in choices)
+        found = chain.from_iterable(_values(_signed(text, chosen), asked, scope, place, unit) for chosen in choices)
         return tuple(dict.fromkeys(found))
 
     together = values(("+" * signs, "-" * signs)) if signs > 1 else ()
-    every = values(product("+-", repeat=signs))
-    return Formula(every, _statements(text, asked)[-1][1].strip(), signs, together)
+    shown = _statements(text, asked)[-1].strip()
+    match = _STATEMENT.fullmatch(shown)
+    return Formula(values(product("+-", repeat=signs)), match["rest"] if match else shown, signs, together)
 
 
 def _signed(text: str, chosen: Sequence[str]) -> str:
@@ -105,57 +117,36 @@ def _signed(text: str, chosen: Sequence[str]) -> str:
     return "".join(letters)
 
 
-def _statements(text: str, asked: Sequence[str]) -> list[tuple[str, str]]:
-    """The names in front of `=` with what stands behind: those of parts of the formula, then the answer without one.
+def _statements(text: str, asked: Sequence[str]) -> list[str]:
+    """The statements of a text, those that define what is long before the answers, wherever they stand."""
+    every = [part for line in text.splitlines() for part in line.split(";") if part.strip()] or [text]
 
-    A part is named on a line of its own, or beside the formula: `acos(D), D = ...`, `acos(D) where D = ...`.
-    """
-    parts, answers = list[tuple[str, str]](), list[tuple[str, str]]()
+    def answers(statement: str) -> bool:
+        match = _STATEMENT.fullmatch(statement)
+        return match is None or canonical(match["name"].replace(" ", "")) in asked
 
-    def take(statement: str) -> None:
-        found = _part_named(statement, asked)
-        if found:
-            parts.append((found["name"], found["rest"]))
-        elif statement.strip():
-            match = _STATEMENT.fullmatch(statement)
-            answers.append(("", match["rest"] if match else statement))
-
-    for piece in re.split(r"[\n;]", text):
-        start = 0
-        for match in _BESIDE.finditer(piece):
-            is_new = canonical(match["name"]) not in asked or _part_named(piece[start : match.start()], asked)
-            if is_new and not _depth(piece[: match.start()]):
-                take(piece[start : match.start()])
-                start = match.end()
-        take(piece[start:])
-    return [*parts, *answers]
+    return sorted(every, key=answers)
 
 
-def _part_named(statement: str, asked: Sequence[str]) -> re.Match[str] | None:
-    """A statement that gives a name to a part of the formula, and not to what is asked for."""
-    match = _STATEMENT.fullmatch(statement)
-    return match if match and canonical(match["name"].replace(" ", "")) not in asked else None
-
-
-def _depth(text: str) -> int:
-    """How many brackets are open at the end of a text."""
-    return sum((letter in OPENING) - (letter in OPENING.values()) for letter in text)
-
-
-def _values(text: str, asked: Sequence[str], scope: Scope, place: Place) -> list[Expr]:
+def _values(text: str, asked: Sequence[str], scope: Scope, place: Place, unit: Fraction) -> list[Expr]:
     statements = _statements(text, asked)
     if len(statements) > MOST_STATEMENTS:
         raise UnreadableError(f"{len(statements)} lines; the formula and names for what is long in it will do")
     known: dict[Expr, Expr] = {}
     found = list[Expr]()
-    for name, rest in statements:
+    for statement in statements:
+        match = _STATEMENT.fullmatch(statement)
+        name = match["name"] if match else ""
+        rest = match["rest"] if match else statement
         names = Scope(scope.joints, scope.angles, (*scope.lengths, *_symbols(known)), scope.aliases)
-        if name:
-            known[_defined(name, names, place)] = put_for(_plain(_parsed(rest, names, place)), known)
+        if match and canonical(name.replace(" ", "")) not in asked:
+            known[_defined(name, names, place)] = put_for(_plain(_parsed(rest, names, place), unit), known)
             continue
         half = _HALF_TURN_MORE.search(rest)
-        for piece in _pieces(rest[: half.start()] if half else rest):
-            value = put_for(_plain(_parsed(piece, names, place)), known)
+        rest = rest[: half.start()] if half else rest
+        for piece in _pieces(rest):
+            _check_kind(_parsed(piece, names, place), asked[0], scope)
+            value = put_for(_plain(_parsed(piece, names, place), unit), known)
             found += [value, add(value, PI)] if half else [value]
     if not found:
         raise UnreadableError(f"no line says what {asked[0]} is: write {asked[0]} = ...")
@@ -183,7 +174,8 @@ def _defined(name: str, scope: Scope, place: Place) -> Expr:
 
 def _pieces(text: str) -> Iterator[str]:
     """Several values: between commas outside brackets, or with `or` between them."""
-    for piece in _OR.split(text.strip().strip("{}")):
+    text = text.strip()
+    for piece in _OR.split(text[1:-1] if text.startswith("{") and text.endswith("}") else text):
         depth, start = 0, 0
         for at, letter in enumerate(piece):
             depth += (letter in OPENING) - (letter in OPENING.values())
@@ -194,8 +186,36 @@ def _pieces(text: str) -> Iterator[str]:
             yield piece[start:]
 
 
-def _plain(expr: Expr) -> Expr:
-    """An expression with its units as numbers: radians and metres."""
+def _check_kind(expr: Expr, asked: str, scope: Scope) -> None:
+    """Refuse a length for an angle, an angle for a length, and a sum of both; letters may be anything.
+
+    Raises:
+        UnreadableError: It is one.
+    """
+    turns = any(map(scope.is_angle, asked.split("+")))
+    if not turns and is_inverse(expr):
+        raise UnreadableError(f"this is an angle, and {asked} is a length")
+    outside = _without_functions(expr)  # bare numbers in these may be lengths beside others with a unit
+    try:
+        power = dimension(outside) if has_units(outside) else None
+    except DimensionError as error:
+        raise UnreadableError(error.message) from None
+    wanted, what = (0, "an angle") if turns else (1, "a length")
+    if power not in (None, wanted):
+        raise UnreadableError(f"by its units this is no {what.split()[1]}, and {asked} is {what}")
+
+
+def _without_functions(expr: Expr) -> Expr:
+    """An expression with a plain angle in the place of each function that stands in it."""
+    if isinstance(expr, Call):
+        return PI
+    if isinstance(expr, Sum):
+        return add(*map(_without_functions, expr.terms))
+    return multiply(*map(_without_functions, expr.factors)) if isinstance(expr, Product) else expr
+
+
+def _plain(expr: Expr, unit: Fraction) -> Expr:
+    """An expression with its units as numbers: radians, and lengths in a unit of so many metres."""
     for node in walk(expr):
         for term in node.terms if isinstance(node, Sum) else ():
             if isinstance(term, Number) and abs(term.value) in _RIGHT_ANGLES:
@@ -205,7 +225,7 @@ def _plain(expr: Expr) -> Expr:
         if not isinstance(node, Unit):
             return node
         if node.name in LENGTH_UNITS:
-            return Number(LENGTH_UNITS[node.name])
+            return Number(LENGTH_UNITS[node.name] / unit)
         radians = node.name in ("rad", "radian", "radians")
         return number(1) if radians or node.name not in ANGLE_UNITS else multiply(PI, Number(number(1).value / 180))
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, TypeAlias, cast
 from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.kinds.linked import needed
-from dhcli.checking.units import chain_in_metres, has_length_unit, in_metres
+from dhcli.checking.units import chain_in_metres, has_length_unit, length_in_metres
 from dhcli.errors import NotationError, Place, Problem, RobotError
 from dhcli.frozen import frozen
 from dhcli.geometry.facing import facing
@@ -209,7 +209,7 @@ def _cells(text: str, scope: Scope, place: Place | None) -> list[Expr]:
 
 def _scaled(cell: Expr, unit: Fraction, scope: Scope) -> Expr:
     """A coordinate in metres; one that is written with a unit stays."""
-    return cell if has_length_unit(cell) else in_metres(cell, unit, scope)
+    return cell if has_length_unit(cell) else length_in_metres(cell, unit, scope)
 
 
 def _lengths(cells: Iterable[Expr], place: Place | None = None) -> tuple[Expr, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Sequence
 
 from dhcli.algebra.floats import Floats
@@ -19,13 +20,21 @@ from dhcli.kinematics.values import joint_called, numbers
 from dhcli.notation.angle import Angle
 from dhcli.notation.matrix import parse_matrix
 from dhcli.notation.parser import parse
-from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_length
+from dhcli.notation.quantity import DimensionError, has_angle_unit, to_angle, to_plain_length
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
 from dhcli.regex import regex
 
 _LABEL = regex(r"(?P<name>[^\W\d]\w*)\s*=(?!=)")
 _TEXT = regex(r"\A\s*(?P<name>[^\W\d]\w*)\s*=\s*(?=\[)")
+_ABOUT = regex(r"(?<=\w)[ \t]*≈")
+_COLON = regex(r"(?<=\d)[ \t]*:(?=[ \t]*[(\d.+−-])")  # noqa: RUF001
+_ROW_LABEL = regex(r"(^|[;\n])[ \t]*(?:\(?(?:\d{1,2}|[a-h])\)|[A-Za-z][A-Za-z ]{1,30}:)[ \t]*(?=[(\[\w+.−-])")  # noqa: RUF001
+"""What stands before a row, `1)`, `b)` and `elbow up:`."""
+
+_BETWEEN = regex(r",?[ \t]+(?:or|and)[ \t]+|[ \t]*\n[ \t]*(?:or|and)[ \t\n]+")
+_BETWEEN_NAMED = regex(rf"(?:{_BETWEEN.pattern})(?=[^\W\d]\w*[ \t]*=)")
+_UNIT_BEHIND = regex(r"[(\[](?P<values>[^()\[\]]*)[)\]]\s*(?P<unit>rad|deg|°)")
 
 
 @frozen
@@ -60,7 +69,7 @@ def read_vectors(
         UnreadableError: A row has too few or too many values, an angle stands for a length, a name has no value.
         NotationError: It cannot be read.
     """
-    text = _TEXT.sub("", text.strip())
+    text = _TEXT.sub("", _tidied(text, joints, several=several))
     if _LABEL.search(text):
         rows = _labelled(exercise, robot, joints, text, place)
         return [_vector(exercise, robot, joints, row) for row in rows]
@@ -80,6 +89,18 @@ def read_vectors(
     return [_vector(exercise, robot, joints, row) for row in rows]
 
 
+def _tidied(text: str, joints: Sequence[str], *, several: bool) -> str:
+    """Without what people write around vectors: numbers and names of rows, `or` between them, a unit behind one."""
+    text = _ROW_LABEL.sub(r"\1", _COLON.sub("=", _ABOUT.sub("=", text.strip().rstrip(".")))).replace("≈", "")
+    between = _BETWEEN_NAMED if _LABEL.search(text) else _BETWEEN
+    text = between.sub("; " if several else ", ", text)
+    behind = _UNIT_BEHIND.fullmatch(text.strip())
+    values = re.split(r"[,;]", behind["values"]) if behind else []
+    if behind and len(values) == len(joints):
+        return "; ".join(f"{value} {behind['unit']}" for value in values)
+    return text.strip()
+
+
 def _bracketed(body: str) -> str:
     return body if body.startswith(("[", "\\begin")) else f"[{body}]"
 
@@ -87,6 +108,7 @@ def _bracketed(body: str) -> str:
 def _groups(text: str) -> list[str]:
     """The insides of round brackets side by side, `(30, 45), (60, -45)`; none where something else stands there."""
     inside = text.removeprefix("[").removesuffix("]") if text.startswith("[") else text
+    inside = inside[1:-1] if inside.startswith("((") and inside.endswith("))") else inside
     found, start, depth = list[str](), 0, 0
     for i, letter in enumerate(inside):
         if letter == "(":
@@ -127,7 +149,7 @@ def _vector(exercise: Exercise, robot: Robot, joints: Sequence[str], row: Sequen
         turns = name in robot.angles
         number, unit = without_unit(expr, 1.0 if turns else float(exercise.metres))
         try:
-            value = to_angle(expr, bare="deg") if turns else to_length(number)
+            value = to_angle(expr, bare="deg") if turns else to_plain_length(number)
         except DimensionError as error:
             raise UnreadableError(f"{name}: {error.message}") from None
         inside = value.names if isinstance(value, Angle) else symbols(value)

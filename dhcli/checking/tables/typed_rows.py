@@ -25,7 +25,7 @@ from dhcli.notation.quantity import (
     DimensionError,
     is_affine,
     to_angle,
-    to_length,
+    to_plain_length,
 )
 from dhcli.notation.scope import Scope
 from dhcli.notation.tokens import Source, tokenize
@@ -55,7 +55,7 @@ class TypedRow:
         """The row with its bare lengths in another unit; letters, and what is written with its unit, stay."""
         if self.says_unit:
             return self.row
-        a, d = (to_length(_in_unit(self.cells[column].expr, unit)) for column in ("a", "d"))
+        a, d = (to_plain_length(_in_unit(self.cells[column].expr, unit)) for column in ("a", "d"))
         return replace(self.row, a=a, d=d)
 
 
@@ -153,7 +153,7 @@ def _length(cell: Cell, where: str, unit: str, robot: Robot, scope: Scope) -> Ex
         if isinstance(node, Trig) and node.angle.names & set(robot.variables):
             raise UnreadableError(f"{where}: {cell.text} moves with a joint; a length of a link is constant")
     try:
-        expr = to_length(_in_unit(cell.expr, unit))
+        expr = to_plain_length(_in_unit(cell.expr, unit))
     except DimensionError as error:
         raise UnreadableError(f"{where}: {cell.text}: {error.message} ({error.hint})") from None
     for name in symbols(expr) & set(robot.variables):

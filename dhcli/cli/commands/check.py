@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import ExerciseOrRobot, Format, Output, Overwrite, Variant
+from dhcli.cli.shell.options import ExerciseOrRobot, Overwrite, Variant, format_option, output_option
 from dhcli.cli.shell.spreading import But
 from dhcli.errors import ExitStatus
 
@@ -128,8 +128,8 @@ def check(
             rich_help_panel="Output",
         ),
     ] = None,
-    format_: Format = None,
-    output: Output = None,
+    format_: Annotated[str | None, format_option("table", "json", "csv")] = None,
+    output: Annotated[str | None, output_option(".json", ".csv", ".txt")] = None,
     overwrite: Overwrite = False,
 ) -> ExitStatus:
     """Check an answer sheet, one answer, a DH table, or frames."""

@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import Overwrite, format_option, output_option
+from dhcli.cli.shell.options import Digits, Overwrite, format_option, output_option
 from dhcli.cli.shell.spreading import But
 
 EXAMPLES = """
@@ -80,6 +80,7 @@ def describe(
     ] = None,
     numbers: Annotated[bool, typer.Option("--numbers", help="Put the values of lengths in.")] = False,
     format_: Annotated[str | None, format_option("table", "json", "yaml", "urdf")] = None,
+    digits: Digits = None,
     output: Annotated[str | None, output_option(".yaml", ".urdf", ".json", ".txt")] = None,
     overwrite: Overwrite = False,
 ) -> None:
@@ -103,7 +104,7 @@ def describe(
             raise DhcliError(f"--as urdf and --format {format_} ask for different things", "leave one of the two out")
         check_ending(output, as_, "--as", ())
         format_ = as_
-    delivery = Delivery("describe", format_, output=output, overwrite=overwrite)
+    delivery = Delivery("describe", format_, digits, output=output, overwrite=overwrite)
     if as_ == "motors":
         if steps or choose or numbers or straighten is not None or chosen.pose is not None:
             raise DhcliError("--as motors has no steps, choices, numbers, pose or straightening", "leave them out")

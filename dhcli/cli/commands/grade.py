@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dhcli.cli.shell.options import Jobs, Output, Overwrite, complete_exercise, workers
+from dhcli.cli.shell.options import Jobs, Overwrite, complete_exercise, format_option, output_option, workers
 from dhcli.errors import ExitStatus
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ dhcli grade homework-3 --exercise planar-two-links -o grades.csv
 
 dhcli grade submission --format gradescope -o results.json
 """
-_SHEETS = 24
+_SHEETS = 12
 """Sheets that take as long as the start of a process."""
 _SECONDS = {"ms": 0.001, "s": 1.0, "min": 60.0, "": 1.0}
 
@@ -41,11 +41,8 @@ def grade(
     ] = None,
     timeout: Annotated[str, typer.Option(metavar="TIME", help="Longest that one sheet may take.")] = "10s",
     jobs: Jobs = None,
-    format_: Annotated[
-        str | None,
-        typer.Option("--format", metavar="NAME", help="table, json, csv or gradescope.", rich_help_panel="Output"),
-    ] = None,
-    output: Output = None,
+    format_: Annotated[str | None, format_option("table", "json", "csv", "gradescope")] = None,
+    output: Annotated[str | None, output_option(".json", ".csv", ".txt")] = None,
     overwrite: Overwrite = False,
 ) -> ExitStatus:
     """Grade every sheet in a folder."""

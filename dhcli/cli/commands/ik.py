@@ -12,6 +12,7 @@ from dhcli.cli.shell.options import (
     Code,
     Digits,
     Overwrite,
+    RowJobs,
     SkipBad,
     WithValues,
     complete_pose,
@@ -170,6 +171,7 @@ def ik(
         ),
     ] = False,
     skip_bad: SkipBad = False,
+    jobs: RowJobs = None,
     why: Annotated[
         bool,
         typer.Option("--why", help="Which rule finds each joint, and which limits keep solutions out."),
@@ -191,7 +193,7 @@ def ik(
     from dhcli.cli.shell.solutions import derived, held_of, near_of, only_branches
     from dhcli.errors import DhcliError, ExitStatus
 
-    if in_ is not None or each is not None or follow or skip_bad:
+    if in_ is not None or each is not None or follow or skip_bad or jobs is not None:
         from dhcli.cli.shell.inverse_rows import RowWish, solve_rows
 
         others: dict[str, object] = {
@@ -205,7 +207,7 @@ def ik(
         others |= {"--all-turns": all_turns, "--derive": derive, "--digits": digits}
         others |= {"--euler": euler, "--why": why, "TARGET": goal_, "--code": code}
         others |= {"--with-values": with_values}
-        rows = RowWish(in_, each, task, near, hold or [], within_limits, follow, skip_bad)
+        rows = RowWish(in_, each, task, near, hold or [], within_limits, follow, skip_bad, jobs)
         return solve_rows(chosen, rows, others, format_, output, overwrite=overwrite)
     writes_code = code is not None or with_values
     kind = "inverse function" if writes_code else "derivation" if derive else "inverse"

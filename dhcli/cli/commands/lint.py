@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from dhcli.cli.shell.options import Format, Output, Overwrite
+from dhcli.cli.shell.options import Overwrite, format_option, output_option
 from dhcli.errors import ExitStatus
 
 EXAMPLES = """
@@ -23,8 +23,8 @@ def lint(
         list[str] | None,
         typer.Argument(metavar="PATH...", help="Files and folders; ./robots and ./exercises by default."),
     ] = None,
-    format_: Format = None,
-    output: Output = None,
+    format_: Annotated[str | None, format_option("table", "json")] = None,
+    output: Annotated[str | None, output_option(".json", ".txt")] = None,
     overwrite: Overwrite = False,
 ) -> ExitStatus:
     """Look for mistakes in exercises, robots and linkages before students do; ends with 1 on an error."""

@@ -87,7 +87,7 @@ def robot(
     else:
         text = robot_template(name, convention or "standard", joints or "RRP")
     path = Path(output or f"robots/{name}.yaml")
-    asked = name if output is None else path
+    asked = name if output is None else _typed(path)
     _write(text, output, path, f"dhcli show {asked}, then dhcli fk {asked} --symbolic", overwrite=overwrite)
 
 
@@ -120,7 +120,7 @@ def exercise(
     if robot.path is not None and is_path(Kind.ROBOTS, robot_name):
         called = Path(os.path.relpath(robot.path, "." if output == "-" else path.parent)).as_posix()
     text = exercise_template(name, robot, called)
-    _write(text, output, path, f"fill in what is empty, then dhcli lint {path}", overwrite=overwrite)
+    _write(text, output, path, f"fill in what is empty, then dhcli lint {_typed(path)}", overwrite=overwrite)
 
 
 @new.command(cls=One, epilog="dhcli new linkage my-press --form joints")
@@ -143,8 +143,17 @@ def linkage(
 
     text = linkage_template(name, form)
     path = Path(output or f"robots/linkages/{name}.yaml")
-    asked = name if output is None else path
+    asked = name if output is None else _typed(path)
     _write(text, output, path, f"dhcli show {asked}, then dhcli dof {asked}", overwrite=overwrite)
+
+
+def _typed(path: Path) -> str:
+    """A path as it is typed in a command, where it is no name."""
+    from shlex import quote
+
+    from dhcli.files.library.lookup import Kind, is_path
+
+    return quote(str(path) if is_path(Kind.ROBOTS, str(path)) else f"./{path}")
 
 
 def _write(text: str, output: str | None, path: Path, then: str, *, overwrite: bool) -> None:
@@ -159,10 +168,12 @@ def _write(text: str, output: str | None, path: Path, then: str, *, overwrite: b
     """
     from dhcli.cli.shell.console import tell, write_out
     from dhcli.cli.shell.delivery import make_folder, write_file
+    from dhcli.cli.shell.endings import check_ending
 
     if output == "-":
         write_out(text)
         return
+    check_ending(output, "yaml")
     if output is None:
         for folder in reversed(path.parents):
             make_folder(folder)

@@ -40,12 +40,14 @@ def schema(
 
     from dhcli.cli.shell.console import tell, write_out
     from dhcli.cli.shell.delivery import write_file
+    from dhcli.cli.shell.endings import check_ending
     from dhcli.files.keys.schema import schema_of
 
     text = json.dumps(schema_of(kind), indent=2, ensure_ascii=False) + "\n"
     if output in (None, "-"):
         write_out(text)
         return
+    check_ending(output, "json")
     write_file(output, text, overwrite=overwrite)
     tell(f"wrote {output}")
     tell(f"next: begin a file with # yaml-language-server: $schema={output}")

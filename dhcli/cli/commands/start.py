@@ -34,6 +34,7 @@ def start(
     from dhcli.checking.variants import variant_of
     from dhcli.cli.shell.console import tell, write_out
     from dhcli.cli.shell.delivery import write_file
+    from dhcli.cli.shell.endings import check_ending
     from dhcli.files.yaml.exercises import load_exercise
     from dhcli.files.yaml.sheets import write_sheet
 
@@ -42,11 +43,13 @@ def start(
     if output == "-":
         write_out(text)
         return
-    named = name if name.endswith((".yaml", ".yml")) else exercise.id
+    check_ending(output, "yaml")
+    named = shlex.quote(name) if name.endswith((".yaml", ".yml")) else exercise.id
     path = output or f"{exercise.id.split('/')[-1]}.sheet.yaml"
     write_file(path, text, overwrite=overwrite, instead="it may hold answers: -o OTHER.yaml writes another; ")
     tell(f"wrote {path}")
     if pictured := subject(exercise):
         drawn = f" --variant {shlex.quote(variant)}" if variant else ""
         tell(f"dhcli draw {named}{drawn} draws {pictured}")
-    tell(f"next: fill it in, then dhcli check {named} {path}, or dhcli watch {named} {path}")
+    words = f"{named} {shlex.quote(path)}"
+    tell(f"next: fill it in, then dhcli check {words}, or dhcli watch {words}")

@@ -22,7 +22,6 @@ from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.frames import View
 from dhcli.kinematics.many import PoseRows, is_real, numbered
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.sweep.target import target_of
 from dhcli.kinematics.tally import Tally
 from dhcli.kinematics.values import joint_values
 from dhcli.render.code.pose_rows import pose_layout
@@ -84,6 +83,8 @@ def rows_wanted(
     if point is None:
         views = view.on_the_way(arm) if every else (view,)
         return PoseRows(arm, views, lengths, forms_of(forms) or ("matrix",), every)
+    from dhcli.kinematics.sweep.target import target_of
+
     target = target_of(arm, replace(view, point=point_of(point, "--point", open_scope(arm))), lengths)
     return PoseRows(arm, (target.view,), lengths, ("position",))
 

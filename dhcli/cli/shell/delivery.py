@@ -124,7 +124,7 @@ def make_folder(path: Path) -> None:
 
 
 def check_free(path: Path | str, *, overwrite: bool, instead: str = "") -> None:
-    """Make sure that no file of this name stands there, unless it may be overwritten.
+    """Make sure that a file can be written, and that none of this name stands there unless it may be overwritten.
 
     Args:
         path: The file.
@@ -132,10 +132,13 @@ def check_free(path: Path | str, *, overwrite: bool, instead: str = "") -> None:
         instead: What else may be done, before overwriting is spoken of.
 
     Raises:
-        FileError: It exists already.
+        FileError: It exists already, or nothing can be written there.
     """
+    from dhcli.storage.atomic import check_place
+
     if Path(path).is_file() and not overwrite:
         raise FileError(Problem("exists already", Place(str(path)), f"{instead}--overwrite overwrites it"))
+    check_place(path)
 
 
 def write_file(path: Path | str, text: str, *, overwrite: bool, instead: str = "") -> None:

@@ -61,13 +61,15 @@ def format_by_ending(
     raise UnknownNameError(f"{output} does not say which format it should have", hint)
 
 
-def check_ending(output: str | None, name: str, option: str, formats: Iterable[str], instead: str = "") -> None:
+def check_ending(
+    output: str | None, name: str, option: str = "", formats: Iterable[str] = (), instead: str = ""
+) -> None:
     """Refuse a file that ends as one in another format does.
 
     Args:
         output: The file; None where there is none.
         name: The format it would hold.
-        option: The option that says so.
+        option: The option that says so; empty where the command writes no other.
         formats: The formats that the option could say.
         instead: What to do with the option where none of them fits the ending.
 
@@ -81,7 +83,8 @@ def check_ending(output: str | None, name: str, option: str, formats: Iterable[s
     fitting = next((f"{option} {each}" for each in formats if each in held), instead)
     hint = f"write {ENDINGS[name][0]}" + (f", or {fitting}" if fitting else "")
     ends = held[0] if held else ending.lstrip(".")
-    raise DhcliError(f"{output} ends as a file in {ends} does, and {option} says {name}", hint)
+    says = f"{option} says {name}" if option else f"would hold {name}"
+    raise DhcliError(f"{output} ends as a file in {ends} does, and {says}", hint)
 
 
 def _ending(output: str) -> str:

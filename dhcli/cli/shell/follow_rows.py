@@ -6,11 +6,10 @@ import sys
 from collections.abc import Sequence
 
 from dhcli.cli.shell.console import say
-from dhcli.cli.shell.pose_wish import PoseWish, rotations
+from dhcli.cli.shell.pose_wish import PoseWish
 from dhcli.cli.shell.rows import RowDelivery
 from dhcli.errors import FileError, Place, Problem, RobotError
 from dhcli.files.reading import source_of
-from dhcli.files.rows.poses import pose_blocks
 from dhcli.kinematics.inverse.path import follow, joined
 from dhcli.render.code.pose_rows import INDEX
 from dhcli.render.code.rows import Group, Layout
@@ -37,20 +36,18 @@ def follow_rows(wanted: PoseWish, path: str, delivery: RowDelivery, bad: list[Pr
         FileError: The file cannot be read, or a row is no pose.
     """
     blocks, places = [], list[int]()
-    for poses, where in pose_blocks(path, bad, whole=wanted.task is None):
-        kept, at = (poses, where) if bad is None else rotations(poses, where, path, bad)
-        blocks.append(kept)
-        places += at
+    for poses, where in wanted.blocks(path, bad):
+        blocks.append(poses)
+        places += where
     if not blocks:
         raise FileError(Problem("holds no poses", Place(source_of(path))))
     table = joined(blocks)
-    task = wanted.task or ("pose" if table.ndim == 3 else "position")  # noqa: PLR2004  matrices
     try:
         found = follow(
             wanted.robot,
             table,
             None if wanted.near is None else list(wanted.near),
-            task=task,
+            task=wanted.task_of(table),
             hold=wanted.hold,
             start=wanted.start,
             end=wanted.end,

@@ -12,6 +12,7 @@ from dhcli.kinematics.motors import in_motors
 from dhcli.kinematics.moves import read_chain
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import given_parameters, joint_values, parameter_values
+from dhcli.notation.brackets import split
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_angle, to_length
@@ -171,17 +172,6 @@ def product_of(words: Sequence[str]) -> tuple[str, Place]:
     from dhcli.files.reading import read_text, source_of
 
     return read_text("-"), Place(source_of("-"))
-
-
-def split(text: str) -> Iterable[tuple[int, str]]:
-    """Pieces between commas that stand outside brackets, with their offsets."""
-    start, depth = 0, 0
-    for i, letter in enumerate(text):
-        depth += (letter in "([{") - (letter in ")]}")
-        if depth == 0 and letter in ",;":
-            yield start, text[start:i]
-            start = i + 1
-    yield start, text[start:]
 
 
 def _length(text: str, scope: Scope, place: Place) -> Expr:

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, cast
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.given import lengths_of, point_of, split, values_of
+from dhcli.cli.shell.given import lengths_of, point_of, values_of
 from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean, plural
 from dhcli.frozen import frozen
 from dhcli.geometry.euler import EulerAngles, Order, RollPitchYaw, euler
@@ -21,6 +21,7 @@ from dhcli.kinematics.inverse.answer import InverseKinematics
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.transform import Wanted, compose, read_product
+from dhcli.notation.brackets import split
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import Bare, DimensionError, has_angle_unit, to_angle
 from dhcli.notation.scope import Scope

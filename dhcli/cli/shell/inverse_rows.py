@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
+from contextlib import closing
+from functools import partial
+from itertools import islice
 from typing import TYPE_CHECKING, cast
 
 from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.console import say
 from dhcli.cli.shell.given import lengths_of, robot_of
 from dhcli.cli.shell.goal import Goal, task_of
-from dhcli.cli.shell.pose_wish import PoseWish, rotations
+from dhcli.cli.shell.pose_wish import PoseWish
 from dhcli.cli.shell.rows import RowDelivery
 from dhcli.cli.shell.solutions import held_of, near_of
 from dhcli.errors import (
@@ -25,10 +28,9 @@ from dhcli.errors import (
     plural,
 )
 from dhcli.files.reading import source_of
-from dhcli.files.rows.poses import pose_blocks
 from dhcli.frozen import frozen
 from dhcli.kinematics.frames import ends
-from dhcli.kinematics.inverse.batch import inverse_batch, numbered
+from dhcli.kinematics.inverse.batch import numbered
 from dhcli.render.code.pose_rows import INDEX
 from dhcli.render.code.rows import Group, Layout
 from dhcli.render.paper import Paper
@@ -36,8 +38,13 @@ from dhcli.render.text.problems import warning_line
 from dhcli.render.text.progress import row_progress
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
     from dhcli.kinematics.inverse.batch import Each
     from dhcli.kinematics.inverse.tasks import TaskName
+
+    Poses = tuple[NDArray[np.float64], list[int]]
 
 
 MOST_BAD = 8
@@ -73,32 +80,20 @@ def inverse_rows(wanted: PoseWish, path: str, delivery: RowDelivery, bad: list[P
         FileError: The file cannot be read, or a row is no pose.
     """
     joints = Group.named("q", {name: name for name in wanted.robot.variables})
+    blocks, jobs = wanted.blocks(path, bad), wanted.workers(path)
     total = lost = 0
-    with delivery.open(Layout((INDEX, joints))) as sink, row_progress(sys.stderr, wanted=delivery.is_away) as tell:
-        for poses, places in pose_blocks(path, bad, whole=wanted.task is None):
-            task = wanted.task or ("pose" if poses.ndim == 3 else "position")  # noqa: PLR2004  matrices
-            if bad is not None:
-                poses, places = rotations(poses, places, path, bad)  # noqa: PLW2901  those that are poses
-            try:
-                q, index = inverse_batch(
-                    wanted.robot,
-                    poses,
-                    task=task,
-                    each=wanted.each,
-                    near=wanted.near,
-                    hold=wanted.hold,
-                    within_limits=wanted.within_limits,
-                    start=wanted.start,
-                    end=wanted.end,
-                    parameters=wanted.lengths,
-                )
-            except RobotError as error:
-                where = Place(source_of(path), places[0])
-                raise FileError([Problem(p.message, where, p.hint) for p in error.problems]) from None
-            total += len(poses)
-            lost += len(poses) - len(set(index.tolist()))
-            if len(q):
-                sink.write(numbered(places, index, q))
+    with (
+        delivery.open(Layout((INDEX, joints))) as sink,
+        row_progress(sys.stderr, wanted=delivery.is_away) as tell,
+        closing(_shared(partial(_solved, wanted, source_of(path), sink.spell), blocks, jobs)) as outcomes,
+    ):
+        for outcome in outcomes:
+            if not isinstance(outcome, _Rows):
+                raise FileError(outcome)
+            total += outcome.poses
+            lost += outcome.lost
+            if outcome.count:
+                sink.take(outcome.spelled, outcome.count)
             if not sink.wanted:
                 return lost
             tell(total, None)
@@ -106,6 +101,52 @@ def inverse_rows(wanted: PoseWish, path: str, delivery: RowDelivery, bad: list[P
         paper = Paper.of(sys.stderr)
         say(warning_line(f"{lost} of {plural(total, 'pose')} have no solution, and no row", paper))
     return lost
+
+
+@frozen
+class _Rows:
+    """The solutions of a block of poses.
+
+    Attributes:
+        poses: How many poses there are.
+        lost: How many of them have none.
+        count: How many rows there are of the others.
+        spelled: The rows as they are written.
+    """
+
+    poses: int
+    lost: int
+    count: int
+    spelled: str | NDArray[np.float64]
+
+
+def _shared(
+    work: Callable[[Poses], _Rows | list[Problem]], blocks: Iterator[Poses], jobs: int
+) -> Generator[_Rows | list[Problem], None, None]:
+    """What becomes of each block, in their order, by so many processes."""
+    if jobs == 1:
+        yield from map(work, blocks)
+        return
+    from dhcli.classroom.pool import in_turn  # short files need none
+
+    yield from map(work, islice(blocks, 1))  # here, for with it the plan is found, and kept for all
+    yield from in_turn(work, blocks, jobs=jobs)
+
+
+def _solved(
+    wanted: PoseWish,
+    source: str,
+    spell: Callable[[NDArray[np.float64]], str | NDArray[np.float64]],
+    block: Poses,
+) -> _Rows | list[Problem]:
+    """The rows of a block, or why there are none; in whichever process."""
+    poses, places = block
+    try:
+        q, index = wanted.solutions(poses)
+    except RobotError as error:
+        return [Problem(p.message, Place(source, places[0]), p.hint) for p in error.problems]
+    lost = len(poses) - len(set(index.tolist()))
+    return _Rows(len(poses), lost, len(q), spell(numbered(places, index, q)))
 
 
 @frozen
@@ -120,6 +161,7 @@ class RowWish:
     within_limits: bool
     follow: bool
     skip_bad: bool
+    jobs: int | None
 
 
 def _check_follow(wish: RowWish) -> None:
@@ -127,6 +169,8 @@ def _check_follow(wish: RowWish) -> None:
     if wish.each is not None or wish.within_limits:
         other = "--each" if wish.each is not None else "--within-limits"
         raise DhcliError(f"--follow gives one solution of each row, whatever {other} says", f"leave {other} out")
+    if wish.jobs is not None and wish.jobs > 1:
+        raise DhcliError("--follow goes from row to row, so that nobody can share them", "leave --jobs out")
     if wish.near is None:
         raise DhcliError("a path needs joint values to begin near to", "give --near VALUES; they choose the branch")
 
@@ -146,7 +190,7 @@ def solve_rows(
         DhcliError: There is no file, an option does not go with it, or a row is no pose.
     """
     if wish.path is None:
-        raise DhcliError("--each, --follow and --skip-bad are for many poses", "name their file with --in FILE")
+        raise DhcliError("--each, --follow, --skip-bad and --jobs are for many poses", "name their file with --in FILE")
     if wish.follow:
         _check_follow(wish)
     each = wish.each or "all"
@@ -165,7 +209,16 @@ def solve_rows(
     near = near_of(robot, wish.near, chosen.bare)
     held = held_of(robot, wish.hold, chosen.bare)
     wanted = PoseWish(
-        robot, cast("TaskName | None", task), cast("Each", each), near, held, wish.within_limits, low, high, lengths
+        robot,
+        cast("TaskName | None", task),
+        cast("Each", each),
+        near,
+        held,
+        wish.within_limits,
+        low,
+        high,
+        lengths,
+        wish.jobs,
     )
     bad: list[Problem] | None = [] if wish.skip_bad else None
     solve = inverse_rows

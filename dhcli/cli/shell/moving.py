@@ -30,6 +30,8 @@ def view_of(robot: Robot, chosen: Chosen, axes: str | None, at: str | None, opti
     """
     if axes is not None and (axes == "-" or "." in axes):
         hint = f"rows of a file: dhcli jacobian {robot.name} --rows {axes}"
+        if option == "--at":  # of rates and torques, which go by one Jacobian
+            hint = f"one pose is taken: --q VALUES; a Jacobian for each of the {hint}"
         raise DhcliError(f"--in {axes} is no frame: it says along which axes", hint)
     is_frame = at is not None and option != "--point" and "," not in at
     point = ORIGIN if at is None or is_frame else point_of(at, option, open_scope(robot))

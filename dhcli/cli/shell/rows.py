@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, BinaryIO
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 from dhcli.cli.shell.console import raw_out, somebody_reads, tell, write_out
 from dhcli.cli.shell.delivery import check_free, check_overwrite
@@ -24,16 +24,21 @@ class RowSink:
 
     Attributes:
         count: Rows taken so far.
+        spell: What makes of a block of rows, shape (N, width), what is written of them; another process may do it.
     """
 
-    def __init__(self, put: Callable[[NDArray[np.float64]], None], *, printed: bool) -> None:
+    def __init__(
+        self, spell: Callable[[NDArray[np.float64]], Any], put: Callable[[Any], None], *, printed: bool
+    ) -> None:
         """Hand every block on.
 
         Args:
-            put: What writes a block.
+            spell: What makes of a block what is written.
+            put: What writes it.
             printed: Whether it goes to stdout, whose reader may go away.
         """
         self.count = 0
+        self.spell = spell
         self._put = put
         self._printed = printed
 
@@ -44,8 +49,12 @@ class RowSink:
 
     def write(self, block: NDArray[np.float64]) -> None:
         """Take rows, shape (N, width)."""
-        self._put(block)
-        self.count += len(block)
+        self.take(self.spell(block), len(block))
+
+    def take(self, spelled: Any, count: int) -> None:  # noqa: ANN401  text or an array
+        """Take so many rows that are spelled already."""
+        self._put(spelled)
+        self.count += count
 
 
 @frozen
@@ -117,7 +126,7 @@ def _sink(name: str, layout: Layout, stream: BinaryIO | None = None) -> Iterator
         from dhcli.files.rows.npy import NpyWriter
 
         with NpyWriter(stream or raw_out(), layout.shape or (layout.width,)) as writer:
-            yield RowSink(writer.write, printed=stream is None)
+            yield RowSink(_as_it_is, writer.write, printed=stream is None)
         return
     text = RowText(layout, name)
 
@@ -128,11 +137,15 @@ def _sink(name: str, layout: Layout, stream: BinaryIO | None = None) -> Iterator
         write_out(lines)
         sys.stdout.flush()  # rows show as they come, and a reader that has gone away is noticed
 
-    def put_rows(block: NDArray[np.float64]) -> None:
+    def put_rows(lines: str) -> None:
         # The heading comes with the first rows: work that fails before there are any leaves stdout empty.
-        put(text.lines(block) if sink.count else text.heading + text.lines(block))
+        put(lines if sink.count else text.heading + lines)
 
-    sink = RowSink(put_rows, printed=stream is None)
+    sink = RowSink(text.lines, put_rows, printed=stream is None)
     yield sink
     if not sink.count:
         put(text.heading)
+
+
+def _as_it_is(block: NDArray[np.float64]) -> NDArray[np.float64]:
+    return block

@@ -6,9 +6,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from dhcli.cli.shell.given import open_scope, split
+from dhcli.cli.shell.given import open_scope
 from dhcli.errors import DhcliError, Place, Problem, plural
 from dhcli.kinematics.robot import Robot
+from dhcli.notation.brackets import split
 from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import PI, Expr, Unit, multiply, number

@@ -103,7 +103,6 @@ WHOLE = Scalar(pattern="[0-9]{1,3}")
 ANGLE = Scalar(is_angle=True)
 TEXTS = Many(TEXT)
 PAIR = Many(TEXT, 2, 2)
-POINT = Either((TEXT, Many(TEXT, 3, 3)))
 COORDINATES = Many(TEXT, 2, 3)
 
 HEAD = (

@@ -25,6 +25,7 @@ _NO_NUMBERS = {"nan", "na", "n/a", "null", "none", "inf", "infinity", "-inf", "+
 _COMMA = regex(r"[+-]?(?:\d+,\d*|,\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 _UNIT = regex(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)\s*(?P<unit>\D+)", re.ASCII)
 _LONGEST = 40
+_WORDS = {"True": "true", "False": "false", "None": "null"}
 
 
 class CellError(ValueError):
@@ -60,6 +61,25 @@ def read_cell(text: str, *, decimal_comma: bool) -> float:
     if bare.lower() in _NO_NUMBERS:
         raise CellError(f"{shown(bare)} is not a finite number")
     raise CellError(f"{shown(bare)} is not a number", _hint(bare))
+
+
+def json_number(value: object) -> float:
+    """A value of JSON as a number.
+
+    Raises:
+        CellError: It is none, or it is not finite.
+    """
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        spelled = shown(value) if isinstance(value, str) else _WORDS.get(repr(value), "a list or an object")
+        hint = "write it without quotes" if isinstance(value, str) and NUMBER.fullmatch(value) else ""
+        raise CellError(f"is {spelled}, not a number", hint)
+    try:
+        number = float(value)
+    except OverflowError:
+        number = math.inf
+    if not math.isfinite(number):
+        raise CellError(f"is {number}, not a finite number")
+    return number
 
 
 def plain_table(text: str, separator: str, width: int) -> NDArray[np.float64] | None:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhcli.errors import FileError, Place, Problem, RobotError, did_you_mean
-from dhcli.files.rows import INDEX
+from dhcli.files.rows import INDEX, POSITION
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Joint, Robot
 from dhcli.kinematics.values import joint_called
@@ -72,7 +72,8 @@ class JointTable:
         robot: The robot whose joint values it holds.
         degrees: Whether numbers of revolute joints without a unit are degrees; else they are radians.
         held: Where joints stand that have no column; radians and metres.
-        ignores: Whether columns of something else are left aside; those of the numbers of rows are in any case.
+        ignores: Whether columns of something else are left aside; the numbers of rows, and the whole positions that
+            `sweep` writes beside joint values, are in any case.
     """
 
     robot: Robot
@@ -108,8 +109,10 @@ class JointTable:
         found: dict[str, int] = {}
         factors: dict[str, tuple[float, float]] = {}
         problems: list[Problem] = []
+        names = {head.strip() for head in heads}
+        aside = names & {INDEX, *(POSITION if names.issuperset(POSITION) else ())}
         for k, (head, place) in enumerate(zip(heads, places, strict=True)):
-            if (self.ignores or head.strip() == INDEX) and not self.is_joint(head):
+            if (self.ignores or head.strip() in aside) and not self.is_joint(head):
                 continue
             try:
                 name, unit = _parts(head, place)

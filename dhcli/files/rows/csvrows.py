@@ -19,8 +19,12 @@ from dhcli.regex import regex
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-_DECLARED = regex(r'\s*"?sep=(?P<sign>[;,\t|])"?\s*', re.IGNORECASE)
+DECLARED = regex(r'\s*"?sep=(?P<sign>[;,\t|])"?\s*', re.IGNORECASE)
 """The line with which Excel says what stands between cells."""
+
+SIGNS = ";\t,"
+"""What may stand between cells. Commas last: between the others they are decimal ones."""
+DECIMAL_BETWEEN = (";", "\t")
 
 _BETWEEN_BLANKS = regex(r"\S+(?:[ ]{1,40}[\[(][^\])]{0,40}[\])])?")
 """A cell between blanks; a unit may stand apart from its name."""
@@ -55,7 +59,7 @@ class CsvRows:
             line, body = first, text
             while columns is None and body:
                 head, _, rest = body.partition("\n")
-                if match := _DECLARED.fullmatch(head):
+                if match := DECLARED.fullmatch(head):
                     self._separator = match["sign"]
                 elif head.strip():
                     columns, is_header = self._columns(head, line)
@@ -71,9 +75,8 @@ class CsvRows:
     def _columns(self, head: str, line: int) -> tuple[JointColumns | None, bool]:
         """What the first line says of the columns, nothing if it is a comment; and whether it is a header."""
         declared = self._separator
-        # Commas last: between semicolons or tabs they are decimal ones.
         self._separator = declared or next(
-            (sign for sign in ";\t," if sign in head), " " if " " in head.strip() else ","
+            (sign for sign in SIGNS if sign in head), " " if " " in head.strip() else ","
         )
         is_comment = head.startswith("#")
         if is_comment:  # numpy.savetxt writes headers like this
@@ -138,7 +141,7 @@ class CsvRows:
     @property
     def _has_decimal_commas(self) -> bool:
         """Whether a comma can be nothing else; beside a number with a point it might group thousands, all the same."""
-        return self._separator in (";", "\t")
+        return self._separator in DECIMAL_BETWEEN
 
     def _cells(self, line: str) -> list[tuple[int, str]]:
         """The cells of a line with the columns where they begin, from 1."""

@@ -9,7 +9,6 @@ from dhcli.errors import FileError, Place, Problem
 from dhcli.files.rows.blocks import Block
 from dhcli.files.rows.columns import JointTable
 from dhcli.files.rows.csvrows import CsvRows
-from dhcli.files.rows.jsonrows import JsonRows
 from dhcli.files.rows.npyrows import MAGIC, NpyRows
 from dhcli.files.rows.source import PIECE, Source
 
@@ -42,7 +41,11 @@ def joint_rows(source: Source, asked: JointTable, threads: int = 1) -> Rows:
         raise FileError(Problem("is no .npy file", Place(source.name), "np.save writes one"))
     is_json = beginning.removeprefix(b"\xef\xbb\xbf").lstrip()[:1] in (b"{", b"[")
     is_named_json = source.path.lower().endswith((".jsonl", ".ndjson"))
-    return (JsonRows if is_json or is_named_json else CsvRows)(source, asked)
+    if not is_json and not is_named_json:
+        return CsvRows(source, asked)
+    from dhcli.files.rows.jsonrows import JsonRows  # json, which the others do not need
+
+    return JsonRows(source, asked)
 
 
 def _beginning(source: Source) -> bytes:

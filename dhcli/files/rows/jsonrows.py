@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 from collections.abc import Callable, Iterator
 from itertools import chain
 from operator import itemgetter
@@ -13,7 +12,7 @@ import numpy as np
 
 from dhcli.errors import FileError, Place, Problem, plural
 from dhcli.files.rows.blocks import Block, Sieve, cell_problem
-from dhcli.files.rows.cells import NUMBER, CellError, shown
+from dhcli.files.rows.cells import CellError, json_number
 from dhcli.files.rows.columns import JointColumns, JointTable
 from dhcli.files.rows.source import Source, text_blocks
 from dhcli.notation.decimals import read_json
@@ -21,7 +20,6 @@ from dhcli.regex import regex
 
 _ONE_A_LINE = "JSON Lines has a row in each line: {\"theta1\": 0.1, ...} or [0.1, ...]; jq -c '.[]' makes it of a list"
 _ONE_LIST = regex(r"\s*(?:\[[ \t]*(?:\n|[\[{])|\{[ \t]*\n)")
-_WORDS = {"True": "true", "False": "false", "None": "null"}
 _MOST_HEADERS = 100
 """Sets of names that are remembered."""
 
@@ -134,7 +132,7 @@ class JsonRows:
             if k is None:
                 continue
             try:
-                numbers[k] = _number(values[k])
+                numbers[k] = json_number(values[k])
             except CellError as error:
                 problems.append(cell_problem(joint, error, place))
         if problems:
@@ -159,11 +157,16 @@ class _Object:
 
 
 def _within(row: _Object) -> list[tuple[str, Any]]:
-    """The members of a row; `"q": {...}` holds the joints where `dhcli sweep` has written it."""
-    pairs = []
+    """The members of a row; `"q": {...}` holds the joints where dhcli has written it, a position where they lead."""
+    pairs, is_nested = list[tuple[str, Any]](), any(_is_joints(name, value) for name, value in row.pairs)
     for name, value in row.pairs:
-        pairs += value.pairs if name == "q" and isinstance(value, _Object) else [(name, value)]
+        if not (is_nested and name == "position"):
+            pairs += value.pairs if _is_joints(name, value) else [(name, value)]
     return pairs
+
+
+def _is_joints(name: str, value: object) -> bool:
+    return name == "q" and isinstance(value, _Object)
 
 
 def _parsed(line: str, place: Place) -> object:
@@ -174,25 +177,6 @@ def _parsed(line: str, place: Place) -> object:
         raise FileError(Problem(f"is not JSON: {error.msg[:1].lower()}{error.msg[1:]}", where, _ONE_A_LINE)) from None
     except (ValueError, RecursionError):  # a number of thousands of digits, or brackets in brackets in brackets
         raise FileError(Problem("is no row", place, _ONE_A_LINE)) from None
-
-
-def _number(value: object) -> float:
-    """A value as a number.
-
-    Raises:
-        CellError: It is none, or it is not finite.
-    """
-    if isinstance(value, bool) or not isinstance(value, int | float):
-        spelled = shown(value) if isinstance(value, str) else _WORDS.get(repr(value), "a list or an object")
-        hint = "write it without quotes" if isinstance(value, str) and NUMBER.fullmatch(value) else ""
-        raise CellError(f"is {spelled}, not a number", hint)
-    try:
-        number = float(value)
-    except OverflowError:
-        number = math.inf
-    if not math.isfinite(number):
-        raise CellError(f"is {number}, not a finite number")
-    return number
 
 
 def _picker(names: tuple[str, ...]) -> Callable[[Any], Any]:

@@ -14,6 +14,7 @@ from dhcli.files.rows.blocks import MOST, Block, cell_problem
 from dhcli.files.rows.cells import CellError
 from dhcli.files.rows.columns import JointTable
 from dhcli.files.rows.source import Source
+from dhcli.kinematics.many import are_finite
 from dhcli.kinematics.playing import BLOCK
 
 if TYPE_CHECKING:
@@ -66,7 +67,7 @@ class NpyRows:
 
     def _block(self, first: int, table: NDArray[np.float64]) -> Block:
         columns = self._columns
-        if np.isfinite(table).all():
+        if are_finite(table) or np.isfinite(table).all():
             return Block(columns.values(table), range(first, first + len(table)), columns.in_radians)
         finite = np.isfinite(table[:, : len(self._asked.open)])
         good = finite.all(axis=1)

@@ -5,29 +5,33 @@ from __future__ import annotations
 import csv
 import json
 import sys
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from functools import partial
 from itertools import chain, islice
-from typing import TYPE_CHECKING, TextIO
+from typing import TYPE_CHECKING, TextIO, TypeVar
 
 import numpy as np
 
 from dhcli.errors import FileError, Place, Problem
 from dhcli.files.reading import explain, source_of
-from dhcli.files.rows.cells import plain_table
+from dhcli.files.rows import POSITION
+from dhcli.files.rows.blocks import cell_problem
+from dhcli.files.rows.cells import CellError, json_number, plain_table, read_cell
+from dhcli.files.rows.csvrows import DECIMAL_BETWEEN, DECLARED, SIGNS
 from dhcli.files.rows.turns import TURNS, check_alone, flat, posed
 from dhcli.notation.decimals import read_json
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+T = TypeVar("T")
+
 BLOCK = 2048
 """Poses at a time."""
 
 MATRIX = tuple(head for i in (1, 2, 3) for head in (*(f"r{i}{k}" for k in (1, 2, 3)), f"p_{'xyz'[i - 1]}"))
 """The columns of a pose: three rows of three direction cosines and a length [m]."""
-
-POSITION = ("p_x", "p_y", "p_z")
 
 _HINT = (
     f"wanted: {','.join(MATRIX)}, or {','.join(POSITION)}, also with an orientation beside it such as "
@@ -58,6 +62,8 @@ def pose_blocks(
         first = stream.readline()
         if not first:
             raise FileError(Problem("is empty", Place(source_of(path)), _HINT))
+        if "\0" in first:
+            raise FileError(Problem("is written in UTF-16, or no text", Place(source_of(path)), "save it as UTF-8"))
         if first.lstrip().startswith("{"):
             yield from _of_json(chain((first,), stream), source_of(path), bad, whole=whole)
         else:
@@ -116,36 +122,57 @@ def _as_poses(table: NDArray[np.float64]) -> NDArray[np.float64]:
 def _of_csv(
     first: str, stream: TextIO, path: str, bad: list[Problem] | None, *, whole: bool
 ) -> Iterator[tuple[NDArray[np.float64], list[int]]]:
-    heads = [head.strip() for head in next(csv.reader([first]), [])]
+    line, sign = 2, next((sign for sign in SIGNS if sign in first), ",")
+    if declared := DECLARED.fullmatch(first.strip()):
+        line, sign, first = 3, declared["sign"], next(stream, "")
+    heads = [head.strip().lower() for head in next(csv.reader([first], delimiter=sign), [])]
+    has_commas = sign in DECIMAL_BETWEEN
     form, wanted = "", MATRIX
     if not all(head in heads for head in MATRIX):
         form = next((form for form, turns in TURNS.items() if all(head in heads for head in turns)), "")
         wanted = (*POSITION, *TURNS.get(form, ()))
     if missing := [head for head in wanted if head not in heads]:
-        raise FileError(Problem(f"no column is called {', '.join(missing)}", Place(path, 1), _HINT))
+        raise FileError(Problem(f"no column is called {', '.join(missing)}", Place(path, line - 1), _HINT))
     if whole and wanted == POSITION:
-        check_alone([head for head in heads if head not in POSITION], Place(path, 1))
+        check_alone([head for head in heads if head not in POSITION], Place(path, line - 1))
     columns = [heads.index(head) for head in wanted]
 
     def by_cells(lines: Iterable[str], begun: int) -> Iterator[tuple[int, list[float]]]:
-        for line, cells in enumerate(csv.reader(lines), begun):
-            if not cells:
+        for line, cells in enumerate(csv.reader(lines, delimiter=sign), begun):
+            if not any(cell.strip() for cell in cells):
                 continue
             with _noting(bad):
                 row = [cells[k] if k < len(cells) else "" for k in columns]
-                yield line, posed(form, _numbers(row, wanted, Place(path, line)), Place(path, line))
+                # beside a number with a point a comma may group thousands
+                read = partial(read_cell, decimal_comma=has_commas and not any("." in cell for cell in cells))
+                yield line, posed(form, _numbers(row, wanted, Place(path, line), read), Place(path, line))
 
-    line = 2
     for lines in _lines(stream):
         text = "".join(lines).removesuffix("\n") + "\n"
-        table = plain_table(text.replace("\r\n", "\n"), ",", len(heads))
-        if table is not None and len(table) == len(lines) and not form:
+        plain = text.replace(",", ".") if has_commas and "." not in text else text
+        table = plain_table(plain.replace("\r\n", "\n"), sign, len(heads))
+        if table is not None and len(table) == len(lines) and not form and np.isfinite(table).all():
             yield _as_poses(table[:, columns]), list(range(line, line + len(lines)))
         elif '"' in text:  # what is quoted may go on in the next line
             yield from _gathered(by_cells(chain(lines, stream), line))
         else:
             yield from _gathered(by_cells(lines, line))
         line += len(lines)
+
+
+def _numbers(values: Sequence[T], heads: Sequence[str], place: Place, read: Callable[[T], float]) -> list[float]:
+    """The numbers of a row, each by what reads one.
+
+    Raises:
+        FileError: One of them is none.
+    """
+    found = []
+    for value, head in zip(values, heads, strict=True):
+        try:
+            found.append(read(value))
+        except CellError as error:
+            raise FileError(cell_problem(head, error, place)) from None
+    return found
 
 
 def _lines(stream: Iterable[str]) -> Iterator[list[str]]:
@@ -155,16 +182,6 @@ def _lines(stream: Iterable[str]) -> Iterator[list[str]]:
         lines = list(islice(stream, BLOCK))
         if lines:
             yield lines
-
-
-def _numbers(cells: Sequence[object], heads: Sequence[str], place: Place) -> list[float]:
-    found = []
-    for cell, head in zip(cells, heads, strict=True):
-        try:
-            found.append(float(cell))  # type: ignore[arg-type]
-        except (TypeError, ValueError, OverflowError):
-            raise FileError(Problem(f"{head} is {cell!r:.40}, which is no number", place)) from None
-    return found
 
 
 def _of_json(
@@ -187,9 +204,12 @@ def _objects_at_once(lines: list[str]) -> NDArray[np.float64] | None:
     has no bracket of another one in it, and nothing in them is text.
     """
     text = ",".join(lines)
-    if not all(line.startswith("{") and line.endswith("}") for line in lines) or not text.count("{") == text.count(
-        "}"
-    ) == len(lines):
+    if not (
+        all(line.startswith("{") and line.endswith("}") for line in lines)
+        and text.count("{") == text.count("}") == len(lines)
+        and "true" not in text
+        and "false" not in text
+    ):
         return None
     try:
         rows = read_json(f"[{text}]")
@@ -233,12 +253,12 @@ def _pose_of(text: str, place: Place, *, whole: bool) -> list[float]:
     try:
         content = json.loads(text)
         if "matrix" in content:
-            return _numbers([entry for row in content["matrix"][:3] for entry in row], MATRIX, place)
+            return _numbers([entry for row in content["matrix"][:3] for entry in row], MATRIX, place, json_number)
         form = next((key for key in content if key in TURNS), "")
         if whole and not form:
             check_alone([key for key in content if key != "position"], place)
         cells = [*content["position"], *(flat(content[form]) if form else ())]
-        return posed(form, _numbers(cells, (*POSITION, *TURNS.get(form, ())), place), place)
+        return posed(form, _numbers(cells, (*POSITION, *TURNS.get(form, ())), place, json_number), place)
     except (ValueError, KeyError, TypeError, IndexError, RecursionError):
         hint = '{"matrix": [[...], ...]} or {"position": [x, y, z]}, also with "quaternion": {"w": ...} and the like'
         raise FileError(Problem("is no pose", place, f"wanted: {hint}")) from None

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import cast
 
 from dhcli.errors import FileError, Place, Problem
+from dhcli.files.rows import INDEX
 from dhcli.geometry.euler import EulerAngles, Order, RollPitchYaw
 from dhcli.geometry.rotations import AxisAngle, Quaternion, RotationVector
 from dhcli.kinematics.placement import ORIENTATIONS
@@ -19,10 +20,6 @@ TURNS: Mapping[str, tuple[str, ...]] = {
     "axis-angle": ("axis_x", "axis_y", "axis_z", "angle"),
 }
 """The columns of each way to say an orientation beside a position; angles in radians."""
-
-
-INDEX = "row"
-"""A column of numbers of rows, which is no part of a pose."""
 
 
 def check_alone(others: Sequence[str], place: Place) -> None:

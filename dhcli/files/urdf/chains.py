@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dhcli.errors import FileError, Place, Problem, UnknownNameError, did_you_mean
+from dhcli.errors import FileError, Place, Problem, UnknownNameError, did_you_mean, listed
 from dhcli.files.reading import source_of
 from dhcli.files.urdf.model import KINDS, Joint, Model
 from dhcli.kinematics.given import text_of
@@ -25,9 +25,9 @@ def chain_of(model: Model, base: str | None, tip: str | None = None) -> tuple[Jo
     end = _tip(model, above, start) if tip is None else _link(model, tip, "tip")
     joints = _up(above, end, start)
     if joints is None:
-        raise UnknownNameError(f"{end} is not below {start}", f"below it: {_listed(_leaves(model, above, start))}")
+        raise UnknownNameError(f"{end} is not below {start}", f"below it: {listed(_leaves(model, above, start))}")
     if not joints:
-        raise UnknownNameError(f"{end} is the base itself", f"--tip {_listed(_leaves(model, above, start))}")
+        raise UnknownNameError(f"{end} is the base itself", f"--tip {listed(_leaves(model, above, start))}")
     for joint in joints:
         if joint.kind not in KINDS:
             hint = f"choose a chain without it, or make it one of {', '.join(KINDS)}"
@@ -67,7 +67,7 @@ def _root(model: Model, above: dict[str, Joint]) -> str:
         moved = [link for link in roots if any(joint.parent == link for joint in model.joints)]
         if len(moved) == 1:
             return moved[0]
-        raise FileError(Problem(f"has {len(roots)} links that hang on nothing: {_listed(roots)}", Place(model.source)))
+        raise FileError(Problem(f"has {len(roots)} links that hang on nothing: {listed(roots)}", Place(model.source)))
     return roots[0]
 
 
@@ -96,7 +96,7 @@ def _tip(model: Model, above: dict[str, Joint], start: str) -> str:
 
     typed = "-" if model.source == source_of("-") else quote(model.source)
     made = f"dhcli new robot --from {typed} --tip {quote(moving[0])} makes a file of one"
-    hint = f"--tip {_listed(moving)}; {made}"
+    hint = f"--tip {listed(moving)}; {made}"
     raise FileError(Problem(f"has {len(moving)} tips: which one?", Place(model.source), hint))
 
 
@@ -118,11 +118,6 @@ def _up(above: dict[str, Joint], end: str, start: str) -> tuple[Joint, ...] | No
 
 def _link(model: Model, name: str, what: str) -> str:
     if text_of(name, what) not in model.links:
-        hint = did_you_mean(name, model.links) or f"links: {_listed(list(model.links))}"
+        hint = did_you_mean(name, model.links) or f"links: {listed(list(model.links))}"
         raise UnknownNameError(Problem(f"there is no link {name}", Place(f"--{what}"), hint))
     return name
-
-
-def _listed(names: list[str], most: int = 12) -> str:
-    more = f" and {len(names) - most} more" if len(names) > most else ""
-    return ", ".join(names[:most]) + more

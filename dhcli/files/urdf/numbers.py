@@ -23,7 +23,6 @@ class Meaning:
         as_typed: Whether it leaves every number as it is.
         angles: How many angles were read.
         rounded: Each angle that was taken for a round one: its text, and degrees.
-        shifts: By how much each of them changed [rad].
     """
 
     as_typed: bool = False

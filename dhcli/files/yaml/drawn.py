@@ -22,6 +22,7 @@ from dhcli.kinematics.describe.screws import ScrewAxis, Side, lines_of
 from dhcli.kinematics.moves import Chain, Fixed
 from dhcli.kinematics.robot import Link, Value
 from dhcli.notation.angle import Angle
+from dhcli.notation.brackets import split
 from dhcli.notation.names import GREEK_NAMES, parts
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_length
@@ -236,7 +237,7 @@ class DrawnLoader(Loader):
             pieces = [scalar for item in node.items if (scalar := self.problems.scalar(item, key)) is not None]
         elif isinstance(node, PlacedScalar):
             inside = node.text.strip().removeprefix("(").removesuffix(")")
-            pieces = [PlacedScalar(piece.strip(), node.place) for piece in _split(inside)]
+            pieces = [PlacedScalar(piece.strip(), node.place) for _, piece in split(inside)]
         if len(pieces) != count or isinstance(node, PlacedMapping):
             place = self.fields.place if node is None else node.place
             wanted = "(0, 0, l1)" if count == 3 else "(0, 0, 1, 0, 0, 0): ω, then v"  # noqa: PLR2004
@@ -251,14 +252,3 @@ class DrawnLoader(Loader):
             except DimensionError as error:
                 self.problems.add(piece.place, f"{key}: {error.message}", error.hint)
         return tuple(found) if len(found) == count else ()
-
-
-def _split(text: str) -> Iterator[str]:
-    """Pieces between commas or semicolons that stand outside brackets."""
-    depth = start = 0
-    for i, letter in enumerate(text):
-        depth += (letter in "([") - (letter in ")]")
-        if letter in ",;" and not depth:
-            yield text[start:i]
-            start = i + 1
-    yield text[start:]

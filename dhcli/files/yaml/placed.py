@@ -24,6 +24,7 @@ MOST_NODES = 20_000
 # What YAML 1.1 calls a line break; str.splitlines knows others, and the line numbers would drift apart.
 _LINE_BREAK = regex("\r\n|[\r\n\x85\u2028\u2029]")
 _MADE_BY_ESCAPE = regex("[\x00-\x09\x0b-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff]")
+_ENDS_IN_NUMBER = regex(r"[0-9]+,\Z")
 _UNREADABLE = regex("[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]")
 """What YAML does not allow; it takes 8 ms to compile, when a line holds something odd."""
 
@@ -124,6 +125,15 @@ def _refuse_foreign(text: str, source: str) -> None:
         raise FileError(told(form, source))
 
 
+def _with_decimal_comma(key: PlacedScalar) -> str:
+    """The number `0,3` of which YAML has made a value and a key that has none; empty if the key is no such."""
+    if key.quoted or not key.text[:1].isdecimal():
+        return ""
+    at = (key.place.column or 1) - 1
+    before, behind = _ENDS_IN_NUMBER.search(key.place.text[:at]), key.place.text[at + len(key.text) :].lstrip()
+    return before[0] + key.text if before is not None and behind[:1] in (",", "}") else ""
+
+
 class _Builder:
     """Builds the tree from PyYAML's events and collects what is refused."""
 
@@ -195,11 +205,17 @@ class _Builder:
                 self.refuse(key.place, "'<<' is a YAML merge key", "write the entries themselves")
             elif key.text == "" and not isinstance(event, kinds.AliasEvent):
                 self.refuse(key.place, "a key is missing before ':'")
+            elif whole := _with_decimal_comma(key):
+                self.refuse(
+                    key.place,
+                    f"{whole} has a decimal comma, which ends a value here",
+                    f"write {whole.replace(',', '.')}",
+                )
             elif key.text in entries:
                 first = entries[key.text][0].place
                 self.refuse(key.place, f"{key.text}: stands twice, first on line {first.line}", "keep one")
             value = self.node(next(events), events, depth + 1)
-            if isinstance(key, PlacedScalar):
+            if isinstance(key, PlacedScalar) and not _with_decimal_comma(key):
                 entries.setdefault(key.text, (key, value))
         return PlacedMapping(tuple(entries.values()), place)
 

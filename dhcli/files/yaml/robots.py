@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 from pathlib import Path
 
 from dhcli.errors import FileError, Place, Problem
@@ -11,7 +10,7 @@ from dhcli.files.library.lookup import Kind, check_typed, find
 from dhcli.files.reading import LIMIT, is_xml, read_text, source_of
 from dhcli.files.yaml.placed import read_yaml
 from dhcli.files.yaml.robot_loader import Loader
-from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.robot import Robot, read_from
 from dhcli.regex import regex
 
 XML = (".urdf", ".xml", ".xacro")
@@ -39,7 +38,7 @@ def load_robot(name: str | Path, *, base: str | None = None, tip: str | None = N
     called = "stdin" if str(path) == "-" else path.stem
     text = read_text("-" if str(path) == "-" else path, limit=XML_LIMIT if path.suffix.lower() in XML else LIMIT)
     found = robot_of(text, source_of(path), called, base=base, tip=tip, as_typed=as_typed)
-    return found if called == "stdin" else replace(found, path=path)
+    return found if called == "stdin" else read_from(found, path)
 
 
 def robot_of(

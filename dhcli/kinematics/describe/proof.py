@@ -77,13 +77,13 @@ def _difference(first: Chain, second: Chain, values: Mapping[str, Angle | float]
         }
         over = Floats({**drawn, **values})
         one, two = fold(first, over), fold(second, over)
-        reach = max(1e-3, _reach(first, over))
+        reach = max(1e-3, reach_of(first, over))
         for r, s in zip(one[:3], two[:3], strict=True):
             worst = max(worst, *(abs(a - b) for a, b in zip(r[:3], s[:3], strict=True)), abs(r[3] - s[3]) / reach)
     return worst
 
 
-def _reach(chain: Chain, over: Floats) -> float:
+def reach_of(chain: Chain, over: Floats) -> float:
     """The sum of all lengths on the way."""
     total = 0.0
     for move in chain:

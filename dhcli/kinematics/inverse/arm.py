@@ -121,24 +121,33 @@ def _scaled(axis: Axis, reach: float) -> Axis:
     return Axis(axis.name, axis.turns, axis.direction, (x / reach, y / reach, z / reach), axis.factor)
 
 
-def _axis(chain: Chain, name: str, at: tuple[int, ...], still: dict[str, Angle | float], first: int) -> Axis:
+def _axis(chain: Chain, name: str, at: tuple[int, ...], still: Mapping[str, Angle | float], first: int) -> Axis:
     """The axis of one joint; several moves by the same variable must be about the same axis."""
-    found = [_of_move(chain, name, k, still, first) for k in at]
+    found = [axis_of_move(chain, name, k, still, first) for k in at]
     head = found[0]
-    for other in found[1:]:
-        same = np.cross(head.direction, other.direction)
-        apart = np.cross(np.subtract(head.point, other.point), head.direction)
-        if head.turns != other.turns or np.abs(same).max() > _COMMUTE or np.abs(apart).max() > _COMMUTE:
-            raise RobotError(
-                f"{name} moves about more than one axis", "inverse kinematics takes joints with one axis each"
-            )
+    if not all(same_axis(head, other) for other in found[1:]):
+        raise RobotError(f"{name} moves about more than one axis", "inverse kinematics takes joints with one axis each")
     factor = sum(axis.factor * float(np.dot(axis.direction, head.direction)) for axis in found)
     if not factor:
         raise RobotError(f"{name} does not move the robot", "its moves undo each other")
     return Axis(name, head.turns, head.direction, head.point, factor)
 
 
-def _of_move(chain: Chain, name: str, k: int, still: dict[str, Angle | float], first: int) -> Axis:
+def parallel(one: Axis, other: Axis) -> bool:
+    """Whether the axes of two joints have one direction, or opposite ones."""
+    return bool(np.abs(np.cross(one.direction, other.direction)).max() <= _COMMUTE)
+
+
+def same_axis(one: Axis, other: Axis) -> bool:
+    """Whether two joints turn about one line, or slide along one direction."""
+    if one.turns != other.turns or not parallel(one, other):
+        return False
+    apart = np.cross(np.subtract(one.point, other.point), one.direction)
+    return bool(np.abs(apart).max() <= _COMMUTE)
+
+
+def axis_of_move(chain: Chain, name: str, k: int, still: Mapping[str, Angle | float], first: int) -> Axis:
+    """The axis of one move by a variable, in the frame of the first move that moves."""
     frame = np.array(fold(chain[first:k], Floats(still)), dtype=float)
     match chain[k]:
         case Rot(letter, angle):

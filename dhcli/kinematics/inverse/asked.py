@@ -84,17 +84,13 @@ def inverse(  # noqa: PLR0913  what may be asked of a pose
     """
     check_robot(robot)
     if is_coupled(robot):
-        from dhcli.kinematics.inverse.coupled import through  # few robots are
+        from dhcli.kinematics.inverse.coupled import Carried, through  # few robots are
 
-        asked: dict[str, object] = {
-            "near": near,
-            "hold": hold,
-            "within_limits": within_limits,
-            "all_turns": all_turns,
-            "start": start,
-        }
-        asked |= {"task": task, "family": family, "end": end, "parameters": parameters, "tolerance": tolerance}
-        return through(inverse, robot, T, **asked)
+        carried = Carried.of(robot, parameters, start, end)
+        if carried is not None:
+            asked: dict[str, object] = {"near": near, "hold": hold, "within_limits": within_limits, "start": start}
+            asked |= {"task": task, "family": family, "end": end, "parameters": parameters, "tolerance": tolerance}
+            return through(inverse, carried, T, all_turns=all_turns, **asked)
     question, held = ask(
         robot, task, near=near, hold=hold, start=start, end=end, parameters=parameters, tolerance=tolerance
     )

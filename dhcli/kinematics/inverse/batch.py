@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
@@ -21,6 +21,7 @@ from dhcli.kinematics.inverse.turns import limits_of
 from dhcli.kinematics.limits import SLACK
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.robot import Robot, check_robot
+from dhcli.kinematics.sharing import check_threads, shared
 from dhcli.kinematics.values import JointInput
 from dhcli.notation.angle import Angle
 
@@ -49,6 +50,7 @@ def inverse_batch(  # noqa: PLR0913  what may be asked of poses
     end: str | int | None = None,
     parameters: Given | None = None,
     tolerance: float = CONFIRMED,
+    threads: int = 1,
 ) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
     """Joint vectors that take the end of a robot to many poses.
 
@@ -64,13 +66,14 @@ def inverse_batch(  # noqa: PLR0913  what may be asked of poses
         end: The frame that is placed; the last numbered one by default.
         parameters: Lengths and angles to use instead of the robot's own.
         tolerance: Residual up to which joint values count as a solution.
+        threads: How many threads share the poses; the same is found with any number, to the last digit.
 
     Returns:
         Joint values, shape (M, n), radians and metres, and for each the number of its pose, shape (M,), in rising
         order. A pose out of reach has no row; of a family there is one member.
 
     Raises:
-        RobotError: T is no array of poses, or a length has no value.
+        RobotError: T is no array of poses, a length has no value, or that is no number of threads.
         UnknownNameError: The robot has no such frame, joint or length.
     """
     if str(each) not in {"all", "nearest", "first"}:
@@ -78,19 +81,21 @@ def inverse_batch(  # noqa: PLR0913  what may be asked of poses
     if each == "nearest" and near is None:
         raise RobotError("nearest to what?", "give near=")
     check_robot(robot)
+    check_threads(threads)
     if is_coupled(robot):
-        from dhcli.kinematics.inverse.coupled import through_many  # few robots are
+        from dhcli.kinematics.inverse.coupled import Carried, through_many  # few robots are
 
-        asked: dict[str, object] = {"task": task, "hold": hold, "start": start, "end": end, "parameters": parameters}
-        asked |= {"near": near, "tolerance": tolerance}
-        return through_many(inverse_batch, robot, T, each, within_limits=within_limits, **asked)
+        carried = Carried.of(robot, parameters, start, end)
+        if carried is not None:
+            asked: dict[str, object] = {"task": task, "near": near, "hold": hold, "start": start, "end": end}
+            asked |= {"parameters": parameters, "tolerance": tolerance, "threads": threads}
+            return through_many(inverse_batch, carried, T, each, within_limits=within_limits, **asked)
     question, held = ask(
         robot, task, near=near, hold=hold, start=start, end=end, parameters=parameters, tolerance=tolerance
     )
     poses, _ = read_targets(T, question.ready.task)
     values, indices = [], []
-    for first in range(0, len(poses), BLOCK):
-        found = solved_block(question, poses[first : first + BLOCK], held, tolerance)
+    for first, found in solved_blocks(question, poses, held, tolerance, threads):
         q = _in_turn(question, question.values(found.motions))
         index = found.index
         if within_limits:
@@ -117,7 +122,18 @@ def numbered(places: Sequence[int], index: NDArray[np.int64], q: Array) -> Array
     return np.column_stack([np.array(places)[index], q])
 
 
-def solved_block(question: Question, poses: Array, held: dict[int, float], tolerance: float) -> Found:
+def solved_blocks(
+    question: Question, poses: Array, held: dict[int, float], tolerance: float, threads: int = 1
+) -> Iterator[tuple[int, Found]]:
+    """The number of the first pose of each block, and all solutions of the block, block by block."""
+
+    def solved(first: int) -> tuple[int, Found]:
+        return first, _solved_block(question, poses[first : first + BLOCK], held, tolerance)
+
+    return shared(solved, range(0, len(poses), BLOCK), threads)
+
+
+def _solved_block(question: Question, poses: Array, held: dict[int, float], tolerance: float) -> Found:
     """All solutions of a block of poses, sorted by pose; of a family one member."""
     ready = question.ready
     best = question.best()

@@ -39,7 +39,7 @@ def chosen(arm: Arm, task: Task, asked: tuple[int, ...]) -> Kept:
         fallback = fallback or Kept(plan, spare)
     if fallback is None:
         names = ", ".join(axis.name for axis in arm.axes[: arm.joints])
-        hint = f"hold {plural(spare, 'joint')} more: hold={{name: value}}" if spare > 0 else ""
+        hint = f"hold {plural(spare - len(asked), 'joint')} more of them" if spare > len(asked) else ""
         raise RobotError(f"no way was found to compute {names} from the {task.words} of the end", hint)
     return fallback
 

@@ -14,10 +14,12 @@ from dhcli.frozen import frozen
 from dhcli.kinematics.coupling import uncoupled
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.forward import Given
+from dhcli.kinematics.frames import between, ends
+from dhcli.kinematics.inverse.joined import is_joined, joined
 from dhcli.kinematics.inverse.solutions import Solutions, held_values, in_numbers, turning_joints
 from dhcli.kinematics.inverse.turns import limits_of, outside, placed
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.values import JointInput, joint_values, numbers, parameter_values
+from dhcli.kinematics.values import JointInput, joint_values, numbers, parameter_values, require
 from dhcli.notation.angle import Angle
 
 if TYPE_CHECKING:
@@ -46,10 +48,23 @@ class Carried:
     offsets: Array
 
     @classmethod
-    def of(cls, robot: Robot, parameters: Given | None) -> Carried:
-        """The arm for the values of lengths."""
-        free = uncoupled(robot)
-        slopes, offsets = free.linear(numbers(parameter_values(robot, parameters)))
+    def of(
+        cls, robot: Robot, parameters: Given | None, start: str | int | None, end: str | int | None
+    ) -> Carried | None:
+        """The arm for the values of lengths; None where each variable makes one motion between the frames.
+
+        Raises:
+            RobotError: A variable stands in a matrix, or a length has no value.
+            UnknownNameError: The robot has no such frame or length.
+        """
+        chain = between(robot, *ends(robot, start, end))
+        lengths = parameter_values(robot, parameters)
+        require(robot, chain, {**lengths, **dict.fromkeys(robot.variables, Angle())})
+        values = numbers(lengths)
+        if robot.drives is None and is_joined(chain, robot.variables, values):
+            return None
+        free = uncoupled(robot, joined=frozenset() if robot.drives else joined(chain, robot.variables, values))
+        slopes, offsets = free.linear(values)
         return cls(robot, free.robot, np.array(slopes).reshape(len(slopes), len(robot.variables)), np.array(offsets))
 
     @property
@@ -126,12 +141,12 @@ class Carried:
         return None
 
 
-def through(solve: Callable[..., Solutions], robot: Robot, T: object, **asked: Any) -> Solutions:  # noqa: ANN401, N803
+def through(solve: Callable[..., Solutions], carried: Carried, T: object, **asked: Any) -> Solutions:  # noqa: ANN401, N803
     """Solve for the arm with a variable for each move, and carry the solutions back.
 
     Args:
         solve: What solves for an arm whose variables each make one move; see `inverse`.
-        robot: The robot.
+        carried: The robot and that arm.
         T: The pose.
         **asked: What else `inverse` takes.
 
@@ -139,8 +154,7 @@ def through(solve: Callable[..., Solutions], robot: Robot, T: object, **asked: A
         RobotError: As `inverse`; or a joint is held that moves with others, or the arm has more moves than the task
             determines, of which the coupling leaves some.
     """
-    carried = Carried.of(robot, asked["parameters"])
-    near = asked["near"]
+    robot, near = carried.robot, asked["near"]
     ways = {"near": carried.there(near), "hold": carried.held(asked["hold"])}
     found = solve(carried.arm, T, **{**asked, **ways, "within_limits": False, "all_turns": False})
     if found.held and not carried.is_whole and not asked["hold"]:
@@ -157,7 +171,7 @@ def through(solve: Callable[..., Solutions], robot: Robot, T: object, **asked: A
 
 def through_many(
     solve: Callable[..., tuple[Array, NDArray[np.int64]]],
-    robot: Robot,
+    carried: Carried,
     T: object,  # noqa: N803
     each: str,
     *,
@@ -165,8 +179,7 @@ def through_many(
     **asked: Any,  # noqa: ANN401
 ) -> tuple[Array, NDArray[np.int64]]:
     """The same for many poses; see `inverse_batch`."""
-    carried = Carried.of(robot, asked["parameters"])
-    near = asked["near"]
+    robot, near = carried.robot, asked["near"]
     ways = {"near": carried.there(near), "hold": carried.held(asked["hold"])}
     values, index = solve(carried.arm, T, **{**asked, **ways}, each="all")
     rows = [(row, int(k)) for k, moves in zip(index, values, strict=True) if (row := carried.back(moves)) is not None]

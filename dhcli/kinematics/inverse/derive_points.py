@@ -36,10 +36,11 @@ class Points:
                 turning = name in robot.angles
                 values[name] = draw.uniform(-3, 3) if turning else draw.uniform(0.2, 1.3)
             self.values_of.append({**values, **pose_values(chain, values)})
+        self._over = [Floats(values) for values in self.values_of]  # each keeps the cosines that formulas share
 
     def values(self, expr: Expr) -> list[float]:
         """An expression at each of them; not where it is no number."""
-        found = (Floats(values).value(expr) for values in self.values_of)
+        found = (over.value(expr) for over in self._over)
         return [value for value in found if math.isfinite(value)]
 
     def lives(self, step: Step) -> bool:

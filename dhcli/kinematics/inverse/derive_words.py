@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from dhcli.errors import plural
 from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive_levels import Equation
@@ -29,11 +31,11 @@ def proof_text(result: Derivation) -> str:
     return f"{signs} of signs, each a solution where all are real: {tried}"
 
 
-def atom_text(atom: Atom) -> str:
-    """An unknown: `theta2 + theta3`."""
+def atom_text(atom: Atom, spelled: Callable[[str], str] = str) -> str:
+    """An unknown, `theta2 + theta3`, its names spelled as they are or otherwise."""
     if isinstance(atom, str):
-        return atom
-    text = " + ".join(name if factor > 0 else f"-{name}" for name, factor in atom)
+        return spelled(atom)
+    text = " + ".join(spelled(name) if factor > 0 else f"-{spelled(name)}" for name, factor in atom)
     return text.replace("+ -", "- ")
 
 

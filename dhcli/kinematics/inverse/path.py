@@ -13,7 +13,7 @@ from dhcli.frozen import frozen
 from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.inverse.asked import inverse
-from dhcli.kinematics.inverse.batch import BLOCK, solved_block
+from dhcli.kinematics.inverse.batch import BLOCK, solved_blocks
 from dhcli.kinematics.inverse.question import Question, ask
 from dhcli.kinematics.inverse.solutions import in_numbers, turning_joints
 from dhcli.kinematics.inverse.solving import least_singular
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from dhcli.kinematics.inverse.arm import Array, Ints
+    from dhcli.kinematics.inverse.coupled import Carried
 
 JUMP = 4.0
 """A step this many times as long as both its neighbours is a jump to another branch."""
@@ -105,8 +106,12 @@ def follow(  # noqa: PLR0913  what may be asked of a path
     if near is None:
         raise RobotError("a path needs joint values to begin near to", "give near=")
     if is_coupled(robot):
-        asked: dict[str, object] = {"task": task, "start": start, "end": end, "parameters": parameters}
-        return _coupled(robot, T, near, hold, {**asked, "tolerance": tolerance})
+        from dhcli.kinematics.inverse.coupled import Carried  # few robots are
+
+        carried = Carried.of(robot, parameters, start, end)
+        if carried is not None:
+            asked: dict[str, object] = {"task": task, "start": start, "end": end, "parameters": parameters}
+            return _coupled(carried, T, near, hold, {**asked, "tolerance": tolerance})
     question, held = ask(
         robot, task, near=near, hold=hold, start=start, end=end, parameters=parameters, tolerance=tolerance
     )
@@ -114,8 +119,7 @@ def follow(  # noqa: PLR0913  what may be asked of a path
     turning = turning_joints(robot)
     q = np.full((len(poses), len(robot.variables)), np.nan)
     last = in_numbers(robot, near)
-    for first in range(0, len(poses), BLOCK):
-        found = solved_block(question, poses[first : first + BLOCK], held, tolerance)
+    for first, found in solved_blocks(question, poses, held, tolerance):
         values = question.values(found.motions)
         bounds = np.searchsorted(found.index, np.arange(min(BLOCK, len(poses) - first) + 1))
         for k, (low, high) in enumerate(zip(bounds[:-1].tolist(), bounds[1:].tolist(), strict=True)):
@@ -142,7 +146,7 @@ def follow(  # noqa: PLR0913  what may be asked of a path
 
 
 def _coupled(
-    robot: Robot,
+    carried: Carried,
     T: ArrayLike,  # noqa: N803
     near: JointInput,
     hold: Mapping[str, float | str | Angle] | None,
@@ -153,9 +157,7 @@ def _coupled(
     Raises:
         RobotError: A joint is held that moves with others, or the robot has more moves than variables.
     """
-    from dhcli.kinematics.inverse.coupled import Carried  # few robots are
-
-    carried = Carried.of(robot, asked["parameters"])
+    robot = carried.robot
     if not carried.is_whole:
         moves = f"{plural(len(carried.slopes), 'move')} by {plural(len(robot.variables), 'variable')}"
         message = f"{robot.name} has {moves}: on the way from pose to pose its coupling could break"

@@ -68,8 +68,9 @@ def why_not(
     left = [f"{_shown(apart, least):.4g} m"] if ready.task.place else []
     left += [f"{_shown(float(np.degrees(angle)), least):.4g}°"] if ready.task.directions else []
     nearest = f"the nearest pose reached is {' and '.join(left)} away"
-    if not least and set(ready.plan.held) != set(held):
-        nearest = f"other values of {', '.join(arm.axes[j].name for j in sorted(ready.plan.held))} reach it"
+    chosen = sorted(set(ready.plan.held) - set(held))
+    if not least and chosen and _moved(ready, chosen):
+        nearest = f"other values of {', '.join(arm.axes[j].name for j in chosen)} reach it"
     elif not least:
         nearest += ", which more digits of the pose would mend"
     if FAR * arm.reach < apart < 100 * FAR * arm.reach:

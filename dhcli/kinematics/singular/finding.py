@@ -16,7 +16,7 @@ from dhcli.kinematics.singular.conditions import UnreadableError, conditions, mo
 from dhcli.kinematics.singular.constants import put_back
 from dhcli.kinematics.singular.modular import determinant, rank
 from dhcli.kinematics.singular.polynomial import TooLongError, product
-from dhcli.kinematics.singular.result import Factor, Singularities
+from dhcli.kinematics.singular.result import MOST_JOINTS, Factor, Singularities
 from dhcli.kinematics.singular.square import factored
 from dhcli.kinematics.singular.task import arm_of, number_of, place_of, task_of, task_rows
 from dhcli.kinematics.singular.vanishing import fresh, right_angles, vanishing, variables_of
@@ -26,9 +26,6 @@ from dhcli.kinematics.velocity.form import GEOMETRIC, Which, check_part
 from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.tree import Expr, Trig, negate
 from dhcli.notation.walk import operations
-
-MOST_JOINTS = 9
-"""Arms with more joints have too many determinants."""
 
 MOST_TOGETHER = 2
 """Joints that are put at right angles at once where no list is readable."""

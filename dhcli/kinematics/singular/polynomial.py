@@ -9,6 +9,7 @@ from fractions import Fraction
 from itertools import combinations
 from typing import TypeAlias
 
+from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO, Expr, Number, Power, Product, Sum, Trig, add, multiply, negate, number, power
 from dhcli.notation.trig import cosine, sine
 
@@ -131,27 +132,33 @@ def _pair(terms: Polynomial) -> tuple[Monomial, Monomial, Fraction, Polynomial] 
         if abs(terms[one]) != abs(terms[other]):
             continue
         mine, yours = one - other, other - one
-        first, second = _pure_trigs(mine), _pure_trigs(yours)
-        if first is None or second is None:
+        if not (_are_two_trigs(mine) and _are_two_trigs(yours) and _angles(mine) == _angles(yours)):
             continue
         sign = terms[other] / terms[one]
-        found = _together(first, second, sign)
+        found = _together(_in_order(mine), _in_order(yours), sign)
         if found is not None:
             return one, other, terms[one], _multiplied({one & other: Fraction(1)}, _expanded(found))
     return None
 
 
-def _pure_trigs(monomial: Monomial) -> tuple[Trig, Trig] | None:
-    """The two cosines or sines that a monomial is, if it is."""
-    found = sorted((base for base, exponent in monomial if exponent == 1 and type(base) is Trig), key=str)
-    return (found[0], found[1]) if len(found) == 2 == len(monomial) else None  # noqa: PLR2004
+def _are_two_trigs(monomial: Monomial) -> bool:
+    """Whether a monomial is a cosine or sine times another."""
+    return len(monomial) == 2 and all(exponent == 1 and type(base) is Trig for base, exponent in monomial)  # noqa: PLR2004
+
+
+def _angles(trigs: Monomial) -> set[Angle]:
+    return {base.angle for base, _ in trigs if type(base) is Trig}
+
+
+def _in_order(trigs: Monomial) -> tuple[Trig, Trig]:
+    """The two of them, always in the same order."""
+    first, second = sorted((base for base, _ in trigs if type(base) is Trig), key=str)
+    return first, second
 
 
 def _together(first: tuple[Trig, Trig], second: tuple[Trig, Trig], sign: Fraction) -> Expr | None:
-    """The sum of a product of two and another such product by an addition theorem, or None."""
+    """The sum of a product of two and another such product of the same angles by an addition theorem, or None."""
     (a, b), (c, d) = first, second
-    if {a.angle, b.angle} != {c.angle, d.angle}:
-        return None
     if c.angle != a.angle:
         c, d = d, c
     functions = a.function + b.function

@@ -14,6 +14,9 @@ from dhcli.notation.writer import write
 
 Finding = Literal["factors", "conditions", "everywhere", "never", "unreadable"]
 
+MOST_JOINTS = 9
+"""Arms with more joints have too many determinants."""
+
 
 @frozen
 class Factor:

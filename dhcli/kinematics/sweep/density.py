@@ -31,7 +31,7 @@ class Density:
     >>> from dhcli.kinematics.sweep.target import target_of
     >>> target = target_of(load_robot("planar-2r"))
     >>> density = Density()
-    >>> found = sweep(target, plan(target), density.take)
+    >>> found = sweep(target, plan(target, ()), density.take)
     >>> seen = density.workspace(target)
     >>> seen.count == found.grid.count == sum(map(sum, seen.top))
     True

@@ -39,7 +39,7 @@ def sweep(
     >>> from dhcli.kinematics.sweep.plan import plan
     >>> from dhcli.kinematics.sweep.target import target_of
     >>> target = target_of(load_robot("planar-2r"))
-    >>> found = sweep(target, plan(target))
+    >>> found = sweep(target, plan(target, ()))
     >>> found.farthest.distance, found.box[1]
     (0.7, (-0.7, 0.7))
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive_rules import Step
-from dhcli.kinematics.inverse.derive_terms import Atom
-from dhcli.kinematics.inverse.derive_words import SAID, condition_text, level_text, proof_text
+from dhcli.kinematics.inverse.derive_words import SAID, atom_text, condition_text, level_text, proof_text
 from dhcli.notation.styles import latex_name
 from dhcli.notation.tree import ZERO
 from dhcli.notation.writer import write
@@ -15,7 +14,7 @@ from dhcli.safe import markdown, markdown_code, markdown_heading
 
 def derivation_latex(result: Derivation, _look: Look) -> str:
     """The formulas, one a line, aligned at their equals signs."""
-    lines = [f"{_latex_atom(step.atom)} &= {_latex_value(result, step)}" for step in result.steps]
+    lines = [f"{atom_text(step.atom, latex_name)} &= {_latex_value(result, step)}" for step in result.steps]
     return "\\begin{aligned}\n" + " \\\\\n".join(lines) + "\n\\end{aligned}\n"
 
 
@@ -33,18 +32,11 @@ def derivation_markdown(result: Derivation, _look: Look) -> str:
     lines = [markdown_heading(1, f"Joint values of {result.robot.name}")]
     lines += ["", f"Of frame {markdown(result.end)}, seen from frame {markdown(result.start)}."]
     for number, step in enumerate(result.steps, 1):
-        lines += ["", f"## {number}. ${_latex_atom(step.atom)}$: {step.rule}, {SAID[step.rule]}"]
+        lines += ["", f"## {number}. ${atom_text(step.atom, latex_name)}$: {step.rule}, {SAID[step.rule]}"]
         for one in step.equations:
             sides = f"{write(one.left, 'latex', joints)} = {write(one.right, 'latex', joints)}"
             lines += ["", f"$${sides}$$", "", f"{markdown_code(level_text(result, one))}, so"]
-        lines += ["", f"$${_latex_atom(step.atom)} = {_latex_value(result, step)}$$"]
+        lines += ["", f"$${atom_text(step.atom, latex_name)} = {_latex_value(result, step)}$$"]
         if condition := condition_text(step, "latex", result):
             lines += ["", f"Here: {condition}."]
     return "\n".join(lines) + f"\n\n{proof_text(result)}\n"
-
-
-def _latex_atom(atom: Atom) -> str:
-    if isinstance(atom, str):
-        return latex_name(atom)
-    text = " + ".join(latex_name(name) if factor > 0 else f"-{latex_name(name)}" for name, factor in atom)
-    return text.replace("+ -", "- ")

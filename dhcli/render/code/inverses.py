@@ -14,7 +14,7 @@ from dhcli.kinematics.inverse.derive_levels import POSITION, ROTATION
 from dhcli.kinematics.inverse.derive_rules import Step
 from dhcli.kinematics.inverse.derive_terms import name_of
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import ZERO, Call, Expr, Product, Sum, Symbol, Trig
+from dhcli.notation.tree import HALF, ONE, ZERO, Call, Expr, Power, Product, Sum, Symbol, Trig, add, negate, power
 from dhcli.notation.walk import rebuild, symbols, walk
 from dhcli.regex import regex
 from dhcli.render.code.functions import lengths_words, robot_words
@@ -22,6 +22,9 @@ from dhcli.render.code.language import Heading, Spelling
 from dhcli.render.code.languages import LANGUAGES
 from dhcli.render.look import Look
 from dhcli.render.text.forward import frame_words
+
+_ONE = "1 + 1e-12"
+"""A cosine up to this is one of 1: that of an arm stretched out is 1 but for rounding."""
 
 _PI = regex(r"\bpi\b")
 
@@ -67,7 +70,7 @@ def inverse_code(result: Derivation, look: Look) -> str:
         heading = Heading("inverse", heading.said, (), own, given, filled, "int")
     b = language.base
     body = [spelling.let(name, language.entry.format("T", i - 1 + b, k - 1 + b)) for name, i, k in entries]
-    body += [language.begin, *_Nest(spelling, formulas, joints).lines(stages), *language.finish.split("\n")]
+    body += [language.begin, *_Nest(spelling, formulas, joints, lengths).lines(stages), *language.finish.split("\n")]
     if language.name == "c" and any(map(_PI.search, body)):
         body.insert(0, "const double pi = 3.14159265358979323846;")
     return language.function(heading, spelling, [line for line in body if line])
@@ -89,21 +92,20 @@ def _said(result: Derivation, joints: Sequence[str], spelling: Spelling) -> Iter
 class _Nest:
     """The loops, one inside the other, with what each line needs before it."""
 
-    def __init__(self, spelling: Spelling, formulas: Written, joints: Sequence[str]) -> None:
+    def __init__(self, spelling: Spelling, formulas: Written, joints: Sequence[str], lengths: Sequence[str]) -> None:
         self.spelling, self.language, self.joints = spelling, spelling.language, joints
         self.waiting = {one.name: one.expr for one in formulas.definitions}
+        self.steady, self.depth = set(lengths), 0
 
     def lines(self, stages: Sequence[Stage]) -> Iterator[str]:
-        margin, depth = "", 0
         for stage in stages:
             for line in self.stage(stage):
-                opens = line.startswith("for ")
+                margin = "    " * self.depth
                 yield from (f"{margin}{part}" for part in line.split("\n"))
-                margin += "    " if opens else ""
-                depth += opens
+                self.depth += line.startswith("for ")
         for line in self.found():
-            yield f"{margin}{line}"
-        for level in reversed(range(depth)):
+            yield f"{'    ' * self.depth}{line}"
+        for level in reversed(range(self.depth)):
             yield "    " * level + self.language.end
 
     def found(self) -> Iterator[str]:
@@ -123,20 +125,38 @@ class _Nest:
         elif two:
             yield language.turns.format(spelling.names[f"turn_{stage.name}"])
         value, spread = stage.value, stage.spread
+        yield from self.divisible(*([value, spread] if stage.before is None else [stage.before]))
         if stage.before is not None:
             limit = f"{spelling.formula(stage.before)} < 0"
             if stage.has_cosine:
                 cosine = Symbol(f"cosine_{stage.name}")
                 yield spelling.let(cosine.name, spelling.formula(stage.before))
-                limit, spread = f"{spelling.formula(Call('abs', (cosine,)))} > 1", Call("acos", (cosine,))
-            yield language.skip.format(limit)
+                limit, spread = f"{spelling.formula(Call('abs', (cosine,)))} > {_ONE}", _arc_cosine(cosine)
+            yield self.left_if(limit)
         yield from self.needed(value, spread)
+        if stage.before is not None:
+            yield from self.divisible(value)
         if two == "plus-minus" and spread is not None:
             term: Expr = Product((Symbol(f"sign_{stage.name}"), spread))
             value = term if value == ZERO else Sum((value, term))
         elif two:
             value = Sum((value, Symbol(f"turn_{stage.name}")))
         yield spelling.let(stage.name, spelling.formula(value))
+
+    def left_if(self, condition: str) -> str:
+        """The lines that go on with the next round if a condition holds; outside of all loops nothing is found then."""
+        leave = "continue" if self.depth else self.language.finish.removesuffix(";") or "return"
+        return self.language.skip.format(condition, leave)
+
+    def divisible(self, *formulas: Expr | None) -> Iterator[str]:
+        """Lines that leave out what would be divided by 0: some languages end there, others go on without a number.
+
+        A length by which is divided makes the formulas what they are; none of the robot's own is 0.
+        """
+        below = dict.fromkeys(base for expr in formulas if expr is not None for base in _below(expr))
+        for base in below:
+            if not symbols(base) <= self.steady:
+                yield self.left_if(f"{self.spelling.formula(base)} == 0")
 
     def needed(self, *formulas: Expr | None) -> Iterator[str]:
         """Lines for the parts of formulas that have none yet."""
@@ -145,7 +165,25 @@ class _Nest:
             if name in self.waiting:
                 part = self.waiting.pop(name)
                 yield from self.needed(part)
+                self.steady |= {name} if symbols(part) <= self.steady else set()
+                yield from self.divisible(part)
                 yield self.spelling.let(name, self.spelling.formula(part))
+
+
+def _arc_cosine(cosine: Expr) -> Expr:
+    """The angle of a cosine, also of one that rounding has put beyond 1; of others to the same digits as `acos`."""
+    rest = Call("abs", (add(ONE, negate(power(cosine, 2))),))
+    return Call("atan2", (power(rest, HALF), cosine))
+
+
+def _below(expr: Expr) -> Iterator[Expr]:
+    """What must not be 0, for it stands below a line; of a root what it is taken of."""
+    for node in walk(expr):
+        if type(node) is Power and node.exponent < 0:
+            base = node.base
+            while type(base) is Power:
+                base = base.base
+            yield from base.factors if type(base) is Product else (base,)
 
 
 def shared(result: Derivation) -> tuple[Written, tuple[Stage, ...]]:

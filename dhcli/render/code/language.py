@@ -37,7 +37,7 @@ class Language:
         base: Number of the first row.
         signs: A loop over 1 and -1.
         turns: A loop over 0 and π.
-        skip: Goes on with the next round if a condition holds.
+        skip: Leaves a round, or the function, if a condition holds: the condition, and the word for it.
         begin: Makes an empty list of solutions.
         append: Adds a row to it.
         finish: Gives it back.

@@ -6,10 +6,9 @@ import csv
 import io
 import re
 from collections.abc import Collection, Iterable, Sequence
+from typing import TYPE_CHECKING
 
 from dhcli.frozen import frozen
-from dhcli.kinematics.question import AnyPose
-from dhcli.notation.let import Definition
 from dhcli.notation.names import natural_key
 from dhcli.notation.styles import Joints, identifier, latex_name
 from dhcli.notation.tree import Expr
@@ -18,6 +17,10 @@ from dhcli.notation.writer import write
 from dhcli.render.look import Look
 from dhcli.safe import comment as comment_line
 from dhcli.safe import one_line
+
+if TYPE_CHECKING:
+    from dhcli.kinematics.question import AnyPose
+    from dhcli.notation.let import Definition
 
 _SPELLING = {"csv": "sympy", "json": "sympy"}
 """Formats whose formulas are spelled as another one spells them."""

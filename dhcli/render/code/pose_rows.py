@@ -19,9 +19,9 @@ _ROW = "[%s, %s, %s, %s]"
 
 GROUPS = {
     "matrix": Group("matrix", _MATRIX, f"[{_ROW}, {_ROW}, {_ROW}, [0.0, 0.0, 0.0, 1.0]]"),
-    "position": Group.listed("position", ("p_x", "p_y", "p_z")),
-    "rpy": Group.named("rpy", {name: name for name in ("roll", "pitch", "yaw")}),
-    "quaternion": Group.named("quaternion", {name: f"q_{name}" for name in "wxyz"}),
+    "position": Group.listed("position", rows.POSITION),
+    "rpy": Group("rpy", ("roll", "pitch", "yaw"), '{"roll": %s, "pitch": %s, "yaw": %s}'),
+    "quaternion": Group("quaternion", ("q_w", "q_x", "q_y", "q_z"), '{"w": %s, "x": %s, "y": %s, "z": %s}'),
     "rotation-vector": Group.listed("rotation-vector", ("r_x", "r_y", "r_z")),
     **{form: Group.listed(form, [f"{form}_{k}" for k in (1, 2, 3)]) for form in FORMS if form.endswith(AXES)},
     "axis-angle": Group("axis-angle", ("axis_x", "axis_y", "axis_z", "angle"), '{"axis": [%s, %s, %s], "angle": %s}'),

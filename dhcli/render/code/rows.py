@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
@@ -104,5 +103,7 @@ class RowText:
 
 def _object(groups: Iterable[Group]) -> str:
     """A JSON object as a template; a key may hold any letter, also the sign of a template."""
+    import json  # rows of CSV need none
+
     members = (f"{json.dumps(group.key).replace('%', '%%')}: {group.body}" for group in groups)
     return "{" + ", ".join(members) + "}"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from dhcli.geometry.vectors import Vector
 from dhcli.mobility.linkage import Joint, Linkage
 from dhcli.render.pictures.page_scene import scene_data, words_data
 from dhcli.scene.camera import VIEWS
@@ -11,7 +12,6 @@ from dhcli.scene.linkages import stage_linkage
 from dhcli.scene.places import Places
 from dhcli.scene.plane import circles
 from dhcli.scene.space import holder
-from dhcli.scene.vectors import Vec
 from dhcli.scene.words import named
 
 if TYPE_CHECKING:
@@ -52,7 +52,7 @@ def space_model(picture: Drawing) -> dict[str, Any]:
     }
 
 
-def _spatial(joint: Joint, at: Vec, number: dict[str, int], spots: list[list[float]]) -> dict[str, Any]:
+def _spatial(joint: Joint, at: Vector, number: dict[str, int], spots: list[list[float]]) -> dict[str, Any]:
     """A joint in space: its kind, its links, and the geometry that it has; a point that has a name by its number."""
     point = list(at if joint.point is None else joint.point)
     geometry = {"u": joint.axis, "v": joint.axis2, "s": joint.slide, "o": joint.other, "h": joint.pitch}

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
+from dhcli.algebra.floats import Floats
 from dhcli.algebra.terms import TERMS
+from dhcli.geometry.vectors import Vector
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.describe.asked import NAMES
 from dhcli.kinematics.describe.description import Described
@@ -14,12 +17,14 @@ from dhcli.kinematics.describe.exact import exact_factor
 from dhcli.kinematics.describe.linear import coordinates_of
 from dhcli.kinematics.describe.process import axis_word
 from dhcli.kinematics.describe.products import end_of, pitch_of
+from dhcli.kinematics.describe.shown import shown
 from dhcli.kinematics.describe.straight import Straightened
 from dhcli.kinematics.describe.words import Step
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.moves import spelled
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr, Number, Symbol, multiply
+from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write, write_angle
 from dhcli.regex import regex
 from dhcli.render.look import Look
@@ -46,7 +51,18 @@ _AXIS = {
 
 
 def description_table(result: Described, look: Look) -> str:
-    """What was found, for people."""
+    """What was found, for people, who are shown no more of its numbers than they need."""
+    if look.digits is not None:
+        return _page(result, replace(look, places=look.digits))
+    few = shown(result)
+    page = _page(result, replace(look, places=few.places))
+    if page == _page(result, look):
+        return page
+    said = f"rounded to {few.places} decimals, which moves the tip by at most {few.off * 1e6:.1g} µm"
+    return page + look.paper.spell(f"{said}; --digits and files have more") + "\n"
+
+
+def _page(result: Described, look: Look) -> str:
     paper = look.paper
     origin = " from its axes" if result.steps else ""
     head = f"{result.given.title}{origin} · {NAMES[result.form]} · {_AXIS[result.form]}"
@@ -56,7 +72,7 @@ def description_table(result: Described, look: Look) -> str:
         blocks.append(heading_text(shared, paper) + "\n")
     if result.told and result.steps:
         blocks.append("".join(_steps(result, look)))
-    return "".join([*blocks, *_body(result, look), *(f"{paper.spell(line)}\n" for line in _facts(result))])
+    return "".join([*blocks, *_body(result, look), *(f"{paper.spell(line)}\n" for line in _facts(result, look))])
 
 
 def description_content(result: Described, look: Look) -> dict[str, Any]:
@@ -143,7 +159,7 @@ def _steps(result: Described, look: Look) -> Iterator[str]:
         for i, part in enumerate(step.lines()):
             mark = f"{step.number}  " if step.number != number else " " * (5 if i else 3)
             number = step.number
-            text = _POINT.sub(lambda point: point[0].replace(" ", _JOINED), paper.spell(part))
+            text = _POINT.sub(lambda point: point[0].replace(" ", _JOINED), paper.spell(look.formula(part)))
             lines = textwrap.wrap(
                 text,
                 width,
@@ -159,37 +175,39 @@ def _body(result: Described, look: Look) -> Iterator[str]:
     if result.form == "axes" and result.drawing is not None:
         rows = [
             [
-                write(multiply(Number(line.rate), Symbol(line.name)), "full"),
+                look.formula(write(multiply(Number(line.rate), Symbol(line.name)), "full")),
                 "screws about" if line.pitch else "turns about" if line.turns else "slides along",
-                axis_word(line.direction),
-                "" if line.through is None else _triple(coordinates_of(line.through)),
-                write(pitch_of(line)) if line.pitch else "",
+                _direction(line.direction, look),
+                "" if line.through is None else _triple(coordinates_of(line.through), look),
+                look.formula(write(pitch_of(line))) if line.pitch else "",
             ]
             for line in result.drawing.lines
         ]
         heads = ["joint", "", "direction", "through", "each turn"]
         width = len(heads) if any(line.pitch for line in result.drawing.lines) else -1
         yield table_text(heads[:width], [row[:width] for row in rows], look.paper)
-        yield look.paper.spell(f"end  {' '.join(map(spelled, end_of(result.drawing.end)))}") + "\n"
+        end = " ".join(map(spelled, end_of(result.drawing.end)))
+        yield look.paper.spell(f"end  {look.formula(end)}") + "\n"
     elif result.screws and result.drawing is not None:
+        turns = [tuple(exact_factor(part) for part in screw.omega) for screw in result.screws]
         rows = [
-            [screw.name, _triple(tuple(exact_factor(part) for part in screw.omega)), _triple(coordinates_of(screw.v))]
-            for screw in result.screws
+            [screw.name, _triple(omega, look), _triple(coordinates_of(screw.v), look)]
+            for screw, omega in zip(result.screws, turns, strict=True)
         ]
         yield table_text(["joint", "ω", "v"], rows, look.paper)
         yield "M, the end frame with all joints at zero\n"
-        home = fold(end_of(result.drawing.end), TERMS)
+        home = [list(map(_evaluated, row)) for row in fold(end_of(result.drawing.end), TERMS)]
         yield "".join(f"{line}\n" for line in matrix_lines(home, result.robot.writing, look))
     else:
         yield links_table(result.robot, look)
 
 
-def _facts(result: Described) -> Iterator[str]:
+def _facts(result: Described, look: Look) -> Iterator[str]:
     ends = (("base", result.robot.base, result.given.base), ("tool", result.robot.tool, result.given.tool))
     for name, chain, before in ends:
         if chain and chain == before:
-            yield f"{name}  {' '.join(spelled(move, result.robot.writing) for move in chain)}"
-    yield from result.notes
+            yield look.formula(f"{name}  {' '.join(spelled(move, result.robot.writing) for move in chain)}")
+    yield from map(look.formula, result.notes)
     straight = result.straightened
     yield from straight.lines() if straight else ()
     same = "the same motion as the straightened robot" if straight and straight.changes else "the same motion"
@@ -202,8 +220,19 @@ def _facts(result: Described) -> Iterator[str]:
         yield "frames 1 to n stand elsewhere now, as the convention wants them"
 
 
-def _triple(entries: tuple[Expr, ...]) -> str:
-    return f"({', '.join(write(entry) for entry in entries)})"
+def _direction(vector: Vector, look: Look) -> str:
+    """`+z`, or components: in a table with as many places as its lengths have, for they move the tip as much."""
+    word = axis_word(vector)
+    return _triple(tuple(map(exact_factor, vector)), look) if word.startswith("(") else word
+
+
+def _evaluated(entry: Expr) -> Expr:
+    """An entry without letters as a number."""
+    return entry if symbols(entry) else exact_factor(Floats().value(entry))
+
+
+def _triple(entries: tuple[Expr, ...], look: Look) -> str:
+    return f"({', '.join(look.formula(write(entry)) for entry in entries)})"
 
 
 def _written(value: float) -> str:

@@ -25,7 +25,9 @@ _NUMBER = regex(r"-?[0-9.]+(e[-+]?[0-9]+)?")
 
 def cell(entry: Expr | float, joints: Joints, look: Look) -> str:
     """One entry for people: a formula, or a number rounded."""
-    return write(entry, look.style or "short", joints) if isinstance(entry, Expr) else look.number(entry)
+    if isinstance(entry, Expr):
+        return look.formula(write(entry, look.style or "short", joints))
+    return look.number(entry)
 
 
 def matrix_lines(rows: Sequence[Sequence[Expr | float]], joints: Joints, look: Look) -> list[str]:

@@ -1,15 +1,23 @@
-"""How far a long piece of work has come: a bar on a terminal, nothing anywhere else."""
+"""How far a long piece of work has come: a bar on a terminal, nothing anywhere else.
+
+It is drawn by who does the work, step by step, and not by a thread beside it: a process that runs nothing else can be
+copied (`classroom/pool.py`), and all signals come to the one thread.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from time import monotonic
 from typing import TYPE_CHECKING, TextIO
 
 from dhcli.render.paper import Paper
 
 if TYPE_CHECKING:
     from rich.progress import Progress, ProgressColumn
+
+_OFTEN = 0.1
+"""Seconds after which a step is drawn: eyes follow no faster, and drawing takes a millisecond."""
 
 
 @contextmanager
@@ -32,8 +40,8 @@ def progress(what: str, total: int, stream: TextIO) -> Iterator[Callable[[], Non
 
     columns = (TextColumn("{task.description}", markup=False), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     with _bar(paper, stream, *columns) as bar:
-        task = bar.add_task(paper.spell(what), total=total)
-        yield lambda: bar.advance(task)
+        task, is_due = bar.add_task(paper.spell(what), total=total), _clock()
+        yield lambda: bar.update(task, advance=1, refresh=is_due())
 
 
 @contextmanager
@@ -55,10 +63,11 @@ def row_progress(stream: TextIO, *, wanted: bool = True) -> Iterator[Callable[[i
 
     columns = (BarColumn(), TextColumn("{task.description}", markup=False), TimeRemainingColumn())
     with _bar(paper, stream, *columns) as bar:
-        task = bar.add_task("0 rows", total=None)
+        task, is_due = bar.add_task("0 rows", total=None), _clock()
 
         def tell(rows: int, share: float | None) -> None:
-            bar.update(task, description=f"{rows:,} rows", total=None if share is None else 1.0, completed=share or 0.0)
+            total, done = None if share is None else 1.0, share or 0.0
+            bar.update(task, description=f"{rows:,} rows", total=total, completed=done, refresh=is_due())
 
         yield tell
 
@@ -69,4 +78,21 @@ def _bar(paper: Paper, stream: TextIO, *columns: ProgressColumn) -> Progress:
     from rich.progress import Progress
 
     console = Console(file=stream, width=paper.width, no_color=not paper.colour, legacy_windows=False)
-    return Progress(*columns, console=console, transient=True, redirect_stdout=False, redirect_stderr=False)
+    return Progress(
+        *columns, console=console, transient=True, redirect_stdout=False, redirect_stderr=False, auto_refresh=False
+    )
+
+
+def _clock() -> Callable[[], bool]:
+    """Tells, each time it is asked, whether the time to draw again has come."""
+    due = monotonic() + _OFTEN
+
+    def is_due() -> bool:
+        nonlocal due
+        now = monotonic()
+        if now < due:
+            return False
+        due = now + _OFTEN
+        return True
+
+    return is_due

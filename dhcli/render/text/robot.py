@@ -136,16 +136,17 @@ def links_table(robot: Robot, look: Look) -> str:
     """The DH table with the order of its operations, or the products."""
     paper = look.paper
     rows: list[list[str]] = []
-    product = robot.convention is Convention.PRODUCT
+    is_product = robot.convention is Convention.PRODUCT
     kinds = [_kind(robot, link) for link in robot.links]
-    room = paper.width - max(map(len, kinds), default=0) - _BESIDES if product and paper.terminal else None
+    room = paper.width - max(map(len, kinds), default=0) - _BESIDES if is_product and paper.terminal else None
     for link, kind in zip(robot.links, kinds, strict=True):
-        cells, *more = [[link.product]] if link.row is None else [_row(robot, link, "short")]
+        product = look.formula(link.product)
+        cells, *more = [[product]] if link.row is None else [list(map(look.formula, _row(robot, link, "short")))]
         if room is not None:
-            cells, *more = ([line] for line in _in_lines(link.product, room))
+            cells, *more = ([line] for line in _in_lines(product, room))
         rows.append([str(link.number), *(_underlined(cell, robot, paper) for cell in cells), kind])
         rows += (["", _underlined(line, robot, paper), ""] for (line,) in more)
-    table = table_text(["i", *(("A_i",) if product else heads(robot)), "joint"], rows, paper)
+    table = table_text(["i", *(("A_i",) if is_product else heads(robot)), "joint"], rows, paper)
     order = ORDER[robot.convention].replace("alpha_", "α_").replace("theta_", "θ_")
     return table + paper.ink(paper.spell(order), "dim") + "\n"
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Collection, Iterator
 from typing import TYPE_CHECKING
 
-from dhcli.kinematics.singular.result import Factor
+from dhcli.kinematics.singular.result import MOST_JOINTS, Factor
 from dhcli.kinematics.velocity.answers import SingularAnswer
 from dhcli.notation.writer import write
 from dhcli.render.look import Look
@@ -57,7 +57,11 @@ def _verdict(result: SingularAnswer) -> str:
     if found.finding == "never":
         return f"rank {found.rank} at all joint values: singular nowhere"
     if found.finding == "unreadable":
-        tried = "what joints at right angles do, one or two at a time:" if found.probed else "--q shows how it stands"
+        tried = "one or two joints at right angles do not lower it; --q shows how it stands"
+        if found.probed:
+            tried = "what joints at right angles do, one or two at a time:"
+        elif len(found.joints) > MOST_JOINTS:
+            tried = f"of more than {MOST_JOINTS} joints none is looked for; --q shows how it stands"
         return f"rank {found.rank} nearly everywhere; {FINDINGS['unreadable']}; {tried}"
     still = f": {', '.join(found.still)} does not move {found.place}" if len(found.still) == 1 else ""
     wanted = min(len(found.joints), 6 if found.part == "all" else 3)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from dhcli.checking.judge import Judge
@@ -9,14 +11,22 @@ from dhcli.checking.kinds.made import question_about
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import DhcliError, NotationError
 from dhcli.files.yaml.robots import load_robot
+from dhcli.kinematics.robot import Robot
 
 COSINE = "(px^2 + py^2 - a1^2 - a2^2)/(2*a1*a2)"
 PUMA_K = "K = (px^2 + py^2 + pz^2 - a2^2 - a3^2 - d3^2 - d4^2)/(2*a2)\n"
 
 
-def judged(answer: str, ask: str = "angle theta2 of position", robot: str = "planar-2r") -> Mark:
+IN_NUMBERS = Robot.from_dh([(0.3, 0, 0, "theta1"), (0.2, 0, 0, "theta2")], variables=["theta1", "theta2"])
+SLIDING = Robot.from_dh([(0, "90°", 0.4, "theta1"), (0, 0, "d2", 0)], variables=["theta1", "d2"])
+
+
+def judged(
+    answer: str, ask: str = "angle theta2 of position", robot: str | Robot = "planar-2r", unit: str = "m"
+) -> Mark:
     """An answer, explained where it is wrong."""
-    exercise = question_about(load_robot(robot), ask, numeric=False, given={})
+    arm = load_robot(robot) if isinstance(robot, str) else robot
+    exercise = replace(question_about(arm, ask, numeric=False, given={}), unit=unit)
     return Judge(exercise).check(exercise.parts[0], answer)
 
 
@@ -32,6 +42,11 @@ def judged(answer: str, ask: str = "angle theta2 of position", robot: str = "pla
         ("planar-2r", "angle theta2 of position", f"D = {COSINE}, theta2 = ±acos(D)"),
         ("planar-2r", "angle theta2 of position", f"theta2 = ±acos(D)\nD = {COSINE}"),
         ("planar-2r", "angle theta2 of position", f"c2 = {COSINE}; s2 = ±sqrt(1 - c2^2); θ2 = atan2(s2, c2)"),
+        ("planar-2r", "angle theta2 of position", f"D = {COSINE}, θ2 = atan2(±√(1 − D²), D)"),
+        ("planar-2r", "angle theta2 of position", f"θ2 = atan2(±sqrt(1-D^2), D) with D = {COSINE}."),
+        ("planar-2r", "angle theta2 of position", f"θ2 = atan2(±sqrt(1-D^2), D)\nD = {COSINE}"),
+        ("planar-2r", "angle theta2 of position", f"θ2 = acos({COSINE}), θ2 = -acos({COSINE})"),
+        ("planar-2r", "angle theta2 of position", "\\theta_2 = \\pm\\arccos\\frac{p_x^2+p_y^2-a_1^2-a_2^2}{2a_1a_2}"),
         ("planar-2r", "angle theta2 of position", "π ∓ acos((a1^2 + a2^2 - x^2 - y^2)/(2 a1 a2))"),
         ("planar-2r", "angle theta2 of position", f"acos({COSINE}), -acos({COSINE})"),
         ("planar-2r", "angle theta2 of position", f"acos({COSINE}) or -acos({COSINE})"),
@@ -127,3 +142,63 @@ def test_swapped_arguments_are_named_with_one_value_of_two_as_with_both(answer: 
     assert mark.verdict is Verdict.WRONG
     assert mark.diagnosis is not None
     assert "atan2-swapped theta1" in mark.diagnosis.ids
+
+
+@pytest.mark.parametrize(
+    ("unit", "right", "other"),
+    [
+        ("mm", "±acos((px^2 + py^2 - 130000)/120000)", "±acos((px^2 + py^2 - 0.13)/0.12)"),
+        ("cm", "±acos((px^2 + py^2 - 1300)/1200)", "±acos((px^2 + py^2 - 130000)/120000)"),
+        ("m", "±acos((px^2 + py^2 - 0.13)/0.12)", "±acos((px^2 + py^2 - 130000)/120000)"),
+        ("mm", "D = px^2/120000 + py^2/120000 - 13/12; theta2 = atan2(±sqrt(1 - D^2), D)", ""),
+        ("mm", "±acos((px^2 + py^2 - (300 mm)^2 - (0.2 m)^2)/(120000))", ""),
+        ("mm", "atan2(py - 300*s1, px - 300*c1) - theta1", "atan2(py - 0.3*s1, px - 0.3*c1) - theta1"),
+    ],
+)
+def test_bare_lengths_in_a_formula_are_in_the_unit_of_the_sheet(unit: str, right: str, other: str) -> None:
+    """An area in its square, a ratio in none; what is right in another unit is told so, and costs no try."""
+    assert judged(right, robot=IN_NUMBERS, unit=unit).verdict is Verdict.RIGHT
+    if other:
+        mark = judged(other, robot=IN_NUMBERS, unit=unit)
+        assert mark.verdict is Verdict.CANNOT_READ
+        assert f"this sheet is in {unit}" in mark.remarks[0]
+
+
+@pytest.mark.parametrize("unit", ["m", "mm", "cm"])
+@pytest.mark.parametrize(
+    ("robot", "ask"),
+    [
+        (IN_NUMBERS, "angle theta1 of position"),
+        (IN_NUMBERS, "angle theta2 of position"),
+        (SLIDING, "joint d2 of position"),
+    ],
+)
+def test_the_formula_shown_is_right_on_its_own_sheet(unit: str, robot: Robot, ask: str) -> None:
+    """Its numbers are in that unit, too, and the question says so where it is not metres."""
+    exercise = replace(question_about(robot, ask, numeric=False, given={}), unit=unit)
+    judge, part = Judge(exercise), exercise.parts[0]
+    assert judge.check(part, judge.expected(part)).verdict is Verdict.RIGHT
+    said = "Numbers that stand for lengths are in"
+    assert any(said in note for note in part.question.notes(exercise)) is (unit != "m")
+
+
+@pytest.mark.parametrize(
+    ("answer", "said"),
+    [
+        ("3 mm", "by its units this is no angle, and theta2 is an angle"),
+        ("px*(2 mm)^2 + 1 mm", "by its units this is no angle"),
+        ("30° + 3 m", "a number and a length cannot be added"),
+    ],
+)
+def test_a_length_for_an_angle_costs_no_try(answer: str, said: str) -> None:
+    """Its units show it."""
+    mark = judged(answer)
+    assert mark.verdict is Verdict.CANNOT_READ
+    assert said in mark.remarks[0]
+
+
+def test_an_angle_for_a_length_costs_no_try() -> None:
+    """An inverse function gives no length."""
+    mark = judged("atan2(py, px)", "joint d3 of pose", "stanford")
+    assert mark.verdict is Verdict.CANNOT_READ
+    assert mark.remarks == ("this is an angle, and d3 is a length",)

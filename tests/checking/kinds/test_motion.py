@@ -276,12 +276,46 @@ def parse_number(text: str) -> str:
         ("angular velocity of 0..2 with rates (0.5, -1)", "0, 0, -28.648 deg/s"),
         ("angular velocity of 0..2 with rates (0.5, -1)", "0 rad/s, 0, -0.5 rad/s"),
         ("torques for (0, 10, 0) of 0..2", "tau1 = 4.4867 N m, tau2 = 0.8025 N*m"),
+        ("torques for (0, 10, 0) of 0..2", "τ_1 ≈ 4.4867 Nm; τ_2 ≈ 0.8025 Nm"),
+        ("torques for (0, 10, 0) of 0..2", "4,4867 Nm; 0,8025 Nm"),
+        ("angular velocity of 0..2 with rates (0.5, -1)", "0; 0; -0,5 rad/s"),
+        ("angular velocity of 0..2 with rates (0.5, -1)", "0, 0, -0.5 rad·s⁻¹"),
+        ("velocity of 0..2 with rates (0.5, -1)", "v_x ≈ 0.06665 m s^-1, v_y ≈ 0.1441 m s^{-1}, v_z = 0"),
     ],
 )
 def test_units_of_rates_and_forces_may_stand_behind_numbers(ask: str, answer: str) -> None:
     """As people write them; where none stands it is that of the sheet, radians and newtons."""
     mark = told("planar-2r", ask, answer, Q["planar-2r"])
     assert mark.verdict is Verdict.RIGHT, mark
+
+
+@pytest.mark.parametrize(
+    ("robot", "ask", "answer", "said"),
+    [
+        ("planar-2r", "torques for (0, 10, 0) of 0..2", "4.4867 N, 0.8025 N", "number 1 is in N; N m is wanted"),
+        ("planar-2r", "torques for (0, 10, 0) of 0..2", "4.4867, 0.8025 N", "number 2 is in N; N m is wanted"),
+        ("planar-2r", "torques for (0, 10, 0) of 0..2", "4.4867 rad/s, 0.8", "number 1 is in rad/s; N m is wanted"),
+        ("cylindrical", "torques for (0, 10, 0) of 0..3", "(1 N, 0, 2)", "number 1 is in N; N m is wanted"),
+        ("cylindrical", "torques for (0, 10, 0) of 0..3", "(1 N m, 0, 2 N m)", "number 3 is in N m; N is wanted"),
+        ("cylindrical", "torques for (0, 10, 0) of 0..3", "[1, 0 rad/s, 2]", "number 2 is in rad/s; N is wanted"),
+        ("planar-2r", "joint rates for (0.1, 0.2, 0) of 0..2", "1 N, 2 N", "number 1 is in N; rad/s is wanted"),
+        ("planar-2r", "joint rates for (0.1, 0.2, 0) of 0..2", "1 m/s, 2", "number 1 is in m/s; rad/s is wanted"),
+        ("planar-2r", "velocity of 0..2 with rates (1, 2)", "1 m/s; 2 rad/s; 0", "number 2 is in rad/s; m/s is wanted"),
+        ("planar-2r", "jacobian angular of 0..2", "[0 0; 0 0; 1 N, 1]", "N is a unit of another kind"),
+        ("planar-2r", "jacobian linear of 0..2", "[asin(1/2) 0; 0 0; 0 0]", "an inverse function is an angle"),
+    ],
+)
+def test_a_unit_of_another_kind_costs_no_try(robot: str, ask: str, answer: str, said: str) -> None:
+    """It is told which is wanted where."""
+    mark = told(robot, ask, answer, Q[robot])
+    assert mark.verdict is Verdict.CANNOT_READ, mark
+    assert said in mark.remarks[0]
+
+
+@pytest.mark.parametrize("answer", ["(1 N m, 0 N, 2 N)", "1 N*m; 0; 2 N", "tau1 = 1 N·m, f2 = 0 N, f3 = 2 N"])
+def test_torques_and_forces_of_an_arm_that_turns_and_slides_may_have_their_units(answer: str) -> None:
+    """Each its own."""
+    assert told("cylindrical", "torques for (0, 10, 0) of 0..3", answer, Q["cylindrical"]).verdict is Verdict.WRONG
 
 
 def test_at_a_singular_pose_there_are_no_rates() -> None:

@@ -123,3 +123,19 @@ def test_a_cell_in_another_unit_is_told() -> None:
     assert judged.remarks == ("right in m; this sheet is in mm",)
     assert checked(exercise, part, "0.4 m").verdict is RIGHT
     assert checked(exercise, part, "0.4 mm").verdict is WRONG
+
+
+@pytest.mark.parametrize(
+    ("ask", "answer", "said"),
+    [
+        ("scalar 25", "25°", "deg is a unit of angle, a number is wanted (leave the unit out)"),
+        ("scalar 25", "asin(1/2)", "an inverse function is an angle, a number is wanted (leave the unit out)"),
+        ("scalar 2*a1", "25°", "deg is a unit of angle, a length is wanted (write 0.4 m or 400 mm)"),
+        ("scalar 2*a1", "asin(1/2)", "an inverse function is an angle, a length is wanted (write 0.4 m or 400 mm)"),
+        ("scalar 25°", "3 mm", "mm is a unit of length, an angle is wanted (write 30° or 0.5 rad)"),
+    ],
+)
+def test_a_value_of_another_kind_is_told_what_is_wanted(ask: str, answer: str, said: str) -> None:
+    """A number has no unit, a length one of length."""
+    found = mark(*exercise_of(ask, given={"a1": "0.4 m", "a2": "0.3 m"}, numeric=True), answer)
+    assert (found.verdict, found.remarks) == (UNREAD, (said,))

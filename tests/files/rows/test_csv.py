@@ -228,6 +228,20 @@ def test_the_numbers_of_rows_that_dhcli_writes_are_left_aside(tmp_path: Path) ->
     assert read("row\n0.5\n", robot=str(oar)).tolist() == [[0.5]]
 
 
+def test_the_positions_that_sweep_writes_are_left_aside(tmp_path: Path) -> None:
+    """All three together only; joints of that name keep their columns."""
+    assert read("theta1,theta2,d3,p_x,p_y,p_z\n0.1,0.2,0.3,7,8,9\n").tolist() == [ROW]
+    with pytest.raises(FileError, match="scara has no joint p_x"):
+        read("theta1,theta2,d3,p_x,p_y\n0.1,0.2,0.3,7,8\n")
+    gantry = tmp_path / "gantry.yaml"
+    gantry.write_text(
+        "format: 1\ntitle: A gantry\nsource: a test\nconvention: product\nvariables: [p_x, p_y, p_z]\n"
+        'links: ["Trans(p_x, 0, 0)", "Trans(0, p_y, 0)", "Trans(0, 0, p_z)"]\n',
+        "utf-8",
+    )
+    assert read("p_x,p_y,p_z\n0.5,0.6,0.7\n", robot=str(gantry)).tolist() == [[0.5, 0.6, 0.7]]
+
+
 def test_a_joint_without_a_column_may_stand_still() -> None:
     """With a header or none; it must not have a column as well."""
     held = {"theta2": 0.2}

@@ -33,6 +33,8 @@ json_lines = st.one_of(
             '{"matrix": [1, 2], "position": [1, 2, 3]}',
             '{"position": [1, 2, null]}',
             '{"position": [1, true, "3"]}',
+            '{"position": [1, 2, false]}',
+            '{"matrix": [[1, 0, 0, true], [0, 1, 0, 2], [0, 0, 1, 3]]}',
             '{"position": [1, 2, NaN]}',
             '{"position": [1, 2, 1e999]}',
             f'{{"position": [1, 2, 1{"0" * 400}]}}',
@@ -110,6 +112,65 @@ def test_a_row_is_told_by_its_line_in_any_block(tmp_path: Path) -> None:
     bad: list[Problem] = []
     places = [place for _, each in pose_blocks(str(path), bad) for place in each]
     assert places == [k for k in range(2, 2 * BLOCK + 2) if k != BLOCK + 7]
-    assert [str(problem) for problem in bad] == [f"{path}:{BLOCK + 7}: p_y is 'x', which is no number"]
-    with pytest.raises(FileError, match="p_y is 'x'"):
+    assert [str(problem) for problem in bad] == [
+        f"{path}:{BLOCK + 7}: p_y 'x' is not a number (a cell is a plain number, such as -0.25 or 1e-3)"
+    ]
+    with pytest.raises(FileError, match="p_y 'x'"):
+        list(pose_blocks(str(path)))
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ('{"position": [1, 2, true]}', "p_z is true, not a number"),
+        ('{"matrix": [[1, 0, 0, 1], [0, 1, false, 2], [0, 0, 1, 3]]}', "r23 is false, not a number"),
+        ('{"position": [1, 2, null]}', "p_z is null, not a number"),
+        ('{"position": [1, "2", 3]}', "p_y is '2', not a number (write it without quotes)"),
+        ('{"position": [1, 2, NaN]}', "p_z is nan, not a finite number"),
+        ('{"position": [[1], 2, 3]}', "p_x is a list or an object, not a number"),
+    ],
+)
+def test_a_value_that_is_no_number_is_told_wherever_it_stands(line: str, said: str) -> None:
+    """Alone, and among rows that are read at once; true is not taken for 1."""
+    rows = [json.dumps({"position": [0, 0, 0]})] * 3
+    for text in (line, "\n".join([*rows, line]), "\n".join([line, *rows])):
+        for way in (read, carefully):
+            found, bad = way(text)
+            assert len(found) == text.count("\n")
+            assert [problem.partition(": ")[2] for problem in bad] == [said]
+
+
+ROWS = [[0.5, 0.25, -3.0], [1e-3, 7.0, 0.0]]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "p_x;p_y;p_z\n0,5;0,25;-3\n1e-3;7;0\n",
+        "\ufeffP_X;P_Y;P_Z\r\n0,5;0,25;-3\r\n1e-3;7;0\r\n\r\n",
+        "p_x\tp_y\tp_z\n0.5\t0.25\t-3\n0.001\t7\t0\n",
+        "sep=;\np_x;p_y;p_z\n0,5;0,25;-3\n0,001;7;0\n",
+        "p_z, p_x, p_y,\n-3, 0.5, 0.25,\n, , ,\n0, 0.001, 7,\n",
+        'p_x;p_y;p_z\n"0,5";"0,25";"-3"\n0.001;7;0',
+    ],
+)
+def test_a_spreadsheet_writes_the_same_poses_in_many_ways(text: str, tmp_path: Path) -> None:
+    """As joint values are: another sign between cells, decimal commas, heads in capitals, blank lines at the end."""
+    path = tmp_path / "my größe.csv"
+    path.write_text(text, "utf-8")
+    assert [row for poses, _ in pose_blocks(str(path)) for row in poses.tolist()] == ROWS
+
+
+def test_a_comma_beside_a_point_is_not_taken_for_a_decimal_one() -> None:
+    """It may group thousands; the line is that in the file."""
+    found, bad = read("sep=;\np_x;p_y;p_z\n1;2;3\n1,234;0.5;0\n")
+    assert found == [(3, [1.0, 2.0, 3.0])]
+    assert bad == ["standard input:4: p_x '1,234' is not a number (write 1.234, with a point)"]
+
+
+def test_a_table_in_utf_16_is_called_so(tmp_path: Path) -> None:
+    """As spreadsheets save what they call Unicode."""
+    path = tmp_path / "p.csv"
+    path.write_text("p_x\tp_y\tp_z\n1\t2\t3\n", "utf-16")
+    with pytest.raises(FileError, match="is written in UTF-16"):
         list(pose_blocks(str(path)))

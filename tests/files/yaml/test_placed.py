@@ -355,3 +355,19 @@ def test_importing_the_room_does_not_import_yaml() -> None:
     modules = "dhcli.files.yaml.fields, dhcli.files.reading, dhcli.files.library.lookup, dhcli.storage.atomic"
     code = f"import sys, {modules}; sys.exit(bool({{'yaml', 'importlib.resources', 'tempfile'}} & set(sys.modules)))"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_a_decimal_comma_between_braces_is_told_as_what_it_is() -> None:
+    """YAML makes a key without a value of what stands behind it; keys that are numbers stay keys."""
+    with pytest.raises(FileError) as error:
+        read_yaml("a: {b: 0,3 m, c: 0,3 m , d: -1,5}\n", "robot.yaml")
+    assert [str(problem) for problem in error.value.problems] == [
+        "robot.yaml:1:10: 0,3 m has a decimal comma, which ends a value here (write 0.3 m)",
+        "robot.yaml:1:20: 0,3 m has a decimal comma, which ends a value here (write 0.3 m)",
+        "robot.yaml:1:32: 1,5 has a decimal comma, which ends a value here (write 1.5)",
+    ]
+    root = read_yaml("a: {1: 5,2: 6, x: 7, 3: 1}\nb: [0,5, 1]\n", "robot.yaml")
+    assert isinstance(root, PlacedMapping)
+    inner = root.entries[0][1]
+    assert isinstance(inner, PlacedMapping)
+    assert [key.text for key, _ in inner.entries][-2:] == ["x", "3"]

@@ -142,10 +142,10 @@ def test_a_measured_arm_gets_the_table_that_was_meant(form: str) -> None:
     again = read_robot(text, "again.yaml", "again")
     assert "not the same robot" in again.notes
     draw = random.Random(4)  # noqa: S311  the same poses every time
-    worst = 0.0
+    worst, ends = 0.0, (drawn(robot), drawn(again))
     for _ in range(200):
         q = {name: draw.uniform(-math.pi, math.pi) for name in robot.variables}
-        tip, turn = gaps(drawn(robot), drawn(again), q)
+        tip, turn = gaps(*ends, q)
         worst = max(worst, tip)
         assert turn <= found.straightened.turn + 1e-7
     assert 0.1 * found.straightened.tip < worst <= found.straightened.tip

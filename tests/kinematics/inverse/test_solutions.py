@@ -7,8 +7,9 @@ from itertools import product
 import numpy as np
 import pytest
 
-from dhcli import Solutions, follow, forward, inverse, inverse_batch, load_robot
+from dhcli import Solutions, follow, forward, forward_batch, inverse, inverse_batch, load_robot
 from dhcli.errors import RobotError, UnknownNameError
+from dhcli.kinematics.inverse.batch import BLOCK
 
 
 def solved(name: str, q: object, **asked: object) -> Solutions:
@@ -273,6 +274,24 @@ def test_a_batch_takes_the_nearest_or_one_of_each_pose() -> None:
     inside, _ = inverse_batch(robot, poses, within_limits=True)
     assert len(inside) < 16
     assert len(one) == 2
+
+
+@pytest.mark.parametrize("threads", [2, 5])
+def test_threads_find_the_same_to_the_last_digit(threads: int) -> None:
+    """More blocks than one, of an arm and of one whose rows share a joint, which is computed by another arm."""
+    q = np.random.default_rng(3).uniform(-1, 1, (BLOCK + 100, 4))
+    for robot in (load_robot("scara-yim"), load_robot("palletizer")):
+        poses = forward_batch(robot, q[:, : len(robot.variables)])
+        alone = inverse_batch(robot, poses)
+        shared = inverse_batch(robot, poses, threads=threads)
+        assert len(alone[1]) > BLOCK
+        assert all(np.array_equal(one, other) for one, other in zip(alone, shared, strict=True))
+
+
+def test_what_is_no_number_of_threads_is_refused() -> None:
+    """Before anything is computed."""
+    with pytest.raises(RobotError, match="threads is a number from 1, not 0"):
+        inverse_batch(load_robot("planar-2r"), np.empty((0, 3)), task="position", threads=0)
 
 
 def test_an_empty_batch_is_an_empty_answer() -> None:

@@ -19,7 +19,7 @@ from dhcli.kinematics.inverse.derive import derive
 from dhcli.kinematics.inverse.derive_rules import Step
 from dhcli.kinematics.inverse.derive_terms import name_of
 from dhcli.kinematics.valued import in_numbers
-from dhcli.notation.tree import ZERO, Symbol, add, negate, power
+from dhcli.notation.tree import ZERO, Symbol, add, multiply, negate, power
 from dhcli.render.code.inverses import inverse_code, lengths_used, shared
 from dhcli.render.code.languages import LANGUAGES
 from dhcli.render.look import Look
@@ -91,6 +91,54 @@ def test_there_is_no_root_of_a_negative_number(language: str, tmp_path: Path) ->
     calls = [call(derivation, language, pose, [0.3]) for pose in (far, near)]
     two, none = results(language, calls, tmp_path)
     assert np.allclose(sorted(np.ravel(two)), [-0.4, 0.4])
+    assert len(none) == 0
+
+
+STRETCHED = {
+    "planar-2r": (0.3, 0),
+    "scara-yim": (0.3, 0, 0.1, 0.2),
+    "puma560": (0.3, 0.2, -1.5707963267948966, 0, 0, 0),
+}
+"""Joint values at which an elbow or a wrist is stretched, where rounding may put a cosine beyond 1."""
+
+
+def _singular_poses() -> list[tuple[str, np.ndarray]]:
+    """Stretched arms, wrists in line, and places on axis 1, which shoulders that are offset cannot reach."""
+    found = [(name, np.array(forward(load_robot(name), q).matrix)) for name, q in STRETCHED.items()]
+    found += [(name, np.array(forward(load_robot(name), (0,) * 6).matrix)) for name in ("stanford", "ur5e")]
+    for name, q in (("puma560", Q), ("stanford", Q), ("cylindrical", Q[:3]), ("planar-2r", Q[:2])):
+        pose = np.array(forward(load_robot(name), q).matrix)
+        pose[:2, 3] = 0
+        found.append((name, pose))
+    # of ur5e what stands on axis 1 is not the end but the joint before the last
+    pose, last = np.array(forward(load_robot("ur5e"), Q).matrix), load_robot("ur5e").parameters["d6"]
+    pose[:2, 3] = float(last.value) * pose[:2, 2]  # type: ignore[union-attr]  # a number
+    return [*found, ("ur5e", pose)]
+
+
+@pytest.mark.parametrize("language", HERE)
+def test_singular_poses_are_no_error_and_no_number_is_missing(language: str, tmp_path: Path) -> None:
+    """Every row is finite and reaches the pose; there are some wherever the engine has one, else none."""
+    poses = _singular_poses()
+    calls = [call(derived(name), language, pose) for name, pose in poses]
+    for (name, pose), rows in zip(poses, results(language, calls, tmp_path), strict=True):
+        robot, task = load_robot(name), "position" if derived(name).place_only else "pose"
+        assert bool(len(rows)) == bool(len(inverse(robot, pose, task=task))), name
+        for row in rows:
+            gap = np.array(forward(robot, list(row)).matrix) - pose
+            assert np.abs(gap[:, 3] if task == "position" else gap).max() < 1e-7, name
+
+
+@pytest.mark.parametrize("language", HERE)
+def test_what_would_be_divided_by_0_before_any_choice_has_no_solution(language: str, tmp_path: Path) -> None:
+    """A length from another that stands below a line, in no loop yet."""
+    value = multiply(Symbol("l1"), power(add(Symbol("px"), negate(Symbol("py"))), -1))
+    step = Step("SLIDE", "d3", (), value)
+    derivation = replace(derived("planar-2r"), robot=load_robot("scara"), steps=(step,))
+    near = np.eye(4)
+    near[0, 3] = 0.5
+    one, none = results(language, [call(derivation, language, pose, [0.3]) for pose in (near, np.eye(4))], tmp_path)
+    assert np.allclose(np.ravel(one), [0.6])
     assert len(none) == 0
 
 

@@ -1,0 +1,89 @@
+"""Arms in which a variable makes several moves: each pose gives back the values that it was made from."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from dhcli import Robot, forward, forward_batch, inverse, inverse_batch
+from dhcli.files.yaml.robots import read_robot
+from dhcli.kinematics.inverse.path import follow
+from dhcli.kinematics.inverse.solutions import turning_joints
+
+HEAD = "format: 1\ntitle: {0}\nsource: made for the tests\nconvention: standard\n"
+
+TELESCOPES = {
+    "lift": ("q1 q2 d3", "0.35 0 0.3 q1", "0.4 0 0 q2", "0 0 d3 0", "0 0 d3+0.1 0"),
+    "ratio-and-offset": ("q1 d3 q2", "0.35 0 0.3 q1", "0.4 0 d3 0", "0.2 0 0.1 q2", "0 0 d3/2+0.1 0", "0.1 0 2*d3 0"),
+    "turn-between": ("d1 q2 q3", "0 0 d1 0", "0.2 0 0 q2", "0 0 0.2-2*d1 0", "0.3 0 0 q3", "0.1 0 0 0"),
+    "crane": ("q1 d2 q3", "0 90° 0.5 q1", "0 0 d2+0.4 0", "0 0 d2/2 0", "0 -90° d2/4 0", "0.2 0 0 q3"),
+    "one-axis-turned-twice": ("q1 d2 q3", "0 0 0.2 2*q1", "0 0 d2 0", "0.4 90° 0 -q1", "0.3 0 0 q3"),
+    "portal": ("d1 d2 d3 q4", "0 0 d1 0", "0 90° d1 90°", "0 0 d2 -90°", "0 90° d2 0", "0 0 d3 0", "0 0 d3 0",
+               "0 0 0.1 q4"),
+    "six": ("d1 q2 q3 q4 q5 q6", "0 0 d1 0", "0.1 0 0 q2", "0 90° d1+0.2 0", "0.6 0 0.1 q3", "0.05 90° 0.4 q4",
+            "0 -90° 0.3 q5", "0 0 0.1 q6"),
+}  # fmt: skip
+"""Variables, and rows of a, alpha, d and theta; moves by one variable come to one motion."""
+
+
+def built(name: str, variables: str, *rows: str) -> Robot:
+    """The robot of a table."""
+    links = []
+    for row in rows:
+        a, alpha, d, theta = row.split()
+        links.append(f"  - {{a: {a}, alpha: {alpha}, d: {d}, theta: {theta.replace('rad', ' rad')}}}")
+    text = HEAD.format(name) + f"variables: [{variables.replace(' ', ', ')}]\nlinks:\n" + "\n".join(links) + "\n"
+    return read_robot(text, f"{name}.yaml", name)
+
+
+def matrix(robot: Robot, q: Any) -> Any:  # noqa: ANN401
+    """The pose as an array."""
+    return np.array(forward(robot, list(map(float, q))).matrix, dtype=float)
+
+
+def apart(robot: Robot, rows: Any, q: Any, period: float = 2 * np.pi) -> float:  # noqa: ANN401
+    """How far the nearest of some joint values is, angles modulo a period."""
+    gap = np.asarray(rows) - q
+    gap = np.where(turning_joints(robot), gap - period * np.round(gap / period), gap)
+    return float(np.abs(gap).max(axis=1, initial=0.0).min(initial=np.inf))
+
+
+@pytest.mark.parametrize("name", TELESCOPES)
+def test_slides_that_one_variable_makes_are_one_slide(name: str) -> None:
+    """The values that made a pose come back, all that come back reach it, and many poses have what each has."""
+    robot = built(name, *TELESCOPES[name])
+    q = np.random.default_rng(5).uniform(-1.2, 1.2, (12, len(robot.variables)))
+    poses = forward_batch(robot, q)
+    values, index = inverse_batch(robot, poses)
+    for k, row in enumerate(q):
+        found = inverse(robot, poses[k])
+        assert apart(robot, found.q, row) < 1e-9
+        assert not found.held
+        assert not any(found.free)
+        assert max(np.abs(matrix(robot, other) - poses[k]).max() for other in found) < 1e-12
+        assert np.sort(found.q, axis=0) == pytest.approx(np.sort(values[index == k], axis=0), abs=1e-9)
+
+
+def test_a_telescope_has_as_many_solutions_as_one_slide_twice_as_fast() -> None:
+    """Of six joints, with its branches by name."""
+    two = built("six", *TELESCOPES["six"])
+    rows = [row.replace("0 0 d1 0", "0 0 2*d1 0").replace("d1+0.2", "0.2") for row in TELESCOPES["six"]]
+    one = built("one", *rows)
+    pose = forward(two, [0.1, 0.2, 0.3, 0.4, 0.5, 0.6])
+    both = inverse(two, pose), inverse(one, pose)
+    assert both[0].q == pytest.approx(both[1].q, abs=1e-9)
+    assert both[0].branches == both[1].branches
+
+
+def test_what_is_asked_and_said_of_a_telescope_names_its_own_variables() -> None:
+    """One held, one to spare, and a path."""
+    robot = built("lift", *TELESCOPES["lift"])
+    pose = matrix(robot, [0.3, 0.5, 0.1])
+    assert len(inverse(robot, pose, hold={"q2": 0.5})) == 1
+    assert len(inverse(robot, pose[:3, 3], task="position")) == 2
+    spare = inverse(built("portal", *TELESCOPES["portal"]), [0.3, 0.2, 0.1], task="position")
+    assert spare.remarks == ("portal has 1 joint more than this needs: held q4 = 0°",)
+    wanted = np.array([[0.3 + 0.1 * k, 0.5, 0.01 * k] for k in range(40)])
+    assert follow(robot, forward_batch(robot, wanted), [0.3, 0.5, 0.0]).q == pytest.approx(wanted, abs=1e-9)
