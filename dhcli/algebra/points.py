@@ -22,6 +22,9 @@ CIRCLE = (-math.pi, math.pi)
 EITHER_SIDE = (-1.3, 1.3)
 """Coordinates and displacements, which have both signs."""
 
+WHOLE = (3.0, 12.0)
+"""What counts links, joints or freedoms of a small mechanism: whole numbers."""
+
 COUNT = 40
 """Points at which expressions are compared that no residue can hold."""
 

@@ -13,7 +13,7 @@ from typing import TypeAlias
 
 from dhcli.algebra.equality import CLOSE, agree
 from dhcli.algebra.floats import Floats
-from dhcli.algebra.points import Reach, all_round, general
+from dhcli.algebra.points import WHOLE, Reach, all_round, general
 from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
 from dhcli.notation.styles import THETAS, Joints
@@ -173,7 +173,7 @@ def _plain_points(typed: Expr, right: Expr, reach: Reach) -> Iterator[dict[str, 
 def _counterexample(typed: Expr, right: Expr, reach: Reach, same: Same) -> str:
     unreal = ""
     for drawn in chain(_plain_points(typed, right, reach), all_round((typed, right), reach)):
-        values = {name: round(value, PLAIN_DIGITS) for name, value in drawn.items()}
+        values = {name: round(value, 0 if reach.get(name) == WHOLE else PLAIN_DIGITS) for name, value in drawn.items()}
         over = Floats(values)
         one, other = over.value(typed), over.value(right)
         if not math.isfinite(other):

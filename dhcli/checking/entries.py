@@ -64,7 +64,8 @@ def read_entries(question: Wanted, exercise: Exercise, text: str, place: Place |
     body = without_label(as_matrix(text, question.shape))
     refuse_blanks(body)
     if question.shape == (3, 1):
-        body = as_column(with_points(body), exercise.scope, is_axis=question.piece == "axis")
+        is_axis = question.piece in ("axis", "vector") and not is_length(question, 0, 0)
+        body = as_column(with_points(body), exercise.scope, is_axis=is_axis)
     elif not body.lstrip().startswith(("[", "(", "{", "\\", "|")):
         body = f"[{body}]" if question.piece == "rotation" else body
     try:

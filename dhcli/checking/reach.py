@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from dhcli.algebra.points import CIRCLE, EITHER_SIDE, GENERAL, Reach
+from dhcli.algebra.points import CIRCLE, EITHER_SIDE, GENERAL, WHOLE, Reach
 from dhcli.checking.exercise import Exercise
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.robot import Robot, Value
@@ -19,7 +19,8 @@ def reach_of(exercise: Exercise) -> Reach:
     """The values that each name of an exercise can have [rad or m].
 
     Limits and ranges that are stated count. Else an angle goes all round the circle, a coordinate to either side, and
-    a length or a displacement has the sign that the robot gives it, or is positive, as books draw it.
+    a length or a displacement has the sign that the robot gives it, or is positive, as books draw it; what stands in
+    an exercise that counts is a number of things.
     """
     robot, scope = exercise.robot, exercise.scope
     known = {name: _of_name(exercise, name) for name in {*scope.names, *exercise.names, *exercise.given}}
@@ -32,7 +33,9 @@ def reach_of(exercise: Exercise) -> Reach:
 
 
 def _of_name(exercise: Exercise, name: str) -> tuple[float, float]:
-    """What is not a joint: an angle, a coordinate, or a length with its sign."""
+    """What is not a joint: a number of things, an angle, a coordinate, or a length with its sign."""
+    if exercise.robot is None and any("count" in part.question.words for part in exercise.parts):
+        return WHOLE
     if exercise.scope.is_angle(name):
         return CIRCLE
     if exercise.robot is not None and name in exercise.robot.parameters:

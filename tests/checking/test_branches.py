@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
 
+from dhcli import load_exercise
+from dhcli.checking.judge import Judge
 from dhcli.checking.verdicts import Verdict
 from tests.checking.mutated_kinds import FILES, exercise_of
 from tests.cli.running import run
@@ -114,3 +117,20 @@ def test_ranges_that_are_stated_count() -> None:
         "scalar sin(beta)", robot=None, given={"beta": "30°"}, variants={"beta": "20°..70° step 5°"}
     )
     assert mark(exercise, part, "sqrt(1 - cos(beta)^2)").verdict is Verdict.RIGHT
+
+
+@pytest.mark.parametrize(
+    ("exercise", "part", "answer"),
+    [
+        ("yim/planar-linkages", "grow", "3*n"),
+        ("yim/counting-freedoms", "gruebler", "lambda*(n - j) + j*f"),
+    ],
+)
+def test_numbers_of_things_are_tried_at_whole_numbers(exercise: str, part: str, answer: str) -> None:
+    """Nobody builds 0.6 links."""
+    judge = Judge(load_exercise(exercise))
+    asked = judge.exercise.part(part)
+    note = judge.check(asked, answer).cells[0].note
+    values = re.findall(r"\w+ = (-?[\d.]+)", note)
+    assert values, note
+    assert all(value.isdecimal() and int(value) >= 3 for value in values), note

@@ -18,6 +18,9 @@ from dhcli.regex import regex
 
 _LABEL = regex(r"[(\[]?([0-9]{1,3}|[a-z])[)\].:]{0,2}(?: (.+))?")
 
+LISTED = 240
+"""Characters that the statements together may have to be listed in a message."""
+
 _MARKS = ".,;:!?\"'“”‘’()[]"  # noqa: RUF001  as they are typed
 
 
@@ -69,8 +72,14 @@ class ChoiceQuestion(Question[int]):
         if len(found) > 1:
             raise UnreadableError(f"these words stand in {' and '.join(map(str, found))}: {wanted}")
         if not found or not 1 <= found[0] <= len(self.options):
-            raise UnreadableError(wanted)
+            raise UnreadableError(f"{wanted}{self._listed}")
         return found[0]
+
+    @property
+    def _listed(self) -> str:
+        """The statements, where all are short enough for a message."""
+        listed = " · ".join(self.options)
+        return f": {listed}" if len(listed) <= LISTED else ""
 
     def _worded(self, answer: str, *, whole: bool = False) -> list[int]:
         """The numbers of the statements that these words are; else, but for `whole`, of those in which they stand."""

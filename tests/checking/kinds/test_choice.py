@@ -62,3 +62,16 @@ def test_the_words_of_one_statement_are_its_number(answer: str, number: int) -> 
 def test_words_that_fit_none_or_several_are_not_guessed_at(answer: str) -> None:
     """Neither is a number whose words are those of another statement."""
     assert judged(answer).verdict in (Verdict.CANNOT_READ, Verdict.SKIPPED)
+
+
+def test_short_statements_are_listed_where_no_words_of_theirs_are_typed() -> None:
+    """A sheet does not always lie beside the message; long ones stand in the task."""
+    (remark,) = judged("left-handed").remarks
+    assert remark.endswith(
+        "write the words of one statement alone: Yes, because the axes are parallel · No; the axes meet in a point · "
+        'a singular pose, where "theta2 = 0" · not a singular pose · theta2 = -90°'
+    )
+    long = EXERCISE.replace("not a singular pose", "not a singular pose " + "at all " * 20)
+    exercise = read_exercise(long, "test.yaml", "test/words")
+    (remark,) = Judge(exercise).check(exercise.parts[0], "left-handed").remarks
+    assert remark.endswith("write the words of one statement alone")
