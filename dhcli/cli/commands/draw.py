@@ -202,7 +202,7 @@ def _written(content: str | bytes, output: str, *, overwrite: bool) -> str:
     """Write the file.
 
     Raises:
-        FileError: It exists already, or cannot be file_to_write.
+        FileError: It exists already, or cannot be written.
     """
     from dhcli.cli.shell.console import tell
     from dhcli.cli.shell.delivery import check_free
