@@ -17,6 +17,7 @@ from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Value
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import FULL_TURN, Angle
+from dhcli.notation.dimensions import has_units
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import (
     Bare,
@@ -162,7 +163,8 @@ def _as_asked(expr: Expr, right: Quantity, exercise: Exercise, bare: Bare) -> Qu
     except DimensionError as error:
         message, hint = error.message, error.hint
         if not right.is_length and message.endswith("a length is wanted"):
-            message, hint = message.replace("a length is", "a number is"), "leave the unit out"
+            message = message.replace("a length is", "a number is")
+            hint = "leave the unit out" if has_units(expr) else ""
         raise UnreadableError(message + (f" ({hint})" if hint else "")) from None
 
 

@@ -125,9 +125,9 @@ def in_turn(work: Callable[[Task], Result], tasks: Iterable[Task], *, jobs: int)
             worker.pipe.send(task)
         while (outcome := worker.outcome()) is None:  # its first word is that it is ready
             pass
+        idle.put(worker)  # one that has died, too: a thread that waits for anybody would never end
         if isinstance(outcome, Lost):
             raise DhcliError("a process that shared the work has died", "--jobs 1 needs the least memory")
-        idle.put(worker)
         return outcome  # type: ignore[no-any-return]
 
     try:

@@ -51,6 +51,8 @@ _SIGNS = {
     "¾": "(3/4)",
 }
 """What stands around vectors and in those of their axes, to the hat of k̂; and fractions in one sign."""
+_MIXED = regex(r"(?<![\w.,])([0-9]{1,30})([½⅓⅔¼¾])")
+"""A mixed number: 2½ is two and a half, not twice a half."""
 
 _SIDES = (3, 4)
 
@@ -79,7 +81,8 @@ def unstyled(text: str) -> str:
         return text
     from unicodedata import normalize  # few texts need it
 
-    return "".join(normalize("NFKC", one) if _STYLED.match(one) else _SIGNS.get(one, one) for one in text)
+    styled = "".join(normalize("NFKC", one) if _STYLED.match(one) else one for one in text)
+    return "".join(_SIGNS.get(one, one) for one in _MIXED.sub(r"(\1+\2)", styled))
 
 
 def equations(text: str) -> str:

@@ -293,3 +293,19 @@ def test_a_death_in_turn_ends_the_work_with_words() -> None:
     with pytest.raises(DhcliError, match="a process that shared the work has died"):
         next(results)
     assert set(active_children()) <= before
+
+
+def test_work_in_turn_ends_though_every_process_dies() -> None:
+    """Nobody is left who could do what waits, and nobody waits for that."""
+    results = in_turn(halved, range(1, 24, 2), jobs=2)
+    ended = threading.Thread(target=lambda: failed.append(_error_of(results)), daemon=True)
+    failed = list[Exception]()
+    ended.start()
+    ended.join(60)
+    assert [type(error) for error in failed] == [DhcliError]
+
+
+def _error_of(results: Iterator[object]) -> Exception:
+    with pytest.raises(DhcliError) as raised:
+        list(results)
+    return raised.value

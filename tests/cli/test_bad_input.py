@@ -228,6 +228,14 @@ def test_a_home_between_quotes_is_told_with_what_to_write(
         ("grade", ""),
         ("draw", "scara", "--in", ""),
         ("fk", "scara", "--pose", "pick", "--format", "json", "-o", ""),
+        ("fk", "scara", "--pose", "pick", "-o", ""),
+        ("new", "robot", "arm", "-o", ""),
+        ("new", "exercise", "swing", "--robot", "scara", "-o", ""),
+        ("new", "linkage", "press", "-o", ""),
+        ("start", "planar-two-links", "-o", ""),
+        ("schema", "robot", "-o", ""),
+        ("draw", "scara", "-o", ""),
+        ("sweep", "scara", "-o", ""),
     ],
 )
 def test_a_path_of_no_letters_is_not_the_folder_one_stands_in(
@@ -238,6 +246,7 @@ def test_a_path_of_no_letters_is_not_the_folder_one_stands_in(
     done = dhcli(*words)
     assert done.code == 2
     assert "the name is empty" in done.err + done.out
+    assert [path.name for path in tmp_path.iterdir()] == ["a.yaml"]
 
 
 @pytest.mark.parametrize(

@@ -35,7 +35,7 @@ _PLUS_MINUS = regex(r"\\pm|\+\s*/\s*-|\+-")
 _MINUS_PLUS = regex(r"\\mp|-\s*/\s*\+|-\+")
 _HALF_TURN_MORE = regex(r",?\s*or\s+180\s*°?\s*more\s*$")
 _OR = regex(r"\s+(?:or|and)\s+")
-_NEXT = regex(r"(?:,|,?\s+(?:with|where|and)\s)(?=\s*\\?[^\W\d][\w{}\\]{0,20}[ \t]{0,9}=(?!=))")
+_NEXT = regex(r"(?:,|,?\s+(?:with|where|and|or)\s)(?=\s*\\?[^\W\d][\w{}\\]{0,20}[ \t]{0,9}=(?!=))")
 """Between statements in one line: `D = ..., theta2 = ...`, `theta2 = ... with D = ...`."""
 
 _STATEMENT = regex(r"\s*(?P<name>\\?[^\W\d][\w{}\\()+ ]*?)\s*=(?!=)\s*(?P<rest>.*)", re.DOTALL)

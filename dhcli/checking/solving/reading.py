@@ -29,12 +29,14 @@ _LABEL = regex(r"(?P<name>[^\W\d]\w*)\s*=(?!=)")
 _TEXT = regex(r"\A\s*(?P<name>[^\W\d]\w*)\s*=\s*(?=\[)")
 _ABOUT = regex(r"(?<=\w)[ \t]*≈")
 _COLON = regex(r"(?<=\d)[ \t]*:(?=[ \t]*[(\d.+−-])")  # noqa: RUF001
-_ROW_LABEL = regex(r"(^|[;\n])[ \t]*(?:\(?(?:\d{1,2}|[a-h])\)|[A-Za-z][A-Za-z ]{1,30}:)[ \t]*(?=[(\[\w+.−-])")  # noqa: RUF001
-"""What stands before a row, `1)`, `b)` and `elbow up:`."""
+_ROW_LABEL = regex(
+    r"(^|[;\n])[ \t]*(?:\(?(?:1?\d|[a-h])\)|1?\d:|[A-Za-z][A-Za-z ]{1,30}(?: 1?\d)?:)[ \t]*(?=[(\[\w.]|[+−-][\d.(])"  # noqa: RUF001
+)
+"""What stands before a row, `1)`, `b)`, `Solution 1:` and `elbow up:`; a sign that stands apart is no row's."""
 
 _BETWEEN = regex(r",?[ \t]+(?:or|and)[ \t]+|[ \t]*\n[ \t]*(?:or|and)[ \t\n]+")
 _BETWEEN_NAMED = regex(rf"(?:{_BETWEEN.pattern})(?=[^\W\d]\w*[ \t]*=)")
-_UNIT_BEHIND = regex(r"[(\[](?P<values>[^()\[\]]*)[)\]]\s*(?P<unit>rad|deg|°)")
+_UNIT_BEHIND = regex(r"(?<![\w\])])[(\[](?P<values>[^()\[\]\n]{0,400})[)\]][ \t]{0,9}(?P<unit>rad|deg|°)(?!\w)")
 
 
 @frozen
@@ -75,7 +77,8 @@ def read_vectors(
         return [_vector(exercise, robot, joints, row) for row in rows]
     body = ";".join(line for line in text.splitlines() if line.strip(" ;,"))
     groups = _groups(body)
-    pieces = groups or (body.split(";") if several else [body])
+    lines = _lines(text, len(joints)) if several else []
+    pieces = groups or lines or (body.split(";") if several else [body])
     pieces = [with_points(piece, len(joints)) for piece in pieces]
     body = "; ".join(piece.replace(";", ",") if groups else piece for piece in pieces)
     rows = [[cell.expr for cell in row] for row in parse_matrix(_bracketed(body), exercise.scope, place)]
@@ -90,19 +93,30 @@ def read_vectors(
 
 
 def _tidied(text: str, joints: Sequence[str], *, several: bool) -> str:
-    """Without what people write around vectors: numbers and names of rows, `or` between them, a unit behind one."""
-    text = _ROW_LABEL.sub(r"\1", _COLON.sub("=", _ABOUT.sub("=", text.strip().rstrip(".")))).replace("≈", "")
+    """Without what people write around vectors: numbers and names of rows, `or` between them, a unit behind each."""
+    text = _COLON.sub("=", _ABOUT.sub("=", _ROW_LABEL.sub(r"\1", text.strip().rstrip(".")))).replace("≈", "")
     between = _BETWEEN_NAMED if _LABEL.search(text) else _BETWEEN
-    text = between.sub("; " if several else ", ", text)
-    behind = _UNIT_BEHIND.fullmatch(text.strip())
-    values = re.split(r"[,;]", behind["values"]) if behind else []
-    if behind and len(values) == len(joints):
-        return "; ".join(f"{value} {behind['unit']}" for value in values)
-    return text.strip()
+    text = between.sub("; " if several else ", ", text).strip()
+
+    def within(match: re.Match[str]) -> str:
+        values = re.split(r"[,;]", match["values"])
+        inside = ", ".join(f"{value} {match['unit']}" for value in values)
+        return f"({inside})" if len(values) == len(joints) else match[0]
+
+    return _UNIT_BEHIND.sub(within, text)
 
 
 def _bracketed(body: str) -> str:
     return body if body.startswith(("[", "\\begin")) else f"[{body}]"
+
+
+def _lines(text: str, count: int) -> list[str]:
+    """Rows as programs write them where 0,5 is a half: lines, each with semicolons between its values; else none."""
+    lines = [line.strip(" \t;") for line in text.splitlines() if line.strip(" ;,")]
+    rows = [with_points(line, count) if "," in line else line.replace(";", ",") for line in lines]
+    if len(lines) < 2 or any(line.count(";") != count - 1 or ";" in row for line, row in zip(lines, rows, strict=True)):  # noqa: PLR2004
+        return []
+    return rows
 
 
 def _groups(text: str) -> list[str]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import Overwrite, Untried, Variant, complete_pose, complete_robot
+from dhcli.cli.shell.options import Overwrite, Untried, Variant, complete_pose, complete_robot, file_to_write
 from dhcli.cli.shell.spreading import But
 from dhcli.errors import DhcliError
 
@@ -108,6 +108,7 @@ def draw(
             "-o",
             "--output",
             metavar="FILE",
+            callback=file_to_write,
             help="Write a file: .svg .tex .png .pdf .html, or .txt for letters.",
             rich_help_panel="Output",
         ),

@@ -10,7 +10,7 @@ import typer
 
 from dhcli.cli.app import Group, One
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import Overwrite
+from dhcli.cli.shell.options import Overwrite, file_to_write
 from dhcli.cli.shell.spreading import But, spread
 
 _OF_URDF = But(without=("robot", "q", "deg", "pose", "set_", "motors", "from_", "to", "tool"))
@@ -63,7 +63,11 @@ def robot(
     output: Annotated[
         str | None,
         typer.Option(
-            "-o", "--output", metavar="FILE", help="Where to write; ./robots/NAME.yaml by default, - is stdout."
+            "-o",
+            "--output",
+            metavar="FILE",
+            callback=file_to_write,
+            help="Where to write; ./robots/NAME.yaml by default, - is stdout.",
         ),
     ] = None,
     overwrite: Overwrite = False,
@@ -101,6 +105,7 @@ def exercise(
             "-o",
             "--output",
             metavar="FILE",
+            callback=file_to_write,
             help="Where to write; ./exercises/COURSE/NAME.yaml by default, - is stdout.",
         ),
     ] = None,
@@ -133,6 +138,7 @@ def linkage(
             "-o",
             "--output",
             metavar="FILE",
+            callback=file_to_write,
             help="Where to write; ./robots/linkages/NAME.yaml by default, - is stdout.",
         ),
     ] = None,

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from dhcli.cli.shell.options import Overwrite
+from dhcli.cli.shell.options import Overwrite, file_to_write
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -31,7 +31,14 @@ def schema(
     ],
     output: Annotated[
         str | None,
-        typer.Option("-o", "--output", metavar="FILE", help="Write to a file; - is stdout.", rich_help_panel="Output"),
+        typer.Option(
+            "-o",
+            "--output",
+            metavar="FILE",
+            callback=file_to_write,
+            help="Write to a file; - is stdout.",
+            rich_help_panel="Output",
+        ),
     ] = None,
     overwrite: Overwrite = False,
 ) -> None:

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from dhcli.cli.shell.options import ExerciseName, Variant
+from dhcli.cli.shell.options import ExerciseName, Variant, file_to_write
 
 EXAMPLES = """
 [bold]Examples[/]
@@ -24,7 +24,8 @@ def start(
     name: ExerciseName,
     variant: Variant = None,
     output: Annotated[
-        str | None, typer.Option("-o", "--output", metavar="FILE", help="Where to write it; - is stdout.")
+        str | None,
+        typer.Option("-o", "--output", metavar="FILE", callback=file_to_write, help="Where to write it; - is stdout."),
     ] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Overwrite the file.")] = False,
 ) -> None:

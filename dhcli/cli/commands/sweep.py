@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import Digits, EndPoint, Jobs, Overwrite, complete_joint, workers
+from dhcli.cli.shell.options import Digits, EndPoint, Jobs, Overwrite, complete_joint, file_to_write, workers
 
 if TYPE_CHECKING:
     import numpy as np
@@ -60,6 +60,7 @@ def sweep(
             "-o",
             "--output",
             metavar="FILE",
+            callback=file_to_write,
             help="Write all points to a file, joint values and position a row: .csv, .jsonl or .npy.",
             rich_help_panel="Output",
         ),

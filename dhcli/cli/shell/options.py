@@ -66,13 +66,27 @@ def format_option(*names: str) -> Any:  # noqa: ANN401  what typer makes of an o
     )
 
 
+def file_to_write(path: str | None) -> str | None:
+    """A file to write as it was typed.
+
+    Raises:
+        FileError: Its name is empty, which would pass for an option that is not given.
+    """
+    if path != "":
+        return path
+    from dhcli.errors import FileError, Place, Problem
+    from dhcli.storage.atomic import EMPTY
+
+    raise FileError(Problem(EMPTY, Place("-o"), "name a file"))
+
+
 def output_option(*suffixes: str) -> Any:  # noqa: ANN401  the same
     """`-o` for the files that a command writes."""
     return typer.Option(
         "-o",
         "--output",
         metavar="FILE",
-        callback=lambda path: None if path == "-" else path,  # standard output, as - is standard input
+        callback=lambda path: None if path == "-" else file_to_write(path),  # standard output, as - is standard input
         help=f"Write to a file; {' '.join(suffixes)} choose the format.",
         rich_help_panel="Output",
     )

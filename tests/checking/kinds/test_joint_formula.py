@@ -44,6 +44,7 @@ def judged(
         ("planar-2r", "angle theta2 of position", f"c2 = {COSINE}; s2 = ±sqrt(1 - c2^2); θ2 = atan2(s2, c2)"),
         ("planar-2r", "angle theta2 of position", f"D = {COSINE}, θ2 = atan2(±√(1 − D²), D)"),
         ("planar-2r", "angle theta2 of position", f"θ2 = atan2(±sqrt(1-D^2), D) with D = {COSINE}."),
+        ("planar-2r", "angle theta2 of position", f"theta2 = acos(D) or theta2 = -acos(D), D = {COSINE}"),
         ("planar-2r", "angle theta2 of position", f"θ2 = atan2(±sqrt(1-D^2), D)\nD = {COSINE}"),
         ("planar-2r", "angle theta2 of position", f"θ2 = acos({COSINE}), θ2 = -acos({COSINE})"),
         ("planar-2r", "angle theta2 of position", "\\theta_2 = \\pm\\arccos\\frac{p_x^2+p_y^2-a_1^2-a_2^2}{2a_1a_2}"),

@@ -114,12 +114,26 @@ def test_another_unit_of_joint_values_is_told_and_earns_its_share(answer: str, a
         "1) 2.4773°, 67.9757°\n2) 59.4502°, -67.9757°",
         "a) 2.4773°, 67.9757°; b) 59.4502°, -67.9757°",
         "elbow down: 2.4773°, 67.9757°\nelbow up: 59.4502°, -67.9757°",
+        "Solution 1: (2.4773°, 67.9757°)\nSolution 2: (59.4502°, -67.9757°)",
+        "1: theta1 = 2.4773°, theta2 = 67.9757°\n2: theta1 = 59.4502°, theta2 = -67.9757°",
+        "(2.4773, 67.9757) deg, (59.4502, -67.9757) deg",
+        "(0.04324, 1.18640) rad or (1.03760, -1.18640) rad",
+        "2,4773; 67,9757\n59,4502; -67,9757",
+        "2.4773; 67.9757\n59.4502; -67.9757",
         "θ1 = 2.4773°, θ2 = 67.9757° or θ1 = 59.4502°, θ2 = -67.9757°",
     ],
 )
 def test_several_solutions_are_read_as_people_type_them(answer: str) -> None:
-    """A row each, in round brackets or behind the names of the joints, with points or decimal commas between blanks."""
+    """A row each, in brackets, behind the names of joints or one of its own, with points or decimal commas."""
     assert judged(answer, f"{PLACE} all").verdict is Verdict.RIGHT
+
+
+@pytest.mark.parametrize(
+    "answer", ["(10) - 7.5227, 67.9757", "atan2(0.04324, 1) rad, 67.9757", "2*(1.23865)°, 67.9757"]
+)
+def test_brackets_of_a_sum_and_of_a_function_belong_to_the_value(answer: str) -> None:
+    """They are no number of a row, and no row with a unit behind it."""
+    assert judged(answer).verdict is Verdict.RIGHT
 
 
 @pytest.mark.parametrize(

@@ -129,7 +129,7 @@ def test_a_cell_in_another_unit_is_told() -> None:
     ("ask", "answer", "said"),
     [
         ("scalar 25", "25°", "deg is a unit of angle, a number is wanted (leave the unit out)"),
-        ("scalar 25", "asin(1/2)", "an inverse function is an angle, a number is wanted (leave the unit out)"),
+        ("scalar 25", "asin(1/2)", "an inverse function is an angle, a number is wanted"),
         ("scalar 2*a1", "25°", "deg is a unit of angle, a length is wanted (write 0.4 m or 400 mm)"),
         ("scalar 2*a1", "asin(1/2)", "an inverse function is an angle, a length is wanted (write 0.4 m or 400 mm)"),
         ("scalar 25°", "3 mm", "mm is a unit of length, an angle is wanted (write 30° or 0.5 rad)"),
@@ -139,3 +139,11 @@ def test_a_value_of_another_kind_is_told_what_is_wanted(ask: str, answer: str, s
     """A number has no unit, a length one of length."""
     found = mark(*exercise_of(ask, given={"a1": "0.4 m", "a2": "0.3 m"}, numeric=True), answer)
     assert (found.verdict, found.remarks) == (UNREAD, (said,))
+
+
+@pytest.mark.parametrize(
+    ("ask", "answer"), [("scalar 5/2", "2½"), ("scalar 5/2 m", "２½ m"), ("scalar 90.25°", "90¼°"), ("scalar 1/2", "½")]
+)
+def test_a_number_with_a_fraction_behind_it_is_a_mixed_one(ask: str, answer: str) -> None:
+    """Two and a half, and never twice a half."""
+    assert mark(*exercise_of(ask, numeric=True), answer).verdict is RIGHT
