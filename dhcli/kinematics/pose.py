@@ -180,7 +180,8 @@ class Pose(Generic[N]):
             A pose, or the point seen from the reference, a tuple of 3, or an array of points, shape (N, 3).
 
         Raises:
-            RobotError: The frames do not meet, one of two poses is in symbols, or a point has not three coordinates.
+            RobotError: The frames do not meet, one of two poses is in symbols, a point has not three coordinates, or
+                it is neither a pose nor a point.
             NotationError: A coordinate cannot be read.
         """
         if isinstance(other, Pose):
@@ -196,6 +197,11 @@ class Pose(Generic[N]):
             return self._with(product(self.rows, other.rows), self.reference, other.frame)
         if getattr(other, "ndim", 1) != 1:
             return self._of_points(other)  # type: ignore[arg-type]
+        if not hasattr(other, "__len__"):
+            raise RobotError(
+                f"{self.name} @ takes a pose or a point, not {other!r:.60}",
+                f"{self.name} @ (0, 0, 0.1), or the pose behind",
+            )
         if len(other) != 3:  # noqa: PLR2004
             raise RobotError(f"a point has three coordinates, not {len(other)}")
         point: Sequence[N] = coordinates(other) if self.is_symbolic else float_coordinates(other)  # type: ignore[assignment]

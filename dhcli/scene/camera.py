@@ -82,6 +82,25 @@ class Camera:
         return Camera(self.azimuth, self.elevation, self.right, self.up, self.towards, scale, centre, middle)
 
 
+def view_given(view: object) -> tuple[float, float]:
+    """A view as a name, a text or two numbers: azimuth and elevation in degrees.
+
+    Raises:
+        ViewError: It is none of them; the hint lists the names.
+    """
+    if isinstance(view, str):
+        return read_view(view)
+    pair = view if isinstance(view, tuple | list) else ()
+    try:
+        return read_view(",".join(str(float(angle)) for angle in pair))
+    except (TypeError, ValueError, OverflowError, ViewError):
+        raise ViewError(Problem(f"{view!r:.60} is no view", None, _known())) from None
+
+
+def _known() -> str:
+    return f"{', '.join(VIEWS)}, or azimuth and elevation in degrees such as 30,20"
+
+
 def read_view(text: str) -> tuple[float, float]:
     """A view by its name, or as azimuth and elevation in degrees, `30,20`.
 
@@ -91,7 +110,7 @@ def read_view(text: str) -> tuple[float, float]:
     word = text.strip().lower()
     if word in VIEWS:
         return VIEWS[word]
-    hint = f"{', '.join(VIEWS)}, or azimuth and elevation in degrees such as 30,20"
+    hint = _known()
     pieces = word.replace("°", "").split(",")
     if len(pieces) != 2:  # noqa: PLR2004  two angles
         near = did_you_mean(word, VIEWS)

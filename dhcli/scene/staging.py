@@ -206,7 +206,7 @@ def posed(robot: Robot, q: JointInput, pose: str | None, full: Values, bare: Bar
     if q is not None and pose is not None:
         raise RobotError("joint values and a pose are two answers to one question", "give one of the two")
     if pose is not None:
-        if pose not in robot.poses:
+        if pose not in tuple(robot.poses):  # a list is no key
             known = ", ".join(robot.poses) or "it has none"
             raise RobotError(f"{robot.name} has no pose called {pose}", f"poses: {known}")
         return f"pose {pose}", dict(zip(robot.variables, robot.poses[pose], strict=True))

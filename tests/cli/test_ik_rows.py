@@ -118,6 +118,32 @@ def test_what_cannot_be_read_is_refused_with_2(
     assert said in done.err
 
 
+FLAT = """format: 1
+title: flat arm whose third joint undoes the second
+source: made for the tests
+convention: standard
+variables: [q1, q2, q3]
+links:
+  - {a: 0.4, alpha: 0, d: 0, theta: q1}
+  - {a: 0.3, alpha: 0, d: 0, theta: q2}
+  - {a: 0.3, alpha: 0, d: 0, theta: -q2}
+  - {a: 0.2, alpha: 0, d: 0, theta: q3}
+"""
+
+
+def test_rows_that_may_not_be_all_are_said_to_be_so(dhcli: Run, tmp_path: Path) -> None:
+    """Four moves by three variables in a plane; once for all rows, and not where one is held."""
+    robot = tmp_path / "flat.yaml"
+    robot.write_text(FLAT, encoding="utf-8")
+    poses = dhcli("fk", str(robot), "--in", "-", stdin="0.3,0.5,0.1\n0.2,0.6,0.7\n").out
+    told = dhcli("ik", str(robot), "--in", "-", stdin=poses)
+    assert len(told.out.splitlines()) == 5
+    assert told.err.count("4 moves by 3 variables: looked for from many places, which may not find all") == 1
+    held = dhcli("ik", str(robot), "--in", "-", "--hold", "q1=0.3", stdin=poses)
+    assert held.err.count("which may not find all") == 0
+    assert [line.split(",")[0] for line in held.out.splitlines()] == ["row", "2"]
+
+
 def circle(turns: float, radius: float = 0.15) -> str:
     """Points on a circle around (0.35, 0), as CSV."""
     angles = np.linspace(0, 2 * np.pi * turns, 40)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -170,3 +172,12 @@ def test_values_are_put_into_sympy_by_its_own_symbols() -> None:
     put_in = pose.to_sympy().subs({pose.sympy_symbols["theta1"]: 0, pose.sympy_symbols["theta2"]: 0})
     assert str(put_in[0, 3]) == "a1 + a2"
     assert sorted(pose.sympy_symbols) == ["a1", "a2", "theta1", "theta2"]
+
+
+@pytest.mark.parametrize("other", [3, None, 2.5, object(), load_robot("scara")])
+def test_what_is_neither_a_pose_nor_a_point_is_refused_in_words(other: Any) -> None:  # noqa: ANN401  anything else
+    """With what would be taken."""
+    pose = forward(load_robot("scara"), [0.1, 0.2, 0.05])
+    with pytest.raises(RobotError, match="takes a pose or a point, not") as caught:
+        pose @ other
+    assert caught.value.problems[0].hint.endswith("@ (0, 0, 0.1), or the pose behind")

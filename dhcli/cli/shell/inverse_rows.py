@@ -81,7 +81,7 @@ def inverse_rows(wanted: PoseWish, path: str, delivery: RowDelivery, bad: list[P
     """
     joints = Group.named("q", {name: name for name in wanted.robot.variables})
     blocks, jobs = wanted.blocks(path, bad), wanted.workers(path)
-    total = lost = 0
+    total, lost, said = 0, 0, ""
     with (
         delivery.open(Layout((INDEX, joints))) as sink,
         row_progress(sys.stderr, wanted=delivery.is_away) as tell,
@@ -92,13 +92,16 @@ def inverse_rows(wanted: PoseWish, path: str, delivery: RowDelivery, bad: list[P
                 raise FileError(outcome)
             total += outcome.poses
             lost += outcome.lost
+            said = said or outcome.said
             if outcome.count:
                 sink.take(outcome.spelled, outcome.count)
             if not sink.wanted:
                 return lost
             tell(total, None)
+    paper = Paper.of(sys.stderr)
+    if said:
+        say(warning_line(said, paper))
     if lost:
-        paper = Paper.of(sys.stderr)
         say(warning_line(f"{lost} of {plural(total, 'pose')} have no solution, and no row", paper))
     return lost
 
@@ -112,12 +115,14 @@ class _Rows:
         lost: How many of them have none.
         count: How many rows there are of the others.
         spelled: The rows as they are written.
+        said: What a reader should know of them, if anything.
     """
 
     poses: int
     lost: int
     count: int
     spelled: str | NDArray[np.float64]
+    said: str
 
 
 def _shared(
@@ -146,7 +151,7 @@ def _solved(
     except RobotError as error:
         return [Problem(p.message, Place(source, places[0]), p.hint) for p in error.problems]
     lost = len(poses) - len(set(index.tolist()))
-    return _Rows(len(poses), lost, len(q), spell(numbered(places, index, q)))
+    return _Rows(len(poses), lost, len(q), spell(numbered(places, index, q)), wanted.said(poses))
 
 
 @frozen

@@ -95,6 +95,17 @@ class PoseWish:
             parameters=self.lengths,
         )
 
+    def said(self, poses: NDArray[np.float64]) -> str:
+        """What a reader should know of their solutions, if anything."""
+        from dhcli.kinematics.coupling import is_coupled
+
+        if not is_coupled(self.robot):
+            return ""
+        from dhcli.kinematics.inverse.coupled import said_of_many  # few robots are
+
+        seen = {"start": self.start, "end": self.end}
+        return said_of_many(self.robot, task=self.task_of(poses), hold=self.hold, parameters=self.lengths, **seen)
+
 
 def rotations(
     poses: NDArray[np.float64], places: list[int], path: str, bad: list[Problem]

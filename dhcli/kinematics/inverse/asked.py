@@ -84,7 +84,8 @@ def inverse(  # noqa: PLR0913  what may be asked of a pose
     """
     check_robot(robot)
     if is_coupled(robot):
-        from dhcli.kinematics.inverse.coupled import Carried, through  # few robots are
+        from dhcli.kinematics.inverse.carried import Carried  # few robots are
+        from dhcli.kinematics.inverse.coupled import through  # few robots are
 
         carried = Carried.of(robot, parameters, start, end)
         if carried is not None:

@@ -10,6 +10,7 @@ import numpy as np
 from dhcli.errors import RobotError, did_you_mean
 from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.forward import Given
+from dhcli.kinematics.inverse.asked import inverse
 from dhcli.kinematics.inverse.question import Question, ask
 from dhcli.kinematics.inverse.running import run
 from dhcli.kinematics.inverse.solutions import turning_joints
@@ -83,13 +84,14 @@ def inverse_batch(  # noqa: PLR0913  what may be asked of poses
     check_robot(robot)
     check_threads(threads)
     if is_coupled(robot):
-        from dhcli.kinematics.inverse.coupled import Carried, through_many  # few robots are
+        from dhcli.kinematics.inverse.carried import Carried  # few robots are
+        from dhcli.kinematics.inverse.coupled import through_many  # few robots are
 
         carried = Carried.of(robot, parameters, start, end)
         if carried is not None:
             asked: dict[str, object] = {"task": task, "near": near, "hold": hold, "start": start, "end": end}
             asked |= {"parameters": parameters, "tolerance": tolerance, "threads": threads}
-            return through_many(inverse_batch, carried, T, each, within_limits=within_limits, **asked)
+            return through_many(inverse_batch, inverse, carried, T, each, within_limits=within_limits, **asked)
     question, held = ask(
         robot, task, near=near, hold=hold, start=start, end=end, parameters=parameters, tolerance=tolerance
     )

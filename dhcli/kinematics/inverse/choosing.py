@@ -27,7 +27,7 @@ def chosen(arm: Arm, task: Task, asked: tuple[int, ...]) -> Kept:
     Raises:
         RobotError: No choice leaves joints that can be computed.
     """
-    spare = arm.joints - _rank(arm, task)
+    spare = arm.joints - rank(arm, task)
     fallback: Kept | None = None
     for more in islice(_choices(arm, task, asked, spare), _CHOICES):
         try:
@@ -56,14 +56,14 @@ def _choices(arm: Arm, task: Task, asked: tuple[int, ...], spare: int) -> Iterat
     wanted = arm.joints - spare
     doubtful = []
     for more in combinations(others, missing):
-        if len(asked) > spare or _rank(arm, task, (*asked, *more)) == wanted:
+        if len(asked) > spare or rank(arm, task, (*asked, *more)) == wanted:
             yield more
         else:
             doubtful.append(more)
     yield from doubtful
 
 
-def _rank(arm: Arm, task: Task, held: tuple[int, ...] = ()) -> int:
+def rank(arm: Arm, task: Task, held: tuple[int, ...] = ()) -> int:
     """How many conditions the joints can meet in an ordinary pose, those held left out."""
     motions = 2.6 * spread(3, arm.joints, 7) - 1.3
     motions[:, list(held)] = 0

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from dhcli.kinematics.inverse.arm import Array, Ints
-    from dhcli.kinematics.inverse.coupled import Carried
+    from dhcli.kinematics.inverse.carried import Carried
 
 JUMP = 4.0
 """A step this many times as long as both its neighbours is a jump to another branch."""
@@ -106,7 +106,7 @@ def follow(  # noqa: PLR0913  what may be asked of a path
     if near is None:
         raise RobotError("a path needs joint values to begin near to", "give near=")
     if is_coupled(robot):
-        from dhcli.kinematics.inverse.coupled import Carried  # few robots are
+        from dhcli.kinematics.inverse.carried import Carried  # few robots are
 
         carried = Carried.of(robot, parameters, start, end)
         if carried is not None:

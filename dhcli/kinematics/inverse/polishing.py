@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
-    from dhcli.kinematics.inverse.arm import Arm, Array, Axis
+    from dhcli.kinematics.inverse.arm import Arm, Array, Axis, Ints
     from dhcli.kinematics.inverse.tasks import Task
 
 STEPS = 12
@@ -130,7 +130,9 @@ def jacobian(arm: Arm, task: Task, values: Array) -> tuple[Array, Array]:
     return total, np.concatenate(rows, axis=1)
 
 
-def polished(arm: Arm, task: Task, values: Array, goal: Array, still: tuple[int, ...] = ()) -> tuple[Array, Array]:
+def polished(
+    arm: Arm, task: Task, values: Array, goal: Array, still: tuple[int, ...] = (), mix: Array | None = None
+) -> tuple[Array, Array]:
     """Joint motions led to the pose by Newton's steps.
 
     Args:
@@ -138,7 +140,8 @@ def polished(arm: Arm, task: Task, values: Array, goal: Array, still: tuple[int,
         task: What is wanted.
         values: Motions of the joints to begin with, shape (N, n).
         goal: What the product of the motions should be, shape (N, 4, 4).
-        still: Joints that keep their values.
+        still: Joints that keep their values; where motions are mixed, variables that do.
+        mix: Motions for each unit of variables that move them together, shape (n, k); by default each moves alone.
 
     Returns:
         The motions, and the residual of each row, shape (N,).
@@ -146,6 +149,8 @@ def polished(arm: Arm, task: Task, values: Array, goal: Array, still: tuple[int,
     best, now = values.copy(), values.copy()
     least, astray = np.full(len(values), np.inf), np.zeros(len(values), dtype=int)
     active = np.arange(len(values))
+    turning = arm.turning[: values.shape[1]]
+    slides = np.flatnonzero(~turning if mix is None else ~(mix[turning] != 0).any(axis=0))
     for _ in range(STEPS):
         total, slope = jacobian(arm, task, now[active])
         found = residuals(task, arm.home, total, goal[active])
@@ -158,15 +163,16 @@ def polished(arm: Arm, task: Task, values: Array, goal: Array, still: tuple[int,
         active, total, slope = active[going], total[going], slope[going]
         if not len(active):
             break
+        slope = slope if mix is None else slope @ mix
         slope[:, :, list(still)] = 0
         error = left_to_do(task, total @ arm.home, goal[active] @ arm.home)
-        now[active] += _step(arm, task, slope, error, extent(arm, now[active]))
+        step = _step(slides, task, slope, error, extent(arm, now[active]))
+        now[active] += step if mix is None else step @ mix.T
     return best, least
 
 
-def _step(arm: Arm, task: Task, slope: Array, error: Array, unit: Array) -> Array:
+def _step(slides: Ints, task: Task, slope: Array, error: Array, unit: Array) -> Array:
     """Newton's step, shape (N, n), computed with lengths in units (N,) that make them like angles in size."""
-    slides = np.flatnonzero(~arm.turning[: slope.shape[2]])
     if len(slides):
         slope[:, :, slides] *= unit[:, None, None]
         if task.place:

@@ -11,11 +11,12 @@ from typing import TYPE_CHECKING, Any
 from dhcli.errors import DhcliError, RobotError, UnknownNameError
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.sweep.workspace import Workspace
-from dhcli.kinematics.values import JointInput, given_parameters
+from dhcli.kinematics.values import JointInput, given_parameters, joint_values
 from dhcli.mobility.linkage import Linkage
-from dhcli.scene.camera import read_view
+from dhcli.scene.camera import view_given
 from dhcli.scene.drawing import Drawing
 from dhcli.scene.motion import Path as Rows
+from dhcli.scene.staging import posed
 
 if TYPE_CHECKING:
     from dhcli.render.paper import Paper as Letters
@@ -171,7 +172,7 @@ def draw(  # noqa: PLR0913  a figure has as many sides
         The picture: shown by a notebook, or saved with `save("arm.svg")`; also .tex, .png, .pdf, .html and .txt.
 
     Raises:
-        RobotError: A joint has no value, or there is no such pose.
+        RobotError: A joint has no value or there are too many, or there is no such pose.
         ViewError: There is no such view.
     """
     if not isinstance(what, Robot | Linkage):
@@ -180,10 +181,20 @@ def draw(  # noqa: PLR0913  a figure has as many sides
     if size is not None:
         check_size(size)
     given = given_parameters(what, parameters) if parameters is not None and isinstance(what, Robot) else None
-    seen = read_view(view) if isinstance(view, str) else view
+    seen = None if view is None else view_given(view)
+    if isinstance(what, Robot):
+        _check_poses(what, q, pose, to)
     moving: dict[str, Any] = {"to": to, "path": _rows(what, path)}
     other: dict[str, Any] = {"beside": beside, "workspace": workspace}
     return Picture(what, q, pose, seen, size, dark, worksheet, table, given, **moving, **other)
+
+
+def _check_poses(robot: Robot, q: JointInput, pose: str | None, to: JointInput) -> None:
+    """Refuse joint values that a robot does not have, before a notebook shows the picture."""
+    if q is not None or pose is not None:
+        posed(robot, q, pose, {}, "rad")
+    if to is not None:
+        joint_values(robot, to)
 
 
 def _rows(what: Robot | Linkage, path: Rows) -> Rows:

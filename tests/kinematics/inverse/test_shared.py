@@ -28,6 +28,21 @@ TELESCOPES = {
 """Variables, and rows of a, alpha, d and theta; moves by one variable come to one motion."""
 
 
+COUPLED = {
+    "level-hand": ("q1 q2 q3", "0 90° 0.4 q1", "0.5 0 0 q2", "0.4 0 0 -q2", "0.3 0 0 q3"),
+    "slides-apart": ("q1 d2 q3", "0 90° 0.3 q1", "0 90° d2+0.2 0", "0.1 45° d2/2 30°", "0.2 0 0 q3"),
+    "halves": ("q1 q2 d3", "0 0 0.1 q1", "0.5 0 0 q2/2", "0.4 0 0 -q2/2", "0.2 90° 0 q2", "0 0 d3 0"),
+    "flat": ("q1 q2 q3", "0.4 0 0 q1", "0.3 0 0 q2", "0.3 0 0 -q2", "0.2 0 0 q3"),
+    "folding": ("q1 q2", "0.3 0 0 q1", "0.3 0 0 2*q1", "0.3 0 0 q2", "0.3 0 0 q2"),
+    "palletizer": ("q1 q2 q3 q5", "0.1 90° 0.4 q1", "0.6 0 0 q2", "0.5 0 0 q3-q2", "0.1 90° 0 -q3", "0 0 0.1 q5"),
+    "lift-to-spare": ("q1 q2 q3 d4 q5", "0.1 90° 0.4 q1", "0.6 0 0 q2", "0.5 0 0 q3-q2", "0.1 90° 0 -q3", "0 0 d4 0",
+                      "0 0 d4+0.1 0", "0.05 0 0 q5"),
+    "eight-moves": ("q1 q2 q3 q4 q5 q6", "0 90° 0.4 q1", "0.6 0 0 q2", "0.2 0 0 -q2", "0.5 0 0 q3", "0.1 90° 0 -q3",
+                    "0 -90° 0.4 q4", "0 90° 0 q5", "0 0 0.1 q6"),
+}  # fmt: skip
+"""The same of arms whose variables make moves that are not one motion."""
+
+
 def built(name: str, variables: str, *rows: str) -> Robot:
     """The robot of a table."""
     links = []
@@ -87,3 +102,69 @@ def test_what_is_asked_and_said_of_a_telescope_names_its_own_variables() -> None
     assert spare.remarks == ("portal has 1 joint more than this needs: held q4 = 0°",)
     wanted = np.array([[0.3 + 0.1 * k, 0.5, 0.01 * k] for k in range(40)])
     assert follow(robot, forward_batch(robot, wanted), [0.3, 0.5, 0.0]).q == pytest.approx(wanted, abs=1e-9)
+
+
+@pytest.mark.parametrize("name", COUPLED)
+def test_values_that_made_a_pose_of_a_coupled_arm_come_back_at_any_pose(name: str) -> None:
+    """At random, and in multiples of 45°, where a family goes through them; what may not be all is said to be so."""
+    robot = built(name, *COUPLED[name])
+    q = np.random.default_rng(8).uniform(-1.3, 1.3, (6, len(robot.variables)))
+    q[4:] = np.where(turning_joints(robot), np.round(q[4:] / (np.pi / 4)) * np.pi / 4, q[4:])
+    poses = forward_batch(robot, q)
+    values, index = inverse_batch(robot, poses)
+    for k, row in enumerate(q):
+        found = inverse(robot, poses[k])
+        assert max(np.abs(matrix(robot, other) - poses[k]).max() for other in found) < 1e-12
+        assert sorted(np.round(values[index == k], 6).tolist()) == sorted(np.round(found.q, 6).tolist())
+        free = [way.joint for ways in found.free for way in ways]
+        free += [joint for joint, _ in found.held]
+        hold = {joint: float(row[robot.variables.index(joint)]) for joint in free}
+        assert apart(robot, inverse(robot, poses[k], hold=hold).q if free else found.q, row) < 1e-6
+        assert {way for ways in found.free for each in ways for way in each.joints} <= set(robot.variables)
+        assert bool(found.held) is (name == "lift-to-spare")
+
+
+def test_what_is_found_by_trying_is_said_to_be_perhaps_not_all() -> None:
+    """And of an arm that is solved for move by move nothing of the kind."""
+    tried, solved = (built(name, *COUPLED[name]) for name in ("flat", "level-hand"))
+    pose = matrix(tried, [0.3, 0.5, 0.1])
+    assert inverse(tried, pose).remarks == (
+        "4 moves by 3 variables: looked for from 144 places, which may not find all",
+    )
+    assert inverse(solved, forward(solved, [0.3, 0.5, 0.1])).remarks == ()
+    pose[0, 3] += 2
+    assert "nothing that was tried leads there" in inverse(tried, pose).why
+    pose[2, 3] = 0.1
+    assert inverse(tried, pose).why == "z must be 0 m, is 0.1 m"
+
+
+def test_solutions_of_a_flat_coupled_arm_are_those_of_its_geometry() -> None:
+    """Of a rhombus that keeps the hand parallel: the wrist is on a circle about the end of the upper arm.
+
+    With u = q2 and the hand at angle q1 + q3, the point less the hand is 0.4 and 0.3 along q1, and 0.3 along q1 + q2.
+    """
+    robot = built("flat", *COUPLED["flat"])
+    for q1, u, q3 in np.random.default_rng(2).uniform(-1.5, 1.5, (6, 3)):
+        pose = matrix(robot, [q1, u, q3])
+        x, y = pose[:2, 3] - 0.2 * pose[:2, 0]
+        cosine = (x * x + y * y - 0.7**2 - 0.3**2) / (2 * 0.7 * 0.3)
+        wanted = []
+        for turn in (np.arccos(cosine), -np.arccos(cosine)):
+            first = np.arctan2(y, x) - np.arctan2(0.3 * np.sin(turn), 0.7 + 0.3 * np.cos(turn))
+            wanted.append([first, turn, np.arctan2(pose[1, 0], pose[0, 0]) - first])
+        found = inverse(robot, pose).q
+        assert len(found) == 2
+        assert max(apart(robot, found, row) for row in np.array(wanted)) < 1e-9
+
+
+def test_variables_to_spare_of_a_coupled_arm_are_held_and_may_be_chosen() -> None:
+    """By a position alone the hand is free, and its family is sampled."""
+    robot = built("flat", *COUPLED["flat"])
+    place = matrix(robot, [0.3, 1.9, 0.1])[:3, 3]
+    found = inverse(robot, place, task="position")
+    assert found.remarks[0] == "flat has 1 joint more than this needs: held q3 = 0°"
+    assert apart(robot, inverse(robot, place, task="position", hold={"q2": 1.9}).q, [0.3, 1.9, 0.1]) < 1e-9
+    many = inverse(robot, place, task="position", family=5)
+    assert len(np.unique(np.round(many.q[:, 2], 6))) > 1
+    for q in many:
+        assert matrix(robot, q)[:3, 3] == pytest.approx(place, abs=1e-12)

@@ -1,0 +1,44 @@
+"""What is drawn is looked at when it is asked for: a notebook would show the error as a traceback of its own."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from dhcli import draw, load_robot
+from dhcli.errors import DhcliError
+
+ARM = load_robot("planar-2r")
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({"q": [0.1]}, "planar-2r has 2 joints, 1 value given"),
+        ({"q": [0.1, 0.2, 0.3]}, "planar-2r has 2 joints, 3 values given"),
+        ({"q": {"theta9": 1}}, "planar-2r has no joint theta9"),
+        ({"q": 3}, "3 is no list of joint values"),
+        ({"q": "nowhere"}, "has no pose called nowhere"),
+        ({"q": [0.1, 0.2], "pose": "zero"}, "two answers to one question"),
+        ({"pose": "nowhere"}, "has no pose called nowhere"),
+        ({"pose": [0.1, 0.2]}, "has no pose called"),
+        ({"to": [0.1]}, "planar-2r has 2 joints, 1 value given"),
+        ({"view": 3}, "3 is no view"),
+        ({"view": (30, 20, 10)}, "is no view"),
+        ({"view": (30, 100)}, "is no view"),
+        ({"view": ("a", 20)}, "is no view"),
+        ({"view": "sideways"}, "there is no view 'sideways'"),
+    ],
+)
+def test_what_no_picture_can_show_is_refused_at_once(given: dict[str, Any], said: str) -> None:
+    """In words, before anything is drawn."""
+    with pytest.raises(DhcliError) as caught:
+        draw(ARM, **given)
+    assert said in str(caught.value)
+
+
+@pytest.mark.parametrize("view", ["front", "30,20", (30, 20), [30.0, 20], None])
+def test_a_view_is_a_name_or_two_angles(view: Any) -> None:  # noqa: ANN401  what a notebook may hand over
+    """As text or as numbers."""
+    assert draw(ARM, [0.1, 0.2], view=view).svg().startswith("<svg")
