@@ -10,7 +10,7 @@ from __future__ import annotations
 import shlex
 from abc import abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import field
+from dataclasses import field, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
@@ -85,6 +85,10 @@ class Memo:
                 known.clear()
             known[key] = make()
         return known[key]
+
+    def in_unit(self, unit: str) -> Memo:
+        """What is worked out for the same exercise with a sheet in another unit."""
+        return self.of(("in unit", unit), lambda: Memo(replace(self.exercise, unit=unit)))
 
 
 class Question(Asking, Generic[T]):
@@ -404,6 +408,13 @@ class Exercise:
     def metres(self) -> Fraction:
         """Metres in a bare length of the sheet; 1 where the task has no unit."""
         return LENGTH_UNITS.get(self.unit, Fraction(1))
+
+    @property
+    def other_units(self) -> tuple[str, ...]:
+        """Units that somebody may have typed bare lengths in instead of that of the sheet; none where it has none."""
+        if self.unit not in LENGTH_UNITS:
+            return ()
+        return tuple(unit for unit in ("mm", "cm", "m") if unit != self.unit)
 
     def on_sheet(self, length: Expr) -> Expr:
         """A length in metres as it is written on the sheet: its bare numbers are in the unit of that."""

@@ -3,21 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import partial
 
 from dhcli.checking.entries import Entries, in_unit_of
 from dhcli.checking.exercise import Memo
 from dhcli.checking.numeric import limits_of, mark_numbers
 from dhcli.checking.pasted import WrongUnitError
-from dhcli.checking.tolerance import Tolerance
+from dhcli.checking.tolerance import CLEAR, Tolerance
 from dhcli.checking.truth import Truth, is_length
 from dhcli.checking.verdicts import IN_OTHER_UNIT, UNSOLVED, Mark, Verdict
 from dhcli.checking.wanted import Wanted
 
 SOLVED = (Verdict.RIGHT, Verdict.ROUNDED)
-
-CLEAR = 10
-"""Tolerances above which a length is right in another unit by no chance: near zero many are."""
 
 
 def mark_measured(question: Wanted, truth: Truth, entries: Entries, memo: Memo, tolerance: Tolerance) -> Mark:
@@ -35,7 +31,7 @@ def mark_measured(question: Wanted, truth: Truth, entries: Entries, memo: Memo, 
     """
     exercise = memo.exercise
     judged = mark_numbers(question, truth, entries, exercise, tolerance)
-    if judged.verdict in UNSOLVED and exercise.unit != "none":
+    if judged.verdict in UNSOLVED:
         return _in_other_unit(question, truth, entries, memo, tolerance, judged) or judged
     return judged
 
@@ -62,7 +58,7 @@ def _in_other_unit(
 
 def plain_unit(question: Wanted, truth: Truth, entries: Entries, memo: Memo, tolerance: Tolerance) -> str:
     """The unit, not that of the sheet, in which the lengths of a wrong answer plainly are; empty if there is none."""
-    if memo.exercise.unit == "none" or truth.numbers is None:
+    if truth.numbers is None:
         return ""
     return _plain_unit(question, truth, entries, memo, tolerance)[0]
 
@@ -75,12 +71,11 @@ def _plain_unit(
 
     def found() -> tuple[str, Mark | None]:
         here = own or mark_numbers(question, truth, entries, exercise, tolerance)
-        for unit in ("mm", "cm", "m"):
-            if unit != exercise.unit:
-                there = memo.of(("in unit", unit), partial(replace, exercise, unit=unit))
-                other = mark_numbers(question, truth, in_unit_of(question, entries, there), there, tolerance)
-                if _is_plainly(question, truth, here, other, tolerance):
-                    return unit, other
+        for unit in exercise.other_units:
+            there = memo.in_unit(unit).exercise
+            other = mark_numbers(question, truth, in_unit_of(question, entries, there), there, tolerance)
+            if _is_plainly(question, truth, here, other, tolerance):
+                return unit, other
         return "", None
 
     return memo.recent(("plain unit", question, tolerance), entries, found)

@@ -129,8 +129,8 @@ def _verdict_in_unit(
         if _verdict(exercise, in_radians, right, answer.expr, tolerance) is Verdict.RIGHT:
             shown = spelled_value(right, exercise)
             raise WrongUnitError("radians", f"a bare angle is in degrees: write {shown} or {answer.text} rad")
-    if right.is_length and exercise.unit != "none" and verdict in UNSOLVED:
-        for unit in (one for one in ("mm", "cm", "m") if one != exercise.unit):
+    if right.is_length and verdict in UNSOLVED:
+        for unit in exercise.other_units:
             there = replace(exercise, unit=unit)
             moved = _as_asked(answer.expr, right, there, "deg")
             if moved != typed and _verdict(there, moved, right, answer.expr, tolerance) not in UNSOLVED:

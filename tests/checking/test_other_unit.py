@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import itertools
+from pathlib import Path
+
 import pytest
 
+from dhcli.checking.judge import Judge
 from dhcli.checking.verdicts import Mark, Verdict
+from dhcli.files.yaml.exercises import load_exercise
 from tests.checking.mutated_kinds import exercise_of
 from tests.judging import checked
 
@@ -88,3 +93,31 @@ def test_what_is_right_in_no_other_unit_is_judged_as_it_is(answer: str) -> None:
     mark = judged(answer)
     assert mark.verdict is Verdict.WRONG
     assert not any(remark.startswith("the lengths are in") for remark in mark.remarks)
+
+
+ARM = """format: 1
+title: Planar arm in numbers
+source: a test
+convention: standard
+variables: [theta1, theta2]
+links:
+  - {a: 400 mm, alpha: 0, d: 0, theta: theta1}
+  - {a: 300 mm, alpha: 0, d: 0, theta: theta2}
+"""
+ASKED = {
+    "position of pose 0..2": "(0.4241, 0.4898, 0)",
+    "angle theta2 of position": "±acos((px^2 + py^2 - 0.25)/0.24)",
+    "jacobian linear of 0..2": "[-0.4898 -0.2898; 0.4241 0.0776; 0 0]",
+}
+
+
+@pytest.mark.parametrize("order", list(itertools.permutations(ASKED)))
+def test_parts_of_one_exercise_are_read_in_another_unit_in_any_order(tmp_path: Path, order: tuple[str, ...]) -> None:
+    """What is kept for one kind of question is no hindrance to another."""
+    (tmp_path / "arm.yaml").write_text(ARM, "utf-8")
+    parts = "".join(f"  - {{id: p{k}, ask: {ask}}}\n" for k, ask in enumerate(order))
+    text = "format: 1\ntitle: t\nsource: s\nrobot: ./arm.yaml\nnumeric: true\nunit: mm\ntask: t\n"
+    (tmp_path / "one.yaml").write_text(f"{text}given: {{theta1: 30°, theta2: 45°}}\nparts:\n{parts}", "utf-8")
+    judge = Judge(load_exercise(tmp_path / "one.yaml"))
+    for part, ask in zip(judge.exercise.parts, order, strict=True):
+        assert judge.judged(part, ASKED[ask]).mark.remarks == ("right in m; this sheet is in mm",), ask

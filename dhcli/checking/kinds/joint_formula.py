@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
-from functools import partial
 from typing import ClassVar, Self
 
 from dhcli.checking.diagnosis.result import Slip
-from dhcli.checking.exercise import Case, Exercise, Memo, Question
+from dhcli.checking.exercise import Case, Exercise, Question
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.pasted import UnreadableError, WrongUnitError
 from dhcli.checking.returned import Causes, Reading, Shown
@@ -145,11 +143,8 @@ class JointFormulaQuestion(Question[Formula]):
 
     def _other_unit(self, case: Case, reading: Reading[Formula]) -> str:
         """The unit in which all numbers of a wrong formula are right lengths, if there is one."""
-        exercise, bare = case.exercise, reading.value.has_measures
-        for unit in ("mm", "cm", "m") if bare and exercise.unit not in ("none", "") else ():
-            if unit == exercise.unit:
-                continue
-            there = Case(case.part, case.memo.of(("in unit", unit), partial(Memo, replace(exercise, unit=unit))))
+        for unit in case.exercise.other_units if reading.value.has_measures else ():
+            there = Case(case.part, case.memo.in_unit(unit))
             formula = self.read(there, reading.text)
             if covering.tried(formula, self._cases(there), self._asked, self._derivation(there).robot).is_right:
                 return unit

@@ -12,15 +12,12 @@ from dhcli.checking.motion.grid import Grid, scale_of, typed
 from dhcli.checking.motion.reading import as_read
 from dhcli.checking.pasted import WrongUnitError
 from dhcli.checking.symbolic import about_equal, counterexample, has_decimals, same
-from dhcli.checking.tolerance import is_rounding_of, judge, typed_decimals, without_unit
+from dhcli.checking.tolerance import CLEAR, is_rounding_of, judge, typed_decimals, without_unit
 from dhcli.checking.verdicts import IN_OTHER_UNIT, CellMark, Mark, Verdict, worst
 from dhcli.frozen import frozen
 from dhcli.notation.writer import write
 
 PASSED = (Verdict.RIGHT, Verdict.ROUNDED)
-
-CLEAR = 10
-"""Tolerances above which a length is right in another unit by no chance: near zero many are."""
 
 
 def mark_grid(case: Case, right: Grid, entries: Entries) -> Mark:
@@ -84,10 +81,8 @@ def in_other_unit(case: Case, right: Grid, entries: Entries, own: Sequence[CellM
     """
     exercise, tolerance = case.exercise, case.tolerance
     truth, limits = right.numbers(exercise), right.limits(exercise, tolerance.position, tolerance.rotation)
-    for unit in ("mm", "cm", "m") if exercise.unit not in ("none", "") else ():
-        if unit == exercise.unit:
-            continue
-        there = replace(exercise, unit=unit)
+    for unit in exercise.other_units:
+        there = case.memo.in_unit(unit).exercise
         moved = tuple(
             tuple(
                 replace(entry, expr=as_read(there, power, entry.typed))

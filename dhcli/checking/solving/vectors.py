@@ -51,9 +51,8 @@ class Landing:
 
 def other_units(field: Range) -> tuple[str, ...]:
     """Units that somebody may have typed joint values in, instead of those of the sheet."""
-    kinds, own = {name in field.robot.angles for name in field.joints}, field.exercise.unit
-    lengths = tuple(unit for unit in ("mm", "cm", "m") if unit != own) if False in kinds and own != "none" else ()
-    return (*((RADIANS,) if True in kinds else ()), *lengths)
+    kinds = {name in field.robot.angles for name in field.joints}
+    return (*((RADIANS,) if True in kinds else ()), *(field.exercise.other_units if False in kinds else ()))
 
 
 def in_unit(field: Range, one: Vector, unit: str) -> Vector:

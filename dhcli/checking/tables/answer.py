@@ -204,11 +204,10 @@ class TableAnswer:
         if swapped != self.plain and plausible and self.is_right(swapped):
             here, there = ("degrees", "radians") if any(angle.radians for angle in angles) else ("radians", "degrees")
             raise WrongUnitError(there, f"the angles of this sheet are in {here}: write -90° or -pi/2")
-        unit = self.exercise.unit
-        for other in ("mm", "cm", "m"):
-            rows = tuple(typed.in_unit(other) for typed in self.rows)
-            if other != unit and rows != self.plain and self.is_right(rows):
-                raise WrongUnitError(other, f"this sheet is in {unit}")
+        for unit in self.exercise.other_units:
+            rows = tuple(typed.in_unit(unit) for typed in self.rows)
+            if rows != self.plain and self.is_right(rows):
+                raise WrongUnitError(unit, f"this sheet is in {self.exercise.unit}")
 
 
 def robot_of(exercise: Exercise) -> Robot:

@@ -73,7 +73,7 @@ def inverse_code(result: Derivation, look: Look) -> str:
     body += [language.begin, *_Nest(spelling, formulas, joints, lengths).lines(stages), *language.finish.split("\n")]
     if language.name == "c" and any(map(_PI.search, body)):
         body.insert(0, "const double pi = 3.14159265358979323846;")
-    return language.function(heading, spelling, [line for line in body if line])
+    return language.function(heading, spelling, [line for line in body if line.strip()])
 
 
 def _said(result: Derivation, joints: Sequence[str], spelling: Spelling) -> Iterator[str]:

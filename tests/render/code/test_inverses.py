@@ -71,6 +71,13 @@ def test_every_solution_comes_back(language: str, tmp_path: Path) -> None:
         assert max(np.abs(np.exp(1j * found) - np.exp(1j * row)).max(axis=1).min() for row in engine) < 1e-9
 
 
+@pytest.mark.parametrize("language", [name for name in LANGUAGES if name != "numpy"])
+def test_no_line_ends_in_blanks(language: str) -> None:
+    """Nor is one of blanks alone, where a language ends no loop by a word."""
+    text = code(derived("planar-2r"), language)
+    assert [line for line in text.splitlines() if line != line.rstrip()] == []
+
+
 @pytest.mark.parametrize("language", HERE)
 def test_a_pose_out_of_reach_has_no_solution(language: str, tmp_path: Path) -> None:
     """And no error of the language."""
