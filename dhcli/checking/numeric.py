@@ -26,6 +26,7 @@ from dhcli.checking.tolerance import (
     Tolerance,
     is_rounding_of,
     judge,
+    significant_decimals,
     typed_decimals,
     without_unit,
 )
@@ -139,17 +140,24 @@ def _is_rounded(  # noqa: PLR0913, PLR0917  everything that digits are judged by
     unit: float,
     least: int = LEAST_DECIMALS,
 ) -> bool:
-    """Whether every entry that is not right is the truth with fewer decimals, and so many at least."""
+    """Whether every entry that is not right is the truth with fewer decimals, so many of them significant at least.
+
+    Where one of them is, a small entry beside it may have zeros for them: a student who keeps two decimals writes 0.09.
+    """
     assert truth.numbers is not None  # noqa: S101
+    most = 0
     for r, row in enumerate(typed):
         for c, value in enumerate(row):
             right = truth.numbers[r][c]
+            number, scale = without_unit(entries[r][c].typed, unit if is_length(question, r, c) else 1.0)
+            if not truth.is_structural(r, c):
+                most = max(most, significant_decimals(number))
             if judge(value, right, limits[r][c]) is Verdict.RIGHT:
                 continue
-            number, scale = without_unit(entries[r][c].typed, unit if is_length(question, r, c) else 1.0)
-            if truth.is_structural(r, c) or not is_rounding_of(number, right / scale, least):
+            enough = (typed_decimals(number) or 0) >= least
+            if truth.is_structural(r, c) or not enough or not is_rounding_of(number, right / scale, least=0):
                 return False
-    return True
+    return most >= least
 
 
 def _is_exact(truth: Truth, entries: Entries, exercise: Exercise) -> bool:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 from dhcli.checking.verdicts import Verdict
 from dhcli.frozen import frozen
 from dhcli.notation.quantity import LENGTH_UNITS
@@ -69,9 +67,7 @@ def without_unit(expr: Expr, unit: float) -> tuple[Expr, float]:
 def is_rounding_of(expr: Expr, truth: float, least: int = LEAST_DECIMALS) -> bool:
     """Whether an entry is the truth rounded or cut off to the decimals typed, so many of them significant."""
     places = typed_decimals(expr)
-    if places is None or not isinstance(expr, Number):
-        return False
-    if significant_decimals(expr.value, places) < least:
+    if places is None or not isinstance(expr, Number) or significant_decimals(expr) < least:
         return False
     unit = 10.0**-places
     typed = float(expr.value)
@@ -80,8 +76,11 @@ def is_rounding_of(expr: Expr, truth: float, least: int = LEAST_DECIMALS) -> boo
     return rounded or cut
 
 
-def significant_decimals(value: Fraction, places: int) -> int:
-    """Decimals typed, leading zeros of a number below 1 left out: two in 0.70 and in 0.070, one in 0.05."""
-    scaled = abs(value) * 10**places
+def significant_decimals(expr: Expr) -> int:
+    """Decimals typed, leading zeros of a number below 1 left out: two in 0.70 and in 0.070, one in 0.05, else none."""
+    places, number = typed_decimals(expr), expr if isinstance(expr, Number) else negate(expr)
+    if places is None or not isinstance(number, Number):
+        return 0
+    scaled = abs(number.value) * 10**places
     digits = str(int(scaled))
-    return places if abs(value) >= 1 else min(places, len(digits)) if scaled else 0
+    return places if abs(number.value) >= 1 else min(places, len(digits)) if scaled else 0

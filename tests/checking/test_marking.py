@@ -24,6 +24,8 @@ from dhcli.errors import DhcliError, UnknownNameError
 from dhcli.files.library.lookup import Kind, entries
 from dhcli.files.yaml.exercises import load_exercise, read_exercise
 from dhcli.files.yaml.robots import load_robot
+from dhcli.kinematics.forward import forward
+from dhcli.kinematics.values import joint_values
 from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
 from dhcli.notation.tree import Number, number
@@ -213,6 +215,17 @@ def test_digits_that_are_right_but_too_few_are_told_as_such(answer: str, verdict
     assert judged.verdict is verdict
     assert any(said.startswith(remark) for said in judged.remarks) or not remark
     assert remark or not any(said.startswith("too few digits") for said in judged.remarks)
+
+
+@pytest.mark.parametrize("degrees", range(5, 90, 5))
+def test_two_decimals_are_rounded_however_small_an_entry_is(degrees: int) -> None:
+    """Such as 0.09 beside 1.00; with one decimal they are too few."""
+    robot = load_robot("planar-2r")
+    exercise = question_about(robot, "pose 0..2", numeric=True, given=joint_values(robot, f"0,{degrees}°"))
+    for places, verdicts in ((2, {Verdict.RIGHT, Verdict.ROUNDED}), (1, {Verdict.CLOSE, Verdict.WRONG})):
+        rows = forward(robot, (0, math.radians(degrees))).rows
+        answer = "; ".join(" ".join(f"{float(entry):.{places}f}" for entry in row) for row in rows)
+        assert check(exercise, "pose", answer).verdict in verdicts
 
 
 # ------------------------------------------------------------------------------------------------------ geometry
