@@ -99,6 +99,9 @@ def test_poses_out_of_reach_have_no_row_and_are_counted(dhcli: Run) -> None:
         (("--in", "-", "--pose", "ready"), "p_x,p_y,p_z\n", "--pose does not go with --in"),
         (("--in", "no-such.csv"), None, "no-such.csv: there is no such file"),
         (("--in", "-"), "x,y\n1,2\n", "no column is called p_x, p_y, p_z"),
+        (("--in", "-"), "p_x[deg],p_y,p_z\n1,2,3\n", "deg is a unit of angle, and p_x is a length"),
+        (("--in", "-"), "p_x,p_y[ft],p_z\n1,2,3\n", "standard input:1: ft is no unit"),
+        (("--in", "-"), "p_x,p_y,p_z,q_w[deg],q_x,q_y,q_z\n1,2,3,1,0,0,0\n", "q_w has no unit, and not deg"),
         (("--in", "-"), "p_x,p_y,p_z\n1,two,3\n", "standard input:2: p_y 'two' is not a number"),
         (("--in", "-"), "p_x,p_y,p_z\n1,2\n", "p_z is empty"),
         (("--in", "-"), "p_x,p_y,p_z\n1,nan,3\n", "not a finite number"),
@@ -220,6 +223,17 @@ def _three_blocks() -> list[str]:
     """4200 places in the plane of an arm, some of them out of its reach, as rows of CSV with a heading."""
     places = np.random.default_rng(2).uniform((-0.4, -0.4, 0.0), (0.9, 0.9, 0.0), (4200, 3))
     return ["p_x,p_y,p_z\n", *(",".join(map(repr, place)) + "\n" for place in places.tolist())]
+
+
+def test_a_pose_may_have_its_units_in_the_heads(dhcli: Run) -> None:
+    """As joint values may; with cells in blocks, one by one, and an orientation."""
+    plain = dhcli("ik", "planar-2r", "--in", "-", stdin="p_x,p_y,p_z\n0.5,0.2,0\n").out
+    assert dhcli("ik", "planar-2r", "--in", "-", stdin="p_y (cm),P_X [mm],p_z[m]\n20,500,0\n").out == plain
+    assert dhcli("ik", "planar-2r", "--in", "-", stdin='p_y (cm),P_X [mm],p_z\n"20",500,0\n').out == plain
+    turned = dhcli("ik", "puma560", "--in", "-", stdin="p_x,p_y,p_z,roll,pitch,yaw\n0.5,0.2,0,0,0,1.5707963267948966\n")
+    told = dhcli("ik", "puma560", "--in", "-", stdin="p_x[mm],p_y,p_z,roll,pitch,yaw[deg]\n500,0.2,0,0,0,90\n")
+    assert turned.out == told.out
+    assert turned.out.count("\n") > 4
 
 
 def test_processes_write_what_one_does(dhcli: Run, tmp_path: Path) -> None:

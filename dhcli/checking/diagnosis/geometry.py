@@ -27,6 +27,8 @@ from dhcli.notation.writer import write
 
 SAME = 1e-7
 """What two numbers at a general point may differ by, as a share; entries were compared to nine digits."""
+LIKE = 0.02
+"""What a length that is named beside a number may differ from it by, as a share, however few digits were typed."""
 MULTIPLES = (1, -1, 2, -2)
 DEGREE = math.pi / 180
 
@@ -159,7 +161,10 @@ def _length_text(exercise: Exercise, typed: TypedMatrix, shares: Sequence[float]
         _times(times, name, exercise.writing)
         for name in names
         for times in MULTIPLES
-        if all(abs(s - times * v) <= limit < abs(v) for s, v in zip(shares, values[name], strict=True))
+        if all(
+            limit < abs(v) and abs(s - times * v) <= min(limit, LIKE * abs(v))
+            for s, v in zip(shares, values[name], strict=True)
+        )
     ]
     if not typed.is_general:
         return _told_in_numbers(exercise, shares[0], found)

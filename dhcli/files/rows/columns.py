@@ -88,7 +88,7 @@ class JointTable:
 
     def in_joint_order(self, width: int | None = None) -> JointColumns:
         """The columns of a table without a header: the joints in their order, and then what else there is."""
-        factors = {joint.name: _factor(joint, "", degrees=self.degrees) for joint in self.open}
+        factors = {joint.name: self._factor(joint, "") for joint in self.open}
         found = {joint.name: k for k, joint in enumerate(self.open)}
         return self._columns(found, factors, len(found) if width is None else width)
 
@@ -115,7 +115,7 @@ class JointTable:
             if (self.ignores or head.strip() in aside) and not self.is_joint(head):
                 continue
             try:
-                name, unit = _parts(head, place)
+                name, unit = name_and_unit(head, place)
                 joint = self._joint(name, place)
                 if joint in found:
                     problems.append(Problem(f"{joint} has two columns", place, "keep one of them"))
@@ -123,7 +123,7 @@ class JointTable:
                 if joint in self.held:
                     problems.append(Problem(f"{joint} has a column, and --q gives it too", place, "keep one of them"))
                 found[joint] = k  # a column in the wrong unit is not missing
-                factors[joint] = _factor(joints[joint], unit, degrees=self.degrees, place=place)
+                factors[joint] = self._factor(joints[joint], unit, place)
             except RobotError as error:
                 problems += error.problems
         if missing := [joint.name for joint in self.open if joint.name not in found]:
@@ -142,6 +142,11 @@ class JointTable:
             return match is not None and bool(self._joint(match["name"].strip(), None))
         except RobotError:
             return False
+
+    def _factor(self, joint: Joint, unit: str, place: Place | None = None) -> tuple[float, float]:
+        """What makes radians or metres of the numbers of a joint."""
+        turns = joint.kind == "revolute"
+        return factor_of(joint.name, unit or ("deg" if turns and self.degrees else ""), place, turns=turns)
 
     def _joint(self, name: str, place: Place | None) -> str:
         """The joint that a head means; a spreadsheet may have made a capital of its first letter."""
@@ -176,8 +181,12 @@ def _wanted(robot: Robot) -> str:
     return "wanted: " + ", ".join(f"{joint.name}[{units[joint.kind]}]" for joint in robot.joints)
 
 
-def _parts(head: str, place: Place) -> tuple[str, str]:
-    """Name and unit of a head."""
+def name_and_unit(head: str, place: Place) -> tuple[str, str]:
+    """Name and unit of a head, `theta1[deg]`; the unit is empty where none stands.
+
+    Raises:
+        RobotError: It is no head.
+    """
     match = _HEAD.fullmatch(head.strip())
     if match is None:
         raise RobotError(Problem(f"'{head.strip():.60}' is not read as a column", place, "write theta1 or theta1[deg]"))
@@ -188,11 +197,19 @@ def _parts(head: str, place: Place) -> tuple[str, str]:
     return name, unit
 
 
-def _factor(joint: Joint, unit: str, *, degrees: bool, place: Place | None = None) -> tuple[float, float]:
-    """What makes radians or metres of a number in a unit; two numbers, because a thousandth is no float."""
-    turns = joint.kind == "revolute"
-    if not unit:
-        unit = "m" if not turns else "deg" if degrees else "rad"
+def factor_of(name: str, unit: str, place: Place | None = None, *, turns: bool) -> tuple[float, float]:
+    """What makes radians or metres of a number in a unit; two numbers, because a thousandth is no float.
+
+    Args:
+        name: What is measured.
+        unit: The unit; radians or metres where it is empty.
+        place: Where the unit stands.
+        turns: Whether it is an angle; else it is a length.
+
+    Raises:
+        RobotError: It is no unit of that.
+    """
+    unit = unit or ("rad" if turns else "m")
     if turns and unit in ANGLE_UNITS:
         return (1.0, 1.0) if unit in _RADIANS else (np.pi, 180.0)
     if not turns and unit in LENGTH_UNITS:
@@ -200,7 +217,7 @@ def _factor(joint: Joint, unit: str, *, degrees: bool, place: Place | None = Non
     known = ("deg", "rad") if turns else tuple(LENGTH_UNITS)
     if unit in ANGLE_UNITS or unit in LENGTH_UNITS:
         kind = "length" if turns else "angle"
-        message, hint = f"{unit} is a unit of {kind}, and {joint.name} {'turns' if turns else 'slides'}", ""
+        message, hint = f"{unit} is a unit of {kind}, and {name} is {'an angle' if turns else 'a length'}", ""
     else:
         message, hint = f"{unit} is no unit", did_you_mean(unit, known)
-    raise RobotError(Problem(message, place, hint or f"write {joint.name}[{known[0]}]"))
+    raise RobotError(Problem(message, place, hint or f"write {name}[{known[0]}]"))

@@ -19,7 +19,7 @@ from dhcli.files.rows import POSITION
 from dhcli.files.rows.blocks import cell_problem
 from dhcli.files.rows.cells import CellError, json_number, plain_table, read_cell
 from dhcli.files.rows.csvrows import DECIMAL_BETWEEN, DECLARED, SIGNS
-from dhcli.files.rows.turns import TURNS, check_alone, flat, posed
+from dhcli.files.rows.turns import TURNS, check_alone, factors_of, flat, heads_of, posed
 from dhcli.notation.decimals import read_json
 
 if TYPE_CHECKING:
@@ -125,7 +125,7 @@ def _of_csv(
     line, sign = 2, next((sign for sign in SIGNS if sign in first), ",")
     if declared := DECLARED.fullmatch(first.strip()):
         line, sign, first = 3, declared["sign"], next(stream, "")
-    heads = [head.strip().lower() for head in next(csv.reader([first], delimiter=sign), [])]
+    heads, units = heads_of(next(csv.reader([first], delimiter=sign), []), Place(path, line - 1))
     has_commas = sign in DECIMAL_BETWEEN
     form, wanted = "", MATRIX
     if not all(head in heads for head in MATRIX):
@@ -136,6 +136,7 @@ def _of_csv(
     if whole and wanted == POSITION:
         check_alone([head for head in heads if head not in POSITION], Place(path, line - 1))
     columns = [heads.index(head) for head in wanted]
+    times, over = factors_of(wanted, [units[k] for k in columns], Place(path, line - 1))
 
     def by_cells(lines: Iterable[str], begun: int) -> Iterator[tuple[int, list[float]]]:
         for line, cells in enumerate(csv.reader(lines, delimiter=sign), begun):
@@ -145,14 +146,15 @@ def _of_csv(
                 row = [cells[k] if k < len(cells) else "" for k in columns]
                 # beside a number with a point a comma may group thousands
                 read = partial(read_cell, decimal_comma=has_commas and not any("." in cell for cell in cells))
-                yield line, posed(form, _numbers(row, wanted, Place(path, line), read), Place(path, line))
+                numbers = np.array(_numbers(row, wanted, Place(path, line), read)) * times / over
+                yield line, posed(form, numbers.tolist(), Place(path, line))
 
     for lines in _lines(stream):
         text = "".join(lines).removesuffix("\n") + "\n"
         plain = text.replace(",", ".") if has_commas and "." not in text else text
         table = plain_table(plain.replace("\r\n", "\n"), sign, len(heads))
         if table is not None and len(table) == len(lines) and not form and np.isfinite(table).all():
-            yield _as_poses(table[:, columns]), list(range(line, line + len(lines)))
+            yield _as_poses(table[:, columns] * times / over), list(range(line, line + len(lines)))
         elif '"' in text:  # what is quoted may go on in the next line
             yield from _gathered(by_cells(chain(lines, stream), line))
         else:

@@ -1,16 +1,22 @@
-"""An orientation beside a position, in the columns in which `fk --in --as position,quaternion` writes it."""
+"""The columns of a position and of an orientation beside it, as `fk --in --as position,quaternion` writes them."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import cast
+from typing import TYPE_CHECKING, cast
 
-from dhcli.errors import FileError, Place, Problem
-from dhcli.files.rows import INDEX
+import numpy as np
+
+from dhcli.errors import FileError, Place, Problem, RobotError
+from dhcli.files.rows import INDEX, POSITION
+from dhcli.files.rows.columns import factor_of, name_and_unit
 from dhcli.geometry.euler import EulerAngles, Order, RollPitchYaw
 from dhcli.geometry.rotations import AxisAngle, Quaternion, RotationVector
 from dhcli.kinematics.placement import ORIENTATIONS
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 TURNS: Mapping[str, tuple[str, ...]] = {
     **{form: tuple(f"{form}_{k}" for k in (1, 2, 3)) for form in ORIENTATIONS},
@@ -20,6 +26,45 @@ TURNS: Mapping[str, tuple[str, ...]] = {
     "axis-angle": ("axis_x", "axis_y", "axis_z", "angle"),
 }
 """The columns of each way to say an orientation beside a position; angles in radians."""
+
+LENGTHS = frozenset(POSITION)
+ANGLES = frozenset(
+    {"angle"}.union(*(heads for form, heads in TURNS.items() if form not in {"quaternion", "axis-angle"}))
+)
+"""What of a pose has a unit."""
+
+
+def heads_of(cells: Sequence[str], place: Place) -> tuple[list[str], list[str]]:
+    """Names and units of columns: `p_x[mm]`; a head that is not read so is the name of what nobody asks for."""
+    heads, units = [], []
+    for cell in cells:
+        try:
+            head, unit = name_and_unit(cell, place)
+        except RobotError:
+            head, unit = cell.strip(), ""
+        heads.append(head.lower())
+        units.append(unit)
+    return heads, units
+
+
+def factors_of(wanted: Sequence[str], units: Sequence[str], place: Place) -> NDArray[np.float64]:
+    """What makes metres and radians of the numbers of a row, shape (2, n): what times they are, and then over what.
+
+    Raises:
+        FileError: A unit is none, or that of something else.
+    """
+    factors, problems = [], list[Problem]()
+    for head, unit in zip(wanted, units, strict=True):
+        if unit and head not in LENGTHS | ANGLES:
+            problems.append(Problem(f"{head} has no unit, and not {unit}", place, f"write {head}"))
+            continue
+        try:
+            factors.append(factor_of(head, unit, place, turns=head in ANGLES))
+        except RobotError as error:
+            problems += error.problems
+    if problems:
+        raise FileError(problems)
+    return np.array(factors, dtype=np.float64).T
 
 
 def check_alone(others: Sequence[str], place: Place) -> None:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
 import math
+import re
 from dataclasses import replace
 
 import pytest
@@ -109,6 +111,21 @@ def test_a_shift_in_numbers_has_the_name_of_the_length() -> None:
     answer = f"[{c:.6f} {-s:.6f} 0 {x:.6f}; {s:.6f} {c:.6f} 0 {y:.6f}; 0 0 1 0; 0 0 0 1]"
     words = f"the rotation is right; the position is off by {a2:g} m (as much as a2) along x2"
     assert said(exercise, answer)[0] == words
+
+
+def test_a_shift_in_few_digits_has_no_name_that_it_has_not() -> None:
+    """One decimal fits many lengths; the one that is told is as long as the number beside it."""
+    question = MatrixQuestion(View("0", "2"), piece="position")
+    exercise = replace(about("planar-2r", "0", "2", "30°, 40°"), parts=(Part("pose", question),))
+    values = {name: float(exercise.values[name].value) for name in ("a1", "a2")}
+    told = 0
+    for x, y in itertools.product(range(-8, 9, 4), range(-8, 9, 2)):
+        for words in said(exercise, f"{x / 10} {y / 10} 0"):
+            if found := re.search(r"off by (\S+) m \(as much as (-?)(2?)\*?(a\d)\)", words):
+                times = (-1 if found[2] else 1) * int(found[3] or 1)
+                assert float(found[1]) == pytest.approx(times * values[found[4]], rel=0.02)
+                told += 1
+    assert told
 
 
 def test_of_a_whole_arm_the_frame_in_between_is_found() -> None:

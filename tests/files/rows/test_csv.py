@@ -104,8 +104,8 @@ def test_nothing_at_all_is_no_table(content: str) -> None:
         (
             "theta1[mm],theta2,d3[deg]",
             [
-                "q.csv:1:1: mm is a unit of length, and theta1 turns (write theta1[deg])",
-                "q.csv:1:19: deg is a unit of angle, and d3 slides (write d3[mm])",
+                "q.csv:1:1: mm is a unit of length, and theta1 is an angle (write theta1[deg])",
+                "q.csv:1:19: deg is a unit of angle, and d3 is a length (write d3[mm])",
             ],
         ),
         ("theta1[grad],theta2,d3", ["q.csv:1:1: grad is no unit (did you mean rad?)"]),
