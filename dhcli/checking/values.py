@@ -9,7 +9,7 @@ from dhcli.algebra.floats import Floats
 from dhcli.checking.entries import check_names
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.pasted import UnreadableError, WrongUnitError, without_label
-from dhcli.checking.tolerance import NOT_EXACT, Tolerance, is_rounding_of, judge, without_unit
+from dhcli.checking.tolerance import CLEAR, NOT_EXACT, Tolerance, is_rounding_of, judge, without_unit
 from dhcli.checking.units import is_measure, length_in_metres
 from dhcli.checking.verdicts import UNSOLVED, CellMark, Mark, Verdict
 from dhcli.errors import Place
@@ -129,7 +129,7 @@ def _verdict_in_unit(
         if _verdict(exercise, in_radians, right, answer.expr, tolerance) is Verdict.RIGHT:
             shown = spelled_value(right, exercise)
             raise WrongUnitError("radians", f"a bare angle is in degrees: write {shown} or {answer.text} rad")
-    if right.is_length and verdict in UNSOLVED:
+    if right.is_length and verdict in UNSOLVED and _is_clear(right, exercise, tolerance):
         for unit in exercise.other_units:
             there = replace(exercise, unit=unit)
             moved = _as_asked(answer.expr, right, there, "deg")
@@ -208,13 +208,27 @@ def _verdict(
         return Verdict.WRONG
     over = Floats(numbers(exercise.values))
     truth = over.value(right)
-    limit = tolerance.position if tolerance.position is not None else 1e-3 * max(abs(truth), 1e-9)
-    verdict = judge(over.value(typed), truth, limit)
+    verdict = judge(over.value(typed), truth, _limit(truth, tolerance))
     if verdict is not Verdict.RIGHT:
         number, unit = without_unit(typed_expr, float(exercise.metres) if quantity.is_length else 1.0)
         if is_rounding_of(number, truth / unit):
             return Verdict.ROUNDED
     return verdict
+
+
+def _limit(truth: float, tolerance: Tolerance) -> float:
+    """What a length or a number may be off."""
+    return tolerance.position if tolerance.position is not None else 1e-3 * max(abs(truth), 1e-9)
+
+
+def _is_clear(right: Quantity, exercise: Exercise, tolerance: Tolerance) -> bool:
+    """Whether a length is right in another unit by no chance: one in letters, or one that is not near zero."""
+    from dhcli.checking.symbolic import put
+
+    if isinstance(right.value, Angle) or symbols(value := put(right.value, exercise.values)):
+        return True
+    truth = abs(Floats(numbers(exercise.values)).value(value))
+    return truth > CLEAR * _limit(truth, tolerance)
 
 
 def _degrees_apart(difference: Angle) -> float:

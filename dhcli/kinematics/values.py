@@ -14,6 +14,7 @@ from dhcli.kinematics.description import Description
 from dhcli.kinematics.given import mapping_of
 from dhcli.kinematics.moves import Chain, names
 from dhcli.notation.angle import Angle
+from dhcli.notation.brackets import split
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import Bare, DimensionError, to_angle, to_plain_length
@@ -194,15 +195,11 @@ def _assignments(
 
 def _split(text: str) -> Iterator[tuple[int, str]]:
     """Pieces between commas or semicolons outside brackets, with their offsets; brackets around all are left out."""
-    start, end, depth = 0, len(text), 0
+    start, end = 0, len(text)
     if text.strip().startswith("["):
         start, end = text.index("[") + 1, len(text.rstrip().removesuffix("]"))
-    for i in range(start, end):
-        depth += (text[i] in "([{") - (text[i] in ")]}")
-        if depth == 0 and text[i] in ",;":
-            yield _stripped(text[start:i], start)
-            start = i + 1
-    yield _stripped(text[start:end], start)
+    for at, piece in split(text[start:end]):
+        yield _stripped(piece, start + at)
 
 
 def _between_blanks(robot: Description, text: str) -> list[tuple[int, str]]:

@@ -107,7 +107,8 @@ def test_a_form_that_is_a_format_is_held_to_the_ending_too(dhcli: Run, tmp_path:
     """`--as urdf` says what `--format urdf` says."""
     done = dhcli("describe", "scara", "--as", "urdf", "-o", "x.yaml")
     assert (done.code, "and --as says urdf" in done.err, "write .urdf" in done.err) == (2, True, True)
-    assert "ask for different things" in dhcli("describe", "scara", "--as", "urdf", "--format", "yaml").err
+    for others in (("--as", "urdf", "--format", "yaml"), ("--as", "modified", "-o", "x.urdf")):
+        assert "ask for different things" in dhcli("describe", "scara", *others).err
     assert not list(tmp_path.iterdir())
 
 

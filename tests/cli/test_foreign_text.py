@@ -124,7 +124,7 @@ def command_lines() -> Iterator[tuple[str, ...]]:
         "point": ("fk", robot, "-s", "--point", "1,2,3"),
         "placement": ("fk", robot, "--pose", "home", "--as", "rpy"),
         "robot": ("show", robot),
-        "description": ("describe", robot, "--steps", "--as", "standard"),
+        "description": ("describe", robot, "--steps"),
         "motors": ("describe", f"./robots/m{NAME}.yaml", "--as", "motors"),
         "linkage": ("show", linkage),
         "mobility": ("dof", linkage),

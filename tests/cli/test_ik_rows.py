@@ -103,6 +103,7 @@ def test_poses_out_of_reach_have_no_row_and_are_counted(dhcli: Run) -> None:
         (("--in", "-"), "p_x,p_y[ft],p_z\n1,2,3\n", "standard input:1: ft is no unit"),
         (("--in", "-"), "p_x,p_y,p_z,q_w[deg],q_x,q_y,q_z\n1,2,3,1,0,0,0\n", "q_w has no unit, and not deg"),
         (("--in", "-"), "p_x,p_y,p_z\n1,two,3\n", "standard input:2: p_y 'two' is not a number"),
+        (("--in", "-"), "p_x,p_y,p_z\n1,20 cm,3\n", "write metres and radians, without their unit"),
         (("--in", "-"), "p_x,p_y,p_z\n1,2\n", "p_z is empty"),
         (("--in", "-"), "p_x,p_y,p_z\n1,nan,3\n", "not a finite number"),
         (("--in", "-"), '{"matrix": 3}\n', "is no pose"),

@@ -14,7 +14,7 @@ from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.solving.goal import of_robot, read_target, solutions
 from dhcli.checking.solving.question import GoalQuestion
 from dhcli.checking.solving.reading import Vector, read_vectors, spelled
-from dhcli.checking.solving.vectors import RADIANS, Range, in_unit, other_units
+from dhcli.checking.solving.vectors import RADIANS, Range, in_unit, is_clear, other_units
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean, plural
 from dhcli.frozen import frozen
@@ -130,7 +130,9 @@ class JointsQuestion(GoalQuestion[Vectors]):
         mark = marked(self, case, field, found, wanted, reading.value)
         for unit in other_units(field) if mark.verdict.passed is False else ():
             meant = tuple(in_unit(field, one, unit) for one in reading.value)
-            if meant != reading.value and marked(self, case, field, found, wanted, meant).verdict is Verdict.RIGHT:
+            if meant == reading.value or not is_clear(field, meant, unit, case.tolerance):
+                continue
+            if marked(self, case, field, found, wanted, meant).verdict is Verdict.RIGHT:
                 in_degrees = "bare angles are in degrees: write rad behind them"
                 raise WrongUnitError(unit, in_degrees if unit == RADIANS else f"this sheet is in {case.exercise.unit}")
         return mark

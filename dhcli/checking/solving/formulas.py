@@ -15,7 +15,7 @@ from dhcli.checking.units import ONE as METRE
 from dhcli.errors import DhcliError, Place
 from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
-from dhcli.notation.brackets import OPENING
+from dhcli.notation.brackets import split
 from dhcli.notation.dimensions import ANGLE_UNITS, LENGTH_UNITS, DimensionError, dimension, has_units, is_inverse
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
@@ -176,14 +176,10 @@ def _pieces(text: str) -> Iterator[str]:
     """Several values: between commas outside brackets, or with `or` between them."""
     text = text.strip()
     for piece in _OR.split(text[1:-1] if text.startswith("{") and text.endswith("}") else text):
-        depth, start = 0, 0
-        for at, letter in enumerate(piece):
-            depth += (letter in OPENING) - (letter in OPENING.values())
-            if letter == "," and depth == 0:
-                yield piece[start:at]
-                start = at + 1
-        if piece[start:].strip():
-            yield piece[start:]
+        *before, last = (part for _, part in split(piece))
+        yield from before
+        if last.strip():
+            yield last
 
 
 def _check_kind(expr: Expr, asked: str, scope: Scope) -> None:

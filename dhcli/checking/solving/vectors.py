@@ -11,7 +11,7 @@ from dhcli.checking.exercise import Exercise
 from dhcli.checking.orientations import angle_between, angle_of, turned
 from dhcli.checking.solving.goal import Rows, Target
 from dhcli.checking.solving.reading import Vector
-from dhcli.checking.tolerance import CLOSE_FACTOR, Tolerance
+from dhcli.checking.tolerance import CLEAR, CLOSE_FACTOR, Tolerance
 from dhcli.checking.verdicts import Verdict
 from dhcli.frozen import frozen
 from dhcli.kinematics.fold import fold
@@ -66,6 +66,15 @@ def in_unit(field: Range, one: Vector, unit: str) -> Vector:
     return replace(one, values=meant)
 
 
+def is_clear(field: Range, meant: Sequence[Vector], unit: str, tolerance: Tolerance) -> bool:
+    """Whether vectors are right in another unit by no chance: some length that has no unit is not near zero."""
+    return unit == RADIANS or any(
+        bare and name not in field.robot.angles and abs(value) > CLEAR * field.limit(tolerance)
+        for one in meant
+        for name, value, bare in zip(field.joints, one.values, one.bare, strict=True)
+    )
+
+
 def apart(robot: Robot, joints: Sequence[str], one: Sequence[float], other: Sequence[float]) -> list[float]:
     """By how much each joint differs, whole turns aside [rad, m]."""
     return [
@@ -102,9 +111,13 @@ class Range:
     chain: Chain
     lengths: Mapping[str, Angle | float]
 
+    def limit(self, tolerance: Tolerance) -> float:
+        """What a length may be off [m]."""
+        return tolerance.position if tolerance.position is not None else 1e-3 * max(self.size, 1e-9)
+
     def landing(self, values: Sequence[float], tolerance: Tolerance) -> Landing:
         """Where joint values lead; right if the pose is met, or if they are a solution's but for rounding."""
-        limit = tolerance.position if tolerance.position is not None else 1e-3 * max(self.size, 1e-9)
+        limit = self.limit(tolerance)
         off, words = self._missed(dict(zip(self.joints, values, strict=True)), limit, tolerance.rotation)
         nearest, best = None, math.inf
         for k, (solution, free) in enumerate(zip(self.solutions, self.free, strict=True)):

@@ -114,7 +114,10 @@ def describe(
         delivery.hand_over("motors", driven(robot_of(chosen)))
         return
     name = delivery.chosen("description")
-    form = check_form("product" if name == "urdf" else as_ or "standard", ("urdf", "motors"))
+    usual = "product" if name == "urdf" else "standard"
+    form = check_form(usual if as_ in (None, "urdf") else as_, ("urdf", "motors"))
+    if name == "urdf" and form != usual:
+        raise DhcliError(f"--as {form} and a URDF ask for different things", "leave one of the two out")
     if choose and form not in ("standard", "modified"):
         raise DhcliError("--choose is about tables", "--as standard or --as modified")
     arm = robot_of(chosen)

@@ -38,12 +38,13 @@ class CellError(ValueError):
         self.hint = hint
 
 
-def read_cell(text: str, *, decimal_comma: bool) -> float:
+def read_cell(text: str, *, decimal_comma: bool, units_in_header: bool) -> float:
     """The number in a cell.
 
     Args:
         text: The cell.
         decimal_comma: Whether `0,5` is a half.
+        units_in_header: Whether the header may say a unit; else lengths are metres and angles radians.
 
     Raises:
         CellError: There is none, or it is not finite.
@@ -60,7 +61,7 @@ def read_cell(text: str, *, decimal_comma: bool) -> float:
         raise CellError("is empty")
     if bare.lower() in _NO_NUMBERS:
         raise CellError(f"{shown(bare)} is not a finite number")
-    raise CellError(f"{shown(bare)} is not a number", _hint(bare))
+    raise CellError(f"{shown(bare)} is not a number", _hint(bare, units_in_header=units_in_header))
 
 
 def json_number(value: object) -> float:
@@ -119,9 +120,10 @@ def shown(text: str) -> str:
     return f"'{text}'" if len(text) <= _LONGEST else f"'{text[:_LONGEST]}...'"
 
 
-def _hint(text: str) -> str:
+def _hint(text: str, *, units_in_header: bool) -> str:
     if _COMMA.fullmatch(text):
         return f"write {text.replace(',', '.')}, with a point"
     if (match := _UNIT.fullmatch(text)) and match["unit"] in UNITS:
-        return f"the unit stands once, in the header: [{match['unit']}]"
+        in_header = f"the unit stands once, in the header: [{match['unit']}]"
+        return in_header if units_in_header else "write metres and radians, without their unit"
     return "a cell is a plain number, such as -0.25 or 1e-3"

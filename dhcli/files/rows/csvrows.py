@@ -128,7 +128,9 @@ class CsvRows:
                 if k not in names:
                     continue
                 try:
-                    values[k] = read_cell(cell, decimal_comma=self._has_decimal_commas and not has_point)
+                    values[k] = read_cell(
+                        cell, decimal_comma=self._has_decimal_commas and not has_point, units_in_header=True
+                    )
                 except CellError as error:
                     problems.append(cell_problem(names[k], error, Place(self._source.name, row, column, line)))
             if problems:

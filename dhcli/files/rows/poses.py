@@ -145,7 +145,8 @@ def _of_csv(
             with _noting(bad):
                 row = [cells[k] if k < len(cells) else "" for k in columns]
                 # beside a number with a point a comma may group thousands
-                read = partial(read_cell, decimal_comma=has_commas and not any("." in cell for cell in cells))
+                has_comma = has_commas and not any("." in cell for cell in cells)
+                read = partial(read_cell, decimal_comma=has_comma, units_in_header=False)
                 numbers = np.array(_numbers(row, wanted, Place(path, line), read)) * times / over
                 yield line, posed(form, numbers.tolist(), Place(path, line))
 

@@ -23,22 +23,24 @@ class Shown:
 
     Attributes:
         places: Decimals.
-        off: How far the tip is off at most for the rest of them [m].
+        off: How far the tip is off at most for the rest of them [m]; None where nobody knows how large the robot is.
     """
 
     places: int
-    off: float
+    off: float | None
 
 
 def shown(result: Described) -> Shown:
     """The fewest decimals that keep the tip where it is, to a micrometre or a millionth of the robot.
 
     Every number may be off by half of its last decimal: a length moves the tip by as much, and an angle, or a
-    direction, by so much of everything that lies behind it.
+    direction, by so much of everything that lies behind it. Lengths without a value are left out.
     """
-    robot = result.robot
-    over = Floats(dict.fromkeys(names(robot.chain), 0.0) | known_values(robot))
+    robot, known = result.robot, known_values(result.robot)
+    inside = names(robot.chain)
+    over = Floats(dict.fromkeys(inside, 0.0) | known)
     size = reach_of(robot.chain, over) or 1.0
     each = _CELLS * (len(robot.links) + 2) * (1.0 + size) / 2
     places = max(LEAST, math.ceil(math.log10(each / (OFF * min(size, 1.0)))))
-    return Shown(places, each * 10.0**-places)
+    is_known = inside <= known.keys() | robot.angles | set(robot.variables)
+    return Shown(places, each * 10.0**-places if is_known else None)

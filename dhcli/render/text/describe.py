@@ -58,7 +58,9 @@ def description_table(result: Described, look: Look) -> str:
     page = _page(result, replace(look, places=few.places))
     if page == _page(result, look):
         return page
-    said = f"rounded to {few.places} decimals, which moves the tip by at most {few.off * 1e6:.1g} µm"
+    said = f"rounded to {few.places} decimals"
+    if few.off is not None:
+        said += f", which moves the tip by at most {few.off * 1e6:.1g} µm"
     return page + look.paper.spell(f"{said}; --digits and files have more") + "\n"
 
 

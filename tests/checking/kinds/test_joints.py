@@ -129,6 +129,15 @@ def test_several_solutions_are_read_as_people_type_them(answer: str) -> None:
 
 
 @pytest.mark.parametrize(
+    ("answer", "unit"), [("0.2, 0.2 m, 0.1 m", ""), ("0.2, 200, 100", "mm"), ("0, 200, 100", "mm")]
+)
+def test_a_length_that_is_0_is_right_in_another_unit_only_beside_one_that_is_not(answer: str, unit: str) -> None:
+    """By chance a wrong one is near enough to 0 there."""
+    mark = judged(answer, "joints of position (0.1, 0.2, 0)", "cartesian")
+    assert (mark.verdict, mark.other_unit) == (Verdict.CANNOT_READ if unit else Verdict.WRONG, unit)
+
+
+@pytest.mark.parametrize(
     "answer", ["(10) - 7.5227, 67.9757", "atan2(0.04324, 1) rad, 67.9757", "2*(1.23865)°, 67.9757"]
 )
 def test_brackets_of_a_sum_and_of_a_function_belong_to_the_value(answer: str) -> None:

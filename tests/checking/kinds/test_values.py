@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from dhcli.checking.kinds.made import question_about, question_about_table
+from dhcli.checking.tolerance import Tolerance
 from dhcli.checking.verdicts import Verdict
 from dhcli.files.yaml.robots import read_robot
 from dhcli.kinematics.conventions import Convention
@@ -147,3 +150,11 @@ def test_a_value_of_another_kind_is_told_what_is_wanted(ask: str, answer: str, s
 def test_a_number_with_a_fraction_behind_it_is_a_mixed_one(ask: str, answer: str) -> None:
     """Two and a half, and never twice a half."""
     assert mark(*exercise_of(ask, numeric=True), answer).verdict is RIGHT
+
+
+@pytest.mark.parametrize(("ask", "answer", "unit"), [("cell d 1", "0.5", ""), ("cell a 1", "400", "mm")])
+def test_a_length_near_zero_is_right_in_no_other_unit(ask: str, answer: str, unit: str) -> None:
+    """Within a millimetre of 0 is whatever is a number of millimetres below 1."""
+    exercise, part = exercise_of(ask, numeric=True, unit="m")
+    judged = checked(replace(exercise, tolerance=Tolerance(position=0.001)), part, answer)
+    assert (judged.verdict, judged.other_unit) == (UNREAD if unit else WRONG, unit)
