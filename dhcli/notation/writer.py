@@ -22,6 +22,9 @@ LARGEST_IN_FRACTION = 1000
 MOST_BITS_WRITTEN = 14_000
 """Some 4,200 digits; Python refuses to write more than 4,300."""
 
+RADIAN_PLACES = 40
+"""Decimals of radians at most: a thousandth of a degree in all digits of a float has 21."""
+
 
 def write(expr: Expr, style: str | Style = "short", joints: Joints = THETAS) -> str:
     """Write an expression.
@@ -206,7 +209,7 @@ class _Writer:
         if angle.radians:
             must = spaced or (angle.terms and abs(angle.radians) > FULL_TURN_IN_RADIANS)  # 90 would be a question
             unit = " rad" if must and self.style.degrees is not None and not self.style.latex else ""
-            radians = repr(float(angle.radians)) if self.style.decimal else write_number(angle.radians, 20)
+            radians = repr(float(angle.radians)) if self.style.decimal else write_number(angle.radians, RADIAN_PLACES)
             pieces.append(radians + unit)
         if not pieces:
             return "0"

@@ -97,3 +97,10 @@ def test_a_product_says_so_where_somebody_listens() -> None:
     assert write_angle(exact.angle) == "90°"
     assert write_angle(typed.angle) == "1.5708 rad"
     assert remarks == ["1.5708 rad is taken as 90°, which it is to its digits"]
+
+
+@pytest.mark.parametrize("text", ["0.000010077797806037976", "0.3", "0.00000000000000000123"])
+def test_small_angles_in_radians_are_decimals(text: str) -> None:
+    """With all digits of a float; as a fraction nobody could read them."""
+    assert write_angle(to_angle(parse(f"{text} rad"), bare="refuse")) == f"{text} rad"
+    assert "/" in write_angle(to_angle(parse("1/3 rad"), bare="refuse"))
