@@ -77,11 +77,14 @@ def _followed(free: Uncoupled, drawing: Drawing) -> Iterator[_Part]:
         for name, slope in zip(free.given.variables, row, strict=True)
         if slope
     }
-    leading = {line.name: line.name for line in drawing.lines if line.name in free.given.variables}
-    for line in drawing.lines:
+    leading: dict[str, str] = {}
+    for line in drawing.lines:  # the first, for joints that are read again have the order in which they lead
         name, slope = slopes[line.name]
         if abs(slope) == 1 and line.turns == (name in free.given.turning):
             leading.setdefault(name, line.name)
+    for line in drawing.lines:
+        if line.name in free.given.variables:
+            leading.setdefault(line.name, line.name)
     if lacking := [name for name in free.given.variables if name not in leading]:
         message = f"no joint moves by {lacking[0]} itself, for others of a URDF to follow"
         raise RobotError(
@@ -93,7 +96,8 @@ def _followed(free: Uncoupled, drawing: Drawing) -> Iterator[_Part]:
         if leading[name] == line.name:
             yield _Part(name, replace(along, rate=abs(along.rate)))
         else:
-            yield _Part(line.name, replace(along, rate=abs(along.rate)), name, abs(slope))
+            own = leading[name] if line.name == name else line.name  # its leader has the name of the variable
+            yield _Part(own, replace(along, rate=abs(along.rate)), name, abs(slope))
 
 
 def _lines(robot: Robot, parts: Sequence[_Part], end: Frame) -> Iterator[str]:

@@ -306,3 +306,27 @@ def test_a_joint_that_follows_another_moves_with_it(follower: str) -> None:
     pose = np.asarray(forward(plain, moved))
     assert np.asarray(forward(arm, q)) == pytest.approx(pose, abs=1e-15)
     assert inverse(arm, pose).nearest(q) == pytest.approx(q)
+
+
+LEVELLED = """
+format: 1
+title: An arm that keeps its hand level
+source: a test
+convention: product
+variables: [theta1, theta2, d3]
+links:
+  - Rot(z, theta1)
+  - Rot(x, -theta2)
+  - Trans(0, d3, 0)
+  - Trans(0, 0.2, 0) * Rot(x, theta2)
+  - Trans(0, 0, 2*d3) * Trans(0, 0.1, 0)
+"""
+
+
+def test_joints_that_are_written_keep_their_order() -> None:
+    """Of those that share a variable the first leads, so that values in a row mean what they meant."""
+    arm = read_robot(LEVELLED, "levelled.yaml", "levelled")
+    again = read_urdf(urdf_text(arm), "a.urdf", "a", tip="tool0")
+    q = (0.3, 0.4, 0.2)
+    assert again.pattern == arm.pattern
+    assert np.asarray(forward(again, q)) == pytest.approx(np.asarray(forward(arm, q)), abs=1e-12)
