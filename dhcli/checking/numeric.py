@@ -32,6 +32,7 @@ from dhcli.checking.tolerance import (
 )
 from dhcli.checking.truth import Truth, is_length
 from dhcli.checking.verdicts import (
+    AGREEING,
     INVERSE,
     TOO_FEW,
     TRANSPOSED,
@@ -176,7 +177,7 @@ def _matters(cell: CellMark) -> bool:
 
 def _earned(question: Wanted, cells: tuple[CellMark, ...], typed: Matrix, verdict: Verdict) -> float:
     """Share of the credit: the rotation is one item, each length is one; the identity earns nothing."""
-    if verdict in (Verdict.RIGHT, Verdict.ROUNDED):
+    if verdict in AGREEING:
         return 1.0
     if question.piece == "pose" and all(
         abs(value - (r == c)) < RELATIVE for r, row in enumerate(typed) for c, value in enumerate(row)

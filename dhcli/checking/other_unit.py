@@ -10,10 +10,8 @@ from dhcli.checking.numeric import limits_of, mark_numbers
 from dhcli.checking.pasted import WrongUnitError
 from dhcli.checking.tolerance import CLEAR, Tolerance
 from dhcli.checking.truth import Truth, is_length
-from dhcli.checking.verdicts import IN_OTHER_UNIT, UNSOLVED, Mark, Verdict
+from dhcli.checking.verdicts import AGREEING, IN_OTHER_UNIT, UNSOLVED, Mark, Verdict
 from dhcli.checking.wanted import Wanted
-
-SOLVED = (Verdict.RIGHT, Verdict.ROUNDED)
 
 
 def mark_measured(question: Wanted, truth: Truth, entries: Entries, memo: Memo, tolerance: Tolerance) -> Mark:
@@ -48,7 +46,7 @@ def _in_other_unit(
     exercise = memo.exercise
     if other is None:
         return None
-    if other.verdict in SOLVED:
+    if other.verdict in AGREEING:
         digits = ", to the digits typed" if other.verdict is Verdict.ROUNDED else ""
         raise WrongUnitError(unit, f"this sheet is in {exercise.unit}", digits)
     cells = tuple(replace(cell, expected=one.expected) for cell, one in zip(other.cells, own.cells, strict=True))
@@ -89,8 +87,8 @@ def _is_plainly(question: Wanted, truth: Truth, own: Mark, other: Mark, toleranc
         r, c = here.row, here.column
         if not is_length(question, r, c) or abs(truth.numbers[r][c]) <= limits[r][c]:
             continue
-        if here.verdict in SOLVED and there.verdict not in SOLVED:
+        if here.verdict in AGREEING and there.verdict not in AGREEING:
             return False
         is_clear = abs(truth.numbers[r][c]) > CLEAR * limits[r][c]
-        found = found or (is_clear and there.verdict in SOLVED and here.verdict not in SOLVED)
+        found = found or (is_clear and there.verdict in AGREEING and here.verdict not in AGREEING)
     return found

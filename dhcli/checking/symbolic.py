@@ -14,7 +14,7 @@ from dhcli.checking.entries import Entries, Entry, as_read
 from dhcli.checking.exercise import Exercise, Memo
 from dhcli.checking.reach import reach_of
 from dhcli.checking.truth import Truth, is_length
-from dhcli.checking.verdicts import CellMark, Mark, Verdict
+from dhcli.checking.verdicts import AGREEING, CellMark, Mark, Verdict
 from dhcli.checking.wanted import Wanted
 from dhcli.kinematics.robot import Value
 from dhcli.notation.angle import Angle
@@ -54,7 +54,7 @@ def mark_symbols(question: Wanted, truth: Truth, entries: Entries, memo: Memo) -
     if verdict is Verdict.WRONG and question.piece == "pose":
         remarks = _half_right(cells)
     counted = [cell for cell in cells if cell.counted] or list(cells)
-    right = sum(cell.verdict in (Verdict.RIGHT, Verdict.ROUNDED) for cell in counted)
+    right = sum(cell.verdict in AGREEING for cell in counted)
     spoiled = sum(not cell.counted for cell in bad)  # a zero that is no zero costs what an entry earns
     earned = max(0, right - spoiled) / len(counted)
     if verdict is Verdict.WRONG and question.piece == "pose" and _is_identity(entries):

@@ -11,7 +11,7 @@ from dhcli.checking.exercise import Exercise
 from dhcli.checking.pasted import UnreadableError, WrongUnitError, without_label
 from dhcli.checking.tolerance import CLEAR, NOT_EXACT, Tolerance, is_rounding_of, judge, without_unit
 from dhcli.checking.units import is_measure, length_in_metres
-from dhcli.checking.verdicts import UNSOLVED, CellMark, Mark, Verdict
+from dhcli.checking.verdicts import AGREEING, UNSOLVED, CellMark, Mark, Verdict
 from dhcli.errors import Place
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Value
@@ -100,7 +100,7 @@ def mark_value(exercise: Exercise, right: Quantity, answer: TypedValue, toleranc
     if tolerance.exact and verdict is Verdict.RIGHT and not _is_exact(typed, right, exercise):
         verdict, remarks = Verdict.ROUNDED, (NOT_EXACT,)
     note = _note(typed, right, exercise) if verdict is Verdict.WRONG else ""
-    earned = float(verdict in (Verdict.RIGHT, Verdict.ROUNDED))
+    earned = float(verdict in AGREEING)
     return Mark(verdict, reading, (CellMark(0, 0, verdict, reading, shown, note),), remarks, earned, shown)
 
 
@@ -112,7 +112,7 @@ def is_right_value(exercise: Exercise, right: Quantity, answer: TypedValue, tole
     """
     typed = _as_asked(answer.expr, right, exercise, "deg")
     check_names(exercise, typed.value.names if isinstance(typed.value, Angle) else symbols(typed.value))
-    return _verdict_in_unit(exercise, typed, right, answer, tolerance) in (Verdict.RIGHT, Verdict.ROUNDED)
+    return _verdict_in_unit(exercise, typed, right, answer, tolerance) in AGREEING
 
 
 def _verdict_in_unit(

@@ -62,6 +62,9 @@ IN_OTHER_UNIT = "the lengths are in "
 
 UNSOLVED = (Verdict.WRONG, Verdict.CLOSE)
 
+AGREEING = (Verdict.RIGHT, Verdict.ROUNDED)
+"""A number that is right to the digits typed."""
+
 
 def worst(verdicts: Iterable[Verdict]) -> Verdict:
     """An answer is as good as its worst entry, a sheet as its worst part; nothing at all is skipped."""

@@ -15,7 +15,7 @@ from dhcli.checking.pasted import without_label
 from dhcli.checking.returned import Reading, Shown
 from dhcli.checking.tolerance import NOT_EXACT, Tolerance
 from dhcli.checking.units import chain_in_metres, move_in_metres
-from dhcli.checking.verdicts import Mark, Verdict
+from dhcli.checking.verdicts import AGREEING, Mark, Verdict
 from dhcli.checking.wanted import Wanted
 from dhcli.errors import Place
 from dhcli.frozen import frozen
@@ -102,7 +102,7 @@ def _spelled(chain: Chain, exercise: Exercise) -> str:
 
 
 def _is_right(exercise: Exercise, right: Chain, typed: Chain, tolerance: Tolerance) -> bool:
-    return _mark(exercise, right, typed, tolerance).verdict in (Verdict.RIGHT, Verdict.ROUNDED)
+    return _mark(exercise, right, typed, tolerance).verdict in AGREEING
 
 
 def _mark(exercise: Exercise, right: Chain, typed: Chain, tolerance: Tolerance) -> Mark:

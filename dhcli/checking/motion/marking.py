@@ -13,11 +13,9 @@ from dhcli.checking.motion.reading import as_read
 from dhcli.checking.pasted import WrongUnitError
 from dhcli.checking.symbolic import about_equal, counterexample, has_decimals, same
 from dhcli.checking.tolerance import CLEAR, is_rounding_of, judge, typed_decimals, without_unit
-from dhcli.checking.verdicts import IN_OTHER_UNIT, CellMark, Mark, Verdict, worst
+from dhcli.checking.verdicts import AGREEING, IN_OTHER_UNIT, CellMark, Mark, Verdict, worst
 from dhcli.frozen import frozen
 from dhcli.notation.writer import write
-
-PASSED = (Verdict.RIGHT, Verdict.ROUNDED)
 
 
 def mark_grid(case: Case, right: Grid, entries: Entries) -> Mark:
@@ -31,11 +29,11 @@ def mark_grid(case: Case, right: Grid, entries: Entries) -> Mark:
         return _marked(exercise, entries, _in_symbols(exercise, right, entries))
     own = mark_numbers(case, exercise, right, entries)
     mark = _marked(exercise, entries, own)
-    other = None if mark.verdict in PASSED else in_other_unit(case, right, entries, own)
+    other = None if mark.verdict in AGREEING else in_other_unit(case, right, entries, own)
     if other is None:
         return mark
     there = _marked(exercise, entries, other.cells)
-    if there.verdict in PASSED:
+    if there.verdict in AGREEING:
         digits = ", to the digits typed" if there.verdict is Verdict.ROUNDED else ""
         raise WrongUnitError(other.unit, f"this sheet is in {exercise.unit}", digits)
     remark = f"{IN_OTHER_UNIT}{other.unit}; this sheet is in {exercise.unit}: the rest is judged in {other.unit}"
@@ -92,7 +90,7 @@ def in_other_unit(case: Case, right: Grid, entries: Entries, own: Sequence[CellM
         )
         cells = mark_numbers(case, there, right, moved)
         clear = [
-            (here.verdict in PASSED, other.verdict in PASSED)
+            (here.verdict in AGREEING, other.verdict in AGREEING)
             for here, other in zip(own, cells, strict=True)
             if right.powers[here.row][here.column]
             and abs(truth[here.row][here.column]) > CLEAR * limits[here.row][here.column]
@@ -149,6 +147,6 @@ def mark_numbers(case: Case, exercise: Exercise, right: Grid, entries: Entries) 
 def _earned(cells: Sequence[CellMark], *, numeric: bool) -> float:
     """Share of the credit: that of the entries which are not the same for everybody; others only cost something."""
     counted = [cell for cell in cells if cell.counted] or list(cells)
-    right = sum(cell.verdict in PASSED for cell in counted)
-    spoiled = sum(not cell.counted and cell.verdict not in PASSED for cell in cells)
+    right = sum(cell.verdict in AGREEING for cell in counted)
+    spoiled = sum(not cell.counted and cell.verdict not in AGREEING for cell in cells)
     return right / (len(counted) + spoiled) if numeric else max(0, right - spoiled) / len(counted)
