@@ -9,12 +9,12 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from dhcli.kinematics.moves import Chain, Move, Rot
+from dhcli.kinematics.singular.angles import angle_words
 from dhcli.kinematics.singular.result import Factor, Singularities
-from dhcli.kinematics.singular.words import angle_words
 from dhcli.notation.angle import Angle
 from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Expr
-from dhcli.notation.walk import operations, substitute
+from dhcli.notation.walk import substitute
 
 HALF_DEGREES = 2
 """Residues hold multiples of half a degree."""
@@ -49,5 +49,4 @@ def put_back(found: Singularities, constants: Mapping[str, Angle]) -> Singularit
 
 
 def _factor(factor: Factor, zeros: tuple[Expr, ...], joints: Joints) -> Factor:
-    angles = " and ".join(angle_words(zero, joints) for zero in zeros if not operations(zero))
-    return replace(factor, zeros=zeros, angles=angles)
+    return replace(factor, zeros=zeros, angles=angle_words(zeros, joints))

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from dhcli import Robot, forward, inverse, load_robot, manipulability
+from dhcli import forward, inverse, load_robot, manipulability
 from dhcli.kinematics.inverse import rule_all
 from dhcli.kinematics.inverse.anatomy import NOTHING
 from dhcli.kinematics.inverse.planning import find_plan
@@ -17,6 +17,7 @@ from dhcli.kinematics.inverse.question import ask
 from dhcli.kinematics.inverse.running import run
 from dhcli.kinematics.inverse.solving import solve
 from dhcli.kinematics.inverse.tasks import TASKS
+from tests.kinematics.arms import COBOT
 from tests.kinematics.inverse.arms import CLASSES, Class, measured, odd, random_arm, random_motions
 from tests.nightly import NIGHT, some
 
@@ -151,17 +152,6 @@ def test_an_arm_as_it_was_built_finds_its_joint_values_again_beside_singular_pos
     apart = found.motions[:, None] - found.motions
     apart = np.abs(np.where(arm.turning, np.angle(np.exp(1j * apart)), apart)).max(axis=2)
     assert (apart > 1e-9).sum() == len(gap) * (len(gap) - 1), "a solution is given twice"
-
-
-COBOT = Robot.from_dh(
-    [
-        *((0, 0, 0.245, "q1"), (0.075, "-90°", 0, "q2 - 90°"), (0.54, 0, 0, "q3")),
-        *((0, "-90°", 0.54, "q4"), (0, "90°", -0.15, "q5"), (0, "-90°", 0.16, "q6")),
-    ],
-    variables=[f"q{i}" for i in range(1, 7)],
-    convention="modified",
-)
-"""A wrist with an offset, so that three joints are found at once."""
 
 
 def test_joint_values_at_right_angles_are_found_again_though_solutions_share_an_angle() -> None:
