@@ -168,3 +168,37 @@ def test_variables_to_spare_of_a_coupled_arm_are_held_and_may_be_chosen() -> Non
     assert len(np.unique(np.round(many.q[:, 2], 6))) > 1
     for q in many:
         assert matrix(robot, q)[:3, 3] == pytest.approx(place, abs=1e-12)
+
+
+@pytest.mark.parametrize("name", COUPLED)
+def test_a_path_of_an_arm_with_more_moves_than_variables_stays_on_its_branch(name: str) -> None:
+    """The values that it was made from come back; of an arm with a joint to spare, with that one held."""
+    robot = built(name, *COUPLED[name])
+    begin, end = np.array([[0.3, 0.9, 0.2, 0.5, 0.6, 0.4], [0.8, 1.3, 0.5, 0.3, 1.0, 0.9]])[:, : len(robot.variables)]
+    q = begin + np.linspace(0, 1, 30)[:, None] * (end - begin)
+    hold = {"d4": float(q[0, 3])} if name == "lift-to-spare" else None
+    q[:, 3:4] = q[:1, 3:4] if hold else q[:, 3:4]
+    path = follow(robot, forward_batch(robot, q), q[0], hold=hold)
+    assert np.abs(path.q - q).max() < 1e-9
+    assert (path.lost, path.jumps, path.singular) == ((), (), ())
+
+
+def test_a_path_of_a_palletizer_goes_round_twice_jumps_and_goes_on_behind_poses_out_of_reach() -> None:
+    """As of every other arm: turns are counted, what is lost is told, and so is a step that no branch makes."""
+    robot = built("palletizer", *COUPLED["palletizer"])
+    q = np.array([0.2, 1.3, -0.3, 0.0]) + np.linspace(0, 1, 60)[:, None] * [4 * np.pi, -0.4, 0.2, -9.0]
+    poses = forward_batch(robot, q)
+    poses[20:23, 2, 3] += 3
+    path = follow(robot, poses, q[0])
+    assert path.lost == (20, 21, 22)
+    assert np.abs(np.delete(path.q - q, [20, 21, 22], axis=0)).max() < 1e-9
+    apart_ = follow(robot, forward_batch(robot, np.vstack([q[:10], q[40:45]])), q[0])
+    assert apart_.jumps == (10,)
+
+
+def test_a_path_may_hold_a_variable_that_moves_joints_together_with_others() -> None:
+    """q2 turns the second joint against the floor; the hand makes up for it."""
+    robot = built("rods", "q1 q2 q3", "0.4 0 0 q1", "0.3 0 0 q2-q1", "0.2 0 0 q3")
+    q = np.array([0.3, 0.8, 0.2]) + np.linspace(0, 1, 20)[:, None] * [0.5, 0.0, 0.3]
+    places = forward_batch(robot, q)[:, :3, 3]
+    assert follow(robot, places, q[0], task="position", hold={"q2": 0.8}).q == pytest.approx(q, abs=1e-9)
