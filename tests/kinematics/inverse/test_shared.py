@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,7 @@ import pytest
 
 from dhcli import Robot, forward, forward_batch, inverse, inverse_batch
 from dhcli.files.yaml.robots import read_robot
+from dhcli.kinematics.inverse.explained import explained
 from dhcli.kinematics.inverse.path import follow
 from dhcli.kinematics.inverse.solutions import turning_joints
 
@@ -122,6 +124,44 @@ def test_values_that_made_a_pose_of_a_coupled_arm_come_back_at_any_pose(name: st
         assert apart(robot, inverse(robot, poses[k], hold=hold).q if free else found.q, row) < 1e-6
         assert {way for ways in found.free for each in ways for way in each.joints} <= set(robot.variables)
         assert bool(found.held) is (name == "lift-to-spare")
+
+
+TWO_ROOTS = "q1 q2 d3", "0.05 -90° 0.45 q1", "0.4 0 0 q2", "0.15 90° 0 -q2+0.25rad", "0 0 d3 0", "0 0 2*d3+0.05 0"
+
+
+@pytest.mark.parametrize("name", [*COUPLED, "two-roots"])
+def test_branches_and_steps_of_a_coupled_arm_name_its_own_variables(name: str) -> None:
+    """Each solution of a pose has a name of its own; moves that have no variable are explained by those there are."""
+    robot = built(name, *COUPLED.get(name, TWO_ROOTS))
+    found = inverse(robot, forward(robot, [0.3, 0.7, 0.2, 0.5, 0.6, 0.4][: len(robot.variables)]))
+    assert len(set(found.branches)) == len(found)
+    named = {word for branch in found.branches for word in re.findall(r"[a-z]+[0-9]+", branch)}
+    assert named <= set(robot.variables)
+    how = explained(found)
+    told = {step.partition(":")[0] for step in how.steps if found.ready}
+    assert told <= {*robot.variables, *(move.partition(" = ")[0] for move in how.moves)}
+    assert bool(how.moves) is (found.ready is not None)
+
+
+def test_the_sign_in_a_name_is_that_of_the_robots_variable() -> None:
+    """theta3 is -q2 + 0.25: where the equation rises with theta3 it falls with q2, on both sides of the double root."""
+    robot = built("two-roots", *TWO_ROOTS)
+    low, high = inverse(robot, forward(robot, [0.1, 0.2, 0.1]))
+    assert low[1] < high[1]
+    signs = inverse(robot, forward(robot, [0.1, 0.2, 0.1])).branches
+    assert [name.rpartition(", ")[2] for name in signs] == ["q2 -", "q2 +"]
+    assert inverse(robot, forward(robot, [-0.4, 0.15, 0.3])).branches == signs
+
+
+def test_a_family_of_a_coupled_arm_is_told_in_its_own_variables() -> None:
+    """A wrist whose joints are moved by differences: stretched, the fourth and the sixth make up for each other."""
+    rows = "0 90° 0.5 q1", "0.4 0 0 q2", "0 90° 0 q3-q2", "0 -90° 0.4 q4-q5", "0 90° 0 q5", "0 0 0.1 q6-q5"
+    robot = built("wrist", "q1 q2 q3 q4 q5 q6", *rows)
+    pose = matrix(robot, [0.1, 0.2, 1.3, 0.4, 0.0, 0.6])
+    ways = {way for each in inverse(robot, pose).free for way in each}
+    assert {(way.joint, way.joints) for way in ways} == {("q4", ("q4", "q6"))}
+    held = inverse(robot, pose, hold={"q4": 1.0})
+    assert apart(robot, held.q, [0.1, 0.2, 1.3, 1.0, 0.0, 0.0]) < 1e-7
 
 
 def test_what_is_found_by_trying_is_said_to_be_perhaps_not_all() -> None:
