@@ -16,6 +16,7 @@ from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.limits import is_within_limits
 from dhcli.kinematics.validity import Finding
 from dhcli.kinematics.values import symbols_of
+from dhcli.lint import lengths
 from dhcli.lint.kept import kept
 from dhcli.lint.mistakes import typed
 from dhcli.lint.wording import unfinished
@@ -40,6 +41,7 @@ PASSED = (Verdict.RIGHT.word, Verdict.EQUIVALENT.word)
 def written(exercise: Exercise) -> Iterator[Finding]:
     """Every broken rule about what stands in the file, for which nothing is judged."""
     yield from _texts(exercise)
+    yield from lengths.of_exercise(exercise)
     for part in exercise.asked:
         yield from _help(part, ("parts", part.id))
     verdicts = {trial.verdict for trial in exercise.trials}

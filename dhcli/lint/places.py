@@ -5,15 +5,21 @@ from __future__ import annotations
 from dhcli.errors import Place
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
 
+IN_PLACE_OF = {"links": ("links", "axes", "screws"), "joints": ("joints", "chain", "bars", "loop")}
+"""Keys of which a file has one: what a rule calls the links of a robot, or the joints of a linkage."""
+
 
 def place_in(root: PlacedNode, where: tuple[str | int, ...]) -> Place:
     """The place of what a path leads to, or of the nearest thing above it that the file has.
 
     Args:
         root: The tree of a file.
-        where: Keys of mappings, and positions or ids in lists, such as ("parts", "tip", "hints", 0).
+        where: Keys of mappings, and positions or ids in lists, such as ("parts", "tip", "hints", 0); for the links of a
+            robot its axes or screws may stand in the file.
     """
     place = root.place
+    if where and (forms := IN_PLACE_OF.get(str(where[0]))):
+        where = (next((key for key in forms if _below(root, key)), where[0]), *where[1:])
     for step in where:
         found = _below(root, step)
         if found is None:

@@ -11,15 +11,13 @@ from dhcli.kinematics.moves import names
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.validity import Finding
 from dhcli.kinematics.values import symbols_of
+from dhcli.lint import lengths
 from dhcli.lint.wording import unfinished
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import value_text
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
 from dhcli.regex import regex
-
-LONGEST = 10.0
-"""Metres; an arm with a longer link was measured in millimetres."""
 
 FULL_TURN = 360
 _NAME = regex(r"[A-Za-z0-9][A-Za-z0-9_-]*")
@@ -36,6 +34,7 @@ def findings(robot: Robot) -> Iterator[Finding]:
     for remark in robot.remarks:
         yield Finding((), remark, "write the exact value, or `exact: false` to keep the digits", is_warning=True)
     yield from _parameters(robot)
+    yield from lengths.of_robot(robot)
     yield from _rows(robot)
     yield from _poses(robot)
 
@@ -47,14 +46,9 @@ def _parameters(robot: Robot) -> Iterator[Finding]:
         if name not in used:
             yield Finding(where, f"{name}: no link uses it", "delete it, or put it into the table")
         elif isinstance(value, Expr) and not symbols(value):
-            length = Floats().value(value)
-            if not length:
-                yield Finding(
-                    where, f"{name}: is 0", "write 0 into the table, or leave its value open", is_warning=True
-                )
-            elif abs(length) > LONGEST:
-                hint = f"bare lengths are metres: did you mean {length:g} mm?"
-                yield Finding(where, f"{name}: {length:g} m is longer than any arm", hint, is_warning=True)
+            hint = "write 0 into the table, or leave its value open"
+            if not Floats().value(value):
+                yield Finding(where, f"{name}: is 0", hint, is_warning=True)
 
 
 def _rows(robot: Robot) -> Iterator[Finding]:
