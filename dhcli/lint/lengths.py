@@ -8,10 +8,10 @@ from collections.abc import Iterable, Iterator
 from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Exercise
 from dhcli.frozen import frozen
-from dhcli.kinematics.derived import in_floats
+from dhcli.kinematics.derived import Value, in_floats
+from dhcli.kinematics.description import Description, Link
 from dhcli.kinematics.limits import is_within_limits
 from dhcli.kinematics.moves import Chain, Fixed, Trans
-from dhcli.kinematics.robot import Link, Robot, Value
 from dhcli.kinematics.validity import Finding
 from dhcli.kinematics.values import symbols_of
 from dhcli.mobility.linkage import Linkage
@@ -43,7 +43,7 @@ class _Length:
     value: float
 
 
-def of_robot(robot: Robot) -> Iterator[Finding]:
+def of_robot(robot: Description) -> Iterator[Finding]:
     """Lengths that no arm has: each that is too long, or all of them if they are too short."""
     if robot.variables:  # blocks that are put together have any size
         lengths = tuple(_of_robot(robot))
@@ -77,7 +77,7 @@ def of_linkage(linkage: Linkage) -> Iterator[Finding]:
     yield Finding(("points", name) if name else ("joints",), message, _meant(size), is_warning=True)
 
 
-def _of_robot(robot: Robot) -> Iterator[_Length]:
+def _of_robot(robot: Description) -> Iterator[_Length]:
     """Every length that stands in the file of a robot."""
     for name, value in robot.parameters.items():
         formula = robot.derived.get(name)
@@ -93,7 +93,7 @@ def _of_robot(robot: Robot) -> Iterator[_Length]:
     for name, values in motors.items():
         yield _Length(("actuators", "motors", name), f"{name}:", max(map(_constant, values)))
     for pose, joints in robot.poses.items():
-        for name, value in zip(robot.variables, joints, strict=True):
+        for name, value in zip(robot.variables, joints, strict=False):
             if symbols_of(value) or is_within_limits(robot, name, in_floats(value)):  # else that is told
                 yield _Length(("poses", pose), f"{pose}: {name} =", _constant(value))
 
@@ -133,7 +133,7 @@ def _too_long(lengths: Iterable[_Length], of_many: str = "") -> Iterator[Finding
         yield Finding(one.where, message, _meant(one.value, of_many if len(found) > 1 else ""), is_warning=True)
 
 
-def _too_short(robot: Robot, lengths: Iterable[_Length]) -> Iterator[Finding]:
+def _too_short(robot: Description, lengths: Iterable[_Length]) -> Iterator[Finding]:
     """The longest, if all are far too short; nothing while one is left open."""
     is_open = any(value is None for name, value in robot.parameters.items() if name not in robot.angles)
     longest = max(lengths, key=lambda length: length.value, default=None)
