@@ -100,7 +100,7 @@ def _about(robot: Robot, asked: RobotOptions, answer: str) -> tuple[Exercise, st
     if asked.compare is not None:
         raise DhcliError("--compare says how a table is compared, and there is none", "--table FILE")
     if not asked.symbolic and not asked.chosen.stands and robot.variables:
-        hint = f"dhcli check {robot.name} --q 0.3,... or --symbolic, and --answer '[...]'"
+        hint = f"dhcli check {robot.typed} --q 0.3,... or --symbolic, and --answer '[...]'"
         raise DhcliError(f"{robot.name} is a robot: say at which joint values, or ask for symbols", hint)
     values = values_of(robot, asked.chosen, symbolic=asked.symbolic)
     start, end = ends(robot, asked.chosen.from_, asked.chosen.end)
