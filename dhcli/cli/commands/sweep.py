@@ -109,7 +109,7 @@ def sweep(
         result = go_through(target, grid, take, threads=threads, tell=tell)
     delivery.hand_over("sweep", result, result.warnings)
     if draw is not None and density is not None:
-        draw_workspace(target, density.workspace(target), draw, overwrite=overwrite)
+        draw_workspace(target, grid, density.workspace(target), draw, overwrite=overwrite)
 
 
 def _points(output: str | None, *, overwrite: bool) -> RowDelivery | None:

@@ -10,6 +10,7 @@ from dhcli.errors import DhcliError, FileError, Place, Problem
 
 if TYPE_CHECKING:
     from dhcli.kinematics.robot import Robot
+    from dhcli.kinematics.sweep.grid import Grid
     from dhcli.kinematics.sweep.target import Target
     from dhcli.kinematics.sweep.workspace import Workspace
     from dhcli.mobility.linkage import Linkage
@@ -157,17 +158,23 @@ def check_picture(path: str, *, overwrite: bool, page: str = "") -> None:
     check_free(path, overwrite=overwrite)
 
 
-def draw_workspace(target: Target, workspace: Workspace, path: str, *, overwrite: bool) -> None:
-    """Draw the points of a sweep, and write the file.
+def draw_workspace(target: Target, grid: Grid, workspace: Workspace, path: str, *, overwrite: bool) -> None:
+    """Draw the points of a sweep with the arm among them, joints that are held where they are, and write the file.
 
     Raises:
         FileError: It cannot be written.
     """
     from dhcli.cli.shell.console import tell
+    from dhcli.kinematics.derived import in_floats
+    from dhcli.notation.angle import Angle
     from dhcli.render.pictures.picture import Picture, format_of
+    from dhcli.scene.choice import best_pose
     from dhcli.storage.atomic import write_whole
 
-    picture = Picture(target.robot, parameters=target.lengths, workspace=workspace)
+    _, values = best_pose(target.robot, target.lengths)
+    values |= {axis.name: axis.first for axis in grid.held}
+    q = {name: value if isinstance(value, Angle) else in_floats(value) for name, value in values.items()}
+    picture = Picture(target.robot, q, parameters=target.lengths, workspace=workspace)
     write_whole(path, picture.rendered(format_of(path)), overwrite=overwrite)
     tell(f"wrote {path}")
 
