@@ -73,8 +73,8 @@ def derived(robot: Robot, goal: Goal, chosen: Chosen, *, with_own: bool = False)
         DhcliError: A pose is given, or something else of it counts, or there are no formulas.
     """
     from dhcli.cli.shell.given import lengths_of
+    from dhcli.kinematics.forward import with_values
     from dhcli.kinematics.inverse.derive import derive
-    from dhcli.kinematics.valued import with_values
 
     if any((chosen.q, chosen.pose, *astuple(replace(goal, task=None)))):
         raise DhcliError("a derivation is in letters and takes no pose", "leave it out, or --derive and --code")
