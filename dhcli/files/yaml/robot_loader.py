@@ -17,9 +17,8 @@ from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, Pla
 from dhcli.files.yaml.typed import has_unit_of_angle, read_flag, read_value, read_whole
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row, calibrated_moves, moves_of
 from dhcli.kinematics.description import Description
-from dhcli.kinematics.moves import Chain, angle_names, expressions, names, read_chain
+from dhcli.kinematics.moves import Chain, angle_names, expressions, names, read_chain, sharpened
 from dhcli.kinematics.robot import Link, Robot, Value
-from dhcli.kinematics.sharpened import sharpened
 from dhcli.kinematics.validity import Finding, InvalidRobotError, findings
 from dhcli.notation.angle import Angle
 from dhcli.notation.names import canonical
