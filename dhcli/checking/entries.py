@@ -15,7 +15,7 @@ from dhcli.checking.truth import is_length, names_of
 from dhcli.checking.units import length_in_metres
 from dhcli.checking.vectors import as_column
 from dhcli.checking.wanted import Wanted
-from dhcli.errors import NotationError, Place
+from dhcli.errors import NotationError, Place, are, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.values import numbers
 from dhcli.notation.matrix import Cell, bracketed, parse_matrix
@@ -149,8 +149,7 @@ def _shape_remark(question: Wanted, shape: tuple[int, int]) -> str:
 
 def count_remark(count: int, wanted: int) -> str:
     """What to say of another number of numbers than was asked for."""
-    given = "1 number is given" if count == 1 else f"{count} numbers are given"
-    return f"{given}, {wanted} were asked"
+    return f"{plural(count, 'number')} {are(count)} given, {wanted} {'was' if wanted == 1 else 'were'} asked"
 
 
 def as_read(question: Wanted, row: int, column: int, exercise: Exercise, expr: Expr) -> Expr:

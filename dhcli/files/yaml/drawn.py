@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 
-from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean
+from dhcli.errors import NotationError, Place, Problem, RobotError, are, did_you_mean, plural
 from dhcli.files.keys.robots import ROBOTS
 from dhcli.files.yaml.fields import Fields
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
@@ -132,7 +132,9 @@ class DrawnLoader(Loader):
                     )
             if len(known) != 1:
                 self.problems.add(
-                    node.place, f"axes: row {i + 1} names {len(known)} joints", "write {theta1: +z, through: (0, 0, 0)}"
+                    node.place,
+                    f"axes: row {i + 1} names {plural(len(known), 'joint')}",
+                    "write {theta1: +z, through: (0, 0, 0)}",
                 )
                 continue
             yield self.axis_line(fields, known[0], node.place)
@@ -241,7 +243,11 @@ class DrawnLoader(Loader):
         if len(pieces) != count or isinstance(node, PlacedMapping):
             place = self.fields.place if node is None else node.place
             wanted = "(0, 0, l1)" if count == 3 else "(0, 0, 1, 0, 0, 0): ω, then v"  # noqa: PLR2004
-            self.problems.add(place, f"{key}: {count} values are wanted, not {len(pieces)}", f"write {wanted}")
+            self.problems.add(
+                place,
+                f"{key}: {plural(count, 'value')} {are(count)} wanted, not {len(pieces)}",
+                f"write {wanted}",
+            )
             return ()
         found = []
         for piece in pieces:

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dhcli.algebra.arithmetic import evaluate
 from dhcli.algebra.tape import Number
 from dhcli.algebra.written import Lean, Written, written
+from dhcli.errors import plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.inverse.derivation import Derivation
@@ -82,9 +83,9 @@ def _said(result: Derivation, joints: Sequence[str], spelling: Spelling) -> Iter
     of = "the position in the pose T" if result.place_only else "the pose T"
     yield f"Every solution of {robot.name} for {of} of {frame_words(result.end)} seen from {frame_words(result.start)}."
     yield f"{robot_words(robot)}; radians and metres."
-    yield f"Joint values of each, in this order: {', '.join(joints)}; at most {result.branches} solutions."
+    yield f"Joint values of each, in this order: {', '.join(joints)}; at most {plural(result.branches, 'solution')}."
     if spelling.language.name == "c":
-        yield f"Returns how many there are; solutions has room for {result.branches} rows."
+        yield f"Returns how many there are; solutions has room for {plural(result.branches, 'row')}."
     yield from lengths_words(robot, {name: spelling.names[name] for name in lengths_used(result)})
     yield f"Source: {robot.source}"
 
