@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from functools import cache
 from typing import TYPE_CHECKING, cast
 
@@ -29,6 +30,7 @@ from dhcli.kinematics.values import (
 )
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO, Expr
+from dhcli.notation.walk import symbols
 
 if TYPE_CHECKING:
     from dhcli.kinematics.recorded import Recording
@@ -218,3 +220,27 @@ def factors(robot: Robot, link: Link, values: Values) -> tuple[Pose[Expr], ...]:
         Pose(fold((move,), TERMS), before, str(link.number), spelled(move, robot.writing), robot.writing)
         for move in put_in(link.moves, values)
     )
+
+
+def with_values(robot: Robot, values: Mapping[str, Value]) -> Robot:
+    """The robot with exact values in the place of lengths and constant angles; they are no parameters of it."""
+    base, tool = put_in(robot.base, values), put_in(robot.tool, values)
+    links = tuple(link_with(link, values, robot.convention) for link in robot.links)
+    tools = {name: put_in(chain, values) for name, chain in robot.tools.items()}
+    left = {name: value for name, value in robot.parameters.items() if name not in values}
+    derived = {name: how for name, how in robot.derived.items() if symbols(how.expr) | {name} <= left.keys()}
+    return replace(robot, links=links, base=base, tool=tool, tools=tools, parameters=left, derived=derived)
+
+
+def with_own_values(robot: Robot) -> Robot:
+    """The robot with the values of its lengths in their place.
+
+    Raises:
+        RobotError: A length has no value.
+    """
+    if lacking := [name for name, value in robot.parameters.items() if value is None]:
+        raise RobotError(
+            f"{', '.join(lacking)} {'has' if len(lacking) == 1 else 'have'} no value",
+            "numbers need one: --set NAME=VALUE",
+        )
+    return with_values(robot, {name: value for name, value in robot.parameters.items() if value is not None})

@@ -14,11 +14,11 @@ import numpy as np
 from dhcli.geometry.rank import TIGHT, Rank, rank_of, spaces
 from dhcli.mobility.copies import disturbed, generic, twisted
 from dhcli.mobility.decision import Truth
-from dhcli.mobility.groups import Groups
 from dhcli.mobility.linkage import Linkage
 from dhcli.mobility.loops import shortest_lambdas
 from dhcli.mobility.model import Model, model_of
 from dhcli.mobility.pairs import LinkageError
+from dhcli.mobility.pebbles import Groups
 
 DISTURBANCE = 0.02
 FAINT, FAINTEST = 3e-3, 1e-8

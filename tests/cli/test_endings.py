@@ -9,7 +9,7 @@ import pytest
 from dhcli.cli import app
 from dhcli.cli.shell.endings import ENDINGS
 from dhcli.render.code.rows import FORMATS
-from dhcli.render.look import _RENDERERS, formats
+from dhcli.render.kinds import _RENDERERS, formats
 from tests.cli.running import Run
 
 LINES = {

@@ -19,7 +19,7 @@ from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.singular.neat import neat_determinant
+from dhcli.kinematics.singular.finding import neat_determinant
 from dhcli.kinematics.velocity.cramer import LARGEST, solved
 from dhcli.kinematics.velocity.form import Form, Which
 from dhcli.kinematics.velocity.view import joints_between

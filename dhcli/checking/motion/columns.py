@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import lru_cache
 from typing import TypeAlias
 
 from dhcli.algebra.arithmetic import settled
 from dhcli.algebra.terms import TERMS
-from dhcli.checking.exercise import Case
 from dhcli.checking.motion.grid import Grid, Rows, exact
 from dhcli.frozen import frozen
 from dhcli.kinematics.fold import fold_rows
 from dhcli.kinematics.forward import textbook_form
 from dhcli.kinematics.frames import ORIGIN, between
 from dhcli.kinematics.moves import Chain, Trans, names
+from dhcli.kinematics.recorded import kept
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values, numbers
 from dhcli.kinematics.velocity.analytic import Triple
@@ -30,6 +31,9 @@ from dhcli.notation.walk import substitute, symbols
 Vector: TypeAlias = tuple[Expr, Expr, Expr]
 
 NOTHING: Vector = (ZERO, ZERO, ZERO)
+
+MOST_VECTORS = 2_000
+"""Vectors that are kept: those of two slips in six joints, of which most have the same axes and arms."""
 
 
 @frozen
@@ -89,17 +93,16 @@ class Columns:
         return tuple(k for k, row in enumerate(self.cut(range(6))) if any(entry != ZERO for entry in row))
 
 
-def columns_in(case: Case, robot: Robot, view: MotionView) -> Columns:
-    """The columns of a robot, worked out once for an exercise."""
-    return case.memo.of(("columns", robot.name, view), lambda: columns_of(robot, view))
-
-
 def columns_of(robot: Robot, view: MotionView) -> Columns:
-    """The columns of a robot, in symbols.
+    """The columns of a robot, in symbols, worked out once for it.
 
     Raises:
         RobotError: They would be longer than anybody can read.
     """
+    return kept(robot, ("columns", view), lambda: _columns_of(robot, view))
+
+
+def _columns_of(robot: Robot, view: MotionView) -> Columns:
     found = textbook_jacobian(robot, {}, view)
     joints = {joint.name: joint for joint in robot.joints}
     each = []
@@ -131,18 +134,25 @@ def position(chain: Chain) -> Vector:
     return x, y, z
 
 
+def origin_of(robot: Robot, axes: str, name: str) -> Vector:
+    """The origin of a frame seen from another, worked out once for a robot."""
+    return kept(robot, ("origin", axes, name), lambda: position(between(robot, axes, name)))
+
+
 def axis_z(robot: Robot, axes: str, name: str) -> Vector:
     """The z axis of a frame along the axes of another."""
     x, y, z, _ = (row[2] for row in textbook_form(between(robot, axes, name)))
     return x, y, z
 
 
+@lru_cache(MOST_VECTORS)
 def minus(first: Vector, second: Vector) -> Vector:
     """A difference of vectors."""
     x, y, z = (add(a, negate(b)) for a, b in zip(first, second, strict=True))
     return x, y, z
 
 
+@lru_cache(MOST_VECTORS)
 def cross(first: Vector, second: Vector) -> Vector:
     """A cross product of vectors."""
     (a, b, c), (x, y, z) = first, second

@@ -8,7 +8,7 @@ from typing import ClassVar, Self
 from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Case
 from dhcli.checking.motion.asked import Motion, form_of, read_motion
-from dhcli.checking.motion.columns import Columns, columns_in
+from dhcli.checking.motion.columns import Columns, columns_of
 from dhcli.checking.motion.grid import Numbers, over
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
@@ -58,7 +58,7 @@ class JacobianTask:
 def columns_for(case: Case, motion: Motion) -> Columns:
     """The columns that a question is about."""
     robot, view = motion.check(case.exercise.robot)
-    return columns_in(case, robot, view)
+    return columns_of(robot, view)
 
 
 def found_for(case: Case, motion: Motion, form: Form) -> Singularities:

@@ -12,7 +12,7 @@ from dhcli.checking.exercise import Case
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.returned import Shown
 from dhcli.checking.solving.goal import Target, of_robot
-from dhcli.checking.solving.putting import put_for
+from dhcli.checking.solving.typed import put_for
 from dhcli.checking.units import ONE as METRE
 from dhcli.checking.units import in_unit
 from dhcli.errors import RobotError

@@ -10,7 +10,7 @@ from itertools import chain, product
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.pasted import UnreadableError
-from dhcli.checking.solving.putting import put_for
+from dhcli.checking.solving.typed import put_for
 from dhcli.checking.units import ONE as METRE
 from dhcli.errors import DhcliError, Place
 from dhcli.frozen import frozen

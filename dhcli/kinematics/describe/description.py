@@ -19,9 +19,9 @@ from dhcli.kinematics.describe.repairing import repaired, with_table
 from dhcli.kinematics.describe.screws import ScrewAxis, Side, lines_of, screws_of
 from dhcli.kinematics.describe.straight import Straightened, straightened
 from dhcli.kinematics.describe.words import Speaker, Step
+from dhcli.kinematics.forward import with_own_values
 from dhcli.kinematics.moves import Chain, spelled
 from dhcli.kinematics.robot import Link, Robot, Value
-from dhcli.kinematics.valued import in_numbers
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
 
@@ -84,7 +84,7 @@ def describe(robot: Robot, asked: Asked) -> Described:
     is_table = asked.form in ("standard", "modified")
     other = {"standard": Convention.MODIFIED, "modified": Convention.STANDARD}.get(asked.form)
     if is_table and robot.convention is other and not asked.from_axes:
-        return _regrouped(in_numbers(robot) if asked.numbers else robot, asked.form)
+        return _regrouped(with_own_values(robot) if asked.numbers else robot, asked.form)
     try:
         return _drawn_anew(robot, asked)
     except SharedMovesError:
@@ -94,13 +94,13 @@ def describe(robot: Robot, asked: Asked) -> Described:
 def _drawn_anew(robot: Robot, asked: Asked) -> Described:
     """The description by way of the axes."""
     if asked.straighten is not None:
-        return replace(_straight(in_numbers(robot), asked, asked.straighten), given=robot)
+        return replace(_straight(with_own_values(robot), asked, asked.straighten), given=robot)
     try:
-        return _from_axes(in_numbers(robot) if asked.numbers else robot, asked)
+        return _from_axes(with_own_values(robot) if asked.numbers else robot, asked)
     except LettersError as error:
         if asked.numbers or None in robot.parameters.values():
             raise
-        found = _from_axes(in_numbers(robot), asked)
+        found = _from_axes(with_own_values(robot), asked)
         return replace(found, notes=(f"in numbers: {error.problems[0].message}", *found.notes))
 
 

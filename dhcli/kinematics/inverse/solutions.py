@@ -10,7 +10,7 @@ import numpy as np
 
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
-from dhcli.kinematics.farlimits import far_limits
+from dhcli.kinematics.limits import far_limits
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import JointInput, joint_values
 

@@ -7,21 +7,22 @@ from itertools import combinations
 from itertools import product as every
 
 from dhcli.algebra.arithmetic import CannotHoldError
+from dhcli.algebra.equality import equal
 from dhcli.errors import RobotError
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.recorded import kept
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.singular.arm import Arm, Point
 from dhcli.kinematics.singular.conditions import UnreadableError, conditions, moving
-from dhcli.kinematics.singular.constants import put_back
 from dhcli.kinematics.singular.modular import determinant, rank
 from dhcli.kinematics.singular.polynomial import TooLongError, product
 from dhcli.kinematics.singular.result import MOST_JOINTS, Factor, Singularities
 from dhcli.kinematics.singular.square import factored
-from dhcli.kinematics.singular.task import arm_of, number_of, place_of, task_of, task_rows
+from dhcli.kinematics.singular.task import arm_of, number_of, place_of, put_back, task_of, task_rows
 from dhcli.kinematics.singular.vanishing import fresh, right_angles, vanishing, variables_of
 from dhcli.kinematics.singular.words import Geometry, Place, angle_words, listed
 from dhcli.kinematics.values import Values, given_parameters
+from dhcli.kinematics.velocity import cramer
 from dhcli.kinematics.velocity.form import GEOMETRIC, Which, check_part
 from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.tree import Expr, Trig, negate
@@ -197,3 +198,27 @@ def probed(arm: Arm, kept: Sequence[int], full: int) -> tuple[Mapping[str, int],
                 if rank([rows[k] for k in kept], over.field) < full:
                     found.append(turns)
     return tuple(found)
+
+
+def neat_determinant(
+    robot: Robot, view: MotionView, part: Which, values: Values, rows: Sequence[Sequence[Expr]]
+) -> Expr:
+    """The determinant of some rows of a Jacobian along any axes; the factors are proved to be just that.
+
+    Args:
+        robot: The robot.
+        view: What the Jacobian is of.
+        part: Which rows it has, before those are left out that no joint moves.
+        values: Values that have been put in.
+        rows: The rows that are left, as many as columns.
+    """
+    plain = cramer.determinant(rows)
+    try:
+        factored = find(robot, view, part, values).determinant
+    except RobotError:
+        return plain
+    if factored is not None and equal(factored, plain):
+        return factored
+    if factored is not None and equal(negate(factored), plain):
+        return negate(factored)
+    return plain

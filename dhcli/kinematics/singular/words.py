@@ -10,9 +10,8 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import combinations
 
 from dhcli.frozen import frozen
-from dhcli.kinematics.singular.arm import Point, Triple
+from dhcli.kinematics.singular.arm import Point, Triple, alike, in_line, in_plane, volume
 from dhcli.kinematics.singular.modular import Table, cross, dot, minus, null_space
-from dhcli.kinematics.singular.statements import alike, in_line, in_plane, volume
 from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Expr, Symbol, Trig
 from dhcli.notation.writer import write, write_angle

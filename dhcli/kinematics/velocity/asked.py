@@ -144,7 +144,7 @@ def answer_symbolic_rates(
     Raises:
         RobotError: It has more or fewer, or more than are written out, or is singular everywhere.
     """
-    from dhcli.kinematics.singular.neat import neat_determinant
+    from dhcli.kinematics.singular.finding import neat_determinant
     from dhcli.kinematics.velocity.cramer import LARGEST, solved
 
     found = textbook_jacobian(robot, values, view)

@@ -10,10 +10,10 @@ from typing import Any
 from dhcli.errors import plural
 from dhcli.geometry.euler import RollPitchYaw
 from dhcli.kinematics.conventions import NAMES
-from dhcli.kinematics.farlimits import far_limits
 from dhcli.kinematics.inverse.answer import InverseKinematics
 from dhcli.kinematics.inverse.explained import Explanation
 from dhcli.kinematics.inverse.solutions import shown_beyond
+from dhcli.kinematics.limits import far_limits
 from dhcli.render.code.matrices import csv_line, exact
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper

@@ -13,13 +13,12 @@ import numpy as np
 import pytest
 
 from dhcli.files.yaml.robots import load_robot
-from dhcli.kinematics.forward import forward
+from dhcli.kinematics.forward import forward, with_own_values
 from dhcli.kinematics.inverse.asked import inverse
 from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive import derive
 from dhcli.kinematics.inverse.derive_rules import Step
 from dhcli.kinematics.inverse.derive_terms import name_of
-from dhcli.kinematics.valued import in_numbers
 from dhcli.notation.tree import ZERO, Symbol, add, multiply, negate, power
 from dhcli.render.code.inverses import inverse_code
 from dhcli.render.code.languages import LANGUAGES
@@ -36,7 +35,7 @@ Q = (0.4, 0.7, 0.5, -0.6, 0.8, 1.1)
 @cache
 def derived(name: str, *, in_its_numbers: bool = False) -> Derivation:
     """The derivation of a robot, worked out once; with its letters, or with its lengths in their place."""
-    return derive(in_numbers(load_robot(name)) if in_its_numbers else load_robot(name))
+    return derive(with_own_values(load_robot(name)) if in_its_numbers else load_robot(name))
 
 
 def code(derivation: Derivation, language: str) -> str:
