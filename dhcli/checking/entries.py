@@ -186,6 +186,8 @@ def in_unit_of(question: Wanted, entries: Entries, exercise: Exercise) -> Entrie
     """Entries that have been read, with their bare lengths in the unit of another sheet."""
 
     def moved(entry: Entry, row: int, column: int) -> Entry:
+        if not is_length(question, row, column):
+            return entry
         try:
             return replace(entry, expr=as_read(question, row, column, exercise, entry.typed))
         except DimensionError:  # what is no length in that unit stays wrong
