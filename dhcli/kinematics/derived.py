@@ -10,7 +10,7 @@ from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import DimensionError, to_angle, to_plain_length
 from dhcli.notation.tree import Expr
-from dhcli.notation.walk import substitute, symbols
+from dhcli.notation.walk import parted, substitute, symbols
 
 Value: TypeAlias = Angle | Expr
 """The value of a name: an exact angle, or an expression of lengths in metres."""
@@ -76,8 +76,7 @@ def value_of(formula: Formula, values: Mapping[str, Value]) -> Value:
     Raises:
         DimensionError: It has no real value there, or mixes angles and lengths.
     """
-    lengths = {name: value for name, value in values.items() if isinstance(value, Expr)}
-    angles = {name: value for name, value in values.items() if isinstance(value, Angle)}
+    lengths, angles = parted(values)
     try:
         expr = substitute(formula.expr, lengths, angles)
         found: Value = to_angle(expr, bare="refuse").substitute(angles) if formula.is_angle else to_plain_length(expr)

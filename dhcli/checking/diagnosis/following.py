@@ -16,8 +16,7 @@ from dhcli.checking.truth import piece_of
 from dhcli.checking.wanted import Wanted
 from dhcli.errors import DhcliError
 from dhcli.kinematics.fold import fold
-from dhcli.kinematics.frames import View, between, frame
-from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.frames import View, between, span_of
 
 MOST_WAYS = 64
 
@@ -63,12 +62,6 @@ def follows(case: Case, question: Wanted, entries: Entries, earlier: Mapping[str
         if used and all(matches(v, p, typed.slacks[-1]) for v, p in zip(typed.values, pieces, strict=True)):
             return used
     return ()
-
-
-def span_of(robot: Robot, span: View) -> tuple[int, int]:
-    """The places of two frames in the order of the robot."""
-    first, last = (robot.frames.index(frame(robot, name)) for name in (span.start, span.end))
-    return first, last
 
 
 def _paths(ways: Ways, here: int, last: int) -> Iterator[tuple[tuple[str, ...], Matrices]]:

@@ -15,7 +15,7 @@ from dhcli.kinematics.inverse.derive_rules import Step
 from dhcli.kinematics.inverse.derive_terms import name_of
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import HALF, ONE, ZERO, Call, Expr, Power, Product, Sum, Symbol, Trig, add, negate, power
-from dhcli.notation.walk import rebuild, symbols, walk
+from dhcli.notation.walk import rebuild, symbols, symbols_in, walk
 from dhcli.regex import regex
 from dhcli.render.code.functions import lengths_words, robot_words
 from dhcli.render.code.language import Heading, Spelling
@@ -160,7 +160,7 @@ class _Nest:
 
     def needed(self, *formulas: Expr | None) -> Iterator[str]:
         """Lines for the parts of formulas that have none yet."""
-        used = frozenset().union(*(symbols(expr) for expr in formulas if expr is not None))
+        used = symbols_in(expr for expr in formulas if expr is not None)
         for name in [name for name in self.waiting if name in used]:
             if name in self.waiting:
                 part = self.waiting.pop(name)
@@ -240,7 +240,7 @@ def entries_used(result: Derivation) -> Iterator[tuple[str, int, int]]:
 
 def _used(result: Derivation) -> frozenset[str]:
     every = (expr for step in result.steps for expr in (step.value, step.spread, *_parts(step)) if expr is not None)
-    return frozenset().union(*map(symbols, every))
+    return symbols_in(every)
 
 
 def _whole_sums(expr: Expr, sums: dict[tuple[tuple[str, object], ...], str]) -> Expr:
