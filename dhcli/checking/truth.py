@@ -55,10 +55,6 @@ class Truth:
 def truth_of(question: Wanted, case: Case) -> Truth:
     """The right answer to a question about a matrix, computed once.
 
-    Args:
-        question: The question.
-        case: Where it is asked, for the robot and the values given.
-
     Raises:
         RobotError: The question needs a robot and the exercise has none.
     """

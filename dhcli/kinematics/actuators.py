@@ -191,11 +191,7 @@ def exact_text(value: Fraction, *, exact: bool) -> str:
 
 
 def inverse(rows: Sequence[Fractions], names: Sequence[str]) -> tuple[Fractions, ...]:
-    """The inverse of a square matrix of fractions.
-
-    Args:
-        rows: The matrix.
-        names: What its rows are called.
+    """The inverse of a square matrix of fractions, whose rows have names for errors.
 
     Raises:
         RobotError: A row is a sum of multiples of others; it says which.

@@ -34,12 +34,6 @@ class Drive:
 def read_drive(expr: Expr, motors: Sequence[str], joints: Sequence[str], *, turns: bool) -> Drive:
     """A joint in terms of motors: `m3 + m2`, `-m4/76.04`, `(m3 - m4) * 20 mm/(360°)`.
 
-    Args:
-        expr: The expression.
-        motors: The motors there are.
-        joints: The joints there are.
-        turns: Whether the joint turns.
-
     Raises:
         RobotError: It is no sum of multiples of motors, or a ratio is no number.
     """

@@ -68,11 +68,6 @@ def caption_of(linkage: Linkage) -> str:
 def graph_figure(linkage: Linkage, paper: Paper, caption: list[Text]) -> Figure:
     """Links as bars in a row or around a ring, each joint a circle with its letter.
 
-    Args:
-        linkage: The linkage.
-        paper: What it is drawn on.
-        caption: The texts under it.
-
     Raises:
         LinkageError: There are too many links for a picture.
     """

@@ -45,14 +45,7 @@ class Sheet:
 
 
 def plane_figure(linkage: Linkage, paper: Paper, caption: list[Text], *, worksheet: bool) -> Figure:
-    """The figure of a planar linkage that is placed.
-
-    Args:
-        linkage: The linkage.
-        paper: What it is drawn on.
-        caption: The texts under it.
-        worksheet: Whether it has no names.
-    """
+    """The figure of a planar linkage that is placed."""
     places = Places(linkage)
     sheet = _sheet(places, paper)
     shapes = [*_ground(places, sheet), *_wheels(places, sheet), *_links(places, sheet), *_joints(places, sheet)]

@@ -25,14 +25,7 @@ Ways = dict[int, list[tuple[int, str, Matrices]]]
 
 
 def follows(case: Case, question: Wanted, entries: Entries, earlier: Mapping[str, Reading[Any]]) -> tuple[str, ...]:
-    """The earlier parts from whose answers a wrong matrix is right; none if there are none.
-
-    Args:
-        case: The part.
-        question: What it asks.
-        entries: The wrong answer.
-        earlier: The answers to earlier parts that differ from the solution, by part.
-    """
+    """The earlier parts, of those answered otherwise than the solution, from which a wrong matrix is right."""
     robot = case.exercise.robot
     if not earlier or robot is None or not isinstance(question.source, View):
         return ()

@@ -127,11 +127,6 @@ class Setting:
 def right_work(question: Wanted, robot: Robot | None, setting: Setting) -> Work:
     """The right way to an answer; the moves of a single link, or of a product, are factors of their own.
 
-    Args:
-        question: What is asked.
-        robot: The robot, if there is one.
-        setting: Keeps the links, which all works share.
-
     Raises:
         RobotError: The question needs a robot and there is none.
     """

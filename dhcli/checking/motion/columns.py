@@ -56,14 +56,7 @@ class Column:
 
 @frozen
 class Columns:
-    """All columns between two frames of a robot.
-
-    Attributes:
-        robot: The robot.
-        view: Which frames, axes and point.
-        point: The point whose velocity it is.
-        each: The column of each joint.
-    """
+    """All columns between two frames of a robot."""
 
     robot: Robot
     view: MotionView

@@ -97,12 +97,7 @@ class Target:
         return (*((*row, x) for row, x in zip(turn, place, strict=True)), (0.0, 0.0, 0.0, 1.0))
 
     def in_unit(self, unit: Fraction, scope: Scope) -> Target:
-        """The pose with its bare lengths in metres, where a sheet is in another unit.
-
-        Args:
-            unit: Metres in a bare length of the sheet.
-            scope: The names that it may use.
-        """
+        """The pose with its bare lengths in metres, where a sheet is in another unit."""
         if self.chain:
             return replace(self, chain=chain_in_metres(self.text, unit, scope))
         if not self.point:

@@ -71,10 +71,6 @@ class Described:
 def describe(robot: Robot, asked: Asked) -> Described:
     """Describe a robot anew.
 
-    Args:
-        robot: The robot, described in any way.
-        asked: Which description.
-
     Raises:
         RobotError: It has no such description, or a letter lacks a value that decides.
     """

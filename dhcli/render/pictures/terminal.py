@@ -53,12 +53,7 @@ def sheet_of(columns: int, rows: int, paper: Paper) -> Sheet:
 
 
 def terminal(figure: Figure, paper: Paper) -> str:
-    """The text of a figure that was drawn on a sheet of letters, and its caption under it.
-
-    Args:
-        figure: The figure.
-        paper: What it is written on; no line is wider.
-    """
+    """The text of a figure that was drawn on a sheet of letters, and its caption under it."""
     columns, rows = round(figure.width / WIDE), round(figure.height / HIGH)
     canvas = _Braille(columns, rows) if paper.unicode else _Plain(columns, rows)
     for shape in figure.shapes:
