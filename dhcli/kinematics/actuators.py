@@ -10,13 +10,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
 from fractions import Fraction
 
-from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
-from dhcli.kinematics.derived import Value
+from dhcli.kinematics.derived import Value, in_floats, metres
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import value_text
-from dhcli.notation.tree import PI, Expr, Number, Symbol, add, multiply, number, power
+from dhcli.notation.tree import PI, Symbol, add, multiply, number, power
 from dhcli.notation.writer import write
 
 Fractions = tuple[Fraction, ...]
@@ -98,7 +97,7 @@ class Actuators:
             if slope and motor not in self.limits:
                 return None
             if slope:
-                ends = sorted(slope * size_of(limit) for limit in self.limits[motor])
+                ends = sorted(slope * in_floats(limit) for limit in self.limits[motor])
                 low, high = low + ends[0], high + ends[1]
         return low, high
 
@@ -160,16 +159,6 @@ class Actuators:
         if size and short(size) is None and (below := short(1 / size)) is not None:
             return f"{called}/{below}"
         return f"{exact_text(size, exact=exact)}*{called}"
-
-
-def size_of(value: Value) -> float:
-    """A constant in radians or metres."""
-    return value.constant() if isinstance(value, Angle) else float(metres(value))
-
-
-def metres(value: Expr) -> Fraction:
-    """A constant length; exactly where it is a plain number."""
-    return value.value if isinstance(value, Number) else Fraction(Floats().value(value))
 
 
 def total_text(pieces: Sequence[tuple[Fraction, str]]) -> str:
