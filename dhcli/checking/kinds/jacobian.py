@@ -10,7 +10,7 @@ from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.entries import Entries
 from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.motion.asked import Motion, form_of, read_motion
-from dhcli.checking.motion.columns import Columns, columns_in, jacobian_grid
+from dhcli.checking.motion.columns import Columns, columns_of, jacobian_grid
 from dhcli.checking.motion.from_columns import ColumnsQuestion, Typed, axes_step
 from dhcli.checking.motion.grid import Grid
 from dhcli.checking.returned import Reading, Shown
@@ -98,7 +98,7 @@ class JacobianQuestion(ColumnsQuestion):
 
     def columns(self, case: Case) -> Columns:
         robot, view = self.motion.check(case.exercise.robot, self.twist)
-        return columns_in(case, robot, view)
+        return columns_of(robot, view)
 
     def computed(self, case: Case) -> Grid:
         columns = self.columns(case)

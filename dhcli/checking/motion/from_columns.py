@@ -133,7 +133,7 @@ class ColumnsQuestion(MotionQuestion):
             yield from self.besides(case, changed)
 
     def _seen(self, case: Case, grid: Grid) -> Numbers:
-        return grid.numbers_in(case.memo) if case.exercise.numeric else self.at_points(case.exercise, grid)[0]
+        return grid.numbers_in(case.memo) if case.exercise.numeric else self.at_points(case.memo, grid)[0]
 
     def paired_causes(self, case: Case, entries: Entries) -> Causes:
         """Pairs of slips that give just this answer, where it says enough for that not to be chance."""

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.console import say
 from dhcli.cli.shell.given import forms_of, lengths_of, open_scope, point_of
+from dhcli.cli.shell.joints import typed_joints
 from dhcli.cli.shell.options import workers
 from dhcli.cli.shell.rows import RowDelivery
 from dhcli.errors import DhcliError, FileError, Place, Problem, plural
@@ -23,7 +24,6 @@ from dhcli.kinematics.frames import View
 from dhcli.kinematics.many import PoseRows, is_real, numbered
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.tally import Tally
-from dhcli.kinematics.values import joint_values
 from dhcli.render.code.pose_rows import pose_layout
 from dhcli.render.paper import Paper
 from dhcli.render.text.problems import warning_line
@@ -95,11 +95,11 @@ def asked_of_rows(robot: Robot, chosen: Chosen, *, ignores: bool) -> JointTable:
     Raises:
         DhcliError: `--q` gives all joints, or cannot be read.
     """
-    q, place = chosen.q, Place("--q")
-    if q is not None and "=" not in q:
+    q = chosen.q
+    if q is not None and "=" not in q and not q.startswith("@"):
         message = "--q gives all joints, and so does the file"
         raise DhcliError(message, "--q d3=0.1 is for a joint that has no column")
-    held = {name: in_floats(value) for name, value in joint_values(robot, q, bare=chosen.bare, place=place).items()}
+    held = {name: in_floats(value) for name, value in typed_joints(robot, q, chosen.bare).items()}
     if held and len(held) == len(robot.variables):
         raise DhcliError("--q gives all joints", "leave --in out, or a joint to the file")
     return JointTable(robot, chosen.deg, held, ignores)

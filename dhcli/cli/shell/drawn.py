@@ -92,11 +92,9 @@ def posed(
             raise DhcliError(f"{what.name} is a linkage: --q, --pose, --to, --in, --beside and --set are for robots")
         return {}
     from dhcli.cli.shell.given import lengths_of, values_of
-    from dhcli.kinematics.values import joint_values
+    from dhcli.cli.shell.joints import typed_joints
 
-    goal: dict[str, object] = (
-        {} if to is None else {"to": joint_values(what, to, bare=chosen.bare, place=Place("--to"))}
-    )
+    goal: dict[str, object] = {} if to is None else {"to": typed_joints(what, to, chosen.bare, "--to")}
     if beside is not None:
         from dhcli.files.yaml.robots import load_robot
 

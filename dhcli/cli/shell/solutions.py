@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.goal import Goal
+from dhcli.cli.shell.joints import typed_joints
 from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.robot import Robot
@@ -23,7 +24,7 @@ def near_of(robot: Robot, text: str | None, bare: Bare) -> list[float] | None:
     """Joint values that solutions should be near to, in joint order [rad, m]."""
     if text is None:
         return None
-    values = joint_values(robot, text, bare=bare, place=Place("--near"))
+    values = typed_joints(robot, text, bare, "--near")
     return [in_floats(values[name]) if name in values else 0.0 for name in robot.variables]
 
 

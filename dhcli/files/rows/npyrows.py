@@ -82,9 +82,8 @@ class NpyRows:
         """How many rows there are, and what kind of number is in them."""
         shape, is_fortran, kind = self._described()
         place, joints = Place(self._source.name), len(self._asked.open)
-        if len(shape) == 2 and shape[1] > joints and self._asked.ignores:  # noqa: PLR2004  rows and columns
-            self._columns = self._asked.in_joint_order(shape[1])
-        elif len(shape) != 2 or shape[1] != joints:  # noqa: PLR2004
+        self._columns = self._asked.in_joint_order(shape[-1] if shape else 0)
+        if len(shape) != 2 or shape[1] != self._columns.width:  # noqa: PLR2004  rows and columns
             message = (
                 f"has the shape {shape}, and {self._asked.robot.name} has {joints} joints: (N, {joints}) is wanted"
             )

@@ -10,14 +10,14 @@ from dhcli.algebra.floats import Floats
 from dhcli.errors import FileError, Problem
 from dhcli.files.urdf.chains import chain_of
 from dhcli.files.urdf.model import Joint, read_model
-from dhcli.files.urdf.numbers import Meaning, length
+from dhcli.files.urdf.numbers import Meaning
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans
 from dhcli.kinematics.robot import Link, Robot, Value
 from dhcli.kinematics.validity import InvalidRobotError
 from dhcli.notation import turns
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import HALF, ZERO, Expr, Number, Symbol, add, multiply, power
+from dhcli.notation.tree import Expr, Symbol, add, decimal, multiply
 from dhcli.regex import regex
 
 _KEPT = regex(r"[A-Za-z]+_?[0-9]+")
@@ -143,7 +143,7 @@ class _Builder:
 
     def origin(self, joint: Joint) -> Chain:
         """Where the joint's frame stands in its parent's: R = Rz(yaw) Ry(pitch) Rx(roll)."""
-        lengths = [length(text) for text in joint.xyz]
+        lengths = [decimal(Fraction(text)) for text in joint.xyz]
         self.lengths.append(math.hypot(*(float(number.value) for number in lengths)))
         found: list[Move] = [Trans(*lengths)] if any(number.value for number in lengths) else []
         roll, pitch, yaw = (self.angle(text) for text in joint.rpy)
@@ -159,19 +159,17 @@ class _Builder:
     def motion(self, joint: Joint, variable: str, factor: Fraction, offset: Fraction) -> Iterator[Move]:
         """What the joint does, about or along its axis, for a multiple of a variable and an offset."""
         axis = [Fraction(text) for text in joint.axis]
-        square = sum((part * part for part in axis), Fraction(0))
-        if not square:
+        if not any(axis):
             raise FileError(
                 Problem(f"joint {joint.name} has an axis of length zero", joint.place, 'write <axis xyz="0 0 1"/>')
             )
         if joint.kind == "prismatic":
-            size = power(Number(square), HALF)
-            by = add(multiply(Number(factor), Symbol(variable)), Number(offset))
-            parts: list[Expr] = [multiply(Number(part), power(size, -1), by) if part else ZERO for part in axis]
-            yield Trans(parts[0], parts[1], parts[2])
+            by = add(multiply(decimal(factor), Symbol(variable)), decimal(offset))
+            x, y, z = (multiply(part, by) for part in turns.unit(axis, typed=True))
+            yield Trans(x, y, z)
             return
         turned = Angle.of(variable) * factor + (self.angle(str(float(offset))) if offset else Angle())
-        for part in turns.about([Number(number) for number in axis], turned):
+        for part in turns.about([decimal(part) for part in axis], turned):
             if isinstance(part, turns.Turn):
                 yield Rot(part.axis, part.angle)
             else:
@@ -193,7 +191,7 @@ class _Builder:
         if low is None or high is None:
             return None
         if joint.kind == "prismatic":
-            return length(low), length(high)
+            return decimal(Fraction(low)), decimal(Fraction(high))
         silent = Meaning(self.meaning.as_typed)
         return silent.angle(low)[0], silent.angle(high)[0]
 
