@@ -26,13 +26,7 @@ _NAMES = ("o", "x", "z")
 
 
 def mark_frames(exercise: Exercise, rules: Rules, typed: Sequence[TypedFrame]) -> Mark:
-    """Judge frames by the rules.
-
-    Args:
-        exercise: The exercise, for its unit.
-        rules: The rules.
-        typed: The frames as read.
-    """
+    """Judge frames by the rules."""
     sketch = rules.sketch
     broken = rules.broken(typed)
     read, right = (

@@ -143,6 +143,11 @@ def _axis(chain: Chain, name: str, at: tuple[int, ...], still: Mapping[str, Angl
     return Axis(name, head.turns, head.direction, head.point, factor)
 
 
+def nearest_turn(turning: NDArray[np.bool_], motions: Array) -> Array:
+    """Motions of which the angles, shape (..., n), are in the turn nearest to 0."""
+    return np.where(turning, motions - 2 * np.pi * np.round(motions / (2 * np.pi)), motions)
+
+
 def parallel(one: Axis, other: Axis) -> bool:
     """Whether the axes of two joints have one direction, or opposite ones."""
     return bool(np.abs(np.cross(one.direction, other.direction)).max() <= _COMMUTE)
