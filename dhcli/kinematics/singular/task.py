@@ -18,7 +18,7 @@ from dhcli.kinematics.singular.square import best_places
 from dhcli.kinematics.singular.vanishing import fresh
 from dhcli.kinematics.singular.words import Place, listed
 from dhcli.kinematics.values import Values
-from dhcli.kinematics.velocity.form import Which
+from dhcli.kinematics.velocity.form import Form, Which
 from dhcli.kinematics.velocity.jacobian import moving_joints
 from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.angle import Angle
@@ -77,8 +77,7 @@ def task_of(point: Point) -> Which:
 def task_rows(point: Point, task: Which) -> tuple[int, ...]:
     """The rows of a task that the joints can move at all, along the axes of the start."""
     rows = point.rows()
-    wanted = {"all": range(6), "linear": range(3), "angular": range(3, 6)}[task]
-    return tuple(k for k in wanted if any(rows[k]))
+    return tuple(k for k in Form(task).rows if any(rows[k]))
 
 
 def place_of(point: Point, kept: Sequence[int]) -> Place:

@@ -11,7 +11,7 @@ from dhcli.kinematics.singular.arm import Arm, Point
 from dhcli.kinematics.singular.modular import square_root
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr, Trig
-from dhcli.notation.walk import symbols
+from dhcli.notation.walk import symbols, symbols_in
 
 TRIES = 6
 """Random points at which a factor may have no root among residues, each a coin tossed."""
@@ -102,8 +102,8 @@ def _solve(arm: Arm, over: Chosen, factors: Sequence[Expr], which: int, turn: in
     factor = factors[which]
     if not over.value(factor):
         return True
-    fixed = frozenset().union(*map(symbols, factors[:which]))
-    later = frozenset().union(*map(symbols, factors[which + 1 :]))
+    fixed = symbols_in(factors[:which])
+    later = symbols_in(factors[which + 1 :])
     free = sorted(symbols(factor) - fixed, key=lambda name: (name in later, name in arm.joints))
     joints = sorted(free, key=lambda name: (name in later, name not in arm.joints, name))
     if isinstance(factor, Trig):
@@ -177,5 +177,5 @@ def right_angles(arm: Arm, turns: Mapping[str, int]) -> Chosen:
 
 def variables_of(factors: Iterable[Expr], joints: Collection[str]) -> tuple[str, ...]:
     """The joints that factors hold, in joint order."""
-    held = frozenset().union(*map(symbols, factors))
+    held = symbols_in(factors)
     return tuple(name for name in joints if name in held)
