@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import sys
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import Untried, Variant, complete_pose, complete_robot
+from dhcli.cli.shell.options import AnyName, Untried, Variant, complete_pose
 from dhcli.cli.shell.spreading import But
 from dhcli.cli.shell.written import Overwrite, file_to_write
 from dhcli.errors import DhcliError
@@ -41,18 +41,8 @@ def complete_view(incomplete: str) -> list[str]:
     return [name for name in ("iso", "front", "side", "top") if name.startswith(incomplete)]
 
 
-Name: TypeAlias = Annotated[
-    str,
-    typer.Argument(
-        metavar="NAME",
-        help="A robot, a linkage or an exercise, a YAML or URDF file, or - for a robot on stdin.",
-        autocompletion=complete_robot,
-    ),
-]
-
-
 def draw(
-    chosen: Annotated[Chosen, But(without=("motors", "from_", "to"), instead={"robot": Name})],
+    chosen: Annotated[Chosen, But(without=("motors", "from_", "to"), instead={"robot": AnyName})],
     to: Annotated[
         str | None,
         typer.Option(
