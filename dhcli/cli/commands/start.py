@@ -19,7 +19,7 @@ dhcli start planar-two-links -o -
 
 dhcli start planar-in-numbers --variant alice
 
-dhcli start planar-in-numbers --class names.txt -o homework-3
+dhcli start planar-in-numbers --class names.txt -o homework-4
 """
 
 
