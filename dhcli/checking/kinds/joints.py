@@ -183,7 +183,8 @@ class JointsQuestion(GoalQuestion[Vectors]):
         return moving_joints(needed(exercise.robot), self.target)
 
     def _text(self, field: Range, values: Iterable[float]) -> str:
-        return ", ".join(spelled(field.robot, name, value) for name, value in zip(field.joints, values, strict=True))
+        pairs = zip(field.joints, values, strict=True)
+        return ", ".join(spelled(field.exercise, field.robot, name, value) for name, value in pairs)
 
     def _none_found(self, found: Solutions) -> RobotError:
         """Why no solution is as asked for."""
