@@ -15,7 +15,7 @@ from dhcli.checking.truth import is_length, names_of
 from dhcli.checking.units import length_in_metres
 from dhcli.checking.vectors import as_column
 from dhcli.checking.wanted import Wanted
-from dhcli.errors import NotationError, Place
+from dhcli.errors import NotationError, Place, are, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.values import numbers
 from dhcli.notation.commas import comma_remark
@@ -153,8 +153,7 @@ def _shape_remark(question: Wanted, shape: tuple[int, int]) -> str:
 
 def count_remark(count: int, wanted: int) -> str:
     """What to say of another number of numbers than was asked for."""
-    given = "1 number is given" if count == 1 else f"{count} numbers are given"
-    return f"{given}, {wanted} were asked"
+    return f"{plural(count, 'number')} {are(count)} given, {wanted} {'was' if wanted == 1 else 'were'} asked"
 
 
 def as_read(question: Wanted, row: int, column: int, exercise: Exercise, expr: Expr) -> Expr:
@@ -187,6 +186,8 @@ def in_unit_of(question: Wanted, entries: Entries, exercise: Exercise) -> Entrie
     """Entries that have been read, with their bare lengths in the unit of another sheet."""
 
     def moved(entry: Entry, row: int, column: int) -> Entry:
+        if not is_length(question, row, column):
+            return entry
         try:
             return replace(entry, expr=as_read(question, row, column, exercise, entry.typed))
         except DimensionError:  # what is no length in that unit stays wrong

@@ -36,11 +36,7 @@ class UnreadableError(Exception):
 
 
 class WrongUnitError(UnreadableError):
-    """An answer that is right throughout in another unit.
-
-    Attributes:
-        unit: That unit.
-    """
+    """An answer that is right throughout in another unit."""
 
     def __init__(self, unit: str, remark: str, how: str = "") -> None:
         """Say which unit it is in, behind it its power and how right it is there if not quite, and what is wanted."""

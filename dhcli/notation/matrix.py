@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from dhcli.errors import Place
+from dhcli.errors import Place, plural
 from dhcli.frozen import frozen
 from dhcli.notation.brackets import OPENING
 from dhcli.notation.cells import cells_in, matching, rows_in, trimmed, with_depths
@@ -97,7 +97,7 @@ def read_matrix(source: Source, tokens: Sequence[Token], scope: Scope) -> tuple[
             hint = "the bottom row of a pose is 0 0 0 1"
         raise source.error(
             rows[odd][0][0].start,
-            f"row {odd + 1} has {widths[odd]} cell{'s'[: widths[odd] != 1]} where others have {usual}: {shown}",
+            f"row {odd + 1} has {plural(widths[odd], 'cell')} where others have {usual}: {shown}",
             hint,
         )
     read = tuple(tuple(_cell(source, cell, scope) for cell in row) for row in rows)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 
-from dhcli.errors import NotationError
+from dhcli.errors import NotationError, are
 from dhcli.notation.commas import Shape, with_points
 from dhcli.notation.matrix import bracketed, parse_matrix
 from dhcli.notation.screens import equations, plain, with_factor
@@ -72,7 +72,7 @@ def rows_of(text: str, shape: Shape) -> str:
         return text
     missing = [name for row in wanted for name in row if name not in entries]
     if missing:
-        raise EntriesError(f"{', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing")
+        raise EntriesError(f"{', '.join(missing)} {are(len(missing))} missing")
     if shape == _VECTOR:  # in a row, where commas keep `a1 c1` one coordinate
         return "[" + ", ".join(entries[row[0]] for row in wanted) + "]"
     bottom = [["0", "0", "0", "1"]] if shape == _POSE else []

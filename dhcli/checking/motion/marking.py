@@ -80,7 +80,8 @@ def in_other_unit(case: Case, right: Grid, entries: Entries, own: Sequence[CellM
     They are where a length that is not near zero is right there and not here, and none is right here alone.
     """
     exercise, tolerance = case.exercise, case.tolerance
-    truth, limits = right.numbers(exercise), right.limits(exercise, tolerance.position, tolerance.rotation)
+    truth = right.numbers(exercise)
+    limits = right.limits(truth, tolerance.position, tolerance.rotation)
     for unit in exercise.other_units:
         there = case.memo.in_unit(unit).exercise
         moved = tuple(
@@ -129,7 +130,7 @@ def mark_numbers(case: Case, exercise: Exercise, right: Grid, entries: Entries) 
     """Each entry of an answer in numbers; the exercise says the unit in which it was read."""
     tolerance = case.tolerance
     found, truth = values_of(entries, exercise), right.numbers(exercise)
-    limits = right.limits(exercise, tolerance.position, tolerance.rotation)
+    limits = right.limits(truth, tolerance.position, tolerance.rotation)
 
     def cell(entry: Entry, r: int, c: int) -> CellMark:
         scale = scale_of(exercise, right.powers[r][c])

@@ -24,8 +24,8 @@ from dhcli.kinematics.values import joint_values
 from dhcli.kinematics.velocity.form import GEOMETRIC, Form
 from dhcli.kinematics.velocity.view import MotionView
 from dhcli.render.code.functions import function_code
+from dhcli.render.code.language import RESERVED
 from dhcli.render.code.languages import LANGUAGES
-from dhcli.render.code.words import RESERVED
 from dhcli.render.look import Look
 from tests.render.code.running import HERE, Call, namespace, results
 
