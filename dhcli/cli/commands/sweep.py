@@ -117,9 +117,9 @@ def _points(output: str | None, *, overwrite: bool) -> RowDelivery | None:
     """Where the points go, once it is known that they can; None if nobody wants them."""
     if output is None and not overwrite:
         return None
-    from dhcli.cli.shell.endings import format_by_ending
     from dhcli.cli.shell.rows import RowDelivery
     from dhcli.render.code.rows import FORMATS
+    from dhcli.render.endings import format_by_ending
 
     if output is not None:
         summary = "the summary is on standard output, see --format"
