@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from dhcli.cli.shell.rows import RowDelivery
+    from dhcli.cli.shell.rows import RowDelivery, RowSink
     from dhcli.kinematics.sweep.density import Density
     from dhcli.kinematics.sweep.grid import Grid
 
@@ -135,10 +135,13 @@ def _taking(
 ) -> Iterator[tuple[Callable[[NDArray[np.float64]], None] | None, Callable[[int], None]]]:
     """What takes the rows of a grid, a file and a picture if they are wanted; and the bar that shows how far it is."""
     from dhcli.render.text.progress import row_progress
-    from dhcli.render.text.sweep import point_layout
 
     with ExitStack() as stack:
-        sink = None if points is None else stack.enter_context(points.open(point_layout(grid)))
+        sink: RowSink | None = None
+        if points is not None:
+            from dhcli.render.code.layouts import point_layout
+
+            sink = stack.enter_context(points.open(point_layout(axis.name for axis in grid.axes)))
         bar = stack.enter_context(row_progress(sys.stderr))
 
         def take(rows: NDArray[np.float64]) -> None:

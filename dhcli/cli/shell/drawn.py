@@ -130,7 +130,7 @@ def _read_rows(robot: Robot, path: str, chosen: Chosen) -> tuple[tuple[float, ..
         for block in joint_rows(source, joint_table(robot, chosen, Many())).blocks():
             if block.bad:
                 raise FileError(block.bad)
-            found += map(tuple, block.q.tolist())
+            found += map(tuple, block.values.tolist())
             if len(found) > MOST_ROWS:
                 raise FileError(Problem(f"has more than {MOST_ROWS:,} rows", Place(path), "draw every tenth"))
     if not found:
