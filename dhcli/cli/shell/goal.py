@@ -178,9 +178,9 @@ def _vector(text: str, option: str) -> tuple[float, float, float]:
 
 
 def _known(parts: Sequence[Expr], place: Place) -> Sequence[Expr]:
-    from dhcli.notation.walk import symbols
+    from dhcli.notation.walk import symbols_in
 
-    if free := sorted(frozenset().union(*map(symbols, parts))):
+    if free := sorted(symbols_in(parts)):
         raise DhcliError(Problem(f"{', '.join(free)} has no value", place, _IN_NUMBERS))
     return parts
 

@@ -80,6 +80,6 @@ def derived(robot: Robot, goal: Goal, chosen: Chosen, *, with_own: bool = False)
         raise DhcliError("a derivation is in letters and takes no pose", "leave it out, or --derive and --code")
     if goal.task not in {None, "pose", "position"}:
         raise DhcliError(Problem(f"a derivation knows no task {goal.task}", Place("--task"), "pose or position"))
-    own = {name: value for name, value in robot.parameters.items() if value is not None} if with_own else {}
+    own = robot.known if with_own else {}
     robot = with_values(robot, {**own, **lengths_of(robot, chosen, symbolic=True)})
     return derive(robot, start=chosen.from_, end=chosen.end, task=goal.task or "")

@@ -143,7 +143,7 @@ class CsvRows:
             message, hint = other_sign(line, self._separator, width)
             message = message or f"{plural(len(cells), 'cell')} in a table of {plural(width, 'column')}"
             if not (hint or self._heads) and len(cells) > width:
-                hint = f"--ignore-columns takes the first {width} columns"
+                hint = f"--ignore-columns takes the first {plural(width, 'column')}"
             raise FileError(Problem(message, Place(self._source.name, row, None, line), hint))
         decimals = decimals_in([cell for _, cell in cells], self._separator, text)
         values, problems = [0.0] * width, []

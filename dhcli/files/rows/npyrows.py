@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dhcli.errors import FileError, Place, Problem
+from dhcli.errors import FileError, Place, Problem, plural
 from dhcli.files.rows.blocks import MOST, Block, cell_problem
 from dhcli.files.rows.cells import CellError
 from dhcli.files.rows.columns import JointTable
@@ -90,7 +90,7 @@ class NpyArray:
             wanted = min(at_once, count - begun)
             content = self._bytes(wanted * self.row_bytes)
             if (whole := len(content) // self.row_bytes) < wanted:
-                message = f"is cut off: it holds {begun + whole} of the {count} rows that it promises"
+                message = f"is cut off: it holds {begun + whole} of the {plural(count, 'row')} that it promises"
                 raise FileError(Problem(message, Place(self._source.name)))
             rows = np.frombuffer(content, self._kind).reshape(wanted, *each, order="F" if self._is_fortran else "C")
             for first in range(0, wanted, most):
@@ -156,10 +156,10 @@ class NpyRows:
         is_table = len(shape) == 2  # noqa: PLR2004  rows and columns
         hint = "one pose is Q.reshape(1, -1)" if shape == (joints,) else ""
         if is_table and shape[1] > joints:
-            hint = f"--ignore-columns takes the first {joints} columns"
+            hint = f"--ignore-columns takes the first {plural(joints, 'column')}"
         if is_table and shape[1] == joints + 1:
             hint += "; where the numbers of rows stand in front, save Q[:, 1:]"
-        wanted = f"{self._asked.robot.name} has {joints} joints: (N, {joints}) is wanted"
+        wanted = f"{self._asked.robot.name} has {plural(joints, 'joint')}: (N, {joints}) is wanted"
         array.check(is_wanted=is_table and shape[1] == self._columns.width, wanted=wanted, hint=hint)
 
     def _block(self, first: int, table: NDArray[np.float64]) -> Block:

@@ -28,14 +28,7 @@ Limits = tuple[Value, Value] | None
 
 @frozen
 class _Known:
-    """What a formula of a drive may name.
-
-    Attributes:
-        robot: The robot.
-        motors: The motors.
-        joints: The joints, and whether each turns.
-        unit: The unit of bare lengths.
-    """
+    """What a formula of a drive may name."""
 
     robot: Description
     motors: dict[str, Limits]

@@ -14,6 +14,7 @@ from dhcli.kinematics.coupling import uncoupled
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.frames import between, ends
+from dhcli.kinematics.inverse.arm import nearest_turn
 from dhcli.kinematics.inverse.branches import Told
 from dhcli.kinematics.inverse.joined import is_joined, joined
 from dhcli.kinematics.inverse.solutions import held_values, in_numbers, turning_joints
@@ -144,7 +145,7 @@ class Carried:
         for turns in _turns(turning[rows], whole=bool(self.periodic.all())):
             q = np.linalg.solve(part, goal[rows] + turns)
             gap = self.slopes @ q - goal
-            gap = np.where(turning, gap - 2 * np.pi * np.round(gap / (2 * np.pi)), gap)
+            gap = nearest_turn(turning, gap)
             if np.abs(gap).max(initial=0.0) < SAME:
                 return np.asarray(q)
         return None

@@ -10,6 +10,7 @@ import numpy as np
 
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
+from dhcli.kinematics.inverse.arm import nearest_turn
 from dhcli.kinematics.limits import far_limits
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import JointInput, joint_values
@@ -135,7 +136,7 @@ class Solutions:
         """How far each is from some joint values: the root of the sum of squares [rad, m], angles modulo a turn."""
         gap = self.q - in_numbers(self.robot, q)
         turning = turning_joints(self.robot)
-        gap = np.where(turning, gap - 2 * np.pi * np.round(gap / (2 * np.pi)), gap)
+        gap = nearest_turn(turning, gap)
         return np.asarray(np.sqrt((gap**2).sum(axis=1)))
 
     def travels(self, q: JointInput) -> Array:
