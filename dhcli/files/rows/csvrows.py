@@ -142,7 +142,9 @@ class CsvRows:
         if len(cells) != width:
             message, hint = other_sign(line, self._separator, width)
             message = message or f"{plural(len(cells), 'cell')} in a table of {plural(width, 'column')}"
-            if not (hint or self._heads) and len(cells) > width:
+            if line.count('"') % 2:
+                hint = "a quote is not closed"
+            elif not (hint or self._heads) and len(cells) > width:
                 hint = f"--ignore-columns takes the first {plural(width, 'column')}"
             raise FileError(Problem(message, Place(self._source.name, row, None, line), hint))
         decimals = decimals_in([cell for _, cell in cells], self._separator, text)

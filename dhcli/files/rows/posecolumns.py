@@ -108,7 +108,7 @@ class PoseTable:
         """The columns of a table with a header.
 
         Raises:
-            FileError: A column is missing, has a unit that is none, or stands beside a position and is not known.
+            FileError: A column is missing or doubled, has a unit that is none, or says what is not known.
         """
         names, units = heads_of(heads, places)
         form, wanted = "", MATRIX
@@ -117,6 +117,9 @@ class PoseTable:
             wanted = (*POSITION, *TURNS.get(form, ()))
         if missing := [name for name in wanted if name not in names]:
             raise FileError(_missing(missing, whole))
+        if doubled := [k for k, name in enumerate(names) if name in wanted and name in names[:k]]:
+            hint = "keep one of them"
+            raise FileError(Problem(f"{names[k]} has two columns", places[k], hint) for k in doubled)
         if self.whole and wanted == POSITION:
             check_alone([name for name in names if name not in POSITION], whole)
         order = tuple(names.index(name) for name in wanted)

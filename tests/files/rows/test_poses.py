@@ -181,6 +181,7 @@ def test_a_comma_beside_a_point_is_not_taken_for_a_decimal_one() -> None:
         (gzip.compress(b"p_x,p_y,p_z\n1,2,3\n", mtime=0), "p.csv", "p.csv: is compressed by gzip"),
         (b"p_x,p_y,p_z\n1,2,\xb03\n", "p.csv", "p.csv:2:5: is not UTF-8"),
         (b"1,2,3\n", "p.csv", "p.csv:1: no column is called p_x, p_y, p_z"),
+        (b"p_x,p_y,P_X[mm],p_z\n1,2,3,4\n", "p.csv", "p.csv:1:9: p_x has two columns (keep one of them)"),
         (b"p_x,p_y,p_z\n1,2,3\n", "p.npy", "p.npy: is no .npy file"),
         (saved(np.zeros((2, 3, 3))), "p.npy", "p.npy: has the shape (2, 3, 3), and (N, 4, 4) or (N, 3) is wanted"),
         (saved(np.zeros((2, 3), complex)), "p.npy", "p.npy: holds complex128, not real numbers"),
