@@ -81,7 +81,6 @@ def sweep(
     --q and --pose say where the joints stand that are not swept, at 0 by default.
     """
     from dhcli.cli.shell.delivery import Delivery
-    from dhcli.cli.shell.drawn import check_picture, draw_workspace
     from dhcli.cli.shell.given import open_scope, point_of, robot_of, values_of
     from dhcli.errors import Place
     from dhcli.kinematics.frames import View
@@ -93,6 +92,8 @@ def sweep(
     delivery.chosen("sweep")
     points = _points(output, overwrite=overwrite and not (draw and output is None))
     if draw is not None:
+        from dhcli.cli.shell.pictures import check_picture, write_picture
+
         check_picture(draw, overwrite=overwrite)
     arm = robot_of(chosen)
     values = values_of(arm, chosen)
@@ -110,7 +111,10 @@ def sweep(
         result = go_through(target, grid, take, threads=threads, tell=tell)
     delivery.hand_over("sweep", result, result.warnings)
     if draw is not None and density is not None:
-        draw_workspace(target, density.workspace(target), draw, overwrite=overwrite)
+        from dhcli.render.pictures.picture import Picture
+
+        picture = Picture(target.robot, parameters=target.lengths, workspace=density.workspace(target))
+        write_picture(picture, draw, overwrite=overwrite)
 
 
 def _points(output: str | None, *, overwrite: bool) -> RowDelivery | None:

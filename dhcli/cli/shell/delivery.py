@@ -142,12 +142,12 @@ def check_free(path: Path | str, *, overwrite: bool, instead: str = "") -> None:
     check_place(path)
 
 
-def write_file(path: Path | str, text: str, *, overwrite: bool, instead: str = "") -> None:
+def write_file(path: Path | str, content: str | bytes, *, overwrite: bool, instead: str = "") -> None:
     """Write a file whole or not at all.
 
     Args:
         path: The file.
-        text: What it is to hold.
+        content: What it is to hold.
         overwrite: Whether one that stands there may be overwritten.
         instead: What else may be done with that one, before overwriting is spoken of.
 
@@ -157,4 +157,4 @@ def write_file(path: Path | str, text: str, *, overwrite: bool, instead: str = "
     from dhcli.storage.atomic import write_whole
 
     check_free(path, overwrite=overwrite, instead=instead)
-    write_whole(path, text, overwrite=overwrite)
+    write_whole(path, content, overwrite=overwrite)
