@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from dhcli.cli.shell.rows import RowDelivery
+    from dhcli.cli.shell.rows import RowDelivery, RowSink
     from dhcli.kinematics.sweep.density import Density
     from dhcli.kinematics.sweep.grid import Grid
 
@@ -81,7 +81,6 @@ def sweep(
     --q and --pose say where the joints stand that are not swept, at 0 by default.
     """
     from dhcli.cli.shell.delivery import Delivery
-    from dhcli.cli.shell.drawn import check_picture, draw_workspace
     from dhcli.cli.shell.given import open_scope, point_of, robot_of, values_of
     from dhcli.errors import Place
     from dhcli.kinematics.frames import View
@@ -93,6 +92,8 @@ def sweep(
     delivery.chosen("sweep")
     points = _points(output, overwrite=overwrite and not (draw and output is None))
     if draw is not None:
+        from dhcli.cli.shell.pictures import check_picture, write_picture
+
         check_picture(draw, overwrite=overwrite)
     arm = robot_of(chosen)
     values = values_of(arm, chosen)
@@ -110,16 +111,19 @@ def sweep(
         result = go_through(target, grid, take, threads=threads, tell=tell)
     delivery.hand_over("sweep", result, result.warnings)
     if draw is not None and density is not None:
-        draw_workspace(target, density.workspace(target), draw, overwrite=overwrite)
+        from dhcli.render.pictures.picture import Picture
+
+        picture = Picture(target.robot, parameters=target.lengths, workspace=density.workspace(target))
+        write_picture(picture, draw, overwrite=overwrite)
 
 
 def _points(output: str | None, *, overwrite: bool) -> RowDelivery | None:
     """Where the points go, once it is known that they can; None if nobody wants them."""
     if output is None and not overwrite:
         return None
-    from dhcli.cli.shell.endings import format_by_ending
     from dhcli.cli.shell.rows import RowDelivery
     from dhcli.render.code.rows import FORMATS
+    from dhcli.render.endings import format_by_ending
 
     if output is not None:
         summary = "the summary is on standard output, see --format"
@@ -135,10 +139,13 @@ def _taking(
 ) -> Iterator[tuple[Callable[[NDArray[np.float64]], None] | None, Callable[[int], None]]]:
     """What takes the rows of a grid, a file and a picture if they are wanted; and the bar that shows how far it is."""
     from dhcli.render.text.progress import row_progress
-    from dhcli.render.text.sweep import point_layout
 
     with ExitStack() as stack:
-        sink = None if points is None else stack.enter_context(points.open(point_layout(grid)))
+        sink: RowSink | None = None
+        if points is not None:
+            from dhcli.render.code.layouts import point_layout
+
+            sink = stack.enter_context(points.open(point_layout(axis.name for axis in grid.axes)))
         bar = stack.enter_context(row_progress(sys.stderr))
 
         def take(rows: NDArray[np.float64]) -> None:

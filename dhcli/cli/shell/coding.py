@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from dhcli.cli.shell.delivery import Delivery
-from dhcli.cli.shell.endings import check_ending
 from dhcli.cli.shell.written import LANGUAGES, Written
 from dhcli.errors import DhcliError, UnknownNameError, did_you_mean
+from dhcli.render.endings import check_ending
 
 
 def code_delivery(out: Written, command: str, kind: str, others: Mapping[str, object]) -> Delivery:
