@@ -14,6 +14,28 @@ OF_FRAMES = Catalogue(Level.PRODUCT)
 
 
 @OF_FRAMES(
+    "tool-forgotten",
+    "the tool is forgotten: this ends at the frame of the last link",
+    "where does the arm end: at the frame of its last link, or at its tool?",
+)
+def tool_forgotten(work: Work, _setting: Setting) -> Made:
+    """The pose of frame n where that of the tool is asked."""
+    if len(work.steps) > 1 and work.steps[-1].name == "tool":
+        yield "", replace(work, steps=work.steps[:-1])
+
+
+@OF_FRAMES(
+    "base-forgotten",
+    "the base is forgotten: this is seen from the frame of the first joint",
+    "from where is it seen: from the base, or from the frame of the first joint?",
+)
+def base_forgotten(work: Work, _setting: Setting) -> Made:
+    """The pose seen from frame 0 where the base is asked."""
+    if len(work.steps) > 1 and work.steps[0].name == "base":
+        yield "", replace(work, steps=work.steps[1:])
+
+
+@OF_FRAMES(
     "other-frames",
     "this is the pose of frame {term} seen from frame {entry}",
     "from which frame to which is it asked?",

@@ -57,6 +57,7 @@ def twice(work: Work, _setting: Setting) -> Made:
     "translation-not-rotated",
     "the positions are added without turning them into the reference frame",
     "in which frame is each shift measured?",
+    rank=Rank.SYMPTOM,  # of a planar arm the position of somebody who takes every angle from x0
 )
 def unrotated(work: Work, _setting: Setting) -> Made:
     """Positions added as they stand."""
