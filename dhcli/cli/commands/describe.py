@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, TypeAlias
 
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
+from dhcli.cli.shell.options import complete_pose
 from dhcli.cli.shell.spreading import But
 from dhcli.cli.shell.written import Written, in_formats
 from dhcli.frozen import frozen
@@ -88,8 +89,19 @@ class Wanted:
     numbers: Annotated[bool, typer.Option("--numbers", help="Put the values of lengths in.")] = False
 
 
+DrawnPose: TypeAlias = Annotated[
+    str | None,
+    typer.Option(
+        "--pose",
+        metavar="NAME",
+        help="A named pose of the robot, in which it is drawn.",
+        autocompletion=complete_pose,
+    ),
+]
+
+
 def describe(
-    chosen: Annotated[Chosen, But(without=("q", "deg", "from_", "to"))],
+    chosen: Annotated[Chosen, But(without=("q", "deg", "from_", "to"), instead={"pose": DrawnPose})],
     wanted: Wanted,
     out: Annotated[
         Written, in_formats(("table", "json", "yaml", "urdf"), (".yaml", ".urdf", ".json", ".txt"), "digits")

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import Untried, Variant, complete_pose, complete_robot
+from dhcli.cli.shell.options import AnyName, Untried, Variant, complete_pose
 from dhcli.cli.shell.spreading import But
 from dhcli.cli.shell.written import Overwrite, file_to_write
 from dhcli.errors import DhcliError
@@ -41,16 +41,6 @@ LOOK = "How it looks"
 def complete_view(incomplete: str) -> list[str]:
     """Named views."""
     return [name for name in ("iso", "front", "side", "top") if name.startswith(incomplete)]
-
-
-Name: TypeAlias = Annotated[
-    str,
-    typer.Argument(
-        metavar="NAME",
-        help="A robot, a linkage or an exercise, a YAML or URDF file, or - for a robot on stdin.",
-        autocompletion=complete_robot,
-    ),
-]
 
 
 @frozen
@@ -148,7 +138,7 @@ class Sheet:
 
 
 def draw(
-    chosen: Annotated[Chosen, But(without=("motors", "from_", "to"), instead={"robot": Name})],
+    chosen: Annotated[Chosen, But(without=("motors", "from_", "to"), instead={"robot": AnyName})],
     motion: Motion,
     looks: Looks,
     task: OfExercise,

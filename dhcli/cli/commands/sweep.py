@@ -20,6 +20,9 @@ if TYPE_CHECKING:
     from dhcli.cli.shell.rows import RowDelivery, RowSink
     from dhcli.kinematics.sweep.density import Density
     from dhcli.kinematics.sweep.grid import Grid
+    from dhcli.kinematics.sweep.target import Target
+    from dhcli.kinematics.sweep.workspace import Workspace
+    from dhcli.render.pictures.picture import Picture
 
 
 EXAMPLES = """
@@ -111,10 +114,20 @@ def sweep(
         result = go_through(target, grid, take, threads=threads, tell=tell)
     delivery.hand_over("sweep", result, result.warnings)
     if draw is not None and density is not None:
-        from dhcli.render.pictures.picture import Picture
+        write_picture(_picture(target, grid, density.workspace(target)), draw, overwrite=overwrite)
 
-        picture = Picture(target.robot, parameters=target.lengths, workspace=density.workspace(target))
-        write_picture(picture, draw, overwrite=overwrite)
+
+def _picture(target: Target, grid: Grid, workspace: Workspace) -> Picture:
+    """The points with the arm among them, joints that are held where they are."""
+    from dhcli.kinematics.derived import in_floats
+    from dhcli.notation.angle import Angle
+    from dhcli.render.pictures.picture import Picture
+    from dhcli.scene.choice import best_pose
+
+    _, values = best_pose(target.robot, target.lengths)
+    values |= {axis.name: axis.first for axis in grid.held}
+    q = {name: value if isinstance(value, Angle) else in_floats(value) for name, value in values.items()}
+    return Picture(target.robot, q, parameters=target.lengths, workspace=workspace)
 
 
 def _points(output: str | None, *, overwrite: bool) -> RowDelivery | None:

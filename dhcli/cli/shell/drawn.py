@@ -144,4 +144,4 @@ def refuse_table(what: Robot | Linkage, name: str | None) -> None:
         raise DhcliError(f"{what.name} is a linkage: it has no DH table")
     if name == "page":
         raise DhcliError("a page always has the table beside", "leave --table out")
-    raise DhcliError("--table stands beside a figure in a file", f"dhcli show {what.name} --draw has both in letters")
+    raise DhcliError("--table stands beside a figure in a file", f"dhcli show {what.typed} --draw has both in letters")

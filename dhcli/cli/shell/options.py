@@ -28,6 +28,16 @@ RobotName: TypeAlias = Annotated[
 ]
 
 
+AnyName: TypeAlias = Annotated[
+    str,
+    typer.Argument(
+        metavar="NAME",
+        help="A robot, a linkage or an exercise, a YAML or URDF file, or - for a robot on stdin.",
+        autocompletion=complete_robot,
+    ),
+]
+
+
 def complete_exercise(incomplete: str) -> list[str]:
     """Names of exercises that begin like this, with their folder or without; reads no file."""
     from dhcli.files.library.lookup import Kind, entries

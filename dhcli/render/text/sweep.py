@@ -48,7 +48,7 @@ def sweep_table(result: Sweep, look: Look) -> str:
         "",
         *_extremes(result, look),
         paper.ink(BETWEEN, "dim"),
-        *paper.aside(f"whether one pose is reached: dhcli ik {target.robot.name}"),
+        *paper.aside(f"whether one pose is reached: dhcli ik {target.robot.typed}"),
     ]
     return "\n".join(lines) + "\n"
 
