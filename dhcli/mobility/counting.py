@@ -24,14 +24,7 @@ MOST_TERMS = 200
 
 @frozen
 class Group:
-    """Joints of one kind.
-
-    Attributes:
-        pair: The kind.
-        count: How many.
-        f: Freedoms of each.
-        c: Constraints of each, λ - f.
-    """
+    """Joints of one kind, their count, and the freedoms f and constraints c = λ - f of each."""
 
     pair: Pair
     count: Expr

@@ -49,13 +49,7 @@ class Frame:
 
 
 def geometry(exercise: Exercise, question: Wanted, typed: TypedMatrix) -> str:
-    """By what a wrong answer is off, in words; nothing where that is not one turn and one shift.
-
-    Args:
-        exercise: The exercise, for the names of its lengths and angles.
-        question: The question.
-        typed: The answer, in numbers at each point.
-    """
+    """By what a wrong answer is off, in words; nothing where that is not one turn and one shift."""
     has_rotation = question.piece in ("pose", "rotation")
     has_position = question.piece in ("pose", "position", "point")
     values, truths, slack = typed.values, typed.search.truth, typed.slacks[-1]

@@ -40,16 +40,7 @@ MOST_VECTORS = 2_000
 
 @frozen
 class Column:
-    """The column of a joint.
-
-    Attributes:
-        joint: The joint.
-        turns: Whether it is revolute.
-        axis: The direction of its axis.
-        origin: A point on the axis.
-        linear: The velocity of the point for a rate of 1.
-        angular: The angular velocity.
-    """
+    """The column of a joint: its axis, a point on that, and the velocity and the angular velocity for a rate of 1."""
 
     joint: str
     turns: bool

@@ -25,13 +25,7 @@ _ROUNDS = 60
 
 
 def what_never_changes(arm: Arm, task: Task, pose: Array) -> Iterator[str]:
-    """What is the same in every pose of the end, and is not so in the pose asked for, in words.
-
-    Args:
-        arm: The arm.
-        task: What is wanted.
-        pose: The pose asked for, in the start frame, shape (4, 4) [m].
-    """
+    """What is the same in every pose of the end, and is not so in the pose asked for, in words."""
     rng = np.random.default_rng(11)
     reached = _ends(arm, rng.uniform(-2, 2, (_SAMPLES, arm.joints)))
     if task.place:

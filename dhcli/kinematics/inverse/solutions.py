@@ -244,15 +244,7 @@ def in_numbers(robot: Robot, q: JointInput) -> Array:
 
 
 def relation(names: tuple[str, ...], turning: NDArray[np.bool_], q: Array, rates: dict[int, float], at: int) -> str:
-    """What stays the same while the arm moves at constant rates, in words.
-
-    Args:
-        names: The joints.
-        turning: Which of them turn.
-        q: The solution, shape (n,).
-        rates: How the joints move with the parameter.
-        at: The parameter.
-    """
+    """What stays the same while the arm moves at constant rates, in words."""
     others = [j for j in rates if j != at]
     parts = []
     for j in others:

@@ -19,12 +19,7 @@ from dhcli.notation.writer import write, write_angle
 
 @frozen
 class Place:
-    """The point that sentences are about.
-
-    Attributes:
-        place: Its place in the chain.
-        words: What it is called.
-    """
+    """The point that sentences are about: its place in the chain, and what it is called."""
 
     place: int
     words: str
