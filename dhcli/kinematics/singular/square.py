@@ -31,7 +31,7 @@ MOST_TRIED = 4
 
 @frozen
 class Difference:
-    """The column of a joint, or how it differs from that of another about a parallel axis, by the sign of their senses."""
+    """The column of a joint, or how it differs from that of another about a parallel axis, with the sign of that."""
 
     joint: int
     less: int | None = None
