@@ -11,13 +11,13 @@ from dhcli.checking.motion.asked import Motion, read_motion, three
 from dhcli.checking.motion.columns import Columns, columns_of, combined, plain
 from dhcli.checking.motion.from_columns import ColumnsQuestion, axes_step
 from dhcli.checking.motion.grid import Grid, floats_in, over
-from dhcli.checking.motion.linear import solution
 from dhcli.checking.motion.reading import SPEED, TURNING
 from dhcli.checking.motion.task import jacobian_step
 from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
 from dhcli.frozen import frozen
+from dhcli.geometry.linear import solution
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.singular.finding import neat_determinant
 from dhcli.kinematics.velocity.cramer import LARGEST, solved

@@ -20,8 +20,7 @@ from dhcli.kinematics.moves import Chain, Trans, names
 from dhcli.kinematics.recorded import kept
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values, numbers
-from dhcli.kinematics.velocity.analytic import Triple
-from dhcli.kinematics.velocity.form import Form
+from dhcli.kinematics.velocity.form import Form, Triple
 from dhcli.kinematics.velocity.jacobian import free_name, rates_of, textbook_jacobian
 from dhcli.kinematics.velocity.statics import product
 from dhcli.kinematics.velocity.view import MotionView

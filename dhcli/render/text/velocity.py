@@ -8,9 +8,8 @@ from itertools import pairwise
 from dhcli.kinematics.frames import ORIGIN
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values
-from dhcli.kinematics.velocity.analytic import Triple
 from dhcli.kinematics.velocity.answers import JacobianAnswer, TorquesAnswer, VelocityAnswer
-from dhcli.kinematics.velocity.form import ANGULAR
+from dhcli.kinematics.velocity.form import ANGULAR, Triple
 from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Expr
