@@ -144,7 +144,7 @@ def expanded(expr: Expr) -> Expr:
     Raises:
         LinkageError: It would have too many terms.
     """
-    return add(ZERO, *(_term(term) for term in _terms(expr)))
+    return add(ZERO, *(multiply(term, ONE) for term in _terms(expr)))
 
 
 def _terms(expr: Expr) -> tuple[Expr, ...]:
@@ -158,10 +158,6 @@ def _terms(expr: Expr) -> tuple[Expr, ...]:
         if len(parts) > MOST_TERMS:
             raise LinkageError(f"the formula has more than {MOST_TERMS} terms")
     return parts
-
-
-def _term(term: Expr) -> Expr:
-    return multiply(term, ONE)
 
 
 def _checked(count: Expr, what: str) -> Expr:

@@ -111,7 +111,7 @@ def motion_of(arm: ArmAt, to: JointInput = None, rows: Path = ()) -> Motion:
         scenes = [replace(one, hand=replace(one.hand, across=hand.across)) if one.hand else one for one in scenes]
     places = [scene.states[-1].origin for scene in scenes]
     if count < len(path):
-        places = [_end(robot, {**full, **row}) for row in path]
+        places = [Skeleton.of(robot, {**full, **row}).states[-1].origin for row in path]
     values = tuple(", ".join(value_words(path[step][name]) for name in robot.variables) for step in steps)
     return Motion(robot, tuple(scenes), tuple(places), steps, first.view, f"{first.caption} to {told}", values)
 
@@ -144,7 +144,3 @@ def joints_of(robot: Robot, row: Sequence[float]) -> dict[str, Value]:
 def _like(value: Value, number: float) -> Value:
     exact = Fraction(number).limit_denominator(10**12)
     return Angle(radians=exact) if isinstance(value, Angle) else Number(exact)
-
-
-def _end(robot: Robot, values: Mapping[str, Value]) -> Vector:
-    return Skeleton.of(robot, values).states[-1].origin

@@ -114,7 +114,7 @@ def torques_table(result: TorquesAnswer, look: Look) -> str:
     )
     lines = [heading_text(head, paper)]
     force, moment = (
-        "(" + ", ".join(_text(part, joints, look) for part in parts) + ")"
+        "(" + ", ".join(cell(part, joints, look) for part in parts) + ")"
         for parts in (found.wrench.force, found.wrench.moment)
     )
     at = point_words(found.view, joints, style)
@@ -162,10 +162,6 @@ def context(robot: Robot, values: Values, said: Sequence[str], look: Look) -> li
     paper = look.paper
     lines = packed(map(paper.spell, [*said, *value_lines(robot, values)]), paper)
     return [paper.ink(line, "dim") for line in lines]
-
-
-def _text(value: Expr | float, joints: Joints, look: Look) -> str:
-    return cell(value, joints, look)
 
 
 def _even(lines: Sequence[str], values: Sequence[Expr | float]) -> list[str]:
