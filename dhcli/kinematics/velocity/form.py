@@ -27,6 +27,11 @@ TINY = 1e-9
 """Below this a sine or cosine counts as zero."""
 
 
+def part_of(linear: object, angular: object) -> Which:
+    """The rows for which something is given, of v and of ω."""
+    return "angular" if linear is None else "linear" if angular is None else "all"
+
+
 def check_part(part: object) -> None:
     """Refuse what is no part of a Jacobian.
 
