@@ -41,11 +41,7 @@ def code_delivery(out: Written, command: str, kind: str, others: Mapping[str, ob
 
 
 def check_alone(option: str, others: Mapping[str, object]) -> None:
-    """Refuse options that ask for something else than one does.
-
-    Args:
-        option: That one.
-        others: Those options, with what was given for them.
+    """Refuse options that ask for something else than this one does.
 
     Raises:
         DhcliError: One of them was given.

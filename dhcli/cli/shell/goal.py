@@ -13,8 +13,8 @@ from dhcli.cli.shell.wishes import Goal
 from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean, plural
 from dhcli.frozen import frozen
 from dhcli.geometry.euler import EulerAngles, Order, RollPitchYaw, euler
-from dhcli.geometry.facing import facing
 from dhcli.geometry.rotations import Quaternion
+from dhcli.geometry.vectors import facing
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.forward import numeric_pose
 from dhcli.kinematics.frames import ends
