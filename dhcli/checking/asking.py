@@ -21,6 +21,10 @@ _GOES_ON = ("+", "-", "*", "/", "^", "=", ",", ";", "·", "...")
 class Besides(Protocol):
     """What an exercise file says of a part besides `ask:`, for the kinds that need more."""
 
+    def has(self, key: str) -> bool:
+        """Whether a key stands there."""
+        ...
+
     def texts(self, key: str) -> tuple[str, ...]:
         """A list of texts."""
         ...
@@ -33,8 +37,8 @@ class Besides(Protocol):
         """The linkage of a name or a pattern; None if there is none, which is told."""
         ...
 
-    def refuse(self, message: str, hint: str = "") -> None:
-        """Note what is wrong with the part."""
+    def refuse(self, message: str, hint: str = "", key: str = "") -> None:
+        """Note what is wrong with the part, or with what stands under one of its keys."""
         ...
 
 
