@@ -137,6 +137,11 @@ class Description:
                 found[name] = Joint(name, kind, number)
         return tuple(found.values())
 
+    @property
+    def known(self) -> dict[str, Value]:
+        """Its lengths and constant angles that have a value."""
+        return {name: value for name, value in self.parameters.items() if value is not None}
+
     @cached_property
     def turning(self) -> frozenset[str]:
         """Names that stand inside rotations, and motors that turn behind a ball screw."""

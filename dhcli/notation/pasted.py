@@ -6,8 +6,9 @@ import json
 import re
 
 from dhcli.errors import NotationError, are
+from dhcli.notation.commas import Shape, with_points
 from dhcli.notation.matrix import bracketed, parse_matrix
-from dhcli.notation.screens import equations, plain, with_factor, with_points
+from dhcli.notation.screens import equations, plain, with_factor
 from dhcli.regex import regex
 
 _LABEL = regex(r"\s*(?:[^=+*/\[\](){},;|<>\n-]|\{[^{}=\n]{0,20}\}|\([^()=\n]{0,20}\)){1,40}=\s*&?\s*(?=[^\s=])")
@@ -30,18 +31,23 @@ class EntriesError(ValueError):
     """A list of entries that makes no matrix: one is missing, or stands there twice."""
 
 
-def without_label(text: str) -> str:
-    """A text without `T_03 =` in front, and without what a screen shows around a matrix."""
+def without_label(text: str, shape: Shape | None = None) -> str:
+    """A text without `T_03 =` in front, without what a screen shows around a matrix, and without decimal commas.
+
+    Args:
+        text: A matrix or a list.
+        shape: Its rows and columns, where they are known.
+    """
     text = plain(text)
     lines = _SCREEN.findall(text)
     if lines:
         return "\n".join(lines)
     text = _DECLARED.sub("", _CONTINUED.sub("", text))
     match = _NAMED_MATRIX.match(text) or _LABEL.match(text)
-    return with_points(with_factor(text[match.end() :] if match else text))
+    return with_points(with_factor(text[match.end() :] if match else text), shape)
 
 
-def rows_of(text: str, shape: tuple[int, int]) -> str:
+def rows_of(text: str, shape: Shape) -> str:
     """A matrix in brackets, where a text is dhcli's JSON or a list of entries such as `r11 = c1`, `px = a1*c1`.
 
     Raises:

@@ -43,16 +43,8 @@ class ChoiceQuestion(Question[int]):
         return cls((), 0)
 
     def completed(self, besides: Besides) -> Self:
-        options, right = besides.texts("options"), besides.whole("right")
-        if not options:
-            besides.refuse("options: is missing", "write options: [its axis, its origin], right: 2")
-        elif right is not None and not 1 <= right <= len(options):
-            besides.refuse(
-                f"right: there are {len(options)} options, counted from 1", f"write 1 to {len(options)}", "right"
-            )
-        elif right is None and not besides.has("right"):
-            besides.refuse("right: is missing", f"the number of the right option, 1 to {len(options)}")
-        return replace(self, options=options, right=right or 0)
+        options = besides.texts("options")
+        return replace(self, options=options, right=besides.one_of("right", len(options)))
 
     def describe(self, _exercise: Exercise) -> str:
         return "the number of one statement"

@@ -168,7 +168,7 @@ def _is_real(expr: Expr, robot: Robot) -> bool:
     """Whether a length has a finite value, be it at the robot's own lengths or at any others."""
     if isinstance(expr, Symbol):
         return True
-    own = numbers({name: value for name, value in robot.parameters.items() if value is not None})
+    own = numbers(robot.known)
     points = ({**drawn, **known} for drawn in islice(general(symbols(expr), SEED), TRIES) for known in (own, {}))
     try:
         return any(math.isfinite(Floats(point).value(expr)) for point in points)

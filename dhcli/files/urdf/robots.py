@@ -50,13 +50,6 @@ def read_urdf(
 def robot_of_joints(joints: tuple[Joint, ...], name: str, title: str, source: str, *, as_typed: bool) -> Robot:
     """The robot whose joints follow each other.
 
-    Args:
-        joints: From the base to the tip.
-        name: What the robot is called.
-        title: Its title.
-        source: Where it comes from.
-        as_typed: Whether 1.5708 stays what it is.
-
     Raises:
         FileError: An axis has no direction, or a joint follows another.
     """

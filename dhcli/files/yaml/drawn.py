@@ -28,7 +28,7 @@ from dhcli.notation.names import GREEK_NAMES, parts
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_length
 from dhcli.notation.tree import ONE, ZERO, Expr
-from dhcli.notation.walk import symbols
+from dhcli.notation.walk import symbols_in
 
 _SIDES: tuple[Side, ...] = ("space", "body")
 _OF_AXES = ("through", "slides", "pitch")
@@ -229,7 +229,7 @@ class DrawnLoader(Loader):
 
     def numbers(self, exprs: tuple[Expr, ...], node: PlacedNode | None, key: str) -> Vector:
         """Three plain numbers."""
-        if free := sorted(frozenset().union(*map(symbols, exprs))):
+        if free := sorted(symbols_in(exprs)):
             place = self.fields.place if node is None else node.place
             message = f"{key}: a direction cannot depend on {', '.join(free)}"
             self.problems.add(place, message, "lengths may be letters, directions are numbers")

@@ -47,9 +47,6 @@ class PlacedScalar:
     def place_of(self, offset: int) -> Place:
         """The place of one character of the text.
 
-        Args:
-            offset: Index of the character in `text`.
-
         Returns:
             The place of that character, or of the whole text if it is not spelled on one line as it reads.
         """

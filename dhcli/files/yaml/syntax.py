@@ -75,13 +75,7 @@ class Mark(Protocol):
 
 
 def explain_syntax(error: yaml.MarkedYAMLError, lines: Sequence[str], place: Callable[[Mark | None], Place]) -> Problem:
-    """Say what is wrong in plain words.
-
-    Args:
-        error: What PyYAML raised.
-        lines: The lines of the file.
-        place: Gives the place of a mark.
-    """
+    """Say what is wrong in plain words."""
     here = place(error.problem_mark)
     start = place(error.context_mark) if error.context_mark else here
     context, said = error.context or "", error.problem or ""

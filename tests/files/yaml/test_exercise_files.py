@@ -33,6 +33,27 @@ def problems(text: str) -> list[str]:
     return [str(problem) for problem in caught.value.problems]
 
 
+@pytest.mark.parametrize(
+    ("right", "said"),
+    [
+        ("right: b", "right: should be the number of an option, counted from 1, is 'b' (write 2)"),
+        ("right: 0", "right: should be the number of an option, counted from 1, is '0' (write a number from 1 to 2)"),
+        (
+            "right: 1.5",
+            "right: should be the number of an option, counted from 1, is '1.5' (write a number from 1 to 2)",
+        ),
+        ("right: [1]", "right: should be a text, is a list"),
+        ("right:", "right: is empty"),
+        ("hints: [x]", "right: should be the number of an option, counted from 1 (write a number from 1 to 2)"),
+    ],
+)
+def test_which_option_is_right_is_told_once(right: str, said: str) -> None:
+    """And with a number that there is."""
+    parts = "parts:\n  - id: pick\n    ask: choice\n    options: [one, two]\n    "
+    found = problems(f"{HEAD.partition('parts:')[0]}{parts}{right}\n")
+    assert [said in problem for problem in found if "right" in problem] == [True], found
+
+
 def test_an_exercise_holds_what_its_file_says() -> None:
     """Names, values, parts, hints, what is printed, and its own tests."""
     exercise = read(
@@ -99,7 +120,7 @@ def test_all_mistakes_are_told_at_once_in_their_order() -> None:
         "my.yaml:9:11: feedback: 'always' is not known (write expected, or leave it out)",
         "my.yaml:10:23: rotation: x is not a name",
         "my.yaml:10:26: size: unknown key",
-        "my.yaml:12:46: right: there are 2 options, counted from 1 (write 1 to 2)",
+        "my.yaml:12:53: right: should be the number of an option, counted from 1, is '3' (write a number from 1 to 2)",
         "my.yaml:13:5: id: is missing",
         "my.yaml:14:18: 'link y' asks nothing that is known (did you mean link 1",
         "my.yaml:16:5: answer: is missing (write answer: ..., or mistake: sin-cos 1)",
@@ -149,9 +170,12 @@ def test_all_mistakes_are_told_at_once_in_their_order() -> None:
             PARTS + "tests: [{part: t, answer: 1, mistake: transposed, verdict: WRONG}]\n",
             "mistake: a test tries an answer or a mistake, and not both",
         ),
-        ("parts:\n  - {id: t, ask: choice}\n", "options: is missing"),
-        ("parts:\n  - {id: t, ask: choice, options: [a, b]}\n", "right: is missing (the number of the right option, 1"),
-        ("parts:\n  - {id: t, ask: choice, options: [a, b], right: yes}\n", "right: 'yes' is not a whole number"),
+        ("parts:\n  - {id: t, ask: choice}\n", "options: there are none (write options: [its axis, "),
+        ("parts:\n  - {id: t, ask: choice, options: [a, b]}\n", "right: should be the number of an option"),
+        (
+            "parts:\n  - {id: t, ask: choice, options: [a, b], right: yes}\n",
+            "right: should be the number of an option, counted from 1, is 'yes'",
+        ),
         (PARTS + "given: {θ1: 20°, theta_1: 30°}\n", "given: theta1 stands twice"),
         (PARTS + "hints: [a]\n", "hints: unknown key (it stands in a part, below parts:)"),
         (PARTS + "decimals: 2\n", "decimals: unknown key (it stands below tolerance:)"),
