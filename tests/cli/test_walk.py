@@ -76,6 +76,16 @@ def test_why_names_the_slip_behind_the_last_answer(tmp_path: Path) -> None:
         assert screen.end() == 1
 
 
+def test_half_the_credit_is_told_where_only_the_unit_is_another(tmp_path: Path) -> None:
+    """Behind the name of the part, as `check` tells it."""
+    with Terminal(tmp_path, "check", "scara-pose-in-mm", "--part", "tip") as screen:
+        screen.until("tip> ")
+        screen.type("-0.30739, 0.4253, 0.2\n")
+        assert "CAN'T READ  tip (1 of 2 credits)\n    right in m; this sheet is in mm" in screen.until("tip> ")
+        screen.type("\x04")
+        screen.end()
+
+
 def test_with_the_option_slips_are_named_at_once(tmp_path: Path) -> None:
     """As with a sheet."""
     with Terminal(tmp_path, "check", PLANAR, "--part", "a1", "--why") as screen:

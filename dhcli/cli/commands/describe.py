@@ -124,8 +124,8 @@ def _as_urdf(out: Written) -> Written:
     Raises:
         DhcliError: Something else says another.
     """
-    from dhcli.cli.shell.endings import check_ending
     from dhcli.errors import DhcliError
+    from dhcli.render.endings import check_ending
 
     if out.format not in (None, "urdf"):
         raise DhcliError(f"--as urdf and --format {out.format} ask for different things", "leave one of the two out")

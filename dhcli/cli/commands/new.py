@@ -170,7 +170,7 @@ def _write(text: str, output: str | None, path: Path, then: str, *, overwrite: b
     """
     from dhcli.cli.shell.console import tell, write_out
     from dhcli.cli.shell.delivery import make_folder, write_file
-    from dhcli.cli.shell.endings import check_ending
+    from dhcli.render.endings import check_ending
 
     if output == "-":
         write_out(text)

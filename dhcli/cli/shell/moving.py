@@ -7,8 +7,7 @@ from dhcli.cli.shell.given import open_scope, point_of
 from dhcli.errors import DhcliError
 from dhcli.kinematics.frames import ORIGIN
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.velocity.analytic import Triple
-from dhcli.kinematics.velocity.form import Form, Which
+from dhcli.kinematics.velocity.form import Form, Triple, Which
 from dhcli.kinematics.velocity.view import MotionView
 
 PARTS: dict[str, Which] = {"linear": "linear", "angular": "angular", "all": "all"}

@@ -83,12 +83,7 @@ Jobs: TypeAlias = Annotated[int | None, jobs_option()]
 
 
 def workers(jobs: int | None, worth: int) -> int:
-    """How many share a work: as many as `--jobs` says, else one a processor, but no more than pay for their start.
-
-    Args:
-        jobs: What was asked for.
-        worth: How many would pay.
-    """
+    """How many share a work: as many as `--jobs` says, else one a processor, but no more than pay for their start."""
     return jobs or max(1, min(_processors(), worth))
 
 
