@@ -392,7 +392,8 @@ def _power_of_number(base: Number, exponent: Fraction) -> Expr:
         size = max(base.value.numerator.bit_length(), base.value.denominator.bit_length())
         if size * abs(exponent.numerator) > MOST_BITS:
             raise OverflowError
-        return Number(base.value**exponent.numerator)
+        places = (base.places or 0) * exponent.numerator
+        return Number(base.value**exponent.numerator, places if 0 < places <= MOST_PLACES else None)
     if exponent.denominator == 2 and base.value >= 0:  # noqa: PLR2004  a square root
         outside, root = square_root(base.value)
         whole = power(Number(base.value), (exponent - HALF).numerator)
