@@ -28,9 +28,8 @@ from dhcli.kinematics.values import (
     parameter_values,
     require,
 )
-from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO, Expr
-from dhcli.notation.walk import symbols
+from dhcli.notation.walk import parted, symbols
 
 if TYPE_CHECKING:
     from dhcli.kinematics.recorded import Recording
@@ -187,10 +186,8 @@ def in_numbers(chain: Chain, values: Values) -> tuple[tuple[float, ...], ...]:
 
 def put_in(chain: Chain, values: Values) -> Chain:
     """A chain with exact values in the place of names."""
-    lengths = {name: value for name, value in values.items() if isinstance(value, Expr)}
-    angles = {name: value for name, value in values.items() if isinstance(value, Angle)}
     try:
-        return substituted(chain, lengths, angles)
+        return substituted(chain, *parted(values))
     except (OverflowError, ZeroDivisionError):
         raise RobotError("with these values a length is divided by zero or becomes too large") from None
 
@@ -200,7 +197,7 @@ def link_with(link: Link, values: Values, convention: Convention) -> Link:
     moves = put_in(link.moves, values)
     if link.row is None:
         return Link(link.number, moves)
-    angles = {name: value for name, value in values.items() if isinstance(value, Angle)}
+    _, angles = parted(values)
     lengths = put_in((Trans(link.row.a, link.row.d, ZERO),), values)[0]
     assert isinstance(lengths, Trans)  # noqa: S101  it keeps its kind
     row = Row(lengths.x, link.row.alpha.substitute(angles), lengths.y, link.row.theta.substitute(angles))
@@ -243,4 +240,4 @@ def with_own_values(robot: Robot) -> Robot:
             f"{', '.join(lacking)} {'has' if len(lacking) == 1 else 'have'} no value",
             "numbers need one: --set NAME=VALUE",
         )
-    return with_values(robot, {name: value for name, value in robot.parameters.items() if value is not None})
+    return with_values(robot, robot.known)

@@ -14,7 +14,7 @@ from dhcli.notation.products import in_order_of_motion, parse_factors
 from dhcli.notation.scope import OPEN, Scope
 from dhcli.notation.styles import THETAS, Joints
 from dhcli.notation.tree import PI, ZERO, Expr, Number, Symbol, add, multiply, negate, number
-from dhcli.notation.walk import substitute, symbols
+from dhcli.notation.walk import substitute, symbols, symbols_in
 from dhcli.notation.writer import write, write_angle
 
 
@@ -109,7 +109,7 @@ def inverse(chain: Chain) -> Chain:
 
 def substituted(chain: Chain, lengths: Mapping[str, Expr], angles: Mapping[str, Angle]) -> Chain:
     """The same chain with exact values in the place of names; an angle in a length, as a screw has it, in radians."""
-    inside = frozenset().union(*(symbols(expr) for expr in expressions(chain) if type(expr) is not Number))
+    inside = symbols_in(expr for expr in expressions(chain) if type(expr) is not Number)
     lengths = {**{name: in_radians(angles[name]) for name in inside & angles.keys()}, **lengths}
 
     def put(expr: Expr) -> Expr:

@@ -195,10 +195,6 @@ def _besides(path: str, root: PlacedNode, problems: Sequence[Problem]) -> Iterat
 def _rules_so_far(path: Path, inside: Sequence[tuple[str | int, ...]]) -> Iterator[Finding]:
     """What the rules say of as much of a file as can be read.
 
-    Args:
-        path: The file.
-        inside: Where its problems stand.
-
     Raises:
         DhcliError: Nothing of it can be.
     """

@@ -9,7 +9,7 @@ from dhcli.errors import DhcliError
 from dhcli.mobility.linkage import Linkage
 from dhcli.scene.choice import best_view
 from dhcli.scene.ink import Ink
-from dhcli.scene.labels import Rect, Wish, placed
+from dhcli.scene.labels import Wish, placed
 from dhcli.scene.overlay import hatching
 from dhcli.scene.places import check_count
 from dhcli.scene.plane import plane_figure
@@ -68,11 +68,6 @@ def caption_of(linkage: Linkage) -> str:
 def graph_figure(linkage: Linkage, paper: Paper, caption: list[Text]) -> Figure:
     """Links as bars in a row or around a ring, each joint a circle with its letter.
 
-    Args:
-        linkage: The linkage.
-        paper: What it is drawn on.
-        caption: The texts under it.
-
     Raises:
         LinkageError: There are too many links for a picture.
     """
@@ -99,9 +94,7 @@ def graph_figure(linkage: Linkage, paper: Paper, caption: list[Text]) -> Figure:
         wishes.append(Wish(((x, y - 6), (x, y + 18)), (Run(link),), "dim", (0.0, -1.0)))
     ink = Ink(paper.width, paper.height)
     ink.add(shapes)
-    leaders, texts = placed(
-        wishes, ink, Rect(3, 3, paper.width - 3, paper.height - max(paper.foot, 3)), paper.lettering
-    )
+    leaders, texts = placed(wishes, ink, paper.room, paper.lettering)
     return Figure(paper.width, paper.height, (*shapes, *leaders), (*texts, *caption), linkage.title)
 
 

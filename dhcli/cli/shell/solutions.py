@@ -7,8 +7,8 @@ from dataclasses import astuple, replace
 from typing import TYPE_CHECKING
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.goal import Goal
 from dhcli.cli.shell.joints import typed_joints
+from dhcli.cli.shell.wishes import Goal
 from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.robot import Robot
@@ -80,6 +80,6 @@ def derived(robot: Robot, goal: Goal, chosen: Chosen, *, with_own: bool = False)
         raise DhcliError("a derivation is in letters and takes no pose", "leave it out, or --derive and --code")
     if goal.task not in {None, "pose", "position"}:
         raise DhcliError(Problem(f"a derivation knows no task {goal.task}", Place("--task"), "pose or position"))
-    own = {name: value for name, value in robot.parameters.items() if value is not None} if with_own else {}
+    own = robot.known if with_own else {}
     robot = with_values(robot, {**own, **lengths_of(robot, chosen, symbolic=True)})
     return derive(robot, start=chosen.from_, end=chosen.end, task=goal.task or "")

@@ -28,14 +28,7 @@ Limits = tuple[Value, Value] | None
 
 @frozen
 class _Known:
-    """What a formula of a drive may name.
-
-    Attributes:
-        robot: The robot.
-        motors: The motors.
-        joints: The joints, and whether each turns.
-        unit: The unit of bare lengths.
-    """
+    """What a formula of a drive may name."""
 
     robot: Description
     motors: dict[str, Limits]
@@ -44,13 +37,7 @@ class _Known:
 
 
 def read_drives(fields: Fields, robot: Description, unit: str) -> Actuators | None:
-    """The motors of a robot, None if they cannot be read; problems are noted.
-
-    Args:
-        fields: The fields of the file.
-        robot: The robot.
-        unit: The unit of bare lengths; empty for metres.
-    """
+    """The motors of a robot, None if they cannot be read; problems are noted."""
     problems = fields.problems
     before = len(problems.found)
     inside = fields.mapping("actuators", example=_EXAMPLE)

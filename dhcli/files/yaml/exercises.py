@@ -30,7 +30,7 @@ from dhcli.files.yaml.typed import (
 )
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.notation.angle import Angle
-from dhcli.notation.names import GREEK_NAMES, parts
+from dhcli.notation.names import is_greek
 from dhcli.notation.quantity import LENGTH_UNITS
 from dhcli.notation.scope import Scope
 
@@ -225,7 +225,7 @@ class _Loader:
         """Whether a name stands for an angle: by the robot, by the value given, or by its Greek letter."""
         if self.robot is not None and self.of_robot(key):
             return key in self.robot.angles
-        return _is_angle(key) or isinstance(self.given.get(key), Angle)
+        return is_greek(key) or isinstance(self.given.get(key), Angle)
 
     def of_robot(self, key: str) -> bool:
         return self.robot is not None and key in self.robot.scope.names
@@ -273,7 +273,3 @@ class _Loader:
             if key not in self.parts.ids:
                 hint = did_you_mean(key, self.parts.ids)
                 self.problems.add(self.fields.place_of("printed"), f"printed: there is no part {key}", hint)
-
-
-def _is_angle(name: str) -> bool:
-    return parts(name)[0] in GREEK_NAMES

@@ -20,7 +20,7 @@ from dhcli.files.yaml.fields import Fields, Problems
 from dhcli.files.yaml.named import Named
 from dhcli.files.yaml.placed import PlacedNode, PlacedScalar
 from dhcli.files.yaml.tolerances import read_decimals
-from dhcli.files.yaml.typed import read_flag, read_texts, read_whole
+from dhcli.files.yaml.typed import MOST_DIGITS, read_flag, read_texts
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.scope import Scope
@@ -163,14 +163,20 @@ class _Besides:
         """A list of texts."""
         return read_texts(self.fields, key)
 
-    def whole(self, key: str) -> int | None:
-        """A whole number."""
-        return read_whole(self.fields, key)
+    def one_of(self, key: str, count: int) -> int:
+        """Which of so many, counted from 1; 1 where it is none, which is told."""
+        scalar = self.fields.scalar(key)
+        typed = scalar.text if scalar else ""
+        if typed.isdecimal() and len(typed) <= MOST_DIGITS and 1 <= int(typed) <= count:
+            return int(typed)
+        letter = 1 + ord(typed.lower()) - ord("a") if len(typed) == 1 and typed.isascii() else 0
+        hint = f"write {letter}" if 1 <= letter <= count else f"write a number from 1 to {count}"
+        said = "should be the number of an option, counted from 1" + (f", is '{typed}'" if scalar else "")
+        if scalar or key not in self.fields:
+            place = scalar.place if scalar else self.fields.place
+            self.problems.add(place, f"{key}: {said if count else 'there are no options'}", hint if count else "")
+        return 1
 
     def linkage(self, name: str) -> object | None:
         """The linkage of a name or a pattern; None if there is none, which is told."""
         return self.named.linkage("ask", self.ask, name)
-
-    def refuse(self, message: str, hint: str = "") -> None:
-        """Note what is wrong with the part."""
-        self.problems.add(self.fields.place, message, hint)

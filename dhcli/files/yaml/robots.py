@@ -62,11 +62,6 @@ def robot_of(
 def read_robot(text: str, source: str, name: str) -> Robot:
     """Read a robot from the text of a file.
 
-    Args:
-        text: YAML.
-        source: What the text is called in errors.
-        name: What the robot is called.
-
     Raises:
         FileError: With all problems.
     """

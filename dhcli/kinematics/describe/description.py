@@ -71,10 +71,6 @@ class Described:
 def describe(robot: Robot, asked: Asked) -> Described:
     """Describe a robot anew.
 
-    Args:
-        robot: The robot, described in any way.
-        asked: Which description.
-
     Raises:
         RobotError: It has no such description, or a letter lacks a value that decides.
     """
@@ -155,7 +151,7 @@ def _proof(robot: Robot, found: Robot, close: float = CLOSE) -> Proof:
 
 def known_values(robot: Robot) -> dict[str, Angle | float]:
     """Values of the letters that have one."""
-    return dict(numbers({name: value for name, value in robot.parameters.items() if value is not None}))
+    return dict(numbers(robot.known))
 
 
 def _from_axes(robot: Robot, asked: Asked) -> Described:

@@ -20,13 +20,10 @@ _PLACES = 9
 
 
 def exact_angle(radians: float) -> Angle:
-    """An angle in degrees where it is a round number of them, else in radians.
+    """An angle in [-π, π] in degrees where it is a round number of them, else in radians.
 
     >>> exact_angle(-math.pi / 2).degrees
     Fraction(-90, 1)
-
-    Args:
-        radians: In [-π, π].
     """
     degrees = Fraction(round(math.degrees(radians), 6)).limit_denominator(10**6)
     if abs(math.radians(degrees) - radians) <= SPELLED:

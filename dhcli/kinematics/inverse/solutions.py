@@ -10,6 +10,7 @@ import numpy as np
 
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
+from dhcli.kinematics.inverse.arm import nearest_turn
 from dhcli.kinematics.limits import far_limits
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import JointInput, joint_values
@@ -135,7 +136,7 @@ class Solutions:
         """How far each is from some joint values: the root of the sum of squares [rad, m], angles modulo a turn."""
         gap = self.q - in_numbers(self.robot, q)
         turning = turning_joints(self.robot)
-        gap = np.where(turning, gap - 2 * np.pi * np.round(gap / (2 * np.pi)), gap)
+        gap = nearest_turn(turning, gap)
         return np.asarray(np.sqrt((gap**2).sum(axis=1)))
 
     def travels(self, q: JointInput) -> Array:
@@ -157,7 +158,7 @@ class Solutions:
         if not len(self):
             return f"no solution: {self.why}"
         heads = ["#", *self.robot.variables, "branch", "limits"]
-        rows = [[str(k + 1), *self._shown(k), self.branches[k], self._limits(k)] for k in range(len(self))]
+        rows = [[str(k + 1), *self._shown(k), self.branches[k], self._outside(k) or "ok"] for k in range(len(self))]
         widths = [max(len(line[i]) for line in (heads, *rows)) for i in range(len(heads))]
         numeric = len(self.robot.variables) + 1
         lines = []
@@ -182,9 +183,6 @@ class Solutions:
             f"{round(float(np.degrees(x)), 4) + 0.0:g}°" if turns else f"{round(float(x), 6) + 0.0:g}"
             for x, turns in zip(self.q[k], turning, strict=True)
         ]
-
-    def _limits(self, k: int) -> str:
-        return self._outside(k) or "ok"
 
     def _outside(self, k: int) -> str:
         return ", ".join(shown_beyond(self.robot, outside) for outside in self.beyond[k])
@@ -243,15 +241,7 @@ def in_numbers(robot: Robot, q: JointInput) -> Array:
 
 
 def relation(names: tuple[str, ...], turning: NDArray[np.bool_], q: Array, rates: dict[int, float], at: int) -> str:
-    """What stays the same while the arm moves at constant rates, in words.
-
-    Args:
-        names: The joints.
-        turning: Which of them turn.
-        q: The solution, shape (n,).
-        rates: How the joints move with the parameter.
-        at: The parameter.
-    """
+    """What stays the same while the arm moves at constant rates, in words."""
     others = [j for j in rates if j != at]
     parts = []
     for j in others:

@@ -10,20 +10,21 @@ from dhcli.kinematics.forward import put_in
 from dhcli.kinematics.frames import ORIGIN, between
 from dhcli.kinematics.moves import Chain, Move, Rot, Trans
 from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.singular.angles import angle_words
 from dhcli.kinematics.singular.arm import Arm, Point
 from dhcli.kinematics.singular.modular import rank
 from dhcli.kinematics.singular.result import Factor, Singularities
 from dhcli.kinematics.singular.square import best_places
 from dhcli.kinematics.singular.vanishing import fresh
-from dhcli.kinematics.singular.words import Place, angle_words, listed
+from dhcli.kinematics.singular.words import Place, listed
 from dhcli.kinematics.values import Values
-from dhcli.kinematics.velocity.form import Which
+from dhcli.kinematics.velocity.form import Form, Which
 from dhcli.kinematics.velocity.jacobian import moving_joints
 from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.angle import Angle
 from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Expr
-from dhcli.notation.walk import operations, substitute
+from dhcli.notation.walk import substitute
 
 HALF_DEGREES = 2
 """Residues hold multiples of half a degree."""
@@ -42,13 +43,7 @@ def arm_of(robot: Robot, view: MotionView, values: Values) -> Arm:
 
 
 def task_at(robot: Robot, view: MotionView, part: Which | None) -> tuple[Which, tuple[int, ...]]:
-    """The rows that are taken for the task of a robot, and the places of those among them that its joints can move.
-
-    Args:
-        robot: The robot.
-        view: Between which frames, of which point.
-        part: The task, if somebody says it; see `singularities`.
-    """
+    """The rows that are taken for the task of a robot, and the places of those among them that its joints can move."""
     arm = arm_of(robot, view, {})
     try:
         point = Point.of(arm, fresh(arm))
@@ -76,8 +71,7 @@ def task_of(point: Point) -> Which:
 def task_rows(point: Point, task: Which) -> tuple[int, ...]:
     """The rows of a task that the joints can move at all, along the axes of the start."""
     rows = point.rows()
-    wanted = {"all": range(6), "linear": range(3), "angular": range(3, 6)}[task]
-    return tuple(k for k in wanted if any(rows[k]))
+    return tuple(k for k in Form(task).rows if any(rows[k]))
 
 
 def place_of(point: Point, kept: Sequence[int]) -> Place:
@@ -133,5 +127,4 @@ def put_back(found: Singularities, constants: Mapping[str, Angle]) -> Singularit
 
 
 def _factor(factor: Factor, zeros: tuple[Expr, ...], joints: Joints) -> Factor:
-    angles = " and ".join(angle_words(zero, joints) for zero in zeros if not operations(zero))
-    return replace(factor, zeros=zeros, angles=angles)
+    return replace(factor, zeros=zeros, angles=angle_words(zeros, joints))

@@ -172,12 +172,7 @@ class Heading:
 
 @frozen
 class Spelling:
-    """How a function in a language spells its names.
-
-    Attributes:
-        language: The language.
-        names: The spelling of each name.
-    """
+    """How a function in a language spells its names."""
 
     language: Language
     names: Mapping[str, str]

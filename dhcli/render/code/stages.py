@@ -14,7 +14,7 @@ from dhcli.kinematics.inverse.derive_rules import Step
 from dhcli.kinematics.inverse.derive_terms import name_of
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Call, Expr, Trig, add, negate
-from dhcli.notation.walk import rebuild, symbols, walk
+from dhcli.notation.walk import rebuild, symbols_in, walk
 
 
 @frozen
@@ -113,7 +113,7 @@ def entries_used(result: Derivation) -> Iterator[tuple[str, int, int]]:
 
 def _used(result: Derivation) -> frozenset[str]:
     every = [expr for step in result.steps for expr in (step.value, step.spread, *_parts(step)) if expr is not None]
-    return frozenset().union(*map(symbols, (*every, *(side for one in result.left for side in (one.left, one.right)))))
+    return symbols_in((*every, *(side for one in result.left for side in (one.left, one.right))))
 
 
 def _whole_sums(expr: Expr, sums: dict[tuple[tuple[str, object], ...], str]) -> Expr:

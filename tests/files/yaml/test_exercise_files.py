@@ -33,6 +33,27 @@ def problems(text: str) -> list[str]:
     return [str(problem) for problem in caught.value.problems]
 
 
+@pytest.mark.parametrize(
+    ("right", "said"),
+    [
+        ("right: b", "right: should be the number of an option, counted from 1, is 'b' (write 2)"),
+        ("right: 0", "right: should be the number of an option, counted from 1, is '0' (write a number from 1 to 2)"),
+        (
+            "right: 1.5",
+            "right: should be the number of an option, counted from 1, is '1.5' (write a number from 1 to 2)",
+        ),
+        ("right: [1]", "right: should be a text, is a list"),
+        ("right:", "right: is empty"),
+        ("hints: [x]", "right: should be the number of an option, counted from 1 (write a number from 1 to 2)"),
+    ],
+)
+def test_which_option_is_right_is_told_once(right: str, said: str) -> None:
+    """And with a number that there is."""
+    parts = "parts:\n  - id: pick\n    ask: choice\n    options: [one, two]\n    "
+    found = problems(f"{HEAD.partition('parts:')[0]}{parts}{right}\n")
+    assert [said in problem for problem in found if "right" in problem] == [True], found
+
+
 def test_an_exercise_holds_what_its_file_says() -> None:
     """Names, values, parts, hints, what is printed, and its own tests."""
     exercise = read(
@@ -100,7 +121,7 @@ def test_all_mistakes_are_told_at_once_in_their_order() -> None:
         "my.yaml:9:1: feedback: 'always' is not known (write expected)",
         "my.yaml:10:23: rotation: x is not a name",
         "my.yaml:10:26: size: unknown key",
-        "my.yaml:12:5: right: should be the number of an option, counted from 1",
+        "my.yaml:12:53: right: should be the number of an option, counted from 1, is '3' (write a number from 1 to 2)",
         "my.yaml:13:5: id: is missing",
         "my.yaml:14:18: 'link y' asks nothing that is known (did you mean link 1",
         "my.yaml:16:6: part: there is no part pik (did you mean pick?)",
