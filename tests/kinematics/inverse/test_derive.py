@@ -135,6 +135,13 @@ def test_arms_of_five_joints_have_formulas(name: str, turned: str) -> None:
         assert min([gap for gap in gaps if gap > 1e-9], default=1) > 1e-3
 
 
+def test_an_offset_in_radians_is_an_angle_and_no_arc_of_its_cosine() -> None:
+    """A joint of a URDF follows another with 0.25 rad added: no root of cos^2 + sin^2, and decimals for decimals."""
+    found = shown(derive(load_robot(str(DATA / "urdf" / "levelled.urdf"))))
+    assert found["theta2"].startswith("ONE: 0.25 ± acos(-5*(0.15 - sin(0.25)*(0.45 - pz) + ")
+    assert found["d3"].startswith("SLIDE: -(0.075 - 0.4*s(theta2-0.25) + ")
+
+
 def test_a_hand_that_hangs_down_leaves_the_first_joint_its_formula() -> None:
     """theta1 of a five-axis arm comes from where the hand is, not from where it points."""
     derivation = derive(load_robot(str(DATA / "five-axis.yaml")))
