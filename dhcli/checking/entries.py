@@ -25,8 +25,10 @@ from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_plain_length
 from dhcli.notation.tree import ONE, ZERO, Expr, Number, number
 from dhcli.notation.walk import decimals, symbols
+from dhcli.regex import regex
 
 LARGEST = 256_000
+_MOVES = regex(r"\s*(?:Rot|Trans)_?\{?[xyz]?\}? ?\(")
 LEAST = 1e-12
 """What floating point leaves where an exact 0 or 1 was meant."""
 
@@ -64,6 +66,8 @@ def read_entries(question: Wanted, exercise: Exercise, text: str, place: Place |
         raise UnreadableError(f"the answer has {len(text)} characters, more than the {LARGEST} that are read")
     body = without_label(as_matrix(text, question.shape), question.shape)
     refuse_blanks(body)
+    if _MOVES.match(body):
+        raise UnreadableError("these are moves; what they make was asked, number by number")
     typed = body
     if question.shape == (3, 1):
         is_axis = question.piece in ("axis", "vector") and not is_length(question, 0, 0)

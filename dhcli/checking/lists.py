@@ -64,5 +64,5 @@ def closing(text: str) -> int:
 
 
 def _values(text: str) -> list[str]:
-    """The numbers between commas or semicolons; those between blanks where there are none."""
-    return re.split(r"[,;]", text) if set(text) & set(",;") else text.split()
+    """The numbers between commas, semicolons or bars; those between blanks where there are none."""
+    return re.split(r"[,;|]", text) if set(text) & set(",;|") else text.split()

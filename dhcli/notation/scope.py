@@ -48,6 +48,10 @@ class Scope:
     def __post_init__(self) -> None:
         self._known.update(self.aliases)
         self._known.update((canonical(name), name) for name in self.names)
+        for name in self.names:  # θi is θ_i where it can be nothing else
+            stem, index = parts(name)
+            if len(index) == 1 and index.isalpha() and not (stem in self._known and index in self._known):
+                self._known.setdefault(stem + index, name)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -114,8 +118,8 @@ class Scope:
 
     def _angles(self, text: str) -> Iterator[Angle]:
         """The angles that the text behind `c` or `s` may stand for."""
-        digits = text.strip("_{}")
-        if digits.isdecimal() and digits.isascii():
+        digits = text.strip("_{}").replace("+", "") if text.startswith("_{") else text.strip("_{}")  # c_{1+2}
+        if (digits.isdecimal() and digits.isascii()) or any(parts(name)[1] == digits for name in self.joints):
             yield from self._indexed(digits)
             return
         if text.startswith("_{") and not text[2:3].isalnum():
