@@ -75,13 +75,7 @@ class Memo:
         return cast("R", self._known[key])
 
     def recent(self, kind: object, key: object, make: Callable[[], R]) -> R:
-        """The same for things that answers bring along, of which no more are kept than a class has alike.
-
-        Args:
-            kind: What they are, which has a store of its own.
-            key: One of them.
-            make: Works it out.
-        """
+        """The same for what answers bring along, of each kind of which no more is kept than a class has alike."""
         known: dict[object, R] = self.of(kind, dict)
         if key not in known:
             if len(known) >= MOST_RECENT:

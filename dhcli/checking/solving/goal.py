@@ -15,7 +15,7 @@ from dhcli.checking.kinds.linked import needed
 from dhcli.checking.units import chain_in_metres, has_length_unit, length_in_metres
 from dhcli.errors import NotationError, Place, Problem, RobotError
 from dhcli.frozen import frozen
-from dhcli.geometry.facing import facing
+from dhcli.geometry.vectors import facing
 from dhcli.kinematics.entries import rounded
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.frames import ends
