@@ -125,3 +125,36 @@ def test_what_may_be_meant_in_two_ways_is_asked(exercise: str, part: str, answer
     mark = told(exercise, part, answer)
     assert mark.verdict is Verdict.CANNOT_READ
     assert said in "; ".join(mark.remarks)
+
+
+RATES, POSE, TURN = "motion/planar-rates-in-numbers", "bajd/scara-pose-in-m", "inverse/planar-joints-in-numbers"
+
+
+@pytest.mark.parametrize(
+    ("exercise", "part", "answer", "unit"),
+    [
+        (RATES, "load", "403.65 -31.38 Ncm", "Ncm"),
+        (RATES, "load", "4036.5, -313.8 N mm", "N mm"),
+        (RATES, "rates", "29.04, -64.64 °/s", "°/s"),
+    ],
+)
+def test_a_unit_behind_the_last_number_alone_is_asked_about(exercise: str, part: str, answer: str, unit: str) -> None:
+    """Where the answer is right if it is that of all; a bracket settles it, and another number stays wrong."""
+    mark = told(exercise, part, answer)
+    said = (
+        f"{unit} stands behind the last number alone: if it is that of all, write it behind each, or behind a bracket"
+    )
+    assert (mark.verdict, mark.remarks) == (Verdict.CANNOT_READ, (said,))
+    numbers = answer.strip("()").removesuffix(unit)
+    assert (
+        told(exercise, part, f"({numbers.strip().replace(' -', ', -').replace(',,', ',')}) {unit}").verdict
+        is Verdict.RIGHT
+    )
+    assert told(exercise, part, f"9{answer.lstrip('(')}").verdict is Verdict.WRONG
+
+
+def test_a_list_that_is_right_with_one_unit_in_it_is_right() -> None:
+    """Metres for two numbers and millimetres for the third; three in millimetres earn half, a unit or not."""
+    assert told(POSE, "grip", "81.82, 431.09, 150 mm").other_unit == "mm"
+    assert told(POSE, "grip", "0.08182, 0.43109, 150 mm").verdict is Verdict.RIGHT
+    assert told(TURN, "any", "2.4773, 67.9757°").verdict is Verdict.RIGHT
