@@ -68,7 +68,6 @@ def read_entries(question: Wanted, exercise: Exercise, text: str, place: Place |
     refuse_blanks(body)
     if _MOVES.match(body):
         raise UnreadableError("these are moves; what they make was asked, number by number")
-    typed = body
     if question.shape == (3, 1):
         is_axis = question.piece in ("axis", "vector") and not is_length(question, 0, 0)
         body = as_column(body, exercise.scope, is_axis=is_axis)
@@ -84,7 +83,7 @@ def read_entries(question: Wanted, exercise: Exercise, text: str, place: Place |
         remarks = (*(str(problem) for problem in error.problems), comma_remark(text))
         raise UnreadableError(*filter(None, remarks)) from None
     if question.shape == (3, 1):
-        refuse_one_expression(typed, cells, question.shape[0], exercise.scope)
+        refuse_one_expression(body, cells, question.shape[0], exercise.scope)
     shaped = _shaped(question, cells, text)
     entries = tuple(
         tuple(_entry(question, exercise, cell, r, c) for c, cell in enumerate(row)) for r, row in enumerate(shaped)
