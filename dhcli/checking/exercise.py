@@ -242,6 +242,7 @@ class Part:
         tolerance: How near is near enough; the exercise's own if None.
         compare: How a table is judged: literal, same-motion or same-robot; empty where the file does not say.
         printed: What the document shows, if it does.
+        index: Where it stands among the parts of its file, from 0; two may have one id before that is mended.
     """
 
     id: str
@@ -255,6 +256,7 @@ class Part:
     tolerance: Tolerance | None = None
     compare: str = ""
     printed: Printed | None = None
+    index: int = 0
 
     def heading(self, exercise: Exercise) -> str:
         """What is asked for, in a few words that do not tell more than the task does."""

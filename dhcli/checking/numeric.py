@@ -61,13 +61,6 @@ def mark_numbers(
 ) -> Mark:
     """Judge an answer in numbers, its bare lengths in the unit of the sheet.
 
-    Args:
-        question: The question.
-        truth: The right answer, with numbers.
-        entries: The answer as read, in the shape of the question.
-        exercise: The exercise, for its values and the unit of the sheet.
-        tolerance: Largest errors that count as right.
-
     Raises:
         UnreadableError: An entry has no finite value.
     """

@@ -17,9 +17,8 @@ from dhcli.checking.truth import Truth, is_length
 from dhcli.checking.verdicts import AGREEING, CellMark, Mark, Verdict
 from dhcli.checking.wanted import Wanted
 from dhcli.kinematics.robot import Value
-from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr, Number
-from dhcli.notation.walk import rebuild, substitute, walk
+from dhcli.notation.walk import parted, rebuild, substitute, walk
 from dhcli.notation.writer import write
 
 MOST_OFF = 0.05
@@ -94,9 +93,7 @@ def is_exactly(typed: Expr, right: Expr, exercise: Exercise) -> bool:
 
 def put(expr: Expr, values: Mapping[str, Value]) -> Expr:
     """An expression with given values in the place of their names."""
-    lengths = {name: value for name, value in values.items() if isinstance(value, Expr)}
-    angles = {name: value for name, value in values.items() if isinstance(value, Angle)}
-    return substitute(expr, lengths, angles)
+    return substitute(expr, *parted(values))
 
 
 def _cell(question: Wanted, truth: Truth, entry: Entry, place: tuple[int, int], exercise: Exercise) -> CellMark:

@@ -9,7 +9,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Literal
 
-from dhcli.errors import RobotError, did_you_mean
+from dhcli.errors import RobotError, did_you_mean, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.actuators import Actuators
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row
@@ -137,6 +137,11 @@ class Description:
                 found[name] = Joint(name, kind, number)
         return tuple(found.values())
 
+    @property
+    def known(self) -> dict[str, Value]:
+        """Its lengths and constant angles that have a value."""
+        return {name: value for name, value in self.parameters.items() if value is not None}
+
     @cached_property
     def turning(self) -> frozenset[str]:
         """Names that stand inside rotations, and motors that turn behind a ball screw."""
@@ -201,7 +206,7 @@ def _values(given: object, part: str, turning: Sequence[bool], hint: str = "") -
     """Values one by one; how many there should be, other rules say, but limits are always two."""
     found = tuple_of(given, part, hint)
     if hint and len(found) != len(turning):
-        raise RobotError(f"{part}: {len(found)} values", hint)
+        raise RobotError(f"{part}: {plural(len(found), 'value')}", hint)
     kinds = [*turning, *[False] * len(found)]
     return tuple(value_of(each, part, is_angle=is_angle) for each, is_angle in zip(found, kinds, strict=False))
 

@@ -92,6 +92,12 @@ def frame(robot: Robot, name: str | int) -> str:
     return text
 
 
+def span_of(robot: Robot, view: View) -> tuple[int, int]:
+    """The places of two frames in the order of the robot."""
+    first, last = (robot.frames.index(frame(robot, name)) for name in (view.start, view.end))
+    return first, last
+
+
 def ends(robot: Robot, start: str | int | None, end: str | int | None) -> tuple[str, str]:
     """The two frames meant, by default the first and the last of the numbered ones."""
     return (

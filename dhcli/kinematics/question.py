@@ -18,7 +18,7 @@ from dhcli.kinematics.robot import Link, Robot
 from dhcli.kinematics.values import Values, require
 from dhcli.notation.quarters import right_angles_among
 from dhcli.notation.tree import Expr
-from dhcli.notation.walk import symbols
+from dhcli.notation.walk import symbols_in
 
 if TYPE_CHECKING:  # what only some questions need is imported when they are asked
     from dhcli.kinematics.placement import Placement
@@ -216,7 +216,7 @@ def _listed(fold_chain: _Folding, question: Question, links: tuple[Link, ...], v
 
 def _seen(fold_chain: _Folding, view: View, point: Point) -> SeenPoint:
     """A point of the frame described, seen from the other."""
-    free = frozenset().union(*map(symbols, point)) - fold_chain.values.keys()
+    free = symbols_in(point) - fold_chain.values.keys()
     if not fold_chain.symbolic and (unknown := sorted(free - fold_chain.robot.angles - {*fold_chain.robot.variables})):
         raise RobotError(f"{', '.join(unknown)} of the point has no value", "write numbers, or ask with --symbolic")
     pose = fold_chain((*view.chain(fold_chain.robot), Trans(*point)), view.reference, view.frame)

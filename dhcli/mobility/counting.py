@@ -127,13 +127,6 @@ class Counts:
 def counts(space: Space, n: Expr, joints: Iterable[tuple[Pair, Expr]], title: str = "", reading: str = "") -> Counts:
     """Counts from numbers or formulas.
 
-    Args:
-        space: Gives λ.
-        n: Links with the ground.
-        joints: Kind and number of the joints.
-        title: What is counted.
-        reading: How it was read.
-
     Raises:
         LinkageError: A count is negative, not whole, or too few joints tie the links together.
     """

@@ -76,14 +76,10 @@ def check_is(expr: Expr, wanted: Fraction) -> None:
         return
     if wanted == _NUMBER:
         raise DimensionError(f"this is {_called(found)}, a number is wanted", "leave the unit out")
+    hint = {Fraction(1): "write 0.4 m or 400 mm", Fraction(2): "write 0.4 m^2"}.get(wanted, "write 0.4 m^3")
     if found == _NUMBER:
-        raise DimensionError("the units cancel, and a length is wanted", "write 0.4 m or 400 mm")
-    raise DimensionError(f"this is {_called(found)}, a length is wanted", "write 0.4 m or 400 mm")
-
-
-def check_length(expr: Expr) -> None:
-    """Make sure that an expression in which units stand is a length."""
-    check_is(expr, _LENGTH)
+        raise DimensionError(f"the units cancel, and {_called(wanted)} is wanted", hint)
+    raise DimensionError(f"this is {_called(found)}, {_called(wanted)} is wanted", hint)
 
 
 def has_units(expr: Expr) -> bool:

@@ -98,13 +98,6 @@ def read_matrix_factor(reading: Reading, tokens: Sequence[Token], *, inverse: bo
 def read_move(reading: Reading, word: Token, inside: Sequence[Token], close: Token, *, inverse: bool) -> list[Factor]:
     """A move, which several factors may stand for: a rotation about any axis, or by several numbers.
 
-    Args:
-        reading: What the readers share.
-        word: Its name, such as `Rot`.
-        inside: What stands in its brackets.
-        close: The closing bracket.
-        inverse: Whether its inverse is meant.
-
     Raises:
         NotationError: It is no move, or its arguments are none of such a one.
     """

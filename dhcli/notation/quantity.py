@@ -16,7 +16,7 @@ from dhcli.notation.dimensions import (
     LENGTH_UNITS,
     UNITS,
     DimensionError,
-    check_length,
+    check_is,
     in_metres,
     is_inverse,
 )
@@ -86,8 +86,12 @@ def to_angle(expr: Expr, *, bare: Bare = "rad") -> Angle:
     return angle
 
 
-def to_length(expr: Expr) -> Expr:
+def to_length(expr: Expr, power: int = 1) -> Expr:
     """Read an expression as a length or plain number: units become metres, angle units are refused.
+
+    Args:
+        expr: The expression.
+        power: What its units are to be: 1 for those of a length, 2 for those of an area.
 
     Raises:
         DimensionError: A unit of angle where a length is wanted, an area, units that cancel, or no length at all.
@@ -106,7 +110,7 @@ def to_length(expr: Expr) -> Expr:
                 raise DimensionError(f"{node.name} is a unit of angle, a length is wanted", "write 0.4 m or 400 mm")
     if not measured:
         return expr
-    check_length(expr)
+    check_is(expr, Fraction(power))
     return in_metres(expr)
 
 
@@ -126,13 +130,13 @@ def with_unit(expr: Expr, unit: str) -> Expr:
     return add(*(found if measured else map(in_metres, found)))
 
 
-def to_plain_length(expr: Expr) -> Expr:
+def to_plain_length(expr: Expr, power: int = 1) -> Expr:
     """Read an expression as a length or number that is no angle: `to_length` but for `atan2(1, 2)` and its like.
 
     Raises:
         DimensionError: As `to_length`, or it is an angle by an inverse function.
     """
-    length = to_length(expr)
+    length = to_length(expr, power)
     if is_inverse(expr):
         raise DimensionError("an inverse function is an angle, a length is wanted", "write 0.4 m or 400 mm")
     return length

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Call, Expr, Number, Power, Product, Sum, Symbol, Trig, add, multiply, power, split
@@ -47,6 +47,11 @@ def symbols(expr: Expr) -> frozenset[str]:
     return frozenset(found)
 
 
+def symbols_in(exprs: Iterable[Expr]) -> frozenset[str]:
+    """All names in some expressions."""
+    return frozenset[str]().union(*map(symbols, exprs))
+
+
 def decimals(expr: Expr) -> tuple[int | None, ...]:
     """The decimal places of its numbers: with them expressions that are equal, such as 0.5 and 1/2, are told apart."""
     stack, found = [expr], []
@@ -75,6 +80,12 @@ def rebuild(expr: Expr, leaf: Callable[[Expr], Expr]) -> Expr:
     if type(expr) is Call:
         return Call(expr.function, tuple(rebuild(argument, leaf) for argument in expr.arguments))
     return leaf(expr)
+
+
+def parted(values: Mapping[str, Expr | Angle]) -> tuple[dict[str, Expr], dict[str, Angle]]:
+    """Values of names, lengths and angles apart, as `substitute` takes them."""
+    lengths = {name: value for name, value in values.items() if isinstance(value, Expr)}
+    return lengths, {name: value for name, value in values.items() if isinstance(value, Angle)}
 
 
 def substitute(expr: Expr, lengths: Mapping[str, Expr], angles: Mapping[str, Angle]) -> Expr:

@@ -16,7 +16,7 @@ from dhcli.scene.arm import ARROW, arrows
 from dhcli.scene.camera import Camera
 from dhcli.scene.choice import with_examples
 from dhcli.scene.ink import Ink
-from dhcli.scene.labels import Rect, Wish, placed
+from dhcli.scene.labels import Wish, placed
 from dhcli.scene.overlay import END_ON, HEAD, frames, pins
 from dhcli.scene.painter import painted
 from dhcli.scene.primitives import Arrow
@@ -96,9 +96,7 @@ def beside_figure(  # noqa: PLR0913  what a figure of one robot takes, and the o
         mark.append(Shape(ring(camera.flat(at[number].origin), 18.0, 28), "theirs-mark", closed=True))
     ink = Ink(paper.width, paper.height)
     ink.add([*shapes, *under, *axes, *mark])
-    leaders, texts = placed(
-        wishes, ink, Rect(3, 3, paper.width - 3, paper.height - max(paper.foot, 3)), paper.lettering
-    )
+    leaders, texts = placed(wishes, ink, paper.room, paper.lettering)
     does = "differs" if theirs.pairs else "breaks a rule"
     told = f"no frame {does}" if number is None else f"frame {number} is the first that {does}{theirs.note}"
     aside = "" if is_near else ", far outside the picture"

@@ -15,10 +15,9 @@ from dhcli.mobility.linkage import Linkage
 from dhcli.scene.beside import beside_figure
 from dhcli.scene.linkages import linkage_figure
 from dhcli.scene.motion import Motion, Path, motion_of
-from dhcli.scene.panels import PANEL, on_one_sheet
+from dhcli.scene.panels import PANEL, on_one_sheet, strip_figure
 from dhcli.scene.shapes import Figure
 from dhcli.scene.staging import HEIGHT, MARGIN, WIDTH, Paper, figure_of, stage_arm
-from dhcli.scene.strip import strip_figure
 from dhcli.scene.table import with_table
 from dhcli.scene.traced import Traced
 from dhcli.scene.workspace import workspace_figure

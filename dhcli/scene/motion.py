@@ -7,6 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+from dhcli.errors import plural
 from dhcli.frozen import frozen
 from dhcli.geometry.vectors import Vector
 from dhcli.kinematics.derived import in_floats
@@ -107,7 +108,7 @@ def motion_of(  # noqa: PLR0913  what a figure of a robot takes, and where it go
     start: Any = path[0] if path else q
     first = stage_arm(robot, start, pose=pose, view=view, parameters=parameters, bare=bare)
     full = values_at(robot, start, pose, parameters, bare)
-    told = f"{len(path)} rows"
+    told = plural(len(path), "row")
     if not path:
         from_ = {name: full[name] for name in robot.variables}
         told, end = posed(robot, to, None, full, bare)

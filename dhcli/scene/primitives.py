@@ -79,12 +79,7 @@ class Box:
 
 @frozen
 class Ball:
-    """A ball joint, or the cross of a universal joint.
-
-    Attributes:
-        centre: Its middle.
-        radius: Its radius [m].
-    """
+    """A ball joint, or the cross of a universal joint."""
 
     centre: Anchor
     radius: float

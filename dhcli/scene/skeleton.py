@@ -14,7 +14,7 @@ from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values, numbers
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr, Number
-from dhcli.notation.walk import symbols
+from dhcli.notation.walk import symbols, symbols_in
 from dhcli.notation.writer import write, write_angle
 from dhcli.scene.vectors import WORLD, Frame, add, norm, sub, unit
 from dhcli.scene.words import Words, spelled
@@ -164,7 +164,7 @@ def _axes(robot: Robot, given: Given) -> list[Axis]:
 
 def variables_of(move: Trans, robot: Robot) -> list[str]:
     """The joint variables that stand in a translation."""
-    held = frozenset().union(*(symbols(expr) for expr in expressions((move,))))
+    held = symbols_in(expr for expr in expressions((move,)))
     return [name for name in robot.variables if name in held]
 
 

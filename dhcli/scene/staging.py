@@ -73,6 +73,11 @@ class Paper:
     margin: float = MARGIN
     foot: float = FOOT
 
+    @property
+    def room(self) -> Rect:
+        """Where labels may stand."""
+        return Rect(3, 3, self.width - 3, self.height - max(self.foot, 3))
+
 
 def stage_arm(
     robot: Robot,
@@ -145,8 +150,7 @@ def figure_of(staged: Staged, paper: Paper | None = None, *, worksheet: bool = F
         turns = turn_wishes(scene, camera) if scene.arrows else ()
         over, wishes = [*lines, *axes], [*names, *lengths, *turns]
         wishes += [Wish((camera.flat(scene.point(mark.at)),), mark.words, "mark") for mark in scene.marks]
-    room = Rect(3, 3, paper.width - 3, paper.height - max(paper.foot, 3))
-    leaders, texts = placed(wishes, ink, room, paper.lettering)
+    leaders, texts = placed(wishes, ink, paper.room, paper.lettering)
     azimuth, elevation = staged.view
     caption = " · ".join(filter(None, (staged.caption, f"az {azimuth:.4g}°, el {elevation:.4g}°")))
     texts += foot(staged.title, caption, paper)

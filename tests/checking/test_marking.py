@@ -30,7 +30,8 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
 from dhcli.notation.tree import Number, number
 from dhcli.notation.writer import write
-from dhcli.render.look import Look, render
+from dhcli.render.kinds import render
+from dhcli.render.look import Look
 from dhcli.render.paper import Paper
 from tests.judging import expected, mark, mark_sheet
 from tests.nightly import examples, some

@@ -15,7 +15,7 @@ def test_a_urdf_stands_where_a_robot_does() -> None:
     done = run("fk", str(ROOT / ARM), "--tip", "tool0", "--q", "0,0,0", "--as", "position")
     assert done.code == 0
     assert "p_z = 0.3" in done.out
-    assert "3 of 12 angles are multiples of 15° rounded" in done.err
+    assert "taken for multiples of 15°: 3 of 12 angles" in done.err
     assert "rounded" not in run("fk", str(ROOT / ARM), "--tip", "tool0", "--q", "0,0,0", "--as-typed").err
 
 

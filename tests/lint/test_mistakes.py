@@ -56,7 +56,7 @@ def test_one_mistake_is_a_mistake_and_two_are_two() -> None:
     robot = load_robot("planar-2r")
     (one,) = findings(judge_of(question_about(robot, "pose 0..2", numeric=True, given=joint_values(robot, "25°,45°"))))
     assert one.message == "pose: this pose does not show a mistake: sin-cos 2"
-    assert (one.where, one.is_warning) == (("parts", "pose"), True)
+    assert (one.where, one.is_warning) == (("parts", 0), True)
     assert one.hint == "given: {theta1: 25°, theta2: 40°} leaves 0"
     head = TEXT[: TEXT.index("tests:")].replace("task:", "numeric: true\ngiven: {theta1: 0, theta2: 0}\ntask:")
     (many,) = findings(

@@ -9,7 +9,7 @@ from dhcli.kinematics.values import joint_values
 from dhcli.scene.camera import Camera
 from dhcli.scene.choice import EDGE_ON
 from dhcli.scene.motion import MOST_SCENES, between, moments, motion_of
-from dhcli.scene.strip import CELL, MOMENTS, strip_figure
+from dhcli.scene.panels import CELL, MOMENTS, strip_figure
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,7 @@ from dhcli.geometry.rigid import Rigid
 from dhcli.geometry.vectors import UNITS, Vector, dot, length, plus, scaled
 from dhcli.kinematics.entries import rounded
 from dhcli.kinematics.fold import fold
-from dhcli.kinematics.frames import View, between, frame
+from dhcli.kinematics.frames import View, between, span_of
 from dhcli.kinematics.moves import Chain
 from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Symbol
@@ -203,7 +203,7 @@ def _frames(exercise: Exercise, question: Wanted, typed: TypedMatrix) -> Iterato
     yield Frame(reference, (Rigid(),) * count)
     robot, source = exercise.robot, question.source
     if robot is not None and isinstance(source, View) and not question.inverse:
-        first, last = (robot.frames.index(frame(robot, name)) for name in (source.start, source.end))
+        first, last = span_of(robot, source)
         for k in range(first + 1, last):
             chain = between(robot, robot.frames[first], robot.frames[k])
             yield Frame(_spoken(robot.frames[k]), tuple(_folded(chain, over) for over in typed.search.points))

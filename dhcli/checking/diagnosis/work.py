@@ -17,7 +17,7 @@ from dhcli.checking.wanted import Wanted
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import Convention, Row
-from dhcli.kinematics.frames import View, frame
+from dhcli.kinematics.frames import View, span_of
 from dhcli.kinematics.moves import Chain
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values
@@ -129,11 +129,6 @@ class Setting:
 def right_work(question: Wanted, robot: Robot | None, setting: Setting) -> Work:
     """The right way to an answer; the moves of a single link, or of a product, are factors of their own.
 
-    Args:
-        question: What is asked.
-        robot: The robot, if there is one.
-        setting: Keeps the links, which all works share.
-
     Raises:
         RobotError: The question needs a robot and there is none.
     """
@@ -143,7 +138,7 @@ def right_work(question: Wanted, robot: Robot | None, setting: Setting) -> Work:
         return Work(question, steps, inverted=question.inverse)
     if robot is None:
         raise RobotError("this question needs a robot", "name one under robot:")
-    first, last = (robot.frames.index(frame(robot, name)) for name in (source.start, source.end))
+    first, last = span_of(robot, source)
     steps = steps_between(robot, setting, min(first, last), max(first, last))
     return Work(question, steps, inverted=question.inverse is not (first > last))
 

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from math import pi
 
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.frames.reading import TypedFrame
-from dhcli.checking.frames.rows import table_of
 from dhcli.checking.frames.rules import ORIGIN_CELL, X_CELL, Z_CELL, Broken, Rules
 from dhcli.checking.frames.sketch import Sketch
 from dhcli.checking.tables.cells import dh_table_text, on_sheet
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
-from dhcli.geometry.vectors import dot
-from dhcli.kinematics.describe.drawn import Frame
-from dhcli.kinematics.describe.exact import exact_factor
-from dhcli.kinematics.describe.linear import coordinates_of, moved
-from dhcli.kinematics.describe.process import axis_word
+from dhcli.geometry.vectors import Vector, angle_about, dot
+from dhcli.kinematics.conventions import Convention, Row
+from dhcli.kinematics.describe.drawn import Frame, same_direction
+from dhcli.kinematics.describe.exact import exact_angle, exact_factor
+from dhcli.kinematics.describe.linear import Ruler, along, coordinates_of, length_of, moved
+from dhcli.kinematics.describe.process import axis_word, with_variable
 from dhcli.notation.writer import write
 
 MOST_SAID = 4
@@ -25,13 +26,7 @@ _NAMES = ("o", "x", "z")
 
 
 def mark_frames(exercise: Exercise, rules: Rules, typed: Sequence[TypedFrame]) -> Mark:
-    """Judge frames by the rules.
-
-    Args:
-        exercise: The exercise, for its unit.
-        rules: The rules.
-        typed: The frames as read.
-    """
+    """Judge frames by the rules."""
     sketch = rules.sketch
     broken = rules.broken(typed)
     read, right = (
@@ -120,3 +115,29 @@ def _freedoms(rules: Rules, typed: Sequence[TypedFrame]) -> Iterator[str]:
 
 _NEAR = 1e-4
 """What two directions may differ by in their cosine and are not told apart."""
+
+
+def table_of(sketch: Sketch, frames: Sequence[Frame]) -> tuple[Row, ...]:
+    """The rows of frames that keep the rules.
+
+    A joint whose z axis points against it moves it the other way. A standard row turns about the z axis of the frame
+    before and ends along the x axis of its own frame; a modified one begins with the x axis of the frame before.
+    """
+    ruler = Ruler(sketch.values, sketch.size)
+    is_standard = sketch.convention is Convention.STANDARD
+    rows = []
+    for k, line in enumerate(sketch.axes):
+        here, there = frames[k], frames[k + 1]
+        x, z = (there.x, here.z) if is_standard else (here.x, there.z)
+        gap = moved(there.origin, here.origin, -1)
+        turn, way = angle_about(z, here.x, there.x), ruler.cleaned(along(gap, z))
+        own = line if dot(line.direction, z) > 0 else line.reversed()
+        joint = with_variable(own, turn, way)
+        twist = exact_angle(_twist(x, here.z, there.z))
+        rows.append(Row(length_of(ruler.cleaned(along(gap, x))), twist, joint.length, joint.turn))
+    return tuple(rows)
+
+
+def _twist(x: Vector, before: Vector, after: Vector) -> float:
+    same = same_direction(before, after)
+    return angle_about(x, before, after) if not same else 0.0 if same > 0 else pi

@@ -59,11 +59,7 @@ class Rules:
     tolerance: Tolerance
 
     def broken(self, typed: Sequence[TypedFrame]) -> tuple[Broken, ...]:
-        """Every rule that frames break, frame by frame.
-
-        Args:
-            typed: The frames, as many as the sketch has.
-        """
+        """Every rule that frames break, frame by frame."""
         frames = [one.frame for one in typed]
         return tuple(one for k in range(len(frames)) for one in self._of_frame(k, typed[k], frames))
 

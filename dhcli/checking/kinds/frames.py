@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING, ClassVar, Self, TypeAlias
 
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Exercise, Question
-from dhcli.checking.frames.marking import frame_text, frames_text, mark_frames
+from dhcli.checking.frames.marking import frame_text, frames_text, mark_frames, table_of
 from dhcli.checking.frames.reading import TypedFrame, read_frames
-from dhcli.checking.frames.rows import table_of
 from dhcli.checking.frames.rules import Rules
 from dhcli.checking.frames.sketch import axes_text, drawn_at, pose_of, seen_from, sketch_of
 from dhcli.checking.frames.slips import as_typed, causes_of, every_slip

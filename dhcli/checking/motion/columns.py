@@ -9,6 +9,8 @@ from typing import TypeAlias
 
 from dhcli.algebra.arithmetic import settled
 from dhcli.algebra.terms import TERMS
+from dhcli.checking.exercise import Case
+from dhcli.checking.motion.asked import Motion
 from dhcli.checking.motion.grid import Grid, Rows, exact
 from dhcli.frozen import frozen
 from dhcli.kinematics.fold import fold_rows
@@ -26,7 +28,7 @@ from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO, Expr, Number, add, multiply, negate, number, power
 from dhcli.notation.trig import cosine, sine
-from dhcli.notation.walk import substitute, symbols
+from dhcli.notation.walk import substitute, symbols_in
 
 Vector: TypeAlias = tuple[Expr, Expr, Expr]
 
@@ -59,14 +61,7 @@ class Column:
 
 @frozen
 class Columns:
-    """All columns between two frames of a robot.
-
-    Attributes:
-        robot: The robot.
-        view: Which frames, axes and point.
-        point: The point whose velocity it is.
-        each: The column of each joint.
-    """
+    """All columns between two frames of a robot."""
 
     robot: Robot
     view: MotionView
@@ -85,7 +80,7 @@ class Columns:
     @property
     def names(self) -> frozenset[str]:
         """Every name in them."""
-        return frozenset().union(*(symbols(entry) for row in self.cut(range(6)) for entry in row))
+        return symbols_in(entry for row in self.cut(range(6)) for entry in row)
 
     @property
     def moved(self) -> tuple[int, ...]:
@@ -170,18 +165,17 @@ def combined(row: Sequence[Expr], column: Sequence[Expr]) -> Expr:
     return number(total) if isinstance(total, int) else total
 
 
-def jacobian_grid(columns: Columns, form: Form, values: Values | None) -> Grid:
-    """The Jacobian of columns in the rows of a form.
+def columns_for(case: Case, motion: Motion) -> Columns:
+    """The columns that a question is about."""
+    return columns_of(*motion.check(case.exercise.robot))
 
-    Args:
-        columns: The columns.
-        form: The rows.
-        values: Values of all names where the answer is in numbers, for the angles of an analytic one.
-    """
+
+def jacobian_grid(case: Case, columns: Columns, form: Form) -> Grid:
+    """The Jacobian of columns in the rows of a form; the angles of an analytic one have their values in numbers."""
     six = columns.cut(range(6))
     linear, angular = six[:3], six[3:]
     if form.analytic:
-        angular = _analytic(columns, form, angular, values)
+        angular = _analytic(columns, form, angular, case.exercise.values if case.exercise.numeric else None)
     rows = form.chosen(linear, angular)
     one = tuple(int(column.turns) for column in columns.each)
     zero = (0,) * len(one)

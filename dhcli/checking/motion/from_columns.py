@@ -15,7 +15,7 @@ from dhcli.checking.diagnosis.plausible import HALF, at_a_point, has_name, is_tr
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.entries import Entries
 from dhcli.checking.exercise import Case
-from dhcli.checking.motion.columns import Columns
+from dhcli.checking.motion.columns import Columns, columns_for
 from dhcli.checking.motion.digits import Digits
 from dhcli.checking.motion.grid import Grid, Numbers, alike, scale_of, within
 from dhcli.checking.motion.mistakes import made, then
@@ -28,7 +28,7 @@ from dhcli.kinematics.entries import rounded
 from dhcli.kinematics.values import numbers
 from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.tree import Expr
-from dhcli.notation.walk import symbols
+from dhcli.notation.walk import symbols_in
 from dhcli.notation.writer import write
 
 Typed: TypeAlias = Mapping[tuple[int, int], Expr]
@@ -71,9 +71,9 @@ class ColumnsQuestion(MotionQuestion):
 
     __slots__ = ()
 
-    @abstractmethod
     def columns(self, case: Case) -> Columns:
         """The right columns."""
+        return columns_for(case, self.motion)
 
     @abstractmethod
     def of_columns(self, case: Case, columns: Columns) -> Grid:
@@ -232,7 +232,7 @@ def axes_step(case: Case, columns: Columns) -> Shown:
 
     def vector(entries: Iterable[Expr], power: int) -> str:
         entries = tuple(entries)
-        if exercise.numeric and not frozenset().union(*map(symbols, entries)) - exercise.values.keys():
+        if exercise.numeric and not symbols_in(entries) - exercise.values.keys():
             arithmetic = Floats(numbers(exercise.values))
             return ", ".join(rounded(arithmetic.value(one) / scale_of(exercise, power)) for one in entries)
         shown = map(exercise.on_sheet, entries) if power == 1 else entries

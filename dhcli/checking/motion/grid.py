@@ -15,7 +15,7 @@ from dhcli.kinematics.entries import rounded
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr, Number
-from dhcli.notation.walk import symbols
+from dhcli.notation.walk import symbols_in
 from dhcli.notation.writer import write
 
 Rows: TypeAlias = tuple[tuple[Expr, ...], ...]
@@ -76,7 +76,7 @@ class Grid:
     @property
     def names(self) -> frozenset[str]:
         """Every name in it."""
-        return frozenset().union(*(symbols(entry) for row in self.rows for entry in row))
+        return symbols_in(entry for row in self.rows for entry in row)
 
     def numbers(self, exercise: Exercise) -> Numbers:
         """The entries at the values of an exercise, lengths in metres."""

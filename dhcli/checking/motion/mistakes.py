@@ -53,12 +53,7 @@ def made(columns: Columns, kind: str = "") -> Iterator[tuple[Slip, Columns]]:
 
 
 def then(columns: Columns, first: Slip) -> Iterator[tuple[Slip, Columns]]:
-    """Every mistake that is made after another one, or of the same kind behind it.
-
-    Args:
-        columns: What the first has led to.
-        first: The first.
-    """
+    """Every mistake that is made after another one, or of the same kind behind it."""
     place = {mistake.id: mistake for mistake in IN_COLUMNS}
     before = place[first.name.partition(" ")[0]]
     for mistake in IN_COLUMNS:

@@ -10,6 +10,7 @@ from functools import partial
 from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.entries import Entries, entries_text, values_of
 from dhcli.checking.exercise import Case, Exercise, Memo, Part, Question
+from dhcli.checking.motion.asked import Motion
 from dhcli.checking.motion.digits import Digits
 from dhcli.checking.motion.grid import Grid, Numbers, alike, general_floats_in, over, scale_of, within
 from dhcli.checking.motion.in_entries import sign_causes, signs, swapped, term_causes
@@ -47,6 +48,8 @@ class MotionQuestion(Question[Entries]):
     """A question whose answer is a table of entries, computed from the columns of a robot."""
 
     __slots__ = ()
+
+    motion: Motion
 
     @abstractmethod
     def size(self, robot: Robot) -> tuple[int, int]:

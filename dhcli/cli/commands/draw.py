@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import Overwrite, Untried, Variant, complete_pose, complete_robot, file_to_write
+from dhcli.cli.shell.options import Untried, Variant, complete_pose, complete_robot
 from dhcli.cli.shell.spreading import But
+from dhcli.cli.shell.written import Overwrite, file_to_write
 from dhcli.errors import DhcliError
 
 if TYPE_CHECKING:

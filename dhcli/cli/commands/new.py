@@ -10,8 +10,8 @@ import typer
 
 from dhcli.cli.app import Group, One
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import Overwrite, file_to_write
 from dhcli.cli.shell.spreading import But, spread
+from dhcli.cli.shell.written import Overwrite, file_to_write
 
 _OF_URDF = But(without=("robot", "q", "deg", "pose", "set_", "motors", "from_", "to", "tool"))
 """Of the options about a robot those that choose a chain of a URDF."""

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from dhcli.cli.shell.options import Overwrite, file_to_write
+from dhcli.cli.shell.written import Overwrite, file_to_write
 
 EXAMPLES = """
 [bold]Examples[/]

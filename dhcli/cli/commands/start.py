@@ -7,7 +7,8 @@ from typing import Annotated
 
 import typer
 
-from dhcli.cli.shell.options import ExerciseName, Variant, file_to_write
+from dhcli.cli.shell.options import ExerciseName, Variant
+from dhcli.cli.shell.written import file_to_write
 
 EXAMPLES = """
 [bold]Examples[/]

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import Digits, EndPoint, Jobs, Overwrite, complete_joint, file_to_write, workers
+from dhcli.cli.shell.options import EndPoint, Jobs, complete_joint, workers
+from dhcli.cli.shell.written import Digits, Overwrite, file_to_write
 
 if TYPE_CHECKING:
     import numpy as np

@@ -10,7 +10,8 @@ from dhcli.cli.shell.console import say, tell, write_out
 from dhcli.cli.shell.endings import ENDINGS, check_ending, format_by_ending
 from dhcli.errors import DhcliError, FileError, Place, Problem, UnknownNameError, did_you_mean
 from dhcli.frozen import frozen
-from dhcli.render.look import Look, check_format, content, formats, render
+from dhcli.render.kinds import check_format, content, formats, render
+from dhcli.render.look import Look
 from dhcli.render.paper import Paper
 
 STYLES = ("short", "full")

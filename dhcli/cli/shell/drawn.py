@@ -92,11 +92,9 @@ def posed(
             raise DhcliError(f"{what.name} is a linkage: --q, --pose, --to, --in, --beside and --set are for robots")
         return {}
     from dhcli.cli.shell.given import lengths_of, values_of
-    from dhcli.kinematics.values import joint_values
+    from dhcli.cli.shell.joints import typed_joints
 
-    goal: dict[str, object] = (
-        {} if to is None else {"to": joint_values(what, to, bare=chosen.bare, place=Place("--to"))}
-    )
+    goal: dict[str, object] = {} if to is None else {"to": typed_joints(what, to, chosen.bare, "--to")}
     if beside is not None:
         from dhcli.files.yaml.robots import load_robot
 
@@ -122,13 +120,14 @@ def _read_rows(robot: Robot, path: str, chosen: Chosen) -> tuple[tuple[float, ..
     Raises:
         FileError: The file is no table for this robot, a row is bad, or there are none or too many.
     """
-    from dhcli.cli.shell.batch import asked_of_rows
+    from dhcli.cli.shell.batch import joint_table
+    from dhcli.cli.shell.many import Many
     from dhcli.files.rows.formats import joint_rows
     from dhcli.files.rows.source import open_source
 
     found: list[tuple[float, ...]] = []
     with open_source(path) as source:
-        for block in joint_rows(source, asked_of_rows(robot, chosen, ignores=False)).blocks():
+        for block in joint_rows(source, joint_table(robot, chosen, Many())).blocks():
             if block.bad:
                 raise FileError(block.bad)
             found += map(tuple, block.q.tolist())

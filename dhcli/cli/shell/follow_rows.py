@@ -11,8 +11,7 @@ from dhcli.cli.shell.rows import RowDelivery
 from dhcli.errors import FileError, Place, Problem, RobotError
 from dhcli.files.reading import source_of
 from dhcli.kinematics.inverse.path import follow, joined
-from dhcli.render.code.pose_rows import INDEX
-from dhcli.render.code.rows import Group, Layout
+from dhcli.render.code.layouts import joint_layout
 from dhcli.render.paper import Paper
 from dhcli.render.text.problems import warning_line
 
@@ -55,8 +54,7 @@ def follow_rows(wanted: PoseWish, path: str, delivery: RowDelivery, bad: list[Pr
         )
     except RobotError as error:
         raise FileError([Problem(p.message, Place(source_of(path)), p.hint) for p in error.problems]) from None
-    joints = Group.named("q", {name: name for name in wanted.robot.variables})
-    with delivery.open(Layout((INDEX, joints))) as sink:
+    with delivery.open(joint_layout(wanted.robot.variables)) as sink:
         sink.write(found.numbered(places))
     _tell(places, found.jumps, "the arm jumps to another branch before")
     _tell(places, found.singular, "the arm is singular, or nearly, at")

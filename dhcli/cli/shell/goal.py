@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, cast
 
 from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.given import lengths_of, point_of, values_of
+from dhcli.cli.shell.wishes import Goal
 from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean, plural
 from dhcli.frozen import frozen
 from dhcli.geometry.euler import EulerAngles, Order, RollPitchYaw, euler
@@ -42,29 +43,6 @@ _POINT = regex(
 Rows = tuple[tuple[float, ...], ...]
 
 _IN_NUMBERS = "a pose to reach is in numbers; --derive gives the formulas in letters"
-
-
-@frozen
-class Goal:
-    """The options that say a pose, as they were typed, where it is not that of joint values.
-
-    Attributes:
-        target: Moves or a matrix.
-        position: Where the origin is.
-        rpy: Roll, pitch and yaw.
-        quaternion: A quaternion.
-        euler: An order of three axes, and three angles.
-        pointing: Where z points to.
-        task: What of it counts.
-    """
-
-    target: str | None = None
-    position: str | None = None
-    rpy: str | None = None
-    quaternion: str | None = None
-    euler: str | None = None
-    pointing: str | None = None
-    task: str | None = None
 
 
 @frozen
@@ -200,9 +178,9 @@ def _vector(text: str, option: str) -> tuple[float, float, float]:
 
 
 def _known(parts: Sequence[Expr], place: Place) -> Sequence[Expr]:
-    from dhcli.notation.walk import symbols
+    from dhcli.notation.walk import symbols_in
 
-    if free := sorted(frozenset().union(*map(symbols, parts))):
+    if free := sorted(symbols_in(parts)):
         raise DhcliError(Problem(f"{', '.join(free)} has no value", place, _IN_NUMBERS))
     return parts
 

@@ -35,12 +35,6 @@ def check_overlaid(exercise: Exercise, part: str | None) -> None:
 def draw_over(marked: SheetMark, answers: Mapping[str, str], path: str, *, overwrite: bool) -> None:
     """Draw the first wrong answer that says where frames are, or else the first such answer, and write the file.
 
-    Args:
-        marked: The judgement.
-        answers: The answers by part.
-        path: The file to write.
-        overwrite: Whether it may be overwritten.
-
     Raises:
         FileError: The file cannot be written.
     """

@@ -14,7 +14,8 @@ from dhcli.cli.shell.console import tell, write_out
 from dhcli.cli.shell.lines import Typing, recalled
 from dhcli.cli.shell.quiz import remember
 from dhcli.files.progress import SOLVED, read_progress
-from dhcli.render.look import Look, render
+from dhcli.render.kinds import render
+from dhcli.render.look import Look
 from dhcli.render.paper import Paper
 from dhcli.render.text.marks import question_text, sum_line, why_lines
 from dhcli.render.text.prose import prose_lines

@@ -45,11 +45,6 @@ class Wish:
 def import_robot(text: str, source: str, wish: Wish) -> Robot:
     """A robot from a file of others.
 
-    Args:
-        text: The file.
-        source: What it is called.
-        wish: What is said about it.
-
     Raises:
         FileError: It is of no form that is read, or something is wrong in it.
         UnknownNameError: There is no such convention, unit or link.

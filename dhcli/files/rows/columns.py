@@ -23,6 +23,7 @@ _HEAD = regex(r"(?P<name>[^\[(]*)(?:[\[(](?P<unit>[^\])]*)[\])])?")
 """A head without the blanks around it; those inside are taken off the pieces, and nothing is tried twice."""
 
 MOST_COLUMNS = 1000
+_ASIDE = "--ignore-columns leaves aside what is no joint"
 _RADIANS = ("rad", "radian", "radians")
 
 
@@ -46,6 +47,10 @@ class JointColumns:
     def in_radians(self) -> tuple[bool, ...]:
         """Whether each joint's numbers are taken as they are."""
         return tuple(factor == (1.0, 1.0) for factor in self.factors)
+
+    def names(self, joints: Sequence[str]) -> dict[int, str]:
+        """The joint of each column that is one's."""
+        return {k: joint for k, joint in zip(self.order, joints, strict=True) if k is not None}
 
     def values(self, table: NDArray[np.float64]) -> NDArray[np.float64]:
         """Joint values in joint order, radians and metres.
@@ -86,11 +91,15 @@ class JointTable:
         """The joints that want a column."""
         return tuple(joint for joint in self.robot.joints if joint.name not in self.held)
 
-    def in_joint_order(self, width: int | None = None) -> JointColumns:
-        """The columns of a table without a header: the joints in their order, and then what else there is."""
+    def in_joint_order(self, width: int = 0) -> JointColumns:
+        """The columns of a table without a header: the joints in their order, and then what is left aside, if it is.
+
+        Args:
+            width: How many cells its rows have.
+        """
         factors = {joint.name: self._factor(joint, "") for joint in self.open}
         found = {joint.name: k for k, joint in enumerate(self.open)}
-        return self._columns(found, factors, len(found) if width is None else width)
+        return self._columns(found, factors, max(width, len(found)) if self.ignores else len(found))
 
     def columns(self, heads: Sequence[str], places: Iterable[Place], whole: Place) -> JointColumns:
         """The columns of a table with a header.
@@ -128,6 +137,8 @@ class JointTable:
                 problems += error.problems
         if missing := [joint.name for joint in self.open if joint.name not in found]:
             hint = _wanted(self.robot)
+            if problems and not found and all(problem.hint == _ASIDE for problem in problems):
+                raise FileError(Problem(f"names no joint of {self.robot.name}", whole, hint))
             if len(missing) == 1 and not problems:
                 hint += f"; --q {missing[0]}=0 if it stands still"
             problems.append(Problem(f"no column for {', '.join(missing)}", whole, hint))
@@ -172,7 +183,7 @@ class JointTable:
 
 def _aside(hint: str) -> str:
     """A hint for a column that is unknown: what it may be meant for, or how to go on without it."""
-    return hint if hint.startswith("did") else "--ignore-columns leaves aside what is no joint"
+    return hint if hint.startswith("did") else _ASIDE
 
 
 def _wanted(robot: Robot) -> str:

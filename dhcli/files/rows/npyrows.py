@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dhcli.errors import FileError, Place, Problem
+from dhcli.errors import FileError, Place, Problem, plural
 from dhcli.files.rows.blocks import MOST, Block, cell_problem
 from dhcli.files.rows.cells import CellError
 from dhcli.files.rows.columns import JointTable
@@ -61,7 +61,7 @@ class NpyRows:
             content = self._bytes(wanted * width * kind.itemsize)
             whole = len(content) // (width * kind.itemsize)
             if whole < wanted:
-                message = f"is cut off: it holds {first + whole} of the {count} rows that it promises"
+                message = f"is cut off: it holds {first + whole} of the {plural(count, 'row')} that it promises"
                 raise FileError(Problem(message, Place(self._source.name)))
             yield self._block(first, np.frombuffer(content, kind).reshape(wanted, width).astype(np.float64, copy=False))
 
@@ -82,15 +82,13 @@ class NpyRows:
         """How many rows there are, and what kind of number is in them."""
         shape, is_fortran, kind = self._described()
         place, joints = Place(self._source.name), len(self._asked.open)
-        if len(shape) == 2 and shape[1] > joints and self._asked.ignores:  # noqa: PLR2004  rows and columns
-            self._columns = self._asked.in_joint_order(shape[1])
-        elif len(shape) != 2 or shape[1] != joints:  # noqa: PLR2004
-            message = (
-                f"has the shape {shape}, and {self._asked.robot.name} has {joints} joints: (N, {joints}) is wanted"
-            )
+        self._columns = self._asked.in_joint_order(shape[-1] if shape else 0)
+        if len(shape) != 2 or shape[1] != self._columns.width:  # noqa: PLR2004  rows and columns
+            has = f"{self._asked.robot.name} has {plural(joints, 'joint')}"
+            message = f"has the shape {shape}, and {has}: (N, {joints}) is wanted"
             hint = "one pose is Q.reshape(1, -1)" if shape == (joints,) else ""
             if len(shape) == 2 and shape[1] > joints:  # noqa: PLR2004
-                hint = f"--ignore-columns takes the first {joints} columns"
+                hint = f"--ignore-columns takes the first {plural(joints, 'column')}"
             if len(shape) == 2 and shape[1] == joints + 1:  # noqa: PLR2004
                 hint += "; where the numbers of rows stand in front, save Q[:, 1:]"
             raise FileError(Problem(message, place, hint))

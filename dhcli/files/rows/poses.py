@@ -17,8 +17,8 @@ from dhcli.errors import FileError, Place, Problem
 from dhcli.files.reading import explain, source_of
 from dhcli.files.rows import POSITION
 from dhcli.files.rows.blocks import cell_problem
-from dhcli.files.rows.cells import CellError, json_number, plain_table, read_cell
-from dhcli.files.rows.csvrows import DECIMAL_BETWEEN, DECLARED, SIGNS
+from dhcli.files.rows.cells import DECIMAL_BETWEEN, SIGNS, CellError, decimals_in, json_number, plain_table, read_cell
+from dhcli.files.rows.csvrows import DECLARED
 from dhcli.files.rows.turns import TURNS, check_alone, factors_of, flat, heads_of, posed
 from dhcli.notation.decimals import read_json
 
@@ -144,9 +144,7 @@ def _of_csv(
                 continue
             with _noting(bad):
                 row = [cells[k] if k < len(cells) else "" for k in columns]
-                # beside a number with a point a comma may group thousands
-                has_comma = has_commas and not any("." in cell for cell in cells)
-                read = partial(read_cell, decimal_comma=has_comma, units_in_header=False)
+                read = partial(read_cell, decimals=decimals_in(cells, sign, text), units_in_header=False)
                 numbers = np.array(_numbers(row, wanted, Place(path, line), read)) * times / over
                 yield line, posed(form, numbers.tolist(), Place(path, line))
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 
-from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean
+from dhcli.errors import NotationError, Place, Problem, RobotError, are, did_you_mean, plural
 from dhcli.files.keys.robots import ROBOTS
 from dhcli.files.yaml.fields import Fields
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
@@ -27,7 +27,7 @@ from dhcli.notation.names import GREEK_NAMES, parts
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_length
 from dhcli.notation.tree import ONE, ZERO, Expr
-from dhcli.notation.walk import symbols
+from dhcli.notation.walk import symbols_in
 
 _SIDES: tuple[Side, ...] = ("space", "body")
 _SIX = 6
@@ -132,7 +132,9 @@ class DrawnLoader(Loader):
                     )
             if len(known) != 1:
                 self.problems.add(
-                    node.place, f"axes: row {i + 1} names {len(known)} joints", "write {theta1: +z, through: (0, 0, 0)}"
+                    node.place,
+                    f"axes: row {i + 1} names {plural(len(known), 'joint')}",
+                    "write {theta1: +z, through: (0, 0, 0)}",
                 )
                 continue
             yield self.axis_line(fields, known[0], node.place)
@@ -222,7 +224,7 @@ class DrawnLoader(Loader):
 
     def numbers(self, exprs: tuple[Expr, ...], node: PlacedNode | None, key: str) -> Vector:
         """Three plain numbers."""
-        if free := sorted(frozenset().union(*map(symbols, exprs))):
+        if free := sorted(symbols_in(exprs)):
             place = self.fields.place if node is None else node.place
             message = f"{key}: a direction cannot depend on {', '.join(free)}"
             self.problems.add(place, message, "lengths may be letters, directions are numbers")
@@ -241,7 +243,11 @@ class DrawnLoader(Loader):
         if len(pieces) != count or isinstance(node, PlacedMapping):
             place = self.fields.place if node is None else node.place
             wanted = "(0, 0, l1)" if count == 3 else "(0, 0, 1, 0, 0, 0): ω, then v"  # noqa: PLR2004
-            self.problems.add(place, f"{key}: {count} values are wanted, not {len(pieces)}", f"write {wanted}")
+            self.problems.add(
+                place,
+                f"{key}: {plural(count, 'value')} {are(count)} wanted, not {len(pieces)}",
+                f"write {wanted}",
+            )
             return ()
         found = []
         for piece in pieces:

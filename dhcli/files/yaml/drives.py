@@ -8,8 +8,9 @@ from dhcli.files.yaml.placed import PlacedScalar, PlacedSequence
 from dhcli.files.yaml.typed import has_unit_of_angle, read_value
 from dhcli.frozen import frozen
 from dhcli.kinematics.actuators import Actuators
+from dhcli.kinematics.derived import Value
+from dhcli.kinematics.description import Description
 from dhcli.kinematics.drives import Drive, actuators, read_drive
-from dhcli.kinematics.robot import Robot, Value
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import RESERVED, parse
 from dhcli.notation.quantity import UNITS, with_unit
@@ -27,22 +28,15 @@ Limits = tuple[Value, Value] | None
 
 @frozen
 class _Known:
-    """What a formula of a drive may name.
+    """What a formula of a drive may name."""
 
-    Attributes:
-        robot: The robot.
-        motors: The motors.
-        joints: The joints, and whether each turns.
-        unit: The unit of bare lengths.
-    """
-
-    robot: Robot
+    robot: Description
     motors: dict[str, Limits]
     joints: dict[str, bool]
     unit: str
 
 
-def read_drives(fields: Fields, robot: Robot, unit: str) -> Actuators | None:
+def read_drives(fields: Fields, robot: Description, unit: str) -> Actuators | None:
     """The motors of a robot, None if they cannot be read; problems are noted.
 
     Args:
@@ -80,7 +74,7 @@ def read_drives(fields: Fields, robot: Robot, unit: str) -> Actuators | None:
         return None
 
 
-def _motors(inside: Fields, robot: Robot, unit: str) -> dict[str, Limits]:
+def _motors(inside: Fields, robot: Description, unit: str) -> dict[str, Limits]:
     """The motors, with their limits where the file gives them."""
     problems = inside.problems
     node = inside.get("motors")

@@ -131,7 +131,7 @@ class _Loader:
     def exercise(self) -> Exercise:
         """The exercise, as far as it can be read."""
         nodes = self.fields.sequence("parts", example="- {id: a1, ask: link 1}")
-        parts_ = tuple(part for node in nodes if (part := self.parts.part(node)))
+        parts_ = tuple(part for k, node in enumerate(nodes) if (part := self.parts.part(node, k)))
         if not nodes and isinstance(self.fields.get("parts"), PlacedSequence):
             place = self.fields.place_of("parts")
             self.problems.add(place, "parts: an exercise has at least one", "write - {id: a1, ask: link 1}")

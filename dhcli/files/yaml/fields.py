@@ -8,11 +8,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
+from itertools import accumulate
 
 from dhcli.errors import DhcliError, FileError, Place, Problem, did_you_mean
 from dhcli.files.reading import source_of
+from dhcli.files.yaml.cut import is_piece, tell
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
 from dhcli.frozen import frozen
+from dhcli.notation.brackets import OPENING, STEPS
+from dhcli.safe import yaml_scalar
 
 FORMAT = 1
 _KINDS = (
@@ -101,15 +105,21 @@ class Problems:
             return Fields(self, node.place, {})
         known = None if known is None else tuple(known)
         entries = {}
+        owner: PlacedScalar | None = None
         for key, value in node.entries:
             if known is not None and key.text.startswith(OWN):
                 continue
             if known is None or key.text in known:
                 entries[key.text] = (key, value)
+                owner = key
+            elif owner and (cut := _cut_off(entries[owner.text][1], key)):
+                text = cut.with_piece(key)
+                entries[owner.text] = (owner, text)
+                tell(self.found, cut.text, text.text, text.place, owner.text)
             elif key.text in above:
                 self.add(key.place, f"{key.text}: unknown key", "it stands at the top of the file, and holds for all")
             else:
-                self.add(key.place, f"{key.text}: unknown key", _hint_for_unknown(key, value, known))
+                self.add(key.place, f"{key.text}: unknown key", _hint_for_unknown(key, known))
         for name in required:
             if name not in entries:
                 self.add(node.place, f"{name}: is missing")
@@ -129,8 +139,7 @@ class Problems:
         if isinstance(node, PlacedScalar) and node.text.strip():
             return node
         should = "is empty" if isinstance(node, PlacedScalar) else f"should be a text, is {node_kind(node)}"
-        hint = "" if isinstance(node, PlacedScalar) else "text that begins with a bracket needs quotes"
-        self.add(node.place, f"{what}: {should}", hint)
+        self.add(node.place, f"{what}: {should}", "" if isinstance(node, PlacedScalar) else _hint_for_brackets(node))
         return None
 
 
@@ -197,6 +206,13 @@ def node_kind(node: PlacedNode) -> str:
     return "a list" if isinstance(node, PlacedSequence) else "a mapping"
 
 
+def _cut_off(value: PlacedNode, key: PlacedScalar) -> PlacedScalar | None:
+    """The value before an unknown key, if that is no key and a comma has cut it off the value; else None."""
+    if not isinstance(value, PlacedScalar) or not value.text or value.quoted or key.quoted:
+        return None
+    return value if is_piece(key.text, key.place) and ":" not in key.text else None
+
+
 def _check_kind(root: PlacedMapping, known: Sequence[str]) -> None:
     """Make sure that a file has no key that tells another kind than the one wanted, and none that tells that one."""
     found = {key.text: (key, value) for key, value in root.entries}
@@ -227,12 +243,21 @@ def _check_format(value: PlacedNode) -> None:
     raise FileError(problem)
 
 
-def _hint_for_unknown(key: PlacedScalar, value: PlacedNode, known: tuple[str, ...]) -> str:
+def _hint_for_brackets(node: PlacedNode) -> str:
+    """What makes a text of a list or a mapping: quotes, where it stands in brackets on one line."""
+    text = node.place.text[(node.place.column or 1) - 1 :]
+    if text[:1] not in OPENING:
+        return "write one line, or several behind |"
+    depths = accumulate(STEPS.get(letter, 0) for letter in text)
+    end = next((k for k, depth in enumerate(depths, 1) if not depth), 0)
+    shown = f": {yaml_scalar(text[:end])}" if end else ""
+    return f"text that begins with a bracket needs quotes{shown}"
+
+
+def _hint_for_unknown(key: PlacedScalar, known: tuple[str, ...]) -> str:
     """The nearest key, or the slip of spelling that makes YAML see another key than the author."""
     if ":" in key.text and key.text.split(":")[0].strip() in known:
         return "a colon needs a space after it"
     if invisible := [character for character in key.text if not character.isprintable()]:
         return f"it holds the invisible character U+{ord(invisible[0]):04X}"
-    if node_kind(value) == "empty" and key.text.count(")") > key.text.count("("):
-        return "a value with a comma needs quotes"
     return did_you_mean(key.text, known)

@@ -69,7 +69,7 @@ class PartReader:
     named: Named
     ids: list[str]
 
-    def part(self, node: PlacedNode) -> Part | None:
+    def part(self, node: PlacedNode, index: int) -> Part | None:
         """A part; None if there is no telling what it asks."""
         fields = self.problems.mapping(
             node, "parts", known=names(PART), required=required(PART), above=OF_ALL, example="{id: a1, ask: link 1}"
@@ -93,6 +93,7 @@ class PartReader:
             tolerance=self.own_tolerance(fields),
             compare=self.compare(fields),
             printed=self.printed.get(name),
+            index=index,
         )
 
     def check_id(self, fields: Fields, name: str, depends: tuple[str, ...]) -> None:

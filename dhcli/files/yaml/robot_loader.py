@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from typing import Any
 
 from dhcli.errors import FileError, NotationError, Place, Problem, did_you_mean
 from dhcli.files.keys.robots import CONVENTIONS, TABLE, UNITS
@@ -15,18 +16,19 @@ from dhcli.files.yaml.parameters import Parameters
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
 from dhcli.files.yaml.typed import has_unit_of_angle, read_flag, read_value, read_whole
 from dhcli.kinematics.conventions import COLUMNS, Convention, Row, calibrated_moves, moves_of
-from dhcli.kinematics.moves import Chain, angle_names, expressions, names, read_chain
+from dhcli.kinematics.description import Description
+from dhcli.kinematics.moves import Chain, angle_names, expressions, names, read_chain, sharpened
 from dhcli.kinematics.robot import Link, Robot, Value
-from dhcli.kinematics.sharpened import sharpened
-from dhcli.kinematics.validity import Finding, InvalidRobotError
+from dhcli.kinematics.validity import Finding, InvalidRobotError, findings
 from dhcli.notation.angle import Angle
 from dhcli.notation.names import canonical
 from dhcli.notation.scope import Scope
-from dhcli.notation.tokens import is_name
 from dhcli.notation.tree import ZERO, Expr, Trig
 from dhcli.notation.walk import walk
 
 ANGLES = ("alpha", "theta", "beta")
+MOVING = ("links", "axes", "screws", "end", "home", "base", "tool", "tools")
+"""Keys under which names of parameters are used."""
 
 
 class Loader:
@@ -54,21 +56,41 @@ class Loader:
         self.columns: tuple[str, ...] = COLUMNS
         # A calibrated table: its fifth column leaves no table of four, so each row is a product.
         self.has_beta = any("beta" in _keys(node) for node in _items(self.fields.get("links")))
-        self.unclear: frozenset[str] = frozenset()
-        self.is_broken = False
+        self.clear: frozenset[str] = frozenset()
+        self.doubtful: frozenset[str] = frozenset()
 
     def robot(self) -> Robot:
         """The robot, or all that is wrong."""
+        found = self.so_far()
+        self.problems.raise_if_any(FileError)
+        assert isinstance(found, Robot)  # noqa: S101  else the rules it breaks were raised
+        return found
+
+    def so_far(self) -> Description:
+        """The robot, or what can be read of it where something is wrong, which is noted."""
+        parts = self.parts()
+        found: Description
+        try:
+            found = Robot(**parts)
+        except InvalidRobotError:
+            found = Description(**parts)
+            for finding in findings(found, self.doubtful):
+                self.problems.add(self.place_of(finding), self.key_of(finding) + finding.message, finding.hint)
+        is_known = self.variables and not self.doubtful
+        driven = read_drives(self.fields, found, self.unit) if is_known and "actuators" in self.fields else None
+        return found if driven is None else replace(found, actuators=driven)
+
+    def parts(self) -> dict[str, Any]:
+        """The fields of the robot."""
         first = self.read_first()
         before = len(self.problems.found)
         links = self.read_links(first)
-        convention = Convention.PRODUCT if self.has_beta else self.convention
-        self.is_broken = len(self.problems.found) > before or not self.variables or "convention" not in self.fields
+        is_broken = len(self.problems.found) > before or "convention" not in self.fields
         movers = [name for link in links for name in names(link.moves)]
-        idle = any(name not in movers for name in self.variables)
-        self.unclear = frozenset(
-            name for name in self.variables if self.is_broken or (idle and movers.count(name) != 1)
-        )
+        idle = frozenset(self.variables).difference(movers)
+        # Of one that moves two rows while another moves none nobody knows which of them is meant.
+        self.clear = frozenset(name for name in movers if not idle or movers.count(name) == 1)
+        self.doubtful = idle if is_broken else frozenset()
         base, tool = self.chain("base"), self.chain("tool")
         tools = self.read_tools()
         chain = (*base, *(move for link in links for move in link.moves), *tool)
@@ -78,38 +100,25 @@ class Loader:
         reader = Parameters(self.problems, self.parameters, self.remarks, self.unit)
         parameters = reader.read(lambda key: self.is_angle(key, angles))
         limits = {key: self.limit(key, angles) for key in self.fields.mapping("limits").entries}
-        poses = self.read_poses(angles)
-        texts = {key: self.fields.text(key) for key in ("title", "source", "notes")}
         if not links and "links" in self.fields:
             self.problems.add(self.fields.place_of("links"), "links: a robot has at least one link")
-        try:
-            found = Robot(
-                name=self.name,
-                convention=convention,
-                variables=self.variables,
-                links=links,
-                parameters=parameters,
-                base=base,
-                tool=tool,
-                tools=tools,
-                first=first,
-                limits=limits,
-                poses=poses,
-                columns=COLUMNS if self.has_beta else self.columns,
-                derived=reader.formulas,
-                remarks=tuple(dict.fromkeys(self.remarks or ())),
-                title=texts["title"],
-                source=texts["source"],
-                notes=texts["notes"],
-            )
-        except InvalidRobotError as error:
-            for finding in self.not_told(error.findings):
-                self.problems.add(self.place_of(finding), self.key_of(finding) + finding.message, finding.hint)
-            self.problems.raise_if_any(FileError)
-            raise
-        driven = read_drives(self.fields, found, self.unit) if "actuators" in self.fields else None
-        self.problems.raise_if_any(FileError)
-        return found if driven is None else replace(found, actuators=driven)
+        return {
+            "name": self.name,
+            "convention": Convention.PRODUCT if self.has_beta else self.convention,
+            "variables": self.variables,
+            "links": links,
+            "parameters": parameters,
+            "base": base,
+            "tool": tool,
+            "tools": tools,
+            "first": first,
+            "limits": {key: both for key, both in limits.items() if both is not None},
+            "poses": self.read_poses(angles),
+            "columns": COLUMNS if self.has_beta else self.columns,
+            "derived": reader.formulas,
+            "remarks": tuple(dict.fromkeys(self.remarks or ())),
+            **{key: self.fields.text(key) for key in ("title", "source", "notes")},
+        }
 
     def read_links(self, first: int) -> tuple[Link, ...]:
         """The rows, or the products."""
@@ -128,14 +137,6 @@ class Loader:
             scalar = fields.scalar(key)
             found[key] = () if scalar is None else self.moves(scalar, key)
         return found
-
-    def not_told(self, findings: Iterable[Finding]) -> Iterator[Finding]:
-        """The broken rules that do not come of a line, or of rows, that could not be read."""
-        told = {problem.place.line for problem in self.problems.found if problem.place is not None}
-        for finding in findings:
-            follows = self.is_broken and finding.where[0] in ("variables", "limits", "poses")
-            if self.place_of(finding).line not in told and not follows:
-                yield finding
 
     def read_convention(self) -> Convention:
         """How the links are described."""
@@ -173,9 +174,6 @@ class Loader:
         for i, node in enumerate(nodes):
             self.places[section, i] = node.place
             scalar = self.problems.scalar(node, section)
-            if scalar is not None and section == "variables" and not is_name(scalar.text):
-                message = f"{section}: {scalar.text!r:.60} is not a name"
-                self.problems.add(scalar.place, message, "write letters, with digits or an index: elbow_1, l_x")
             if scalar is not None:
                 yield scalar.text
 
@@ -248,24 +246,24 @@ class Loader:
         return False if self.is_used(key) else None
 
     def is_used(self, key: str) -> bool:
-        """Whether a name stands anywhere among the links."""
-        links = self.fields.get("links")
-        return links is not None and key in _texts(links)
+        """Whether a name stands anywhere among the links, or what else moves."""
+        return any(key in _texts(node) for where in MOVING if (node := self.fields.get(where)) is not None)
 
-    def limit(self, key: str, angles: frozenset[str]) -> tuple[Value, Value]:
-        """The lowest and the highest value of a joint."""
+    def limit(self, key: str, angles: frozenset[str]) -> tuple[Value, Value] | None:
+        """The lowest and the highest value of a joint; None where they cannot be read."""
         fields = self.fields.mapping("limits")
         self.places["limits", key] = fields.place_of(key)
         if self.variables and key not in self.variables:
             hint = did_you_mean(key, self.variables)
             self.problems.add(fields.place_of(key), f"limits: {key} is not a joint variable", hint)
-            return Angle(), Angle()
+            return None
+        before = len(self.problems.found)
         values = self.joint_list(fields, key, [key] * 2, angles)
         if len(values) != 2:  # noqa: PLR2004  lowest and highest
             if values:
                 self.problems.add(fields.place_of(key), f"{key}: two values are wanted", "write [lowest, highest]")
-            return Angle(), Angle()
-        return values[0], values[1]
+            return None
+        return (values[0], values[1]) if len(self.problems.found) == before else None
 
     def pose(self, key: str, angles: frozenset[str]) -> tuple[Value, ...]:
         """The joint values of a named pose."""
@@ -279,10 +277,11 @@ class Loader:
         values: list[Value] = []
         for i, node in enumerate(nodes):
             scalar = self.problems.scalar(node, key)
-            is_angle = joints[i] in angles if i < len(joints) else True
-            if scalar and (self.is_broken or (i < len(joints) and joints[i] in self.unclear)):
-                is_angle = has_unit_of_angle(scalar)
-            value = self.value(scalar, key, is_angle=is_angle) if scalar else None
+            value = None
+            if scalar:
+                is_clear = i < len(joints) and joints[i] in self.clear
+                is_angle = joints[i] in angles if is_clear else has_unit_of_angle(scalar)
+                value = self.value(scalar, key, is_angle=is_angle)
             values.append(value if value is not None else Angle())
         return tuple(values)
 

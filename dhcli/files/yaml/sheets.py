@@ -83,11 +83,6 @@ def _name(fields: Fields) -> str:
 def check_numbers(sheet: Sheet, exercise: Exercise, written: str) -> None:
     """Make sure that a sheet was written with the numbers that its answers are judged by; an old one does not say.
 
-    Args:
-        sheet: The sheet.
-        exercise: The exercise, in the variant of the sheet.
-        written: What to call the sheet.
-
     Raises:
         DhcliError: They differ, for the exercise, its ranges or its robot were changed meanwhile.
     """

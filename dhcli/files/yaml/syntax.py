@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from dhcli.errors import Place, Problem
 from dhcli.regex import regex
+from dhcli.safe import yaml_scalar
 
 if TYPE_CHECKING:
     import yaml
@@ -16,6 +17,10 @@ if TYPE_CHECKING:
 _QUOTED = regex(r"'[^']*'|\"[^\"]*\"")
 _NAME_WITH_BRACE = regex(r"[\w^)}\]][{\[]")
 _BRACE_HINT = "a name with braces or brackets needs quotes, such as 'alpha_{i-1}'"
+
+_KEY = regex(r"[{,]\s*([\w-]+):\s+")
+_NEXT_KEY = regex(r",\s*[\w-]+:\s")
+_SEPARATED = "entries are separated by ', '; a value with a comma, a colon or a quote in it needs quotes around it"
 
 DEEPEST = 40
 TOO_DEEP = f"lists and mappings are nested more than {DEEPEST} deep"
@@ -73,13 +78,7 @@ class Mark(Protocol):
 
 
 def explain_syntax(error: yaml.MarkedYAMLError, lines: Sequence[str], place: Callable[[Mark | None], Place]) -> Problem:
-    """Say what is wrong in plain words.
-
-    Args:
-        error: What PyYAML raised.
-        lines: The lines of the file.
-        place: Gives the place of a mark.
-    """
+    """Say what is wrong in plain words."""
     here = place(error.problem_mark)
     start = place(error.context_mark) if error.context_mark else here
     context, said = error.context or "", error.problem or ""
@@ -132,9 +131,23 @@ def _explain_bracket(here: Place, start: Place) -> Problem:
     braces = _BRACE_HINT if _has_name_with_brace(start.text) or _has_name_with_brace(here.text) else ""
     if here.line == start.line and not at_end:
         message = f"',' or '{closing}' should stand here"
-        return Problem(message, here, braces or "entries are separated by ', '; a value with a comma needs quotes")
+        return Problem(message, here, braces or (opening == "{" and _in_quotes(here)) or _SEPARATED)
     message = f"this '{opening}' is never closed" if at_end else f"this '{opening}' is still open on line {here.line}"
     return Problem(message, start, braces or f"'{closing}' is missing, or a ',' between two entries")
+
+
+def _in_quotes(here: Place) -> str:
+    """The value in which brackets or quotes have led astray, in the quotes that it needs; nothing if it is not that."""
+    before, rest = _split(here)
+    keys = list(_KEY.finditer(before))
+    behind = _NEXT_KEY.search(rest)
+    end = behind.start() if behind else rest.rfind("}")
+    if not keys or end < 0 or rest.startswith(":") or _KEY.match(f",{rest}"):
+        return ""
+    text = (before[keys[-1].end() :] + rest[:end]).strip()
+    if text[:1] in ("'", '"') and text[:1] == text[-1:]:
+        text = text[1:-1]
+    return f"write {keys[-1][1]}: {yaml_scalar(text)}"
 
 
 def _explain_leftover(here: Place, start: Place) -> Problem:

@@ -90,6 +90,16 @@ def inverse_pose(pose: Array) -> Array:
     return back
 
 
+def check_moves(joints: int) -> None:
+    """Make sure that a joint moves the end.
+
+    Raises:
+        RobotError: None does.
+    """
+    if not joints:
+        raise RobotError("no joint moves the end", "there is nothing to compute; fk says where it is")
+
+
 def arm_of(chain: Chain, variables: tuple[str, ...], values: Mapping[str, Angle | float]) -> Arm:
     """The joint axes of a chain of moves.
 
@@ -131,6 +141,11 @@ def _axis(chain: Chain, name: str, at: tuple[int, ...], still: Mapping[str, Angl
     if not factor:
         raise RobotError(f"{name} does not move the robot", "its moves undo each other")
     return Axis(name, head.turns, head.direction, head.point, factor)
+
+
+def nearest_turn(turning: NDArray[np.bool_], motions: Array) -> Array:
+    """Motions of which the angles, shape (..., n), are in the turn nearest to 0."""
+    return np.where(turning, motions - 2 * np.pi * np.round(motions / (2 * np.pi)), motions)
 
 
 def parallel(one: Axis, other: Axis) -> bool:

@@ -14,9 +14,11 @@ from dhcli.kinematics.coupling import uncoupled
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.frames import between, ends
+from dhcli.kinematics.inverse.arm import nearest_turn
+from dhcli.kinematics.inverse.branches import Told
 from dhcli.kinematics.inverse.joined import is_joined, joined
 from dhcli.kinematics.inverse.solutions import held_values, in_numbers, turning_joints
-from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import JointInput, joint_values, numbers, parameter_values, require
 from dhcli.notation.angle import Angle
 
@@ -38,12 +40,14 @@ class Carried:
         arm: The arm.
         slopes: How fast the arm's variables go with the robot's, shape (m, n).
         offsets: Where the arm's variables stand when the robot's are 0, shape (m,).
+        shared: What those of the arm's variables are that the robot has not got, as formulas.
     """
 
     robot: Robot
     arm: Robot
     slopes: Array
     offsets: Array
+    shared: Mapping[str, Value]
 
     @classmethod
     def of(
@@ -63,7 +67,8 @@ class Carried:
             return None
         free = uncoupled(robot, joined=frozenset() if robot.drives else joined(chain, robot.variables, values))
         slopes, offsets = free.linear(values)
-        return cls(robot, free.robot, np.array(slopes).reshape(len(slopes), len(robot.variables)), np.array(offsets))
+        table = np.array(slopes).reshape(len(slopes), len(robot.variables))
+        return cls(robot, free.robot, table, np.array(offsets), free.shared)
 
     @property
     def is_whole(self) -> bool:
@@ -83,6 +88,15 @@ class Carried:
         """Variables that make one move alone, and the first move that each makes so."""
         rows = [(k, np.flatnonzero(row)) for k, row in enumerate(self.slopes)]
         return {self.robot.variables[int(one[0])]: k for k, one in reversed(rows) if len(one) == 1}
+
+    def told(self, q: Array) -> Told:
+        """The robot's variables as those to name its solutions by, for values of theirs (K, n)."""
+        names, signs = self.robot.variables, {}
+        for move, row in zip(self.arm.variables, self.slopes, strict=True):
+            (by,) = np.nonzero(row)
+            if len(by) == 1:
+                signs[move] = (names[int(by[0])], 1 if row[by[0]] > 0 else -1)
+        return Told(names, turning_joints(self.robot), q, signs)
 
     def own(self, held: Iterable[tuple[str, float]]) -> tuple[tuple[str, float], ...]:
         """What is held of the arm, in the robot's variables where those make that move alone."""
@@ -131,7 +145,7 @@ class Carried:
         for turns in _turns(turning[rows], whole=bool(self.periodic.all())):
             q = np.linalg.solve(part, goal[rows] + turns)
             gap = self.slopes @ q - goal
-            gap = np.where(turning, gap - 2 * np.pi * np.round(gap / (2 * np.pi)), gap)
+            gap = nearest_turn(turning, gap)
             if np.abs(gap).max(initial=0.0) < SAME:
                 return np.asarray(q)
         return None

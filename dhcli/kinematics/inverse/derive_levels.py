@@ -11,7 +11,7 @@ from dhcli.kinematics.inverse.derive_terms import length
 from dhcli.kinematics.moves import Chain, Fixed, Rot, angle_names, inverse
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.tree import ZERO, Expr, Symbol, add, power
-from dhcli.notation.walk import symbols
+from dhcli.notation.walk import symbols, symbols_in
 
 POSITION = ("px", "py", "pz")
 ROTATION = tuple(f"r{i}{j}" for i in "123" for j in "123")
@@ -97,7 +97,7 @@ def squares(
             axis = "xyz".index(move.axis)
             for rows in ((0, 1, 2), tuple(i for i in range(3) if i != axis)):
                 ls, rs = [left[i] for i in rows], [right[i] for i in rows]
-                held = frozenset().union(*map(symbols, (*ls, *rs)))
+                held = symbols_in((*ls, *rs))
                 if place_only and held.intersection(ROTATION):
                     continue
                 level = Equation((low, high), tuple(i + 1 for i in rows), _sum(ls), _sum(rs), squared=True)

@@ -10,6 +10,7 @@ from dhcli.kinematics.inverse.derive_levels import Equation
 from dhcli.kinematics.inverse.derive_rules import Step
 from dhcli.kinematics.inverse.derive_terms import Atom
 from dhcli.notation.tree import ZERO, Call
+from dhcli.notation.walk import symbols
 from dhcli.notation.writer import write
 
 SAID = {
@@ -29,6 +30,17 @@ def proof_text(result: Derivation) -> str:
     signs = plural(result.branches, "combination")
     tried = f"tried at {result.proved} random poses and lengths"
     return f"{signs} of signs, each a solution where all are real: {tried}"
+
+
+def left_text(result: Derivation, style: str) -> str:
+    """Which poses an arm of few joints has solutions for; nothing where it is all that are near enough."""
+    joints = set(result.robot.variables)
+    fixed = [one for one in result.left if joints.isdisjoint(symbols(one.right))]
+    plain = ", ".join(f"{write(one.left, style)} = {write(one.right, style, result.robot.writing)}" for one in fixed)
+    back = ", ".join(write(one.left, style) for one in result.left if one not in fixed)
+    said = [f"with {plain}"] if plain else []
+    said += [f"where the joint values lead back to {back}"] if back else []
+    return f"only for poses {', and '.join(said)}" if said else ""
 
 
 def atom_text(atom: Atom, spelled: Callable[[str], str] = str) -> str:

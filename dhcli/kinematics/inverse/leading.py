@@ -14,7 +14,9 @@ from dhcli.errors import RobotError, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.frames import between, ends
+from dhcli.kinematics.inverse.anatomy import NOTHING, anatomy, posture
 from dhcli.kinematics.inverse.arm import arm_of
+from dhcli.kinematics.inverse.branches import with_values
 from dhcli.kinematics.inverse.choosing import rank
 from dhcli.kinematics.inverse.led import STARTS, Arrived, Driven, arrive, where_reached
 from dhcli.kinematics.inverse.reasons import what_never_changes
@@ -189,12 +191,23 @@ class Leading:
             robot,
             self.driven.task.name,
             q,
-            ("",) * len(q),
+            self._named(found, q),
             np.concatenate([part.residual for part in found]),
             beyond=((),) * len(q),
             free=tuple(free),
             held=tuple((names[j], float(q[0, at[j]])) for j in held) if len(q) else (),
         )
+
+    def _named(self, found: list[Arrived], q: Array) -> tuple[str, ...]:
+        """Names for solutions: of a family those with the same values held belong together."""
+        driven, names, first = self.driven, list[str](), 0
+        order = [self.carried.arm.variables.index(axis.name) for axis in driven.arm.axes[: driven.arm.joints]]
+        parts = anatomy(driven.arm) if order == sorted(order) else NOTHING
+        for part in found:
+            told = self.carried.told(q[first : first + len(part.x)])
+            first += len(part.x)
+            names += with_values(told, posture(driven.arm, parts, part.x @ driven.mix.T + driven.zero))
+        return tuple(names)
 
 
 def _turns(ratios: Array, turning: Any) -> int:  # noqa: ANN401

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhcli.errors import plural
+from dhcli.kinematics.inverse.arm import nearest_turn
 from dhcli.kinematics.inverse.matrices import value_of
 from dhcli.kinematics.inverse.planning import NoPlanError, find_plan
 from dhcli.kinematics.inverse.polishing import jacobian, spread
@@ -58,7 +59,7 @@ def why_not(
     arm = ready.arm
     goal = arm.goal(pose[None])[0]
     motions, apart, angle = nearest_reachable(ready, goal, held)
-    motions = np.where(arm.turning, motions - 2 * np.pi * np.round(motions / (2 * np.pi)), motions)
+    motions = nearest_turn(arm.turning, motions)
     reasons = list(what_never_changes(arm, ready.task, pose))
     if not reasons:
         reasons = _too_far(ready, goal) or _not_real(ready, goal, held)

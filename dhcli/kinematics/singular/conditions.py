@@ -40,11 +40,6 @@ class UnreadableError(ArithmeticError):
 def conditions(arm: Arm, point: Point, kept: Sequence[int]) -> tuple[tuple[Expr, ...], ...]:
     """The conditions, each of one or more expressions, under which the rank falls; none if it never does.
 
-    Args:
-        arm: The arm.
-        point: It at a random point.
-        kept: The rows of the task, of the six.
-
     Raises:
         UnreadableError: They are too many or too long.
     """

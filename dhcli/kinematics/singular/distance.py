@@ -27,11 +27,6 @@ def least_move(zeros: Sequence[Expr], joints: Sequence[str], known: Mapping[str,
 
     Each step goes to the point nearest to where the joints stand at which the expressions, taken as linear, are zero;
     that is done from there and from places beside it, for a stretched arm has no slope, and the nearest zero counts.
-
-    Args:
-        zeros: The expressions.
-        joints: The joints that may move.
-        known: Values of all names in the expressions.
     """
     slopes = [[derivative(zero, joint) for joint in joints] for zero in zeros]
     here = [value.constant() if isinstance(value := known[joint], Angle) else value for joint in joints]

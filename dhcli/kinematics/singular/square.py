@@ -209,12 +209,6 @@ def factored(
 ) -> tuple[Fraction, dict[Expr, int], Choice] | None:
     """The determinant of the chosen columns and rows up to sign, in factors, by the choice that gives the shortest.
 
-    Args:
-        arm: The arm.
-        point: It at a random point.
-        joints: The columns, as many as rows.
-        kept: The rows of the six, along the axes of the start.
-
     Returns:
         A number, the factors with their exponents, and the choice; None if no axes leave as many rows as are kept.
     """

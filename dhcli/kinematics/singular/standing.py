@@ -51,13 +51,7 @@ class Standing:
 
 
 def standing_at(robot: Robot, values: Values, view: MotionView, found: Singularities) -> Standing:
-    """How an arm stands at joint values.
-
-    Args:
-        robot: The robot.
-        values: Values of all names that the chain has.
-        view: The view that the singularities were found for.
-        found: What was found.
+    """How an arm stands at values of all names that its chain has.
 
     Raises:
         RobotError: A value is missing.

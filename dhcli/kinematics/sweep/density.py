@@ -69,11 +69,7 @@ class Density:
             self._kept, self._step = self._kept[::2], 2 * self._step
 
     def workspace(self, target: Target) -> Workspace:
-        """What was counted.
-
-        Args:
-            target: What the points are of.
-        """
+        """What was counted of the points of a target."""
         sample = tuple((float(x), float(y), float(z)) for x, y, z in self._kept)
         view = target.view
         side, top, front = (self._counts(plane) for plane in (SIDE, TOP, FRONT))

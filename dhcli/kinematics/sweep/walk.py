@@ -34,12 +34,7 @@ SHARED = 4
 
 @frozen
 class Slab:
-    """A part of a grid that is a grid itself, and whose poses have one number after another.
-
-    Attributes:
-        first: The number of its first pose.
-        parts: Which values of each axis are in it.
-    """
+    """A part of a grid that is a grid itself, and whose poses have one number after another."""
 
     first: int
     parts: tuple[slice, ...]

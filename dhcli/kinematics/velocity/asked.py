@@ -16,7 +16,7 @@ from dhcli.kinematics.velocity.jacobian import Jacobian, numeric_jacobian, textb
 from dhcli.kinematics.velocity.statics import Wrench, numeric_torques, product, textbook_torques
 from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.tree import ZERO, Expr, Symbol, number
-from dhcli.notation.walk import operations
+from dhcli.notation.walk import operations, symbols_in
 
 if TYPE_CHECKING:  # what only some questions need is imported when they are asked
     from dhcli.kinematics.singular.result import Singularities
@@ -144,7 +144,7 @@ def answer_symbolic_rates(
     Raises:
         RobotError: It has more or fewer, or more than are written out, or is singular everywhere.
     """
-    from dhcli.kinematics.singular.neat import neat_determinant
+    from dhcli.kinematics.singular.finding import neat_determinant
     from dhcli.kinematics.velocity.cramer import LARGEST, solved
 
     found = textbook_jacobian(robot, values, view)
@@ -193,16 +193,17 @@ def in_numbers(entries: Sequence[Expr], what: str) -> tuple[float, ...]:
         RobotError: One holds a name.
     """
     from dhcli.algebra.floats import Floats
-    from dhcli.notation.walk import symbols
 
-    if free := sorted(frozenset().union(*map(symbols, entries))):
+    if free := sorted(symbols_in(entries)):
         raise RobotError(f"{', '.join(free)} of {what} has no value", "write numbers, or ask with --symbolic")
     return tuple(Floats().value(entry) for entry in entries)
 
 
 def _check_count(rates: Sequence[object], joints: Sequence[str]) -> None:
     if len(rates) != len(joints):
-        raise RobotError(f"{len(rates)} rates for {len(joints)} joints", f"one for each of {', '.join(joints)}")
+        raise RobotError(
+            f"{plural(len(rates), 'rate')} for {plural(len(joints), 'joint')}", f"one for each of {', '.join(joints)}"
+        )
 
 
 def _plain(row: Sequence[Expr]) -> tuple[Expr | int, ...]:

@@ -51,6 +51,11 @@ class Form:
             angular = (one, two, three)
         return self.chosen(LINEAR, angular)
 
+    @property
+    def rows(self) -> tuple[int, ...]:
+        """The number of each row among the six, v above ω, from 0."""
+        return self.chosen((0, 1, 2), (3, 4, 5))
+
     def chosen(self, linear: tuple[N, ...], angular: tuple[N, ...]) -> tuple[N, ...]:
         """The rows that are asked for, in their order."""
         upper = linear if self.part != "angular" else ()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive_rules import Step
-from dhcli.kinematics.inverse.derive_words import SAID, atom_text, condition_text, level_text, proof_text
+from dhcli.kinematics.inverse.derive_words import SAID, atom_text, condition_text, left_text, level_text, proof_text
 from dhcli.notation.styles import latex_name
 from dhcli.notation.tree import ZERO
 from dhcli.notation.writer import write
@@ -39,4 +39,6 @@ def derivation_markdown(result: Derivation, _look: Look) -> str:
         lines += ["", f"$${atom_text(step.atom, latex_name)} = {_latex_value(result, step)}$$"]
         if condition := condition_text(step, "latex", result):
             lines += ["", f"Here: {condition}."]
-    return "\n".join(lines) + f"\n\n{proof_text(result)}\n"
+    for said in filter(None, (left_text(result, "short"), proof_text(result))):
+        lines += ["", said[0].upper() + said[1:] + "."]
+    return "\n".join(lines) + "\n"

@@ -8,7 +8,7 @@ from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from dhcli.errors import DhcliError, RobotError, UnknownNameError
+from dhcli.errors import DhcliError, RobotError, UnknownNameError, plural
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.sweep.workspace import Workspace
 from dhcli.kinematics.values import JointInput, given_parameters, joint_values
@@ -210,7 +210,8 @@ def _rows(what: Robot | Linkage, path: Rows) -> Rows:
     count = len(what.variables) if isinstance(what, Robot) else 0
     for number, row in enumerate(rows):
         if len(row) != count or not all(map(isfinite, row)):
-            raise RobotError(f"row {number} of the path has {len(row)} numbers; {count} finite ones are wanted")
+            has = f"row {number} of the path has {plural(len(row), 'number')}"
+            raise RobotError(f"{has}; wanted: {count}, each finite")
     return rows
 
 

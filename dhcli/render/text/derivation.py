@@ -9,7 +9,15 @@ from typing import Any
 from dhcli.kinematics.conventions import NAMES
 from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive_rules import Step
-from dhcli.kinematics.inverse.derive_words import SAID, atom_text, condition_text, level_text, proof_text, value_text
+from dhcli.kinematics.inverse.derive_words import (
+    SAID,
+    atom_text,
+    condition_text,
+    left_text,
+    level_text,
+    proof_text,
+    value_text,
+)
 from dhcli.notation.tree import Expr
 from dhcli.notation.writer import write
 from dhcli.render.look import Look
@@ -32,7 +40,8 @@ def derivation_table(result: Derivation, look: Look) -> str:
             heading_text(f"{number}. {atom_text(step.atom)}: {step.rule}, {SAID[step.rule]}", paper),
         ]
         lines += [f"   {paper.spell(line)}" for line in _step_lines(result, step, look)]
-    lines += ["", *wrap(paper.spell(proof_text(result)), paper.width)]
+    for said in filter(None, (left_text(result, look.style or "short"), proof_text(result))):
+        lines += ["", *wrap(paper.spell(said), paper.width)]
     return "\n".join(lines) + "\n"
 
 
@@ -65,6 +74,7 @@ def derivation_content(result: Derivation, _look: Look) -> dict[str, Any]:
         "task": "position" if result.place_only else "pose",
         "branches": result.branches,
         "proved": result.proved,
+        "only_where": [{"left": plain(one.left), "right": plain(one.right)} for one in result.left],
         "steps": [
             {
                 "rule": step.rule,

@@ -13,6 +13,7 @@ from dhcli.checking.judge import MISPRINT, is_explained
 from dhcli.checking.marked import PartMark, SheetMark
 from dhcli.checking.returned import Shown
 from dhcli.checking.verdicts import CellMark, Mark, Verdict
+from dhcli.errors import plural
 from dhcli.render.code.matrices import csv_line
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
@@ -50,7 +51,7 @@ def marks_table(marked: SheetMark, look: Look) -> str:
 def sum_line(marked: SheetMark) -> str:
     """How many parts are solved, and the credit they earned."""
     solved = sum(part.mark.verdict.passed is True for part in marked.parts)
-    return f"{solved} of {len(marked.parts)} parts solved, {_earned(marked.earned, marked.credit)}"
+    return f"{solved} of {plural(len(marked.parts), 'part')} solved, {_earned(marked.earned, marked.credit)}"
 
 
 def _earned(earned: float, credit: float) -> str:

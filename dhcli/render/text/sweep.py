@@ -11,8 +11,8 @@ from dhcli.kinematics.robot import Value
 from dhcli.kinematics.sweep.grid import Axis, Grid
 from dhcli.kinematics.sweep.result import Extreme, Sweep
 from dhcli.notation.angle import Angle
+from dhcli.render.code.layouts import GROUPS
 from dhcli.render.code.matrices import csv_line, exact
-from dhcli.render.code.pose_rows import GROUPS
 from dhcli.render.code.rows import Group, Layout
 from dhcli.render.look import Look
 from dhcli.render.text.forward import frame_words, packed

@@ -95,7 +95,6 @@ def test_all_problems_come_at_once_in_the_order_of_the_file() -> None:
         ("titel: x", "did you mean title?"),
         ("xyz: x", "known: format, title, source, links, parameters"),
         ("{format: 1, title:PUMA}", "a colon needs a space after it"),
-        ("{format: 1, title: atan2(a, b)}", "a value with a comma needs quotes"),
         ("\xa0title: x", "it holds the invisible character U+00A0"),
     ],
 )
@@ -104,6 +103,37 @@ def test_an_unknown_key_names_the_likely_slip(text: str, hint: str) -> None:
     problems = Problems()
     problems.document(read_yaml(text, "f"), known=KNOWN)
     assert [problem.hint for problem in problems.found if "unknown key" in problem.message] == [hint]
+
+
+def test_a_sentence_that_its_commas_have_cut_is_one_problem() -> None:
+    """Between braces each piece is a key; the text is read whole all the same, and a key that is one is left."""
+    problems = Problems()
+    fields = problems.document(
+        read_yaml("{format: 1, title: Where, exactly, is it?, xyz, source: S}", "f"), known=KNOWN
+    )
+    assert said(problems) == [
+        "f:1:20: title: a comma ends a text without quotes here (write title: 'Where, exactly, is it?, xyz')"
+    ]
+    assert fields.text("title") == "Where, exactly, is it?, xyz"
+    assert fields.text("source") == "S"
+    free = problems.mapping(read_yaml("{a1: 0.3 m, a2}", "f", is_foreign=True), "parameters")
+    assert list(free.entries) == ["a1", "a2"]
+
+
+@pytest.mark.parametrize(
+    ("text", "hint"),
+    [
+        ("title: [a, [b, c]] # no", "text that begins with a bracket needs quotes: '[a, [b, c]]'"),
+        ("title: {a: 1}", "text that begins with a bracket needs quotes: '{a: 1}'"),
+        ("title:\n  - a\n  - b", "write one line, or several behind |"),
+        ("title: [a,\n  b]", "text that begins with a bracket needs quotes"),
+    ],
+)
+def test_a_list_in_the_place_of_a_text_is_shown_in_the_quotes_that_it_needs(text: str, hint: str) -> None:
+    """To be copied, where it stands on one line."""
+    problems, fields = document(f"format: 1\n{text}\n")
+    fields.text("title")
+    assert problems.found[0].hint == hint
 
 
 @pytest.mark.parametrize(

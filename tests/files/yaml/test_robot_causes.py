@@ -77,3 +77,26 @@ def test_a_cell_that_cannot_be_read_is_told_alone() -> None:
 def test_without_variables_limits_are_not_said_to_be_of_no_joint() -> None:
     """The rows tell enough."""
     assert not any("limits" in line for line in told(("[theta1, d2, theta3, theta4]", "[]")))
+
+
+def test_a_cell_that_cannot_be_read_hides_nothing_that_stands_elsewhere() -> None:
+    """Variables, limits and poses are looked at all the same; only of its own variable nothing is known."""
+    assert told(
+        ("theta: theta3", "theta: theta3 + 90"),
+        ("d2, theta3, theta4]", "d2, theta3, theta4, theta1]"),
+        ("d2: [0, 250 mm]", "d2: [250 mm, 0], theta3: [0, 0.1 m]"),
+        ("[0, 0.1, 0, 20°]", "[0, 0.1, 0]"),
+    ) == [
+        "5: variables: theta1 is used twice",
+        "10: theta: the angle 90 has no unit",
+        "12: d2: the lower limit is not below the upper one",
+        "13: home: 3 values for 5 joints",
+    ]
+
+
+def test_limits_that_stand_the_wrong_way_round_are_shown_the_right_one() -> None:
+    """To be copied; of two that are one there is none."""
+    for old, hint in (("[250 mm, 0]", "[0 m, 0.25 m]"), ("[0, 0]", "[lowest, highest]")):
+        with pytest.raises(FileError) as caught:
+            read_robot(ARM.replace("[0, 250 mm]", old), "arm", "arm")
+        assert caught.value.problems[0].hint == f"write {hint}"

@@ -8,7 +8,7 @@ from itertools import combinations
 from dhcli.checking.diagnosis.mistakes.record import Catalogue, Level, Made
 from dhcli.checking.diagnosis.result import Rank
 from dhcli.checking.diagnosis.work import Setting, Work, steps_between
-from dhcli.kinematics.frames import View, frame
+from dhcli.kinematics.frames import View, span_of
 
 OF_FRAMES = Catalogue(Level.PRODUCT)
 
@@ -47,7 +47,7 @@ def other_frames(work: Work, setting: Setting) -> Made:
     robot, source = setting.robot, work.question.source
     if robot is None or not isinstance(source, View):
         return
-    asked = sorted(robot.frames.index(frame(robot, name)) for name in (source.start, source.end))
+    asked = sorted(span_of(robot, source))
     for first, last in combinations(range(len(robot.frames)), 2):
         shared = (first == asked[0]) + (last == asked[1])
         is_next = last - first == asked[1] - asked[0] == 1 and abs(first - asked[0]) == 1

@@ -1,4 +1,4 @@
-"""What the columns of poses are called, one pose a row."""
+"""What the columns of rows are called: of poses, of Jacobians, and of joint values."""
 
 from __future__ import annotations
 
@@ -48,6 +48,25 @@ def pose_layout(forms: Sequence[str], views: Iterable[View], *, index: bool) -> 
         return Layout((INDEX, *groups))
     width = (4, 4) if forms == ("matrix",) else (sum(len(group.heads) for group in said),)
     return Layout(groups, (len(keys), *width) if keys else width)
+
+
+def jacobian_layout(labels: Sequence[str], joints: Sequence[str], *, index: bool) -> Layout:
+    """The columns of Jacobians: row by row, `v_x_theta1`, `v_x_theta2`; JSON Lines nests them.
+
+    Args:
+        labels: What the rows of each are called.
+        joints: What its columns are called.
+        index: Whether the first column says where the joint values stand.
+    """
+    heads = tuple(f"{label.replace('ω', 'w')}_{joint}".replace("'", "") for label in labels for joint in joints)
+    row = f"[{', '.join(['%s'] * len(joints))}]"
+    group = Group("matrix", heads, f"[{', '.join([row] * len(labels))}]")
+    return Layout((INDEX, group)) if index else Layout((group,), (len(labels), len(joints)))
+
+
+def joint_layout(joints: Iterable[str]) -> Layout:
+    """The columns of joint values that reach poses, behind where each pose stands."""
+    return Layout((INDEX, Group.named("q", {name: name for name in joints})))
 
 
 def _unlike(group: Group, forms: Sequence[str]) -> Group:
