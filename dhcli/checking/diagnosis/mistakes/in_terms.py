@@ -22,8 +22,9 @@ from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
 from dhcli.notation.names import natural_key
 from dhcli.notation.styles import THETAS, Joints
-from dhcli.notation.tree import ZERO, Expr, Sum, Symbol, Trig, add, multiply, negate, number
+from dhcli.notation.tree import MINUS_ONE, ZERO, Expr, Power, Sum, Symbol, Trig, add, multiply, negate, number
 from dhcli.notation.trig import cosine, sine, swapped
+from dhcli.notation.walk import put_for, walk
 from dhcli.notation.writer import write
 
 
@@ -198,9 +199,17 @@ def length_other(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
 def factor_missing(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
     """c4*c6 for c4*c5*c6: a factor of a term is left out."""
     for product, k, changed in products(expr):
-        if isinstance(product.factors[k], (Trig, Symbol)):
+        factor = product.factors[k]
+        if not isinstance(factor, Sum) and factor != MINUS_ONE:
             left = multiply(*product.factors[:k], *product.factors[k + 1 :])
             yield _stands_for(left, product, among), changed
+
+
+@_mistake("square-missing", "entry ({entry}) has {term}", "look at the powers in row {row}")
+def square_missing(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
+    """L for l^2."""
+    for old in dict.fromkeys(node for node in walk(expr) if isinstance(node, Power) and node.exponent == 2):  # noqa: PLR2004
+        yield _stands_for(old.base, old, among), put_for(expr, {old: old.base})
 
 
 def among_of(rows: Matrix[Expr], setting: Setting) -> Among:
