@@ -25,16 +25,12 @@ class Besides(Protocol):
         """A list of texts."""
         ...
 
-    def whole(self, key: str) -> int | None:
-        """A whole number."""
+    def one_of(self, key: str, count: int) -> int:
+        """Which of so many, counted from 1; 1 where it is none, which is told."""
         ...
 
     def linkage(self, name: str) -> Any:  # noqa: ANN401  a linkage or its counts, of a room that few exercises need
         """The linkage of a name or a pattern; None if there is none, which is told."""
-        ...
-
-    def refuse(self, message: str, hint: str = "") -> None:
-        """Note what is wrong with the part."""
         ...
 
 

@@ -28,14 +28,7 @@ REST = 1e-12
 
 
 def mark_symbols(question: Wanted, truth: Truth, entries: Entries, memo: Memo) -> Mark:
-    """Judge an answer in expressions, entry by entry; what stands in many answers of a class is judged once.
-
-    Args:
-        question: The question.
-        truth: The right answer.
-        entries: The answer as read, in the shape of the question.
-        memo: The exercise, for its values and its way of writing.
-    """
+    """Judge an answer in expressions, entry by entry; what stands in many answers of a class is judged once."""
 
     def judged(entry: Entry, place: tuple[int, int]) -> CellMark:
         made = partial(_cell, question, truth, entry, place, memo.exercise)

@@ -54,3 +54,19 @@ def angle_about(axis: Vector, start: Vector, end: Vector) -> float:
     """Angle about a unit axis that turns one vector into the half-plane of another; 0 where that says nothing."""
     start, end = across(start, axis), across(end, axis)
     return math.atan2(dot(axis, cross(start, end)), dot(start, end))
+
+
+def facing(direction: Sequence[float]) -> tuple[tuple[float, float, float], ...]:
+    """A rotation whose z axis has a direction, shape (3, 3); x is square to it and to the axis it is farthest from.
+
+    Args:
+        direction: Three parts, not all of them 0.
+    """
+    size = math.hypot(*direction)
+    a, b, c = direction
+    z = a / size, b / size, c / size
+    nearest = min(range(3), key=lambda i: abs(z[i]))
+    a, b, c = cross(UNITS[nearest], z)
+    length = math.hypot(a, b, c)
+    x = a / length, b / length, c / length
+    return tuple(zip(x, cross(z, x), z, strict=True))

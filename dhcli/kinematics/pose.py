@@ -11,8 +11,8 @@ from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
 from dhcli.geometry.motion import dot, inverse, product
-from dhcli.kinematics.coordinates import are_floats, coordinates, float_coordinates, rows_of
 from dhcli.kinematics.entries import DIGITS, cells_of, in_columns, latex_of
+from dhcli.kinematics.given import are_floats, coordinates, float_coordinates, rows_of
 from dhcli.notation.styles import THETAS, Joints, identifier
 from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols_in

@@ -98,11 +98,6 @@ class ForwardKinematics:
 def answer(robot: Robot, values: Values, question: Question) -> ForwardKinematics:
     """Answer a question about a robot.
 
-    Args:
-        robot: The robot.
-        values: Values of joints and parameters; in numbers, all that the chain needs.
-        question: The question.
-
     Raises:
         RobotError: A value is missing, or beyond what a float can hold.
         UnknownNameError: The robot has no such frame or link.
@@ -148,14 +143,7 @@ class _Folding:
 
 
 def folded(chain: Chain, start: str, end: str, *, symbolic: bool, values: Values | None = None) -> AnyPose:
-    """The pose at the end of a chain.
-
-    Args:
-        chain: The moves.
-        start: The frame they start from.
-        end: The frame they reach.
-        symbolic: Whether to compute in terms; else in floats.
-        values: Values of names, for floats.
+    """The pose at the end of a chain, in terms or else in floats.
 
     Raises:
         RobotError: An entry is not a real number, or beyond what a float can hold.

@@ -241,11 +241,6 @@ def values_for(product: Product, settings: Mapping[str, str], place: Place) -> d
 def compose(product: Product, values: Mapping[str, Value], wanted: Wanted) -> Transform:
     """Compose moves, in numbers where every name has a value.
 
-    Args:
-        product: The moves in the order typed.
-        values: Values of names.
-        wanted: What to find out.
-
     Raises:
         RobotError: An entry is not a real number, or there are too many moves for formulas.
     """

@@ -62,10 +62,6 @@ def independent(pebbles: Sequence[int], edges: Iterable[Edge]) -> int:
 
     An edge that counts is covered by a pebble of one of its ends. It counts if four pebbles can be brought to its ends
     together.
-
-    Args:
-        pebbles: How many each vertex owns, one for each coordinate.
-        edges: The vertices of each edge.
     """
     game = _Game(pebbles)
     return sum(game.accepts(edge) for edge in edges)

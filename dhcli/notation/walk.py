@@ -89,13 +89,7 @@ def parted(values: Mapping[str, Expr | Angle]) -> tuple[dict[str, Expr], dict[st
 
 
 def substitute(expr: Expr, lengths: Mapping[str, Expr], angles: Mapping[str, Angle]) -> Expr:
-    """Put exact values in the place of names.
-
-    Args:
-        expr: The tree.
-        lengths: Values of names that stand as numbers.
-        angles: Values of names that stand inside cosines and sines.
-    """
+    """Put exact values in the place of names: lengths where they stand as numbers, angles inside cosines and sines."""
 
     def leaf(node: Expr) -> Expr:
         if type(node) is Symbol:

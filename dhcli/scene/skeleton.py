@@ -43,15 +43,7 @@ class Axis:
 
 @frozen
 class Leg:
-    """A straight piece of the way from the base to the hand.
-
-    Attributes:
-        state: The state before its move.
-        start: Where it starts, in that state.
-        end: Where it ends, in that state.
-        words: Its length as the table has it.
-        variable: The joint variable that it holds, or none.
-    """
+    """A straight piece of the way from the base to the hand, in the state before its move."""
 
     state: int
     start: Vector

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from dhcli.cli import app
-from dhcli.cli.shell.endings import ENDINGS
 from dhcli.render.code.rows import FORMATS
+from dhcli.render.endings import ENDINGS
 from dhcli.render.kinds import _RENDERERS, formats
 from tests.cli.running import Run
 

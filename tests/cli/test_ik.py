@@ -451,3 +451,17 @@ def test_noise_is_no_part_of_the_name_of_a_branch(dhcli: Run) -> None:
     done = dhcli("ik", "panda", "--pose", "ready", "--hold", "theta1=0", "--within-limits")
     assert "theta2 = -45°" in done.out
     assert "e-" not in done.out
+
+
+TYPED = """[0.3551 -0.0720 -0.9320 0.4908; 0.9135 -0.1852 0.3624 0.3978; -0.1987 -0.9801 0.0000 0.0000; 0 0 0 1]"""
+
+
+def test_a_matrix_of_four_decimals_is_reached_by_an_arm_of_few_joints(dhcli: Run) -> None:
+    """It comes nearest to it; in a product, in other units or with all digits the pose is taken as it stands."""
+    done = dhcli("ik", "zhou-3r", "--target", TYPED)
+    assert done.code == 0
+    assert "1 solution\n" in done.out
+    assert "17.1878°" in done.out
+    assert "the arm takes no pose with exactly these digits; the nearest is taken" in done.err
+    for other in (f"{TYPED} * Trans(0,0,0)", TYPED.replace("0.4908", "490.8 mm")):
+        assert dhcli("ik", "zhou-3r", "--target", other).code == 1

@@ -55,13 +55,7 @@ class Evidence:
 
 
 def is_chance(stage: str, given: Iterable[Sequence[float]], typed: Evidence) -> bool:
-    """Whether an arbitrary answer with these digits would meet candidates too often.
-
-    Args:
-        stage: `singles` or `pairs`.
-        given: What each candidate of the stage gives, at the point of the answer.
-        typed: The answer.
-    """
+    """Whether any answer with these digits would meet the candidates of a stage, `singles` or `pairs`, too often."""
     wrong = typed.wrong
     left = [one for one in given if typed.is_wrong_at(one) == wrong]
     shares: dict[bool, list[float]] = {True: [], False: []}

@@ -42,15 +42,7 @@ def slips_by_row(
     typed: Sequence[Sequence[Numbers]],
     slack: Numbers,
 ) -> tuple[tuple[Candidate, ...], ...]:
-    """For each row that is not the right one the slips that give it, perhaps none.
-
-    Args:
-        right: The rows as they should be.
-        every: Single mistakes in them.
-        benches: What evaluates a row, for each point.
-        typed: The matrix of each row typed, at each point.
-        slack: What their entries may be off.
-    """
+    """For each row that is not the right one the slips that give it, perhaps none."""
     if any(len(rows) != len(right.steps) for rows in typed):
         return ()
     found = []

@@ -144,14 +144,7 @@ def right_work(question: Wanted, robot: Robot | None, setting: Setting) -> Work:
 
 
 def steps_between(robot: Robot, setting: Setting, first: int, last: int) -> tuple[Factor, ...]:
-    """The factors from one frame of a robot to a later one, without those that move nothing.
-
-    Args:
-        robot: The robot.
-        setting: Keeps the factors, which all works share.
-        first: Place of the one frame in the order of the robot.
-        last: Place of the other.
-    """
+    """The factors from one frame of a robot to a later one, without those that move nothing."""
     ends = [("base", robot.base, None), ("tool", robot.tool, None)]
     parts = [ends[0], *((str(link.number), link.moves, link.row) for link in robot.links), ends[1]]
     every = (setting.factor((LINK, part[0]), partial(Factor, *part)) for part in parts[first:last])

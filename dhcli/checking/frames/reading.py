@@ -41,13 +41,7 @@ class TypedFrame:
 
 
 def read_frames(text: str, exercise: Exercise, numbers: Sequence[int], pose: Pose) -> tuple[TypedFrame, ...]:
-    """Read frames.
-
-    Args:
-        text: What was typed.
-        exercise: The exercise, for its names and its unit.
-        numbers: The numbers of the frames that are asked for.
-        pose: The values of joints in the pose drawn, which are put in for their names.
+    """Read the frames with some numbers; the values that joints have in the pose drawn are put in for their names.
 
     Raises:
         UnreadableError: Naming the frame, and what would be read.

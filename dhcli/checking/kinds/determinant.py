@@ -11,12 +11,12 @@ from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.motion.columns import Columns
 from dhcli.checking.motion.from_columns import ColumnsQuestion
 from dhcli.checking.motion.grid import Grid, exact
-from dhcli.checking.motion.linear import determinant_of
 from dhcli.checking.motion.question import OneNumberQuestion
 from dhcli.checking.motion.task import JacobianTask, found_for, jacobian_step, kept_rows, square, values_in
 from dhcli.checking.returned import Shown
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
+from dhcli.geometry.linear import determinant_of
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.velocity.cramer import LARGEST, determinant
 from dhcli.kinematics.velocity.form import Form

@@ -10,13 +10,13 @@ from dhcli.checking.entries import Entries
 from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.motion.columns import columns_for
 from dhcli.checking.motion.grid import Grid
-from dhcli.checking.motion.linear import rank
 from dhcli.checking.motion.question import MotionQuestion, OneNumberQuestion
 from dhcli.checking.motion.task import JacobianTask, jacobian_step, values_in
 from dhcli.checking.pasted import UnreadableError, without_number_word
 from dhcli.checking.returned import Shown
 from dhcli.errors import Place
 from dhcli.frozen import frozen
+from dhcli.geometry.linear import rank
 from dhcli.notation.tree import Number, number
 
 

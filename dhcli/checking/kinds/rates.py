@@ -11,17 +11,17 @@ from dhcli.checking.motion.asked import Motion, read_motion, three
 from dhcli.checking.motion.columns import Columns, columns_of, combined, plain
 from dhcli.checking.motion.from_columns import ColumnsQuestion, axes_step
 from dhcli.checking.motion.grid import Grid, floats_in, over
-from dhcli.checking.motion.linear import solution
 from dhcli.checking.motion.reading import SPEED, TURNING
 from dhcli.checking.motion.task import jacobian_step
 from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
 from dhcli.frozen import frozen
+from dhcli.geometry.linear import solution
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.singular.finding import neat_determinant
 from dhcli.kinematics.velocity.cramer import LARGEST, solved
-from dhcli.kinematics.velocity.form import Form, Which
+from dhcli.kinematics.velocity.form import Form, Which, part_of
 from dhcli.kinematics.velocity.view import joints_between
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import PI, Expr, multiply, number, power
@@ -75,7 +75,7 @@ class RatesQuestion(ColumnsQuestion):
 
     @property
     def _part(self) -> Which:
-        return "angular" if self.linear is None else "linear" if self.angular is None else "all"
+        return part_of(self.linear, self.angular)
 
     def _kept(self, columns: Columns) -> tuple[int, ...]:
         return tuple(k for k in columns.moved if k in Form(self._part).rows)

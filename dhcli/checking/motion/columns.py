@@ -20,8 +20,7 @@ from dhcli.kinematics.moves import Chain, Trans, names
 from dhcli.kinematics.recorded import kept
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values, numbers
-from dhcli.kinematics.velocity.analytic import Triple
-from dhcli.kinematics.velocity.form import Form
+from dhcli.kinematics.velocity.form import Form, Triple
 from dhcli.kinematics.velocity.jacobian import free_name, rates_of, textbook_jacobian
 from dhcli.kinematics.velocity.statics import product
 from dhcli.kinematics.velocity.view import MotionView
@@ -40,16 +39,7 @@ MOST_VECTORS = 2_000
 
 @frozen
 class Column:
-    """The column of a joint.
-
-    Attributes:
-        joint: The joint.
-        turns: Whether it is revolute.
-        axis: The direction of its axis.
-        origin: A point on the axis.
-        linear: The velocity of the point for a rate of 1.
-        angular: The angular velocity.
-    """
+    """The column of a joint: its axis, a point on that, and the velocity and the angular velocity for a rate of 1."""
 
     joint: str
     turns: bool

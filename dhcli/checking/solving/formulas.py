@@ -137,7 +137,12 @@ def _values(text: str, asked: Sequence[str], scope: Scope, place: Place, unit: F
         match = _STATEMENT.fullmatch(statement)
         name = match["name"] if match else ""
         rest = match["rest"] if match else statement
-        names = Scope(scope.joints, scope.angles, (*scope.lengths, *_symbols(known)), scope.aliases)
+        names = Scope(
+            scope.joints,
+            scope.angles,
+            (*scope.lengths, *(node.name for node in known if isinstance(node, Symbol))),
+            scope.aliases,
+        )
         if match and canonical(name.replace(" ", "")) not in asked:
             known[_defined(name, names, place)] = put_for(_plain(_parsed(rest, names, place), unit), known)
             continue
@@ -154,10 +159,6 @@ def _values(text: str, asked: Sequence[str], scope: Scope, place: Place, unit: F
 
 def _parsed(text: str, scope: Scope, place: Place) -> Expr:
     return parse(text, scope, place)
-
-
-def _symbols(known: Mapping[Expr, Expr]) -> tuple[str, ...]:
-    return tuple(node.name for node in known if isinstance(node, Symbol))
 
 
 def _defined(name: str, scope: Scope, place: Place) -> Expr:

@@ -15,7 +15,7 @@ from dhcli.checking.kinds.linked import needed
 from dhcli.checking.units import chain_in_metres, has_length_unit, length_in_metres
 from dhcli.errors import NotationError, Place, Problem, RobotError
 from dhcli.frozen import frozen
-from dhcli.geometry.facing import facing
+from dhcli.geometry.vectors import facing
 from dhcli.kinematics.entries import rounded
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.frames import ends
@@ -117,7 +117,7 @@ class Target:
             return f"the {self.task} {self.text} of {seen}"
         rows, per = self.rows(exercise.known), float(exercise.metres)
         place = ", ".join(_rounded(row[3] / per) for row in rows[:3])
-        unit = "" if exercise.unit == "none" else f" {exercise.unit}"
+        unit = exercise.behind
         if self.task == "position":
             return f"the origin of frame {end} at ({place}){unit}, seen from frame {start}"
         if self.along:

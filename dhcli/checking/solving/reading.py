@@ -167,12 +167,12 @@ def _vector(exercise: Exercise, robot: Robot, joints: Sequence[str], row: Sequen
         values.append(value.substitute(angles).constant() if isinstance(value, Angle) else over.value(value) * unit)
         if not math.isfinite(values[-1]):
             raise UnreadableError(f"{name} is no real number")
-        shown.append(spelled(robot, name, values[-1]))
+        shown.append(spelled(exercise, robot, name, values[-1]))
     return Vector(tuple(values), tuple(bare), ", ".join(shown))
 
 
-def spelled(robot: Robot, name: str, value: float) -> str:
-    """A joint value as a person would type it."""
+def spelled(exercise: Exercise, robot: Robot, name: str, value: float) -> str:
+    """A joint value as a person would type it on the sheet."""
     if name in robot.angles:
         return f"{round(math.degrees(value), 4) + 0.0:g}°"
-    return f"{round(value, 6) + 0.0:g} m"
+    return f"{round(value / float(exercise.metres), 6) + 0.0:g}{exercise.behind}"

@@ -74,13 +74,14 @@ def check(
     """Check an answer sheet, one answer, a DH table, or frames."""
     from dhcli.checking.judge import Judge
     from dhcli.checking.variants import variant_of
-    from dhcli.cli.shell.drawn import check_picture
     from dhcli.cli.shell.overlaid import check_overlaid, draw_over
     from dhcli.cli.shell.quiz import exercise_of, exit_code, is_asked, remember, with_tolerance
     from dhcli.kinematics.limits import warnings
 
     delivery = (replace(out, overwrite=False) if draw and out.output is None else out).delivery("check", "marks")
     if draw is not None:
+        from dhcli.cli.shell.pictures import check_picture
+
         check_picture(draw, overwrite=out.overwrite, page="a page shows one table")
     answer = _answer(asked, given)
     exercise, stated = exercise_of(chosen, asked, answer or "")

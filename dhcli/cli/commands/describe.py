@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, TypeAlias
 
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
+from dhcli.cli.shell.options import complete_pose
 from dhcli.cli.shell.spreading import But
 from dhcli.cli.shell.written import Written, in_formats
 from dhcli.frozen import frozen
@@ -88,8 +89,19 @@ class Wanted:
     numbers: Annotated[bool, typer.Option("--numbers", help="Put the values of lengths in.")] = False
 
 
+DrawnPose: TypeAlias = Annotated[
+    str | None,
+    typer.Option(
+        "--pose",
+        metavar="NAME",
+        help="A named pose of the robot, in which it is drawn.",
+        autocompletion=complete_pose,
+    ),
+]
+
+
 def describe(
-    chosen: Annotated[Chosen, But(without=("q", "deg", "from_", "to"))],
+    chosen: Annotated[Chosen, But(without=("q", "deg", "from_", "to"), instead={"pose": DrawnPose})],
     wanted: Wanted,
     out: Annotated[
         Written, in_formats(("table", "json", "yaml", "urdf"), (".yaml", ".urdf", ".json", ".txt"), "digits")
@@ -112,8 +124,8 @@ def _as_urdf(out: Written) -> Written:
     Raises:
         DhcliError: Something else says another.
     """
-    from dhcli.cli.shell.endings import check_ending
     from dhcli.errors import DhcliError
+    from dhcli.render.endings import check_ending
 
     if out.format not in (None, "urdf"):
         raise DhcliError(f"--as urdf and --format {out.format} ask for different things", "leave one of the two out")

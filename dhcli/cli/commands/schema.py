@@ -47,8 +47,8 @@ def schema(
 
     from dhcli.cli.shell.console import tell, write_out
     from dhcli.cli.shell.delivery import write_file
-    from dhcli.cli.shell.endings import check_ending
     from dhcli.files.keys.schema import schema_of
+    from dhcli.render.endings import check_ending
 
     text = json.dumps(schema_of(kind), indent=2, ensure_ascii=False) + "\n"
     if output in (None, "-"):

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, cast
 import typer
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.options import Variant
+from dhcli.cli.shell.options import AnyName, Variant
 from dhcli.cli.shell.spreading import But
 from dhcli.cli.shell.written import Written, in_formats
 from dhcli.errors import DhcliError
@@ -28,7 +28,10 @@ dhcli show planar-in-numbers --variant alice
 
 
 def show(
-    chosen: Annotated[Chosen, But(without=("q", "deg", "pose", "set_", "motors", "from_", "to", "tool"))],
+    chosen: Annotated[
+        Chosen,
+        But(without=("q", "deg", "pose", "set_", "motors", "from_", "to", "tool"), instead={"robot": AnyName}),
+    ],
     variant: Variant = None,
     *,
     out: Annotated[Written, in_formats(("table", "json", "latex", "csv"), (".json", ".tex", ".csv", ".txt"))],

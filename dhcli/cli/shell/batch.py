@@ -95,10 +95,10 @@ def compute_rows(work: Work, table: JointTable, path: str, delivery: RowDelivery
         with delivery.open(work.layout) as sink, row_progress(sys.stderr, wanted=delivery.is_away) as tell:
             for block in rows.blocks():
                 bad.take(block.bad, block.bad_rows)
-                results = work.computed(block.q, threads)
+                results = work.computed(block.values, threads)
                 real = _real(block, results, work.unreal, rows, bad)
                 results = results[real]
-                tally.take(block.q[real], block.in_radians, locked=work.locked(results))
+                tally.take(block.values[real], block.in_radians, locked=work.locked(results))
                 said = work.said(results)
                 sink.write(numbered(block.rows, real, said) if many.index else said)
                 if not sink.wanted:

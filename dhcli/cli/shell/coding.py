@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from dhcli.cli.shell.delivery import Delivery
-from dhcli.cli.shell.endings import check_ending
 from dhcli.cli.shell.written import LANGUAGES, Written
 from dhcli.errors import DhcliError, UnknownNameError, did_you_mean
+from dhcli.render.endings import check_ending
 
 
 def code_delivery(out: Written, command: str, kind: str, others: Mapping[str, object]) -> Delivery:
@@ -41,11 +41,7 @@ def code_delivery(out: Written, command: str, kind: str, others: Mapping[str, ob
 
 
 def check_alone(option: str, others: Mapping[str, object]) -> None:
-    """Refuse options that ask for something else than one does.
-
-    Args:
-        option: That one.
-        others: Those options, with what was given for them.
+    """Refuse options that ask for something else than this one does.
 
     Raises:
         DhcliError: One of them was given.

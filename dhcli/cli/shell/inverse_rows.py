@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Generator, Iterator, Mapping
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from contextlib import closing
 from functools import partial
 from itertools import islice
 from typing import TYPE_CHECKING, cast
 
+from dhcli.cli.shell.batch import BadRows
 from dhcli.cli.shell.chosen import Chosen
 from dhcli.cli.shell.console import say
 from dhcli.cli.shell.given import lengths_of, robot_of
@@ -29,7 +30,7 @@ from dhcli.errors import (
     did_you_mean,
     plural,
 )
-from dhcli.files.reading import source_of
+from dhcli.files.rows.source import Source, open_source
 from dhcli.frozen import frozen
 from dhcli.kinematics.frames import ends
 from dhcli.kinematics.inverse.batch import numbered
@@ -45,21 +46,17 @@ if TYPE_CHECKING:
     from dhcli.kinematics.inverse.batch import Each
     from dhcli.kinematics.inverse.tasks import TaskName
 
-    Poses = tuple[NDArray[np.float64], list[int]]
+    Poses = tuple[NDArray[np.float64], Sequence[int]]
 
 
-MOST_BAD = 8
-"""Rows left out that are named; of more, it is told how many."""
-
-
-def inverse_rows(wanted: PoseWish, path: str, delivery: RowDelivery, bad: list[Problem] | None = None) -> int:
+def inverse_rows(wanted: PoseWish, source: Source, delivery: RowDelivery, bad: BadRows) -> int:
     """Solve each pose of a file, and hand the joint values over as they come.
 
     Args:
         wanted: What is wanted of each pose.
-        path: The file; `-` for standard input.
+        source: The file.
         delivery: Where the joint values go.
-        bad: Where rows that are no pose are noted and left out; without it the first of them is an error.
+        bad: Takes rows that are no pose.
 
     Returns:
         How many poses have no solution.
@@ -67,12 +64,12 @@ def inverse_rows(wanted: PoseWish, path: str, delivery: RowDelivery, bad: list[P
     Raises:
         FileError: The file cannot be read, or a row is no pose.
     """
-    blocks, jobs = wanted.blocks(path, bad), wanted.workers(path)
+    poses, jobs = wanted.poses(source, bad), wanted.workers(source)
     total, lost, said = 0, 0, ""
     with (
         delivery.open(joint_layout(wanted.robot.variables)) as sink,
         row_progress(sys.stderr, wanted=delivery.is_away) as tell,
-        closing(_shared(partial(_solved, wanted, source_of(path), sink.spell), blocks, jobs)) as outcomes,
+        closing(_shared(partial(_solved, wanted, source.name, sink.spell), poses, jobs)) as outcomes,
     ):
         for outcome in outcomes:
             if not isinstance(outcome, _Rows):
@@ -84,7 +81,10 @@ def inverse_rows(wanted: PoseWish, path: str, delivery: RowDelivery, bad: list[P
                 sink.take(outcome.spelled, outcome.count)
             if not sink.wanted:
                 return lost
-            tell(total, None)
+            tell(total, source.share)
+        if bad.count and not total:
+            raise bad.error("no row can be read", "")
+    bad.tell(total)
     paper = Paper.of(sys.stderr)
     if said:
         say(warning_line(said, paper))
@@ -202,13 +202,9 @@ def solve_rows(
         lengths,
         many.jobs,
     )
-    bad: list[Problem] | None = [] if many.skip_bad else None
     solve = inverse_rows
     if many.follow:
         from dhcli.cli.shell.follow_rows import follow_rows as solve  # few follow a path
-    lost = solve(wanted, path, delivery, bad)
-    for problem in (bad or [])[:MOST_BAD]:
-        say(warning_line(f"skipped {problem}", Paper.of(sys.stderr)))
-    if bad and len(bad) > MOST_BAD:
-        say(warning_line(f"skipped {len(bad)} rows in all", Paper.of(sys.stderr)))
+    with open_source(path) as source:
+        lost = solve(wanted, source, delivery, BadRows(path, skip=many.skip_bad))
     return ExitStatus.NOT_RIGHT if lost else ExitStatus.DONE

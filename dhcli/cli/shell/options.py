@@ -28,6 +28,16 @@ RobotName: TypeAlias = Annotated[
 ]
 
 
+AnyName: TypeAlias = Annotated[
+    str,
+    typer.Argument(
+        metavar="NAME",
+        help="A robot, a linkage or an exercise, a YAML or URDF file, or - for a robot on stdin.",
+        autocompletion=complete_robot,
+    ),
+]
+
+
 def complete_exercise(incomplete: str) -> list[str]:
     """Names of exercises that begin like this, with their folder or without; reads no file."""
     from dhcli.files.library.lookup import Kind, entries
@@ -73,12 +83,7 @@ Jobs: TypeAlias = Annotated[int | None, jobs_option()]
 
 
 def workers(jobs: int | None, worth: int) -> int:
-    """How many share a work: as many as `--jobs` says, else one a processor, but no more than pay for their start.
-
-    Args:
-        jobs: What was asked for.
-        worth: How many would pay.
-    """
+    """How many share a work: as many as `--jobs` says, else one a processor, but no more than pay for their start."""
     return jobs or max(1, min(_processors(), worth))
 
 

@@ -73,7 +73,7 @@ def _about(robot: Robot, chosen: Chosen, asked: RobotQuestion, answer: str) -> t
     if asked.compare is not None:
         raise DhcliError("--compare says how a table is compared, and there is none", "--table FILE")
     if not asked.symbolic and not chosen.stands and robot.variables:
-        hint = f"dhcli check {robot.name} --q 0.3,... or --symbolic, and --answer '[...]'"
+        hint = f"dhcli check {robot.typed} --q 0.3,... or --symbolic, and --answer '[...]'"
         raise DhcliError(f"{robot.name} is a robot: say at which joint values, or ask for symbols", hint)
     values = values_of(robot, chosen, symbolic=asked.symbolic)
     start, end = ends(robot, chosen.from_, chosen.end)

@@ -54,18 +54,7 @@ class RowText:
 
 @frozen
 class Whole:
-    """What a robot has besides its rows.
-
-    Attributes:
-        name: What it is called.
-        title: Its title.
-        source: Where it comes from.
-        convention: Standard or modified.
-        base: Moves in front of the rows.
-        tool: Moves behind them.
-        limits: Limits by number of the row, from 1.
-        values: Values of names.
-    """
+    """What a robot has besides its rows; limits by number of the row, from 1."""
 
     name: str
     title: str

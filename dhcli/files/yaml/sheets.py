@@ -99,13 +99,6 @@ def judged_sheet(
 ) -> SheetMark:
     """Judge a sheet by the numbers that it was written with.
 
-    Args:
-        judge: The judge of the exercise that the sheet is of.
-        sheet: The sheet.
-        written: What to call the sheet.
-        asked: The seed of a variant that was asked for; the sheet's own by default.
-        only: The one part to look at; all by default.
-
     Raises:
         DhcliError: It is of another variant, or was written with other numbers, or answers no part of the exercise.
     """

@@ -103,11 +103,6 @@ def check_moves(joints: int) -> None:
 def arm_of(chain: Chain, variables: tuple[str, ...], values: Mapping[str, Angle | float]) -> Arm:
     """The joint axes of a chain of moves.
 
-    Args:
-        chain: The moves from the start frame to the end frame.
-        variables: The joint variables.
-        values: Value of each length [m] and constant angle.
-
     Raises:
         RobotError: A joint does not move about or along one axis, or the zero pose is not a pose.
     """

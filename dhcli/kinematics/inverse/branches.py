@@ -123,12 +123,7 @@ def _signs(plan: Plan, motions: Array, told: Told) -> list[tuple[str, list[str]]
 
 
 def with_values(told: Told, said: Sequence[Sequence[str]]) -> tuple[str, ...]:
-    """Names from words, those that are alike made different by the value of the first variable that differs.
-
-    Args:
-        told: The variables.
-        said: For each solution its words.
-    """
+    """Names from words, those that are alike made different by the value of the first variable that differs."""
     names = [", ".join(words) for words in said]
     result = list(names)
     for name, times in Counter(names).items():

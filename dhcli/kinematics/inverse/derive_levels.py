@@ -44,14 +44,7 @@ def asked_pose() -> Fixed:
 
 
 def entries(robot: Robot, start: str, end: str, *, place_only: bool) -> list[Equation]:
-    """The entries of every level, those that say something, the shortest first.
-
-    Args:
-        robot: The robot.
-        start: The frame the pose is seen from.
-        end: The frame it describes.
-        place_only: Whether the position alone is given.
-    """
+    """The entries of every level, those that say something, the shortest first."""
     frames = list(robot.frames[robot.frames.index(start) : robot.frames.index(end) + 1])
     found = []
     for a in range(len(frames)):

@@ -81,11 +81,6 @@ def _curved(plan: Plan, task: Task, rows: Rows) -> Flags:
 def _walked(plan: Plan, task: Task, starts: Rows) -> tuple[Array, Ints]:
     """Where the end is nearest to the pose on the ways that the arm can nearly move without moving it.
 
-    Args:
-        plan: The plan.
-        task: What of the end nearly stays.
-        starts: Where the ways begin, in both directions.
-
     Returns:
         Motions of the joints there, shape (M, n), and the start of the way of each, shape (M,).
     """

@@ -158,7 +158,7 @@ class Solutions:
         if not len(self):
             return f"no solution: {self.why}"
         heads = ["#", *self.robot.variables, "branch", "limits"]
-        rows = [[str(k + 1), *self._shown(k), self.branches[k], self._limits(k)] for k in range(len(self))]
+        rows = [[str(k + 1), *self._shown(k), self.branches[k], self._outside(k) or "ok"] for k in range(len(self))]
         widths = [max(len(line[i]) for line in (heads, *rows)) for i in range(len(heads))]
         numeric = len(self.robot.variables) + 1
         lines = []
@@ -183,9 +183,6 @@ class Solutions:
             f"{round(float(np.degrees(x)), 4) + 0.0:g}°" if turns else f"{round(float(x), 6) + 0.0:g}"
             for x, turns in zip(self.q[k], turning, strict=True)
         ]
-
-    def _limits(self, k: int) -> str:
-        return self._outside(k) or "ok"
 
     def _outside(self, k: int) -> str:
         return ", ".join(shown_beyond(self.robot, outside) for outside in self.beyond[k])
@@ -244,15 +241,7 @@ def in_numbers(robot: Robot, q: JointInput) -> Array:
 
 
 def relation(names: tuple[str, ...], turning: NDArray[np.bool_], q: Array, rates: dict[int, float], at: int) -> str:
-    """What stays the same while the arm moves at constant rates, in words.
-
-    Args:
-        names: The joints.
-        turning: Which of them turn.
-        q: The solution, shape (n,).
-        rates: How the joints move with the parameter.
-        at: The parameter.
-    """
+    """What stays the same while the arm moves at constant rates, in words."""
     others = [j for j in rates if j != at]
     parts = []
     for j in others:

@@ -123,11 +123,6 @@ def least_singular(ready: Prepared, motions: Array) -> Array:
 def representatives(ready: Prepared, found: Found, least: Array) -> tuple[Ints, list[tuple[Freedom, ...]]]:
     """Of the members of a family that differ in the value tried for a free joint alone, the first; all else.
 
-    Args:
-        ready: The robot made ready.
-        found: Solutions.
-        least: The least singular value of each one's Jacobian.
-
     Returns:
         Which are kept, in their order, and the ways in which the arm can move at each.
     """

@@ -31,13 +31,7 @@ MOST_TRIED = 4
 
 @frozen
 class Difference:
-    """A column, or the difference of two about parallel axes.
-
-    Attributes:
-        joint: The joint.
-        less: The joint whose column is subtracted, or None.
-        sign: By which sense the two turn.
-    """
+    """The column of a joint, or how it differs from that of another about a parallel axis, with the sign of that."""
 
     joint: int
     less: int | None = None

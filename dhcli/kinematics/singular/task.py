@@ -43,13 +43,7 @@ def arm_of(robot: Robot, view: MotionView, values: Values) -> Arm:
 
 
 def task_at(robot: Robot, view: MotionView, part: Which | None) -> tuple[Which, tuple[int, ...]]:
-    """The rows that are taken for the task of a robot, and the places of those among them that its joints can move.
-
-    Args:
-        robot: The robot.
-        view: Between which frames, of which point.
-        part: The task, if somebody says it; see `singularities`.
-    """
+    """The rows that are taken for the task of a robot, and the places of those among them that its joints can move."""
     arm = arm_of(robot, view, {})
     try:
         point = Point.of(arm, fresh(arm))

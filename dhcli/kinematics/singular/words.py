@@ -16,12 +16,7 @@ from dhcli.kinematics.singular.modular import Table, cross, dot, minus, null_spa
 
 @frozen
 class Place:
-    """The point that sentences are about.
-
-    Attributes:
-        place: Its place in the chain.
-        words: What it is called.
-    """
+    """The point that sentences are about: its place in the chain, and what it is called."""
 
     place: int
     words: str

@@ -19,8 +19,7 @@ from dhcli.kinematics.frames import ORIGIN, between
 from dhcli.kinematics.moves import Rot, Trans
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values, numbers, require
-from dhcli.kinematics.velocity.analytic import TINY, Triple
-from dhcli.kinematics.velocity.form import GEOMETRIC, Form
+from dhcli.kinematics.velocity.form import GEOMETRIC, TINY, Form, Triple
 from dhcli.kinematics.velocity.steps import Vector, fold_columns
 from dhcli.kinematics.velocity.view import MotionView, Part, Way, check_size, joints_between, parts
 from dhcli.notation.angle import Angle

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from dhcli.files import rows
+from dhcli.files.rows import INDEX as _INDEX
+from dhcli.files.rows import POSITION
+from dhcli.files.rows.posecolumns import MATRIX, TURNS
 from dhcli.geometry.euler import AXES
 from dhcli.kinematics.frames import View
 from dhcli.kinematics.placement import FORMS
@@ -13,23 +15,21 @@ from dhcli.kinematics.pose import matrix_name
 from dhcli.render.code.matrices import variable
 from dhcli.render.code.rows import Group, Layout
 
-_AXES = "xyz"
-_MATRIX = tuple(head for i in range(3) for head in (*(f"r{i + 1}{k}" for k in (1, 2, 3)), f"p_{_AXES[i]}"))
 _ROW = "[%s, %s, %s, %s]"
 
 GROUPS = {
-    "matrix": Group("matrix", _MATRIX, f"[{_ROW}, {_ROW}, {_ROW}, [0.0, 0.0, 0.0, 1.0]]"),
-    "position": Group.listed("position", rows.POSITION),
-    "rpy": Group("rpy", ("roll", "pitch", "yaw"), '{"roll": %s, "pitch": %s, "yaw": %s}'),
-    "quaternion": Group("quaternion", ("q_w", "q_x", "q_y", "q_z"), '{"w": %s, "x": %s, "y": %s, "z": %s}'),
-    "rotation-vector": Group.listed("rotation-vector", ("r_x", "r_y", "r_z")),
-    **{form: Group.listed(form, [f"{form}_{k}" for k in (1, 2, 3)]) for form in FORMS if form.endswith(AXES)},
-    "axis-angle": Group("axis-angle", ("axis_x", "axis_y", "axis_z", "angle"), '{"axis": [%s, %s, %s], "angle": %s}'),
+    "matrix": Group("matrix", MATRIX, f"[{_ROW}, {_ROW}, {_ROW}, [0.0, 0.0, 0.0, 1.0]]"),
+    "position": Group.listed("position", POSITION),
+    "rpy": Group("rpy", TURNS["rpy"], '{"roll": %s, "pitch": %s, "yaw": %s}'),
+    "quaternion": Group("quaternion", TURNS["quaternion"], '{"w": %s, "x": %s, "y": %s, "z": %s}'),
+    "rotation-vector": Group.listed("rotation-vector", TURNS["rotation-vector"]),
+    **{form: Group.listed(form, TURNS[form]) for form in FORMS if form.endswith(AXES)},
+    "axis-angle": Group("axis-angle", TURNS["axis-angle"], '{"axis": [%s, %s, %s], "angle": %s}'),
 }
 """The numbers of each way to say a pose; JSON nests them as `--format json` does for one pose. Angles in radians."""
 
 
-INDEX = Group(rows.INDEX, (rows.INDEX,), "%s", is_whole=True)
+INDEX = Group(_INDEX, (_INDEX,), "%s", is_whole=True)
 """Where the joint values stand in their file."""
 
 
@@ -66,7 +66,16 @@ def jacobian_layout(labels: Sequence[str], joints: Sequence[str], *, index: bool
 
 def joint_layout(joints: Iterable[str]) -> Layout:
     """The columns of joint values that reach poses, behind where each pose stands."""
-    return Layout((INDEX, Group.named("q", {name: name for name in joints})))
+    return Layout((INDEX, _joints(joints)))
+
+
+def point_layout(joints: Iterable[str]) -> Layout:
+    """The columns of the points of a grid: every joint, then the position."""
+    return Layout((_joints(joints), GROUPS["position"]))
+
+
+def _joints(names: Iterable[str]) -> Group:
+    return Group.named("q", {name: name for name in names})
 
 
 def _unlike(group: Group, forms: Sequence[str]) -> Group:

@@ -15,6 +15,7 @@ from dhcli.kinematics.inverse.derive_words import (
     condition_text,
     left_text,
     level_text,
+    named_text,
     proof_text,
     value_text,
 )
@@ -55,7 +56,7 @@ def _step_lines(result: Derivation, step: Step, look: Look) -> Iterator[str]:
     style, joints = look.style or "short", result.robot.writing
     for one in step.equations:
         yield f"{write(one.left, style, joints)} = {write(one.right, style, joints)}    {level_text(result, one)}"
-    yield f"{atom_text(step.atom)} = {value_text(step, style, joints_of=result)}"
+    yield f"{named_text(step.atom)} = {value_text(step, style, joints_of=result)}"
     if condition := condition_text(step, style, result):
         yield condition
 

@@ -150,8 +150,8 @@ def _part_lines(marked: SheetMark, one: PartMark, look: Look) -> Iterator[str]:
     paper, mark, exercise = look.paper, one.mark, marked.exercise
     verdict = mark.verdict
     word = paper.ink(f"{paper.spell(verdict.sign)} {verdict.word:<10}", "bold", *_INKS[verdict])
-    credit = _partial_credit(one) if len(marked.parts) > 1 else ""
-    asked = one.part.id if marked.walked else f"{one.part.id}: {one.part.heading(exercise)}{credit}"
+    asked = one.part.id if marked.walked else f"{one.part.id}: {one.part.heading(exercise)}"
+    asked += _partial_credit(one) if len(exercise.asked) > 1 or "/" in exercise.id else ""
     first, *rest = prose_lines(paper.spell(asked), paper, _UNDER_ASKED, _UNDER_ASKED)
     yield f"{word}  {first.removeprefix(_UNDER_ASKED)}"
     yield from rest

@@ -20,6 +20,7 @@ from dhcli.kinematics.forward import forward
 from dhcli.kinematics.values import joint_values
 from dhcli.notation.matrix import parse_matrix
 from dhcli.notation.parser import parse
+from tests.nightly import in_turn
 
 if TYPE_CHECKING:
     from dhcli.checking.exercise import Exercise, Part
@@ -202,7 +203,7 @@ def test_a_slip_is_named_by_the_answer_it_leads_to(robot: str, ask: str, slip: s
     """In numbers, and where the question has an answer in symbols there too; nothing else is named."""
     q = (0.3, -0.5, 0.4, 0.7, 0.0, -0.4) if ask.startswith("rank") else Q[robot]
     in_numbers = "degrees" in slip or ask.startswith(("manip", "rank"))
-    for values in (q,) if in_numbers else (q, None):
+    for values in (q,) if in_numbers else in_turn((q, None), SLIPS.index((robot, ask, slip)), 2):
         judge, part = asked(robot, ask, values)
         mark = judge.check(part, judge.answer_with(part, slip))
         assert mark.verdict is Verdict.WRONG
