@@ -30,7 +30,7 @@ from dhcli.notation.writer import write
 
 @frozen
 class Among:
-    """What stands in the other entries, and how it is written."""
+    """What may stand in an entry, and how it is written."""
 
     angles: tuple[str, ...] = ()
     lengths: tuple[Symbol, ...] = ()
@@ -213,9 +213,13 @@ def square_missing(expr: Expr, among: Among) -> Iterator[tuple[str, Expr]]:
 
 
 def among_of(rows: Matrix[Expr], setting: Setting) -> Among:
-    """What stands in the right entries."""
+    """What stands in the right entries, and what else of the robot may stand in wrong ones."""
     angles = {name for row in rows for entry in row for node in functions(entry) for name in node.angle.names}
     held = {symbol for row in rows for entry in row for symbol in lengths(entry)}
+    if setting.robot is not None:
+        turning = setting.robot.angles
+        angles |= turning.intersection(setting.robot.variables)
+        held |= {Symbol(name) for name in (*setting.robot.variables, *setting.robot.parameters) if name not in turning}
     ordered = sorted(held, key=lambda symbol: natural_key(symbol.name))
     return Among(tuple(sorted(angles, key=natural_key)), tuple(ordered), setting.writing)
 
