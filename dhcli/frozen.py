@@ -267,7 +267,9 @@ class _Signature:
                 Parameter(
                     each.name,
                     Parameter.POSITIONAL_OR_KEYWORD,
-                    default=Parameter.empty if each.default is MISSING else each.default,
+                    default=next(
+                        (d for d in (each.default, each.default_factory) if d is not MISSING), Parameter.empty
+                    ),
                     annotation=each.type,
                 )
                 for each in _fields(owner)

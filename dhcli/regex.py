@@ -10,12 +10,7 @@ from typing import Any, cast
 
 
 def regex(text: str, flags: int = 0) -> re.Pattern[str]:
-    """A regular expression, as `re.compile` gives one.
-
-    Args:
-        text: What it looks for.
-        flags: How, as for `re`.
-    """
+    """A regular expression, as `re.compile` gives one."""
     return cast("re.Pattern[str]", _Regex(text, flags))
 
 

@@ -61,6 +61,7 @@ def _classes(make: Callable[[type], type]) -> dict[str, Any]:
 
         x: T
         held: dict[str, int] = field(default_factory=dict)
+        behind: object = 0
         memo: list[int] = field(default_factory=list, init=False, repr=False, compare=False)
         late: object = field(init=False, compare=False)
         shared: ClassVar[int] = 3
@@ -151,6 +152,15 @@ def test_it_is_taken_apart_and_documented_like_a_dataclass(name: str) -> None:
     assert [(each.name, each.default) for each in ours.parameters.values()] == [
         (each.name, each.default) for each in theirs.parameters.values()
     ]
+
+
+def test_what_is_made_anew_each_time_can_be_left_out_by_the_signature() -> None:
+    """Behind it stands a field with a default, which could not follow one without."""
+    ours, theirs = (
+        [(each.name, each.default is each.empty) for each in inspect.signature(made["Made"]).parameters.values()]
+        for made in (OURS, THEIRS)
+    )
+    assert ours == theirs
 
 
 @pytest.mark.parametrize(("name", "values", "named"), CALLS)

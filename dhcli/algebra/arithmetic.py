@@ -70,12 +70,7 @@ def right_angle(angle: Angle) -> tuple[int, int] | None:
 
 
 def evaluate(expr: Expr, over: Evaluator[N]) -> N | int:
-    """The value of a tree, computed from the leaves up.
-
-    Args:
-        expr: The tree.
-        over: The arithmetic, which knows the values of the names.
-    """
+    """The value of a tree, computed from the leaves up."""
     # The commonest first; a match would look for the names of their parts besides.
     if type(expr) is Trig:
         return over.cos_sin(expr.angle)[expr.function == "sin"]

@@ -13,20 +13,10 @@ if TYPE_CHECKING:
 
 
 class Columns:
-    """The registers of a program, for blocks of up to one length.
-
-    Attributes:
-        program: What is played.
-        length: Most rows in a block.
-    """
+    """The registers of a program, for blocks of up to one length."""
 
     def __init__(self, program: Program, length: int) -> None:
-        """Make the registers, and hand them to the instructions once for all blocks.
-
-        Args:
-            program: What to play.
-            length: Most rows in a block.
-        """
+        """Make the registers, and hand them to the instructions once for all blocks."""
         self.program, self.length = program, length
         registers = np.empty((program.registers, length))
         for register, value in program.constants.items():

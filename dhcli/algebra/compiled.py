@@ -47,9 +47,6 @@ def compiled(program: Program) -> Play:
 
     It takes as many numbers as the program has variables, radians and metres, and gives all results, none of them a
     minus zero. Where a step has no value it raises ValueError, ZeroDivisionError or OverflowError, as `math` does.
-
-    Args:
-        program: What to play.
     """
     constants: dict[float, int] = {}
     text = source(program, constants)

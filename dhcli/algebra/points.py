@@ -8,7 +8,7 @@ from itertools import islice
 from typing import TypeAlias
 
 from dhcli.notation.tree import Expr, Trig
-from dhcli.notation.walk import symbols, walk
+from dhcli.notation.walk import symbols_in, walk
 
 Reach: TypeAlias = Mapping[str, tuple[float, float]]
 """The lowest and the highest value of some names, in radians and metres."""
@@ -49,7 +49,7 @@ def all_round(expressions: Iterable[Expr], reach: Reach | None) -> Iterator[dict
         reach: What is known of a name; others are angles where they stand in a cosine, else positive lengths.
     """
     trees = tuple(expressions)
-    names = frozenset[str]().union(*map(symbols, trees))
+    names = symbols_in(trees)
     angles = {name for tree in trees for node in walk(tree) if type(node) is Trig for name in node.angle.names}
     known = reach or {}
     ranges = {name: known.get(name, CIRCLE if name in angles else GENERAL) for name in sorted(names)}

@@ -42,12 +42,7 @@ class Program:
 
 
 def assemble(tape: Tape, results: Sequence[Number]) -> Program:
-    """Give every column of a tape a register, and the same one to columns that are not needed at the same time.
-
-    Args:
-        tape: The tape.
-        results: The numbers wanted at the end, of that tape.
-    """
+    """Give every column of a tape a register, and the same one to columns that are not needed at the same time."""
     constants = {k: result for k, result in enumerate(results) if not isinstance(result, Cell)}
     wanted = {k: tape.column(result) for k, result in enumerate(results) if isinstance(result, Cell)}
     inputs = slice(len(results), len(results) + len(tape.variables))

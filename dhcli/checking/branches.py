@@ -75,15 +75,7 @@ def all_same(found: tuple[Sample, ...]) -> bool:
 
 
 def explained(typed: Expr, right: Expr, reach: Reach, same: Same = agree, writing: Joints = THETAS) -> str:
-    """A point where an answer is wrong, with both numbers, after the condition under which it is right, if any.
-
-    Args:
-        typed: The answer.
-        right: The truth.
-        reach: Which values the names have.
-        same: When two values agree.
-        writing: How joint angles are written.
-    """
+    """A point where an answer is wrong, with both numbers, after the condition under which it is right, if any."""
     may_hold = may_branch(typed) or may_branch(right)
     where = held(typed, right, samples(typed, right, reach, same), writing) if may_hold else ""
     point = _counterexample(typed, right, reach, same)

@@ -8,7 +8,7 @@ from itertools import combinations
 
 from dhcli.checking.exercise import Exercise
 from dhcli.errors import RobotError
-from dhcli.geometry.pivots import pivots
+from dhcli.geometry.linear import pivots
 from dhcli.kinematics.axes import Arm
 from dhcli.kinematics.moves import names
 from dhcli.kinematics.robot import Robot, Value

@@ -26,6 +26,7 @@ from dhcli.errors import DhcliError, Place, RobotError, UnknownNameError, did_yo
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import Row
 from dhcli.kinematics.derived import replaced
+from dhcli.kinematics.entries import rounded
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.validity import Finding
 from dhcli.notation.names import natural_key
@@ -41,6 +42,8 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 R = TypeVar("R")
 
+PLACES = {"mm": 2, "cm": 3, "m": 5}
+"""Decimals of a hundredth of a millimetre."""
 MOST_RECENT = 500
 """Things of one kind that answers bring along and that are kept: entries, mostly, that many students write alike."""
 
@@ -72,13 +75,7 @@ class Memo:
         return cast("R", self._known[key])
 
     def recent(self, kind: object, key: object, make: Callable[[], R]) -> R:
-        """The same for things that answers bring along, of which no more are kept than a class has alike.
-
-        Args:
-            kind: What they are, which has a store of its own.
-            key: One of them.
-            make: Works it out.
-        """
+        """The same for what answers bring along, of each kind of which no more is kept than a class has alike."""
         known: dict[object, R] = self.of(kind, dict)
         if key not in known:
             if len(known) >= MOST_RECENT:
@@ -242,6 +239,7 @@ class Part:
         tolerance: How near is near enough; the exercise's own if None.
         compare: How a table is judged: literal, same-motion or same-robot; empty where the file does not say.
         printed: What the document shows, if it does.
+        index: Where it stands among the parts of its file, from 0; two may have one id before that is mended.
     """
 
     id: str
@@ -255,6 +253,7 @@ class Part:
     tolerance: Tolerance | None = None
     compare: str = ""
     printed: Printed | None = None
+    index: int = 0
 
     def heading(self, exercise: Exercise) -> str:
         """What is asked for, in a few words that do not tell more than the task does."""
@@ -401,8 +400,22 @@ class Exercise:
     @property
     def given_text(self) -> str:
         """The values that it gives, lengths in the unit of its sheet: `theta1 = 30°, d3 = 0.12 m`."""
-        unit = "" if self.unit == "none" else self.unit
-        return ", ".join(f"{name} = {value_text(value, unit)}" for name, value in self.given.items())
+        return ", ".join(f"{name} = {value_text(value, self.behind.strip())}" for name, value in self.given.items())
+
+    @property
+    def behind(self) -> str:
+        """What stands behind a length on its sheet: ` mm`; nothing where the task has no unit."""
+        return "" if self.unit == "none" else f" {self.unit}"
+
+    def distance(self, metres: float, *, signed: bool = False) -> str:
+        """A distance in the unit of the sheet, to a hundredth of a millimetre: `0.0879 m`.
+
+        Args:
+            metres: The distance [m].
+            signed: Whether a plus stands before one that is positive.
+        """
+        text = rounded(metres / float(self.metres), PLACES.get(self.unit, 4))
+        return f"{'+' * (signed and metres > 0)}{text}{self.behind}"
 
     @property
     def metres(self) -> Fraction:

@@ -44,13 +44,7 @@ class Comparison:
     """Compares moves with those of a link, at the values given where the exercise is in numbers."""
 
     def __init__(self, exercise: Exercise, right: Chain, tolerance: Tolerance) -> None:
-        """Take the right moves.
-
-        Args:
-            exercise: For its values.
-            right: The moves.
-            tolerance: How near numbers are near enough.
-        """
+        """Take the right moves."""
         self.exercise = exercise
         self.right = right
         self.tolerance = tolerance

@@ -17,13 +17,6 @@ from dhcli.checking.wanted import Wanted
 def mark_measured(question: Wanted, truth: Truth, entries: Entries, memo: Memo, tolerance: Tolerance) -> Mark:
     """Judge an answer in numbers, whatever unit its lengths are in.
 
-    Args:
-        question: The question.
-        truth: The right answer, with numbers.
-        entries: The answer as read, in the shape of the question.
-        memo: The exercise, for its values and the unit of the sheet.
-        tolerance: Largest errors that count as right.
-
     Raises:
         UnreadableError: An entry has no finite value, or the answer is right in another unit.
     """

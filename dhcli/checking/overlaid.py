@@ -24,12 +24,6 @@ def overlaid_matrix(exercise: Exercise, question: Wanted, entries: Entries, valu
     """The frame that a matrix describes, seen from the right one that it is measured in.
 
     What an answer leaves out is taken from the right frame: the place of a rotation, the directions of a position.
-
-    Args:
-        exercise: The exercise.
-        question: What is asked.
-        entries: The answer.
-        values: A value for every name of the robot.
     """
     robot, source = exercise.robot, question.source
     if robot is None or not isinstance(source, View) or question.piece not in DRAWN:

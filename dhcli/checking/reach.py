@@ -7,7 +7,7 @@ import re
 from dhcli.algebra.points import CIRCLE, EITHER_SIDE, GENERAL, WHOLE, Reach
 from dhcli.checking.exercise import Exercise
 from dhcli.kinematics.derived import in_floats
-from dhcli.kinematics.robot import Robot, Value
+from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import symbols_of
 from dhcli.regex import regex
 
@@ -40,7 +40,7 @@ def _of_name(exercise: Exercise, name: str) -> tuple[float, float]:
         return CIRCLE
     if exercise.robot is not None and name in exercise.robot.parameters:
         value = exercise.robot.parameters[name]
-        return (-GENERAL[1], -GENERAL[0]) if _is_negative(value) else GENERAL
+        return (-GENERAL[1], -GENERAL[0]) if value is not None and in_floats(value) < 0 else GENERAL
     return EITHER_SIDE if _COORDINATE.fullmatch(name) else GENERAL
 
 
@@ -49,7 +49,3 @@ def _of_joint(robot: Robot, name: str) -> tuple[float, float]:
         low, high = (in_floats(limit) for limit in robot.limits[name])
         return low, high
     return CIRCLE if name in robot.angles else GENERAL
-
-
-def _is_negative(value: Value | None) -> bool:
-    return value is not None and in_floats(value) < 0

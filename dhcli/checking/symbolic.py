@@ -17,9 +17,8 @@ from dhcli.checking.truth import Truth, is_length
 from dhcli.checking.verdicts import AGREEING, CellMark, Mark, Verdict
 from dhcli.checking.wanted import Wanted
 from dhcli.kinematics.robot import Value
-from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr, Number
-from dhcli.notation.walk import rebuild, substitute, walk
+from dhcli.notation.walk import parted, rebuild, substitute, walk
 from dhcli.notation.writer import write
 
 MOST_OFF = 0.05
@@ -29,14 +28,7 @@ REST = 1e-12
 
 
 def mark_symbols(question: Wanted, truth: Truth, entries: Entries, memo: Memo) -> Mark:
-    """Judge an answer in expressions, entry by entry; what stands in many answers of a class is judged once.
-
-    Args:
-        question: The question.
-        truth: The right answer.
-        entries: The answer as read, in the shape of the question.
-        memo: The exercise, for its values and its way of writing.
-    """
+    """Judge an answer in expressions, entry by entry; what stands in many answers of a class is judged once."""
 
     def judged(entry: Entry, place: tuple[int, int]) -> CellMark:
         made = partial(_cell, question, truth, entry, place, memo.exercise)
@@ -94,9 +86,7 @@ def is_exactly(typed: Expr, right: Expr, exercise: Exercise) -> bool:
 
 def put(expr: Expr, values: Mapping[str, Value]) -> Expr:
     """An expression with given values in the place of their names."""
-    lengths = {name: value for name, value in values.items() if isinstance(value, Expr)}
-    angles = {name: value for name, value in values.items() if isinstance(value, Angle)}
-    return substitute(expr, lengths, angles)
+    return substitute(expr, *parted(values))
 
 
 def _cell(question: Wanted, truth: Truth, entry: Entry, place: tuple[int, int], exercise: Exercise) -> CellMark:

@@ -22,7 +22,7 @@ from dhcli.kinematics.moves import Chain, angle_names, expressions, inverse, nam
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import numbers
 from dhcli.notation.tree import Expr, Number, Symbol, number
-from dhcli.notation.walk import symbols, walk
+from dhcli.notation.walk import symbols_in, walk
 
 N = TypeVar("N")
 
@@ -54,10 +54,6 @@ class Truth:
 
 def truth_of(question: Wanted, case: Case) -> Truth:
     """The right answer to a question about a matrix, computed once.
-
-    Args:
-        question: The question.
-        case: Where it is asked, for the robot and the values given.
 
     Raises:
         RobotError: The question needs a robot and the exercise has none.
@@ -198,7 +194,7 @@ def names_in(question: Wanted) -> frozenset[str]:
 
 
 def _point_names(question: Wanted) -> frozenset[str]:
-    return frozenset().union(*(symbols(expr) for expr in question.point))
+    return symbols_in(question.point)
 
 
 def _size(chain: Chain, question: Wanted, exercise: Exercise, values: Mapping[str, Value]) -> float:

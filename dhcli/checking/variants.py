@@ -61,12 +61,6 @@ def vary(judge: Judge, seed: str) -> Judge:
 def variant_of(judge: Judge, asked: str | None, written: str = "", sheet: str = "") -> Judge:
     """The exercise with the numbers that were asked for, or that a sheet was written with; as it is by neither.
 
-    Args:
-        judge: The judge of the exercise.
-        asked: The seed that was typed.
-        written: The seed that stands on a sheet.
-        sheet: What to call the sheet.
-
     Raises:
         DhcliError: The two differ, or see `vary`.
     """
@@ -77,11 +71,7 @@ def variant_of(judge: Judge, asked: str | None, written: str = "", sheet: str = 
 
 
 def hidden_by_numbers(drawn: Judge, judge: Judge) -> Unclear:
-    """The mistakes that a draw does not show though others do.
-
-    Args:
-        drawn: A draw of the exercise.
-        judge: The exercise with the numbers of its file.
+    """The mistakes that a draw does not show though others do, such as the numbers of the file.
 
     Returns:
         Each as the name of a part and that of a slip; not those that the question hides whatever the numbers are.

@@ -19,7 +19,7 @@ from dhcli.kinematics.conventions import ORDER
 from dhcli.kinematics.entries import DIGITS, rounded
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.forward import in_numbers, put_in, textbook_form
-from dhcli.kinematics.frames import View, between, frame
+from dhcli.kinematics.frames import View, between, span_of
 from dhcli.kinematics.moves import Chain, names, spelled
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import numbers
@@ -64,7 +64,7 @@ def matrix_steps(case: Case, question: Wanted) -> Iterator[Shown]:
 
 def _links(exercise: Exercise, robot: Robot, span: View) -> Iterator[Shown]:
     """Each link matrix, then the products from right to left, which keep the brackets small."""
-    first, last = (robot.frames.index(frame(robot, name)) for name in (span.start, span.end))
+    first, last = span_of(robot, span)
     low, high = min(first, last), max(first, last)
     yield Shown(ORDER[robot.convention] + _in_unit(exercise))
     for i in range(low, high):
@@ -108,7 +108,7 @@ def _values(exercise: Exercise, chain: Chain) -> str:
     """The values that go into a matrix of numbers."""
     if not exercise.numeric:
         return ""
-    unit = "" if exercise.unit == "none" else exercise.unit
+    unit = exercise.behind.strip()
     wanted = sorted(names(chain) & exercise.values.keys(), key=natural_key)
     listed = ", ".join(f"{name} = {value_text(exercise.values[name], unit)}" for name in wanted)
     return f", with {listed}" if listed else ""

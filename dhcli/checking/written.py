@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot, Value
-from dhcli.notation.names import GREEK_NAMES, parts
+from dhcli.notation.names import is_greek
 from dhcli.notation.scope import Scope
 
 
@@ -54,7 +54,7 @@ class Range:
 def answer_scope(robot: Robot | None, extra: tuple[str, ...]) -> Scope:
     """The scope of a robot with further names, whose Greek ones are angles; open where there is neither."""
     if robot is None:
-        angles = tuple(name for name in extra if _is_greek(name))
+        angles = tuple(name for name in extra if is_greek(name))
         return Scope(angles=angles, lengths=tuple(n for n in extra if n not in angles), is_open=not extra)
     own = robot.scope
     more = [name for name in extra if name not in own.names]
@@ -62,11 +62,7 @@ def answer_scope(robot: Robot | None, extra: tuple[str, ...]) -> Scope:
         return own
     return Scope(
         joints=own.joints,
-        angles=(*own.angles, *(name for name in more if _is_greek(name))),
-        lengths=(*own.lengths, *(name for name in more if not _is_greek(name))),
+        angles=(*own.angles, *(name for name in more if is_greek(name))),
+        lengths=(*own.lengths, *(name for name in more if not is_greek(name))),
         aliases=own.aliases,
     )
-
-
-def _is_greek(name: str) -> bool:
-    return parts(name)[0] in GREEK_NAMES

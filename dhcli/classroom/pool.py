@@ -78,7 +78,7 @@ def spread(
             _hire(team, work, needs)
         waiting = Waiting(tasks, alike)  # while they start
         while team:
-            spoken = _listen(team)
+            spoken = wait([worker.pipe for worker in team], _patience(team))
             for worker in tuple(team):
                 if worker.pipe not in spoken and monotonic() < worker.deadline:
                     continue
@@ -232,11 +232,6 @@ def _serve(
         pipe.send(None)
         while True:
             pipe.send(work(pipe.recv()))
-
-
-def _listen(team: Sequence[_Worker]) -> Sequence[object]:
-    """The pipes of those who have spoken before the next deadline."""
-    return wait([worker.pipe for worker in team], _patience(team))
 
 
 def _patience(team: Sequence[_Worker]) -> float | None:

@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 import os
+import signal
 import sys
-from collections.abc import Sequence
+import threading
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from types import FrameType
 
 from dhcli.cli.shell.console import GuardedStream, complain, finish
-from dhcli.cli.shell.signals import ending_in_order
 from dhcli.errors import DhcliError, ExitStatus, Place, Problem
 
 INSTEAD = {"--force": "--overwrite", "--symbolic": "--derive", "-s": "--derive", "--rows": "--in FILE"}
 """What some commands have instead of an option that is typed in vain."""
 
 BUGS = "please report it with the command you typed; DHCLI_DEBUG=1 shows where it happened"
+_STATUS = {"SIGTERM": ExitStatus.TERMINATED, "SIGHUP": ExitStatus.HUNG_UP}
+"""The signals that ask a process to end, where the system has them, and the exit code that each leads to."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -102,7 +107,30 @@ def usage_problem(error: Exception) -> Problem:
         message = f"{path} needs {message.removeprefix('Missing argument ')}"
         if missing is not None and getattr(missing, "help", None):
             meant = missing.help.rstrip(".")
-            meant = meant if meant[:2].isupper() else meant[0].lower() + meant[1:]
+            meant = meant if meant[1:2].isupper() else meant[0].lower() + meant[1:]
             hint = f"{missing.make_metavar(context)} is {meant}; {hint}"
     message = message.replace("a valid int range", "a whole number").replace("a valid integer range", "a whole number")
     return Problem(message[:1].lower() + message[1:], Place(""), hint)
+
+
+@contextmanager
+def ending_in_order() -> Iterator[None]:
+    """Raise `SystemExit` when a signal asks for it; one that is ignored (`nohup`) or has a handler stays as it is."""
+    if threading.current_thread() is not threading.main_thread():  # only there may Python set handlers
+        yield
+        return
+    known = {getattr(signal, name): status for name, status in _STATUS.items() if hasattr(signal, name)}
+    taken = [number for number in known if signal.getsignal(number) is signal.SIG_DFL]
+
+    def end(number: int, _: FrameType | None) -> None:
+        for each in taken:  # what is cleaned up now must not be stopped again; SIGKILL and Ctrl-C still can
+            signal.signal(each, signal.SIG_IGN)
+        raise SystemExit(known[number])
+
+    for number in taken:
+        signal.signal(number, end)
+    try:
+        yield
+    finally:
+        for number in taken:
+            signal.signal(number, signal.SIG_DFL)

@@ -6,16 +6,18 @@ that twenty checks at once are twenty tries; where a system cannot hold folders,
 
 from __future__ import annotations
 
+import errno
 import json
 import os
-from collections.abc import Callable, Iterable, Mapping
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 
 from dhcli.checking.verdicts import WORST_FIRST, Verdict
-from dhcli.errors import FileError
-from dhcli.files.holding import held
+from dhcli.errors import FileError, Place, Problem
 from dhcli.files.reading import read_text
 from dhcli.frozen import frozen
 from dhcli.storage.atomic import write_whole
@@ -24,6 +26,10 @@ from dhcli.storage.home import user_folder
 FORMAT = 1
 ORDER = (Verdict.SKIPPED.word, *(verdict.word for verdict in WORST_FIRST if verdict is not Verdict.SKIPPED))
 """Verdicts from worst to best; what was never tried is worst."""
+PATIENCE = 5.0
+"""Seconds after which somebody who holds a folder is taken for stuck; a change takes a few thousandths of one."""
+_PAUSE = 0.005
+_IS_HELD = {errno.EAGAIN, errno.EACCES}
 
 
 @frozen
@@ -159,3 +165,48 @@ def _set_aside(path: Path) -> str:
     except OSError as error:
         return f"{path} could not be read, nor set aside: {error.strerror}; progress is neither shown nor saved"
     return f"{path} could not be read and was set aside as {aside.name}; progress starts anew"
+
+
+@contextmanager
+def held(folder: Path) -> Iterator[None]:
+    """Hold a folder that exists.
+
+    Raises:
+        FileError: Somebody else does, and does not let go.
+    """
+    descriptor = _opened(folder)
+    if descriptor is None:
+        yield
+        return
+    try:
+        _lock(descriptor, folder)
+        yield
+    finally:
+        os.close(descriptor)  # which lets go
+
+
+def _opened(folder: Path) -> int | None:
+    """The folder as something that can be held; None where there is no such thing."""
+    try:
+        return os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
+    except (AttributeError, OSError):  # Windows knows no O_DIRECTORY
+        return None
+
+
+def _lock(descriptor: int, folder: Path) -> None:
+    try:
+        from fcntl import LOCK_EX, LOCK_NB, flock
+    except ImportError:
+        return
+    until = time.monotonic() + PATIENCE
+    while True:
+        try:
+            flock(descriptor, LOCK_EX | LOCK_NB)
+        except OSError as error:
+            if error.errno not in _IS_HELD:
+                return  # this disk cannot
+            if time.monotonic() > until:
+                raise FileError(Problem("is held by another dhcli", Place(str(folder)))) from None
+            time.sleep(_PAUSE)
+        else:
+            return

@@ -14,6 +14,21 @@ from dhcli.errors import FileError, Place, Problem, nearest
 LIMIT = 256_000
 _STANDARD_INPUT = "standard input"
 _NEIGHBOURS = 1000
+_UTF_16 = ("is written in UTF-16", "save it as UTF-8")
+_OTHERS = {
+    b"\xff\xfe": _UTF_16,
+    b"\xfe\xff": _UTF_16,
+    b"\x1f\x8b": ("is compressed by gzip", "gunzip takes it out of that"),
+    b"PK\x03\x04": ("is a ZIP archive, as .xlsx and .npz are", "save a table as CSV, an array with np.save"),
+    b"\xd0\xcf\x11\xe0": ("is an old spreadsheet or document", "save a table as CSV"),
+    b"\x93NUMPY": ("is an array of numpy, and text is wanted", ""),
+    b"MATLAB 5.0": ("is a MAT file", "writematrix(Q, 'q.csv') writes a table"),
+    b"\x89HDF": ("is an HDF5 file", "save a table as CSV, an array with np.save"),
+    b"%PDF": ("is a PDF", ""),
+}
+"""What is no text shows in its first bytes: what it is, and what would be right."""
+_FIRST = 40
+"""Bytes of which every second one is NUL where text is written in UTF-16."""
 _NEAR = 0.75
 """How much of the letters a file name must share with the one that was typed, endings aside."""
 _FIRST_PRINTABLE_LATIN_1 = 0xA1
@@ -118,8 +133,8 @@ def decode(content: bytes, source: str, *, before: tuple[int, int] = (0, 0)) -> 
     Raises:
         FileError: They are not text in UTF-8; the place is that of the first byte that is none.
     """
-    if content.startswith((b"\xff\xfe", b"\xfe\xff")):
-        raise FileError(Problem("is written in UTF-16", Place(source), "save it as UTF-8"))
+    if before == (0, 0) and (told := _no_text(content)):
+        raise FileError(Problem(told[0], Place(source), told[1]))
     if (at := content.find(b"\0")) >= 0:
         raise FileError(Problem(f"is not a text file: byte {before[0] + at + 1} is NUL", Place(source)))
     try:
@@ -136,6 +151,14 @@ def decode(content: bytes, source: str, *, before: tuple[int, int] = (0, 0)) -> 
         ) from None
     text = text.removeprefix("\ufeff")
     return text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text
+
+
+def _no_text(content: bytes) -> tuple[str, str] | None:
+    """What the first bytes of a file show it to be instead of text, and what would be right."""
+    halves = content[0:_FIRST:2], content[1:_FIRST:2]
+    if all(halves) and any(map(any, halves)) and not all(map(any, halves)):
+        return _UTF_16
+    return next((told for sign, told in _OTHERS.items() if content.startswith(sign)), None)
 
 
 def _read_standard_input(limit: int) -> bytes:

@@ -9,7 +9,7 @@ from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
 from dhcli.errors import plural
-from dhcli.geometry.polar import nearest_rotation
+from dhcli.geometry.vectors import cross
 from dhcli.notation.tree import Expr, Number, number
 from dhcli.notation.walk import symbols, walk
 
@@ -21,6 +21,11 @@ SHARP = 1e-9
 
 Matrix: TypeAlias = list[list[float]]
 Rows: TypeAlias = Sequence[Sequence[Expr]]
+_ROUNDS = 30
+"""Averages: each of the last ones doubles the digits."""
+
+_FLAT = 1e-3
+"""Columns with a smaller determinant are nowhere near a rotation."""
 
 
 def digit_slack(rows: Rows) -> float:
@@ -74,3 +79,21 @@ def _entry(typed: Expr, value: float) -> Expr:
 def _distance(rows: Matrix) -> float:
     """How far a matrix is from orthonormal columns."""
     return max(abs(sum(rows[k][i] * rows[k][j] for k in range(3)) - (i == j)) for i in range(3) for j in range(i, 3))
+
+
+def nearest_rotation(rows: Sequence[Sequence[float]]) -> tuple[tuple[float, ...], ...] | None:
+    """The rotation nearest to nine numbers, shape (3, 3), or None where they are nearer to a reflection or flat.
+
+    The matrix is averaged with its inverse's transpose until nothing changes.
+    Source: N. J. Higham, Computing the polar decomposition, SIAM J. Sci. Stat. Comput. 7, 1986.
+    """
+    now = tuple(tuple(row[:3]) for row in rows[:3])
+    for _ in range(_ROUNDS):
+        a, b, c = now
+        cofactors = (cross(b, c), cross(c, a), cross(a, b))
+        size = sum(x * y for x, y in zip(a, cofactors[0], strict=True))
+        if not size > _FLAT:
+            return None
+        pairs = zip(now, cofactors, strict=True)
+        now = tuple(tuple((x + y / size) / 2 for x, y in zip(one, other, strict=True)) for one, other in pairs)
+    return now

@@ -102,7 +102,7 @@ class Rigid:
 
     def inverse(self) -> Rigid:
         """The motion that undoes this one."""
-        return Rigid.of(inverse(self.motion, _dot))
+        return Rigid.of(inverse(self.motion, dot))
 
     def angle_about(self, axis: Vector) -> float:
         """Angle of the rotation about a unit axis that comes nearest."""
@@ -115,8 +115,3 @@ class Rigid:
         return max(
             abs(x - y) for row, unit in zip(self.rows, UNITS, strict=True) for x, y in zip(row, unit, strict=True)
         )
-
-
-def _dot(row: Sequence[float], column: Sequence[float]) -> float:
-    """As `motion.dot`, for numbers of which none is structural."""
-    return row[0] * column[0] + row[1] * column[1] + row[2] * column[2]

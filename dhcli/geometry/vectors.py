@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import TypeAlias
 
 Vector: TypeAlias = tuple[float, float, float]
@@ -11,12 +12,12 @@ ORIGIN: Vector = (0.0, 0.0, 0.0)
 UNITS: tuple[Vector, Vector, Vector] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
-def dot(a: Vector, b: Vector) -> float:
+def dot(a: Sequence[float], b: Sequence[float]) -> float:
     """Scalar product."""
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
-def cross(a: Vector, b: Vector) -> Vector:
+def cross(a: Sequence[float], b: Sequence[float]) -> Vector:
     """Vector product."""
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
@@ -53,3 +54,19 @@ def angle_about(axis: Vector, start: Vector, end: Vector) -> float:
     """Angle about a unit axis that turns one vector into the half-plane of another; 0 where that says nothing."""
     start, end = across(start, axis), across(end, axis)
     return math.atan2(dot(axis, cross(start, end)), dot(start, end))
+
+
+def facing(direction: Sequence[float]) -> tuple[tuple[float, float, float], ...]:
+    """A rotation whose z axis has a direction, shape (3, 3); x is square to it and to the axis it is farthest from.
+
+    Args:
+        direction: Three parts, not all of them 0.
+    """
+    size = math.hypot(*direction)
+    a, b, c = direction
+    z = a / size, b / size, c / size
+    nearest = min(range(3), key=lambda i: abs(z[i]))
+    a, b, c = cross(UNITS[nearest], z)
+    length = math.hypot(a, b, c)
+    x = a / length, b / length, c / length
+    return tuple(zip(x, cross(z, x), z, strict=True))

@@ -10,13 +10,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
 from fractions import Fraction
 
-from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
-from dhcli.kinematics.derived import Value
+from dhcli.kinematics.derived import Value, in_floats, metres
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import value_text
-from dhcli.notation.tree import PI, Expr, Number, Symbol, add, multiply, number, power
+from dhcli.notation.tree import PI, Symbol, add, multiply, number, power
 from dhcli.notation.writer import write
 
 Fractions = tuple[Fraction, ...]
@@ -98,7 +97,7 @@ class Actuators:
             if slope and motor not in self.limits:
                 return None
             if slope:
-                ends = sorted(slope * size_of(limit) for limit in self.limits[motor])
+                ends = sorted(slope * in_floats(limit) for limit in self.limits[motor])
                 low, high = low + ends[0], high + ends[1]
         return low, high
 
@@ -162,16 +161,6 @@ class Actuators:
         return f"{exact_text(size, exact=exact)}*{called}"
 
 
-def size_of(value: Value) -> float:
-    """A constant in radians or metres."""
-    return value.constant() if isinstance(value, Angle) else float(metres(value))
-
-
-def metres(value: Expr) -> Fraction:
-    """A constant length; exactly where it is a plain number."""
-    return value.value if isinstance(value, Number) else Fraction(Floats().value(value))
-
-
 def total_text(pieces: Sequence[tuple[Fraction, str]]) -> str:
     """A sum of pieces, each with what gives its sign; those added stand first, those that are 0 are left out."""
     ordered = sorted((piece for piece in pieces if piece[0]), key=lambda piece: piece[0] < 0)
@@ -191,11 +180,7 @@ def exact_text(value: Fraction, *, exact: bool) -> str:
 
 
 def inverse(rows: Sequence[Fractions], names: Sequence[str]) -> tuple[Fractions, ...]:
-    """The inverse of a square matrix of fractions.
-
-    Args:
-        rows: The matrix.
-        names: What its rows are called.
+    """The inverse of a square matrix of fractions, whose rows have names for errors.
 
     Raises:
         RobotError: A row is a sum of multiples of others; it says which.

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from fractions import Fraction
 from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
 from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import DimensionError, to_angle, to_plain_length
-from dhcli.notation.tree import Expr
-from dhcli.notation.walk import substitute, symbols
+from dhcli.notation.tree import Expr, Number
+from dhcli.notation.walk import parted, substitute, symbols
 
 Value: TypeAlias = Angle | Expr
 """The value of a name: an exact angle, or an expression of lengths in metres."""
@@ -19,6 +20,11 @@ Value: TypeAlias = Angle | Expr
 def in_floats(value: Value) -> float:
     """A constant value in radians or metres."""
     return value.constant() if isinstance(value, Angle) else Floats().value(value)
+
+
+def metres(length: Value) -> Fraction:
+    """A constant length [m]; exact where it is a plain number."""
+    return length.value if isinstance(length, Number) else Fraction(in_floats(length))
 
 
 @frozen
@@ -76,8 +82,7 @@ def value_of(formula: Formula, values: Mapping[str, Value]) -> Value:
     Raises:
         DimensionError: It has no real value there, or mixes angles and lengths.
     """
-    lengths = {name: value for name, value in values.items() if isinstance(value, Expr)}
-    angles = {name: value for name, value in values.items() if isinstance(value, Angle)}
+    lengths, angles = parted(values)
     try:
         expr = substitute(formula.expr, lengths, angles)
         found: Value = to_angle(expr, bare="refuse").substitute(angles) if formula.is_angle else to_plain_length(expr)

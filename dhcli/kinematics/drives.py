@@ -7,8 +7,8 @@ from fractions import Fraction
 
 from dhcli.errors import RobotError, did_you_mean, plural
 from dhcli.frozen import frozen
-from dhcli.kinematics.actuators import ZERO, Actuators, inverse, size_of
-from dhcli.kinematics.derived import Value
+from dhcli.kinematics.actuators import ZERO, Actuators, inverse
+from dhcli.kinematics.derived import Value, in_floats
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import ANGLE_UNITS, LENGTH_UNITS
 from dhcli.notation.tree import Expr, Number, Power, Product, Sum, Symbol, Unit
@@ -33,12 +33,6 @@ class Drive:
 
 def read_drive(expr: Expr, motors: Sequence[str], joints: Sequence[str], *, turns: bool) -> Drive:
     """A joint in terms of motors: `m3 + m2`, `-m4/76.04`, `(m3 - m4) * 20 mm/(360°)`.
-
-    Args:
-        expr: The expression.
-        motors: The motors there are.
-        joints: The joints there are.
-        turns: Whether the joint turns.
 
     Raises:
         RobotError: It is no sum of multiples of motors, or a ratio is no number.
@@ -145,7 +139,7 @@ def actuators(
 
 
 def _check_limits(motor: str, limits: tuple[Value, Value] | None, *, turns: bool) -> None:
-    if limits is not None and size_of(limits[0]) >= size_of(limits[1]):
+    if limits is not None and in_floats(limits[0]) >= in_floats(limits[1]):
         raise RobotError(f"{motor}: the lower limit is not below the upper one", "write [lowest, highest]")
     for value in limits or ():
         if isinstance(value, Angle) != turns and value not in (Number(ZERO), Angle()):

@@ -25,14 +25,7 @@ def rounded(value: float, digits: int = DIGITS) -> str:
 def cells_of(
     rows: Sequence[Sequence[object]], joints: Joints, style: str = "short", digits: int = DIGITS
 ) -> tuple[tuple[str, ...], ...]:
-    """Entries as text: expressions in a notation, numbers rounded for people.
-
-    Args:
-        rows: Floats or expressions.
-        joints: How joint angles are written.
-        style: The notation.
-        digits: Decimals of a number.
-    """
+    """Entries as text: expressions in a notation, numbers rounded for people."""
     return tuple(
         tuple(write(e, style, joints) if isinstance(e, Expr) else rounded(float(e), digits) for e in row)  # type: ignore[arg-type]
         for row in rows

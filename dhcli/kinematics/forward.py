@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from functools import cache
 from typing import TYPE_CHECKING, cast
 
@@ -27,8 +28,8 @@ from dhcli.kinematics.values import (
     parameter_values,
     require,
 )
-from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO, Expr
+from dhcli.notation.walk import parted, symbols
 
 if TYPE_CHECKING:
     from dhcli.kinematics.recorded import Recording
@@ -185,10 +186,8 @@ def in_numbers(chain: Chain, values: Values) -> tuple[tuple[float, ...], ...]:
 
 def put_in(chain: Chain, values: Values) -> Chain:
     """A chain with exact values in the place of names."""
-    lengths = {name: value for name, value in values.items() if isinstance(value, Expr)}
-    angles = {name: value for name, value in values.items() if isinstance(value, Angle)}
     try:
-        return substituted(chain, lengths, angles)
+        return substituted(chain, *parted(values))
     except (OverflowError, ZeroDivisionError):
         raise RobotError("with these values a length is divided by zero or becomes too large") from None
 
@@ -198,7 +197,7 @@ def link_with(link: Link, values: Values, convention: Convention) -> Link:
     moves = put_in(link.moves, values)
     if link.row is None:
         return Link(link.number, moves)
-    angles = {name: value for name, value in values.items() if isinstance(value, Angle)}
+    _, angles = parted(values)
     lengths = put_in((Trans(link.row.a, link.row.d, ZERO),), values)[0]
     assert isinstance(lengths, Trans)  # noqa: S101  it keeps its kind
     row = Row(lengths.x, link.row.alpha.substitute(angles), lengths.y, link.row.theta.substitute(angles))
@@ -218,3 +217,27 @@ def factors(robot: Robot, link: Link, values: Values) -> tuple[Pose[Expr], ...]:
         Pose(fold((move,), TERMS), before, str(link.number), spelled(move, robot.writing), robot.writing)
         for move in put_in(link.moves, values)
     )
+
+
+def with_values(robot: Robot, values: Mapping[str, Value]) -> Robot:
+    """The robot with exact values in the place of lengths and constant angles; they are no parameters of it."""
+    base, tool = put_in(robot.base, values), put_in(robot.tool, values)
+    links = tuple(link_with(link, values, robot.convention) for link in robot.links)
+    tools = {name: put_in(chain, values) for name, chain in robot.tools.items()}
+    left = {name: value for name, value in robot.parameters.items() if name not in values}
+    derived = {name: how for name, how in robot.derived.items() if symbols(how.expr) | {name} <= left.keys()}
+    return replace(robot, links=links, base=base, tool=tool, tools=tools, parameters=left, derived=derived)
+
+
+def with_own_values(robot: Robot) -> Robot:
+    """The robot with the values of its lengths in their place.
+
+    Raises:
+        RobotError: A length has no value.
+    """
+    if lacking := [name for name, value in robot.parameters.items() if value is None]:
+        raise RobotError(
+            f"{', '.join(lacking)} {'has' if len(lacking) == 1 else 'have'} no value",
+            "numbers need one: --set NAME=VALUE",
+        )
+    return with_values(robot, robot.known)

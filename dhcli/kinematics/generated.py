@@ -107,8 +107,7 @@ def jacobian_function(
 
 def _put_in(robot: Robot, values: Values, *, with_values: bool) -> Values:
     """The values that are no arguments."""
-    own = {name: value for name, value in robot.parameters.items() if value is not None} if with_values else {}
-    return {**own, **values}
+    return {**robot.known, **values} if with_values else values
 
 
 def _function(

@@ -117,11 +117,5 @@ def is_real(results: NDArray[np.float64]) -> NDArray[np.bool_]:
 
 
 def numbered(rows: Sequence[int], kept: NDArray[np.bool_] | slice, said: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Rows of numbers, shape (N, width), with where each of them stands as the first number.
-
-    Args:
-        rows: Where they stood before some were left out.
-        kept: Which of them are still there.
-        said: Those, shape (N, width).
-    """
+    """Rows of numbers, shape (N, width), with where each of them stands as the first number."""
     return np.column_stack((np.array(rows)[kept], said))

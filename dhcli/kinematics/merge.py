@@ -43,7 +43,7 @@ def _partner(merged: list[Move], turn: Rot) -> int | None:
         move = merged[index]
         if isinstance(move, Trans):
             continue
-        if isinstance(move, Rot) and _along(axis, move) and _may_join(merged, index, turn):
+        if isinstance(move, Rot) and abs(axis[AXES.index(move.axis)]) == 1 and _may_join(merged, index, turn):
             if move.angle.quarter_turns() is None:
                 return index
             fallback = index
@@ -108,10 +108,6 @@ def _without_offset(move: Move) -> Move | None:
 def _unit(turn: Rot) -> tuple[int, int, int]:
     x, y, z = (int(name == turn.axis) for name in AXES)
     return x, y, z
-
-
-def _along(axis: tuple[int, int, int], turn: Rot) -> bool:
-    return abs(axis[AXES.index(turn.axis)]) == 1
 
 
 def _turned(move: Move, axis: tuple[int, int, int]) -> tuple[int, int, int] | None:

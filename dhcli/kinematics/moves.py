@@ -14,7 +14,7 @@ from dhcli.notation.products import in_order_of_motion, parse_factors
 from dhcli.notation.scope import OPEN, Scope
 from dhcli.notation.styles import THETAS, Joints
 from dhcli.notation.tree import PI, ZERO, Expr, Number, Symbol, add, multiply, negate, number
-from dhcli.notation.walk import substitute, symbols
+from dhcli.notation.walk import substitute, symbols, symbols_in
 from dhcli.notation.writer import write, write_angle
 
 
@@ -109,7 +109,7 @@ def inverse(chain: Chain) -> Chain:
 
 def substituted(chain: Chain, lengths: Mapping[str, Expr], angles: Mapping[str, Angle]) -> Chain:
     """The same chain with exact values in the place of names; an angle in a length, as a screw has it, in radians."""
-    inside = frozenset().union(*(symbols(expr) for expr in expressions(chain) if type(expr) is not Number))
+    inside = symbols_in(expr for expr in expressions(chain) if type(expr) is not Number)
     lengths = {**{name: in_radians(angles[name]) for name in inside & angles.keys()}, **lengths}
 
     def put(expr: Expr) -> Expr:
@@ -166,3 +166,28 @@ def spelled(move: Move, joints: Joints = THETAS) -> str:
 def product_text(chain: Chain) -> str:
     """A product of moves as a file spells it; nothing where there is none."""
     return " * ".join(spelled(move) for move in chain)
+
+
+def sharpened(chain: Chain, remarks: list[str] | None) -> Chain:
+    """A chain with the nearest rotations in the place of those that are printed with a few decimals.
+
+    Args:
+        chain: The moves; a matrix that is no rotation stays as it is.
+        remarks: Where to say so; None leaves the chain as it is.
+    """
+    if remarks is None:
+        return chain
+    return tuple(_sharp(move, remarks) if isinstance(move, Fixed) else move for move in chain)
+
+
+def _sharp(move: Fixed, remarks: list[str]) -> Move:
+    from dhcli.geometry.orthonormal import not_a_rotation  # most robots have no literal matrix
+    from dhcli.geometry.printed import sharp_rows
+
+    if not_a_rotation(move.rows):
+        return move
+    rows, remark = sharp_rows(move.rows)
+    if not remark:
+        return move
+    remarks.append(remark)
+    return Fixed(tuple((row[0], row[1], row[2], row[3]) for row in rows))

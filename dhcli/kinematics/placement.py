@@ -67,11 +67,7 @@ LISTED = "rpy, axis-angle, quaternion, rotation-vector, position, matrix, zyz an
 
 
 def placements(pose: Pose[float] | Pose[Expr], forms: Iterable[str]) -> dict[str, Placement]:
-    """A pose said in each of several ways.
-
-    Args:
-        pose: The pose.
-        forms: Names among `FORMS`.
+    """A pose said in each of several ways, which are names among `FORMS`.
 
     Raises:
         UnknownNameError: There is no such form.

@@ -11,11 +11,11 @@ from dhcli.algebra.floats import Floats
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
 from dhcli.geometry.motion import dot, inverse, product
-from dhcli.kinematics.coordinates import are_floats, coordinates, float_coordinates, rows_of
 from dhcli.kinematics.entries import DIGITS, cells_of, in_columns, latex_of
+from dhcli.kinematics.given import are_floats, coordinates, float_coordinates, rows_of
 from dhcli.notation.styles import THETAS, Joints, identifier
 from dhcli.notation.tree import Expr
-from dhcli.notation.walk import symbols
+from dhcli.notation.walk import symbols_in
 
 if TYPE_CHECKING:
     import numpy as np
@@ -146,7 +146,7 @@ class Pose(Generic[N]):
         if not self.is_symbolic:
             return self  # type: ignore[return-value]
         entries = [entry for row in self.rows for entry in row if isinstance(entry, Expr)]
-        if free := sorted(frozenset().union(*map(symbols, entries))):
+        if free := sorted(symbols_in(entries)):
             hint = "forward(robot, q) gives numbers, and to_sympy() keeps the symbols"
             raise RobotError(f"{self.name} is in symbols: {', '.join(free)}", hint)
         floats = Floats()
@@ -243,7 +243,7 @@ class Pose(Generic[N]):
         from dhcli.notation.tree import Symbol
 
         entries = [entry for row in self.rows for entry in row if isinstance(entry, Expr)]
-        return {identifier(name): to_sympy(Symbol(name)) for name in sorted(frozenset().union(*map(symbols, entries)))}
+        return {identifier(name): to_sympy(Symbol(name)) for name in sorted(symbols_in(entries))}
 
     def cells(self, style: str = "short", digits: int = DIGITS) -> tuple[tuple[str, ...], ...]:
         """The entries as text, shape (4, 4): expressions in a notation, numbers rounded for people."""

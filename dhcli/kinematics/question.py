@@ -18,7 +18,7 @@ from dhcli.kinematics.robot import Link, Robot
 from dhcli.kinematics.values import Values, require
 from dhcli.notation.quarters import right_angles_among
 from dhcli.notation.tree import Expr
-from dhcli.notation.walk import symbols
+from dhcli.notation.walk import symbols_in
 
 if TYPE_CHECKING:  # what only some questions need is imported when they are asked
     from dhcli.kinematics.placement import Placement
@@ -98,11 +98,6 @@ class ForwardKinematics:
 def answer(robot: Robot, values: Values, question: Question) -> ForwardKinematics:
     """Answer a question about a robot.
 
-    Args:
-        robot: The robot.
-        values: Values of joints and parameters; in numbers, all that the chain needs.
-        question: The question.
-
     Raises:
         RobotError: A value is missing, or beyond what a float can hold.
         UnknownNameError: The robot has no such frame or link.
@@ -148,14 +143,7 @@ class _Folding:
 
 
 def folded(chain: Chain, start: str, end: str, *, symbolic: bool, values: Values | None = None) -> AnyPose:
-    """The pose at the end of a chain.
-
-    Args:
-        chain: The moves.
-        start: The frame they start from.
-        end: The frame they reach.
-        symbolic: Whether to compute in terms; else in floats.
-        values: Values of names, for floats.
+    """The pose at the end of a chain, in terms or else in floats.
 
     Raises:
         RobotError: An entry is not a real number, or beyond what a float can hold.
@@ -216,7 +204,7 @@ def _listed(fold_chain: _Folding, question: Question, links: tuple[Link, ...], v
 
 def _seen(fold_chain: _Folding, view: View, point: Point) -> SeenPoint:
     """A point of the frame described, seen from the other."""
-    free = frozenset().union(*map(symbols, point)) - fold_chain.values.keys()
+    free = symbols_in(point) - fold_chain.values.keys()
     if not fold_chain.symbolic and (unknown := sorted(free - fold_chain.robot.angles - {*fold_chain.robot.variables})):
         raise RobotError(f"{', '.join(unknown)} of the point has no value", "write numbers, or ask with --symbolic")
     pose = fold_chain((*view.chain(fold_chain.robot), Trans(*point)), view.reference, view.frame)

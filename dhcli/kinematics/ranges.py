@@ -8,7 +8,7 @@ from typing import Literal, TypeAlias
 
 from dhcli.errors import NotationError, Place, Problem, RobotError
 from dhcli.frozen import frozen
-from dhcli.kinematics.derived import in_floats
+from dhcli.kinematics.derived import metres
 from dhcli.kinematics.robot import Value
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import UNITS
@@ -127,11 +127,6 @@ def total(first: Value, second: Value) -> Value:
 def times(value: Value, factor: Fraction | int) -> Value:
     """A multiple of a constant value."""
     return value * factor if isinstance(value, Angle) else _length(metres(value) * factor)
-
-
-def metres(length: Value) -> Fraction:
-    """A constant length [m]; exact where it is a fraction."""
-    return length.value if isinstance(length, Number) else Fraction(in_floats(length))
 
 
 def _length(amount: Fraction) -> Number:

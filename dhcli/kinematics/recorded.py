@@ -33,13 +33,7 @@ _KEPT: deque[tuple[ref[Robot], Hashable]] = deque()
 
 
 def kept(robot: Robot, key: Hashable, make: Callable[[], T]) -> T:
-    """What was made for a robot before, or is made now and kept with it until `MOST` others came after it.
-
-    Args:
-        robot: The robot.
-        key: What is asked for.
-        make: Makes it.
-    """
+    """What was made for a robot before, or is made now and kept with it until `MOST` others came after it."""
     memory = robot.recorded
     found = memory.get(key)
     if found is None:

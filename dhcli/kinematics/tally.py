@@ -23,11 +23,7 @@ _ROWS_IN_ONE = 64
 
 
 class Tally:
-    """Counts rows of joint values that a person would be warned about one by one.
-
-    Attributes:
-        rows: Rows seen.
-    """
+    """Counts rows of joint values that a person would be warned about one by one."""
 
     def __init__(self, robot: Robot) -> None:
         """Count nothing yet."""

@@ -11,16 +11,27 @@ from dhcli.algebra.floats import Floats
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean
 from dhcli.frozen import frozen
 from dhcli.geometry.orthonormal import not_a_rotation
-from dhcli.geometry.polar import nearest_rotation
+from dhcli.geometry.printed import nearest_rotation
 from dhcli.geometry.words import in_words
 from dhcli.kinematics.forward import put_in
 from dhcli.kinematics.frames import Point
-from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans, angle_names, expressions, from_factor, names, spelled
+from dhcli.kinematics.moves import (
+    Chain,
+    Fixed,
+    Move,
+    Rot,
+    Trans,
+    angle_names,
+    expressions,
+    from_factor,
+    names,
+    sharpened,
+    spelled,
+)
 from dhcli.kinematics.placement import Placement, locked_warnings, placements
 from dhcli.kinematics.pose import Pose
 from dhcli.kinematics.question import AnyPose, SeenPoint, folded
 from dhcli.kinematics.robot import Value
-from dhcli.kinematics.sharpened import sharpened
 from dhcli.notation.factors import Factor
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
@@ -229,11 +240,6 @@ def values_for(product: Product, settings: Mapping[str, str], place: Place) -> d
 
 def compose(product: Product, values: Mapping[str, Value], wanted: Wanted) -> Transform:
     """Compose moves, in numbers where every name has a value.
-
-    Args:
-        product: The moves in the order typed.
-        values: Values of names.
-        wanted: What to find out.
 
     Raises:
         RobotError: An entry is not a real number, or there are too many moves for formulas.

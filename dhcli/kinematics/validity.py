@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from dhcli.algebra.floats import Floats
-from dhcli.errors import Problem, RobotError, did_you_mean
+from dhcli.errors import Problem, RobotError, did_you_mean, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.derived import Value, in_floats
 from dhcli.kinematics.description import Description, Link
@@ -15,11 +15,13 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.derivative import derivative
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import RESERVED
-from dhcli.notation.quantity import UNITS, is_affine
+from dhcli.notation.quantity import UNITS, is_affine, value_text
 from dhcli.notation.scope import trig_name
 from dhcli.notation.tokens import is_name
 from dhcli.notation.tree import Expr, Number, Trig
 from dhcli.notation.walk import symbols, walk
+
+A_NAME = "write letters from a to z or Greek ones, with digits or an index: elbow_1, l_x"
 
 
 @frozen
@@ -61,9 +63,23 @@ def check(robot: Description) -> None:
     Raises:
         InvalidRobotError: With all findings.
     """
-    found = (*_names(robot), *_shorthand(robot), *_links(robot), *_frames(robot), *_limits(robot), *_poses(robot))
-    if found:
+    if found := tuple(findings(robot)):
         raise InvalidRobotError(robot.name, found)
+
+
+def findings(robot: Description, doubtful: frozenset[str] = frozenset()) -> Iterator[Finding]:
+    """Every broken rule.
+
+    Args:
+        robot: What is described.
+        doubtful: Variables that move no link as far as it could be read, and may move one all the same.
+    """
+    yield from _names(robot)
+    yield from _shorthand(robot)
+    yield from _links(robot, doubtful)
+    yield from _frames(robot)
+    yield from _limits(robot)
+    yield from _poses(robot)
 
 
 def _names(robot: Description) -> Iterator[Finding]:
@@ -72,9 +88,7 @@ def _names(robot: Description) -> Iterator[Finding]:
         for index, name in enumerate(listed):
             where = (section, index if section == "variables" else name)
             if not is_name(name):
-                yield Finding(
-                    where, f"{name!r:.60} is not a name", "write letters, with digits or an index: elbow_1, l_x"
-                )
+                yield Finding(where, f"{name!r:.60} is not a name", A_NAME)
             elif name in RESERVED or name in UNITS:
                 yield Finding(where, f"{name} has a meaning of its own", "choose another name")
             if canonical(name) in seen:
@@ -89,9 +103,9 @@ def _shorthand(robot: Description) -> Iterator[Finding]:
             yield Finding(("parameters", name), f"{name} is short for {others[0]} here", "choose another name")
 
 
-def _links(robot: Description) -> Iterator[Finding]:
+def _links(robot: Description, doubtful: frozenset[str]) -> Iterator[Finding]:
     used: dict[str, int] = {}
-    idle = _idle(robot)
+    idle = _idle(robot) - doubtful
     declared = {*robot.variables, *robot.parameters}
     for index, link in enumerate(robot.links):
         inside = names(link.moves)
@@ -189,14 +203,16 @@ def _limits(robot: Description) -> Iterator[Finding]:
             continue
         yield from _kind(where, name, kinds.get(name, ""), (low, high))
         if in_floats(low) >= in_floats(high):
-            yield Finding(where, "the lower limit is not below the upper one", "write [lowest, highest]")
+            swapped = f"[{value_text(high)}, {value_text(low)}]" if in_floats(low) > in_floats(high) else ""
+            hint = f"write {swapped or '[lowest, highest]'}"
+            yield Finding(where, "the lower limit is not below the upper one", hint)
 
 
 def _poses(robot: Description) -> Iterator[Finding]:
     kinds = _kinds(robot)
     for pose, values in robot.poses.items():
         if len(values) != len(robot.variables):
-            message = f"{len(values)} values for {len(robot.variables)} joints"
+            message = f"{plural(len(values), 'value')} for {plural(len(robot.variables), 'joint')}"
             yield Finding(("poses", pose), message, "one for each of " + ", ".join(robot.variables))
             continue
         for name, value in zip(robot.variables, values, strict=True):

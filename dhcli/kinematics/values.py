@@ -19,7 +19,7 @@ from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import Bare, DimensionError, to_angle, to_plain_length
 from dhcli.notation.scope import Scope
-from dhcli.notation.tree import Expr, Number
+from dhcli.notation.tree import Expr, decimal
 from dhcli.notation.walk import symbols
 from dhcli.regex import regex
 
@@ -238,13 +238,8 @@ def _value(robot: Description, name: str, value: float | str | Value, bare: Bare
         raise RobotError(Problem(f"{name} = {number} is not a number that a joint can have", place))
     exact = Fraction(repr(number))  # 0.1 is a tenth, as it was typed, and not the binary fraction nearest to it
     if name not in robot.angles:
-        return Number(exact, _places(exact))
+        return decimal(exact)
     return Angle(degrees=exact) if bare == "deg" else Angle(radians=exact)
-
-
-def _places(value: Fraction) -> int | None:
-    """Decimal places that a decimal fraction needs; None for a whole number."""
-    return None if value.denominator == 1 else value.denominator.bit_length() - 1
 
 
 def _parameter(robot: Description, name: str, place: Place | None) -> str:

@@ -16,6 +16,7 @@ from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.limits import is_within_limits
 from dhcli.kinematics.validity import Finding
 from dhcli.kinematics.values import symbols_of
+from dhcli.lint import lengths
 from dhcli.lint.kept import kept
 from dhcli.lint.mistakes import typed
 from dhcli.lint.wording import unfinished
@@ -40,8 +41,9 @@ PASSED = (Verdict.RIGHT.word, Verdict.EQUIVALENT.word)
 def written(exercise: Exercise) -> Iterator[Finding]:
     """Every broken rule about what stands in the file, for which nothing is judged."""
     yield from _texts(exercise)
+    yield from lengths.of_exercise(exercise)
     for part in exercise.asked:
-        yield from _help(part, ("parts", part.id))
+        yield from _help(part, ("parts", part.index))
     verdicts = {trial.verdict for trial in exercise.trials}
     for verdict in (Verdict.RIGHT, Verdict.WRONG):
         if verdict.word not in verdicts and exercise.asked:
@@ -56,7 +58,7 @@ def findings(judge: Judge) -> Iterator[Finding]:
     yield from _within_limits(exercise)
     yield from _picture(exercise)
     for part in exercise.asked:
-        yield from kept(_of_part(judge, part, ("parts", part.id)), ("parts", part.id), part.id)
+        yield from kept(_of_part(judge, part, ("parts", part.index)), ("parts", part.index), part.id)
     tolerances = tuple(_tolerances(exercise))
     yield from tolerances
     if not tolerances:  # else tests fail that are right
@@ -105,8 +107,8 @@ def _texts(exercise: Exercise) -> Iterator[Finding]:
     texts = {where: text for where, text in texts.items() if text}  # what is not there was told by the loader
     for part in exercise.parts:
         if part.prompt:
-            texts["parts", part.id, "prompt"] = part.prompt
-        texts |= {("parts", part.id, "hints", k, "hint"): hint for k, hint in enumerate(part.hints)}
+            texts["parts", part.index, "prompt"] = part.prompt
+        texts |= {("parts", part.index, "hints", k, "hint"): hint for k, hint in enumerate(part.hints)}
     yield from unfinished(texts)
 
 
@@ -124,7 +126,7 @@ def _blank_sheet(judge: Judge) -> Iterator[Finding]:
     """Whoever hands in nothing has solved nothing."""
     for one in judge.sheet({part.id: "_" for part in judge.exercise.parts}).parts:
         if one.mark.verdict is not Verdict.SKIPPED or one.mark.earned:
-            yield Finding(("parts", one.part.id), f"{one.part.id}: a blank answer is judged {one.mark.verdict.word}")
+            yield Finding(("parts", one.part.index), f"{one.part.id}: a blank answer is judged {one.mark.verdict.word}")
 
 
 def _help(part: Part, where: tuple[str | int, ...]) -> Iterator[Finding]:
@@ -183,9 +185,10 @@ def _wrong(judged: Mark) -> str:
 
 def _trials(judge: Judge) -> Iterator[Finding]:
     exercise = judge.exercise
+    asked = {part.id for part in exercise.asked}
     for index, trial in enumerate(exercise.trials):
-        if exercise.part(trial.part).withdrawn:
-            continue
+        if trial.part not in asked:
+            continue  # it was withdrawn, or there is none, which is told
         try:
             answer = typed(judge, trial)
         except DhcliError as error:

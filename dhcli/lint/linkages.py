@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from dhcli.kinematics.validity import Finding
+from dhcli.lint import lengths
 from dhcli.lint.wording import unfinished
 from dhcli.mobility.counting import Counts
 from dhcli.mobility.finding import analyse
@@ -18,6 +19,7 @@ def findings(linkage: Linkage | Counts) -> Iterator[Finding]:
     if isinstance(linkage, Counts):
         return
     yield from unfinished({("source",): linkage.source})
+    yield from lengths.of_linkage(linkage)
     if not linkage.is_placed:
         return
     try:

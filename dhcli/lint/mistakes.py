@@ -34,7 +34,7 @@ def typed(judge: Judge, trial: Trial) -> str:
 def findings(judge: Judge) -> Iterator[Finding]:
     """What the pose of an exercise in numbers hides, with a pose that shows it; an error where it is half of all."""
     for part in judge.exercise.asked if judge.exercise.numeric else ():
-        yield from kept(_hidden(judge, part, ("parts", part.id)), ("parts", part.id), part.id)
+        yield from kept(_hidden(judge, part, ("parts", part.index)), ("parts", part.index), part.id)
 
 
 def _hidden(judge: Judge, part: Part, where: tuple[str | int, ...]) -> Iterator[Finding]:

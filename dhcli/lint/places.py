@@ -5,15 +5,21 @@ from __future__ import annotations
 from dhcli.errors import Place
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
 
+IN_PLACE_OF = {"links": ("links", "axes", "screws"), "joints": ("joints", "chain", "bars", "loop")}
+"""Keys of which a file has one: what a rule calls the links of a robot, or the joints of a linkage."""
+
 
 def place_in(root: PlacedNode, where: tuple[str | int, ...]) -> Place:
     """The place of what a path leads to, or of the nearest thing above it that the file has.
 
     Args:
         root: The tree of a file.
-        where: Keys of mappings, and positions or ids in lists, such as ("parts", "tip", "hints", 0).
+        where: Keys of mappings, and positions in lists, such as ("parts", 2, "hints", 0); for the links of a
+            robot its axes or screws may stand in the file.
     """
     place = root.place
+    if where and (forms := IN_PLACE_OF.get(str(where[0]))):
+        where = (next((key for key in forms if _below(root, key)), where[0]), *where[1:])
     for step in where:
         found = _below(root, step)
         if found is None:
@@ -32,7 +38,7 @@ def path_to(root: PlacedNode, place: Place) -> tuple[str | int, ...]:
         if isinstance(inner, PlacedMapping):
             steps = [(key.text, key.place, value) for key, value in inner.entries]
         elif isinstance(inner, PlacedSequence):
-            steps = [(_id_of(item) or k, item.place, item) for k, item in enumerate(inner.items)]
+            steps = [(k, item.place, item) for k, item in enumerate(inner.items)]
         before = [step for step in steps if step[1].order <= place.order]
         path += [before[-1][0]] if before else []
         inner = before[-1][2] if before else None
@@ -42,21 +48,9 @@ def path_to(root: PlacedNode, place: Place) -> tuple[str | int, ...]:
 def _below(node: PlacedNode, step: str | int) -> tuple[Place | None, PlacedNode] | None:
     """What stands one step below, with the place of its key if it has one."""
     if isinstance(node, PlacedSequence):
-        named = step if isinstance(step, int) else _position(node, step)
-        return (None, node.items[named]) if named < len(node.items) else None
+        return (None, node.items[step]) if isinstance(step, int) and step < len(node.items) else None
     entries = node.entries if isinstance(node, PlacedMapping) else ()
     return next(((key.place, value) for key, value in entries if key.text == step), None)
-
-
-def _position(node: PlacedSequence, name: str) -> int:
-    """Where in a list the item with an id stands; beyond its end if there is none."""
-    return next((k for k, item in enumerate(node.items) if _id_of(item) == name), len(node.items))
-
-
-def _id_of(item: PlacedNode) -> str:
-    """The id of an item of a list; empty if it has none."""
-    below = _below(item, "id") if isinstance(item, PlacedMapping) else None
-    return below[1].text if below and isinstance(below[1], PlacedScalar) else ""
 
 
 def _is_short(node: PlacedNode) -> bool:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from dhcli.algebra.floats import Floats
-from dhcli.kinematics.derived import in_floats
+from dhcli.kinematics.derived import Value, in_floats
+from dhcli.kinematics.description import Description
 from dhcli.kinematics.limits import is_within_limits
 from dhcli.kinematics.moves import names
-from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.validity import Finding
 from dhcli.kinematics.values import symbols_of
 from dhcli.lint.wording import unfinished
@@ -18,46 +18,46 @@ from dhcli.notation.tree import Expr
 from dhcli.notation.walk import symbols
 from dhcli.regex import regex
 
-LONGEST = 10.0
-"""Metres; an arm with a longer link was measured in millimetres."""
-
 FULL_TURN = 360
 _NAME = regex(r"[A-Za-z0-9][A-Za-z0-9_-]*")
 
 
-def findings(robot: Robot) -> Iterator[Finding]:
-    """Every broken rule of a robot."""
-    yield from unfinished({("title",): robot.title, ("source",): robot.source})
-    if robot.notes:
-        yield from unfinished({("notes",): robot.notes})
+def findings(robot: Description, mentioned: frozenset[str] = frozenset()) -> Iterator[Finding]:
+    """Every broken rule of a robot, apart from those about the size of its lengths.
+
+    Args:
+        robot: A robot, or what can be read of one.
+        mentioned: Parameters that are used as far as anybody can tell.
+    """
+    texts: dict[tuple[str | int, ...], str] = {
+        ("title",): robot.title,
+        ("source",): robot.source,
+        ("notes",): robot.notes,
+    }
+    yield from unfinished({where: text for where, text in texts.items() if text})
     if not _NAME.fullmatch(robot.name):
         hint = "letters, digits, - and _, such as my-arm.yaml"
         yield Finding((), f"the file name '{robot.name}' is the name of the robot, and cannot be typed", hint)
     for remark in robot.remarks:
         yield Finding((), remark, "write the exact value, or `exact: false` to keep the digits", is_warning=True)
-    yield from _parameters(robot)
+    yield from _parameters(robot, mentioned)
     yield from _rows(robot)
     yield from _poses(robot)
 
 
-def _parameters(robot: Robot) -> Iterator[Finding]:
-    used = names(robot.chain).union(*(symbols(formula.expr) for formula in robot.derived.values()))
+def _parameters(robot: Description, mentioned: frozenset[str]) -> Iterator[Finding]:
+    used = mentioned | names(robot.chain).union(*(symbols(formula.expr) for formula in robot.derived.values()))
     for name, value in robot.parameters.items():
         where = ("parameters", name)
         if name not in used:
             yield Finding(where, f"{name}: no link uses it", "delete it, or put it into the table")
         elif isinstance(value, Expr) and not symbols(value):
-            length = Floats().value(value)
-            if not length:
-                yield Finding(
-                    where, f"{name}: is 0", "write 0 into the table, or leave its value open", is_warning=True
-                )
-            elif abs(length) > LONGEST:
-                hint = f"bare lengths are metres: did you mean {length:g} mm?"
-                yield Finding(where, f"{name}: {length:g} m is longer than any arm", hint, is_warning=True)
+            hint = "write 0 into the table, or leave its value open"
+            if not Floats().value(value):
+                yield Finding(where, f"{name}: is 0", hint, is_warning=True)
 
 
-def _rows(robot: Robot) -> Iterator[Finding]:
+def _rows(robot: Description) -> Iterator[Finding]:
     for index, link in enumerate(robot.links):
         row = link.row
         if row is None:
@@ -78,12 +78,13 @@ def _rows(robot: Robot) -> Iterator[Finding]:
                     yield Finding((*where, column), message, f"write {name} or -{name}", is_warning=True)
 
 
-def _poses(robot: Robot) -> Iterator[Finding]:
+def _poses(robot: Description) -> Iterator[Finding]:
     for pose, values in robot.poses.items():
-        for name, value in zip(robot.variables, values, strict=True):
-            if symbols_of(value) or is_within_limits(robot, name, in_floats(value)):
+        for name, value in zip(robot.variables, values, strict=False):
+            low, high = robot.limits.get(name, (value, value))
+            is_range = in_floats(low) < in_floats(high)  # else that is told
+            if not is_range or symbols_of(value) or is_within_limits(robot, name, in_floats(value)):
                 continue
-            low, high = robot.limits[name]
             message = f"{pose}: {name} = {value_text(value)} is outside its limits"
             yield Finding(("poses", pose), message, f"{value_text(low)} to {value_text(high)}")
 

@@ -47,8 +47,8 @@ def _texts(exercise: Exercise) -> Iterator[Finding]:
     """A number in a text stays what it is while the value beside it varies."""
     texts: dict[tuple[str | int, ...], str] = {("task",): exercise.task}
     for part in exercise.parts:
-        texts["parts", part.id, "prompt"] = part.prompt
-        texts |= {("parts", part.id, "hints", k): hint for k, hint in enumerate(part.hints)}
+        texts["parts", part.index, "prompt"] = part.prompt
+        texts |= {("parts", part.index, "hints", k): hint for k, hint in enumerate(part.hints)}
     fixed = {value_text(v) for name, v in exercise.values.items() if name not in exercise.variants}
     loose = {name: value_text(v) for name, v in exercise.given.items() if name in exercise.variants}
     for where, text in texts.items():

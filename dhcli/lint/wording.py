@@ -11,11 +11,7 @@ _UNFINISHED = regex(r"\b(?:TODO|FIXME|XXX|TBD)\b|\bwrite here\b[^.;\n]*")
 
 
 def unfinished(texts: Mapping[tuple[str | int, ...], str]) -> Iterator[Finding]:
-    """A finding for each text that is blank, and for each thing that a template left to write.
-
-    Args:
-        texts: Each text by its path in the file.
-    """
+    """A finding for each text that is blank, and for each thing that a template left to write."""
     for where, text in texts.items():
         what = where[-1]
         if not text.strip():

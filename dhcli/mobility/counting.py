@@ -24,14 +24,7 @@ MOST_TERMS = 200
 
 @frozen
 class Group:
-    """Joints of one kind.
-
-    Attributes:
-        pair: The kind.
-        count: How many.
-        f: Freedoms of each.
-        c: Constraints of each, λ - f.
-    """
+    """Joints of one kind, their count, and the freedoms f and constraints c = λ - f of each."""
 
     pair: Pair
     count: Expr
@@ -127,13 +120,6 @@ class Counts:
 def counts(space: Space, n: Expr, joints: Iterable[tuple[Pair, Expr]], title: str = "", reading: str = "") -> Counts:
     """Counts from numbers or formulas.
 
-    Args:
-        space: Gives λ.
-        n: Links with the ground.
-        joints: Kind and number of the joints.
-        title: What is counted.
-        reading: How it was read.
-
     Raises:
         LinkageError: A count is negative, not whole, or too few joints tie the links together.
     """
@@ -158,7 +144,7 @@ def expanded(expr: Expr) -> Expr:
     Raises:
         LinkageError: It would have too many terms.
     """
-    return add(ZERO, *(_term(term) for term in _terms(expr)))
+    return add(ZERO, *(multiply(term, ONE) for term in _terms(expr)))
 
 
 def _terms(expr: Expr) -> tuple[Expr, ...]:
@@ -172,10 +158,6 @@ def _terms(expr: Expr) -> tuple[Expr, ...]:
         if len(parts) > MOST_TERMS:
             raise LinkageError(f"the formula has more than {MOST_TERMS} terms")
     return parts
-
-
-def _term(term: Expr) -> Expr:
-    return multiply(term, ONE)
 
 
 def _checked(count: Expr, what: str) -> Expr:

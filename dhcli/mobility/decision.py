@@ -96,12 +96,7 @@ class Setting:
 
 @frozen
 class Landed:
-    """A direction that was followed, and what stands at its end.
-
-    Attributes:
-        path: The direction.
-        branch: The family of motions through the landing.
-    """
+    """A direction that was followed, and the family of motions that stands at its end."""
 
     path: Path
     branch: Branch

@@ -16,11 +16,7 @@ class Draws:
     """A source of them; numpy's own takes as long to import as a small linkage to judge."""
 
     def __init__(self, seed: int) -> None:
-        """Begin anew.
-
-        Args:
-            seed: Which numbers.
-        """
+        """Begin anew, with the numbers that belong to a seed."""
         self._draw = Random(seed)  # noqa: S311  no secret
 
     def normal(self, *shape: int) -> Array:

@@ -70,13 +70,7 @@ class Idle:
 
 @frozen
 class Part:
-    """Links that two joints alone hold.
-
-    Attributes:
-        first: One of the two joints.
-        second: The other one.
-        links: Indices of the links.
-    """
+    """Links that two joints alone hold."""
 
     first: Step
     second: Step

@@ -44,10 +44,6 @@ def looks_like_pattern(text: str) -> bool:
 def read_pattern(text: str, space: Space = SPATIAL) -> Linkage | Counts:
     """Read a pattern.
 
-    Args:
-        text: One of the forms above.
-        space: Where the linkage moves.
-
     Returns:
         The joint graph, or counts where the number of legs is a formula such as `n-RPS`.
 

@@ -23,7 +23,6 @@ from typing import TypeAlias
 
 import numpy as np
 
-from dhcli.mobility.groups import Groups
 from dhcli.mobility.linkage import Joint
 from dhcli.mobility.model import Model
 
@@ -63,10 +62,6 @@ def independent(pebbles: Sequence[int], edges: Iterable[Edge]) -> int:
 
     An edge that counts is covered by a pebble of one of its ends. It counts if four pebbles can be brought to its ends
     together.
-
-    Args:
-        pebbles: How many each vertex owns, one for each coordinate.
-        edges: The vertices of each edge.
     """
     game = _Game(pebbles)
     return sum(game.accepts(edge) for edge in edges)
@@ -210,3 +205,24 @@ def _braced(pins: list[int]) -> Iterator[Edge]:
     for pin in others:
         yield first, pin
         yield second, pin
+
+
+class Groups:
+    """Numbers that stand for the same thing; each by itself at first.
+
+    Source: Tarjan 1975, union and find with the ways halved.
+    """
+
+    def __init__(self) -> None:
+        """Begin with each number by itself."""
+        self._above: dict[int, int] = {}
+
+    def of(self, one: int) -> int:
+        """The number that all of a group share."""
+        while (above := self._above.get(one, one)) != one:
+            self._above[one] = one = self._above.get(above, above)
+        return one
+
+    def join(self, one: int, other: int) -> None:
+        """Make two groups one."""
+        self._above[self.of(one)] = self.of(other)

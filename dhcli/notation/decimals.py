@@ -25,10 +25,7 @@ _WHOLE_ZERO = regex(r"-0[ ,]")
 
 
 def spelled(numbers: NDArray[np.float64]) -> list[object]:
-    """Numbers as Python writes them, each as short as it can be without losing a bit.
-
-    Args:
-        numbers: Any numbers, of any shape.
+    """Numbers of any shape as Python writes them, each as short as it can be without losing a bit.
 
     Returns:
         For each of them something that `str` makes its text of; zero has no sign.

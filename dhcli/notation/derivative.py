@@ -25,10 +25,6 @@ from dhcli.notation.walk import symbols
 def derivative(expr: Expr, name: str) -> Expr:
     """The partial derivative of an expression by a name that stands as a number or inside angles [rad].
 
-    Args:
-        expr: The tree.
-        name: A length, or a name inside cosines and sines.
-
     Raises:
         TypeError: The name stands inside a function such as atan2, where no joint may stand.
     """

@@ -98,13 +98,6 @@ def read_matrix_factor(reading: Reading, tokens: Sequence[Token], *, inverse: bo
 def read_move(reading: Reading, word: Token, inside: Sequence[Token], close: Token, *, inverse: bool) -> list[Factor]:
     """A move, which several factors may stand for: a rotation about any axis, or by several numbers.
 
-    Args:
-        reading: What the readers share.
-        word: Its name, such as `Rot`.
-        inside: What stands in its brackets.
-        close: The closing bracket.
-        inverse: Whether its inverse is meant.
-
     Raises:
         NotationError: It is no move, or its arguments are none of such a one.
     """
@@ -170,7 +163,9 @@ def _move(reading: Reading, word: Token, arguments: list[list[Token]], close: To
             lengths = [length if name == axis else ZERO for name in AXES]
         else:
             if len(arguments) != len(AXES):
-                raise source.error(word.start, f"{word.text} takes three lengths", "write Trans(1, 2, 3)")
+                message = f"{word.text} takes three lengths, not {len(arguments)}"
+                hint = "; decimals take a point: 0.5" if len(arguments) > len(AXES) else ""
+                raise source.error(word.start, message, f"write Trans(1, 2, 3){hint}")
             lengths = [_length(reading, part, close, reading.unit) for part in arguments]
         return Factor("trans", text, offset=(lengths[0], lengths[1], lengths[2]), inverse=inverse, start=word.start)
     raise source.error(word.start, f"{word.text} is not a move", EXAMPLE)

@@ -74,14 +74,7 @@ def is_usual(name: str) -> bool:
 
 
 def refusal(word: str, known: Iterable[str], *, called: bool = False, measured: bool = False) -> tuple[str, str]:
-    """Why a word that is no declared name cannot be one, with a hint; empty if it may.
-
-    Args:
-        word: The word.
-        known: The names that are declared, for a hint.
-        called: Whether a bracket stands behind it.
-        measured: Whether a number stands before it.
-    """
+    """Why a word, behind a number or in front of a bracket, can be no name, with a hint; empty if it may."""
     if word.lower() in _NO_NUMBERS:
         return f"{word} is no number that a robot can have", ""
     if measured and word in FOREIGN_UNITS:

@@ -7,7 +7,7 @@ from typing import TypeAlias
 
 from dhcli.frozen import frozen
 from dhcli.notation.tree import Expr, Power, Product, Sum, Symbol, negate
-from dhcli.notation.walk import children, operations, symbols
+from dhcli.notation.walk import children, operations, symbols_in
 
 LONG = 12
 """Operations above which a bracket gets a name even if it occurs once."""
@@ -51,7 +51,7 @@ _Key: TypeAlias = frozenset[Expr]
 
 class _Naming:
     def __init__(self, entries: Sequence[Expr]) -> None:
-        self.taken = frozenset().union(*map(symbols, entries))
+        self.taken = symbols_in(entries)
         self.counts: dict[_Key, int] = {}
         self.names: dict[_Key, Expr] = {}
         self.definitions: list[Definition] = []

@@ -90,6 +90,11 @@ def suggestion(word: str, known: Iterable[str]) -> str:
     return "did you mean " + " or ".join(alike[:MOST_SUGGESTIONS]) + "?"
 
 
+def is_greek(name: str) -> bool:
+    """Whether a name is a Greek letter, alone or with an index."""
+    return parts(name)[0] in GREEK_NAMES
+
+
 def foreign_letter(letter: str) -> str | None:
     """The Latin letter that a look-alike from another alphabet imitates, or None.
 

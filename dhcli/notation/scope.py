@@ -7,7 +7,7 @@ from dataclasses import field
 
 from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
-from dhcli.notation.names import GREEK_NAMES, canonical, parts
+from dhcli.notation.names import GREEK_NAMES, canonical, is_greek, parts
 from dhcli.notation.tree import Expr, Symbol, Trig
 from dhcli.notation.trig import cosine, sine
 
@@ -126,7 +126,7 @@ class Scope:
             return
         sums = self.sums(text.lstrip("_"))
         yield from sums
-        if self.is_open and not sums and name is None and parts(text)[0] in GREEK_NAMES:
+        if self.is_open and not sums and name is None and is_greek(text):
             yield Angle.of(canonical(text))
 
     def sums(self, word: str) -> tuple[Angle, ...]:

@@ -183,6 +183,22 @@ def number(value: int | Fraction, places: int | None = None) -> Number:
     return Number(Fraction(value), places)
 
 
+def decimal(value: Fraction) -> Number:
+    """An exact number, shown with as many decimals as say it: 0.05; as a fraction where none do."""
+    return Number(value, places_of(value))
+
+
+def places_of(value: Fraction) -> int | None:
+    """How many decimals say a fraction exactly; None where none do."""
+    twos = fives = 0
+    rest = value.denominator
+    while rest % 2 == 0:
+        rest, twos = rest // 2, twos + 1
+    while rest % 5 == 0:
+        rest, fives = rest // 5, fives + 1
+    return max(twos, fives) if rest == 1 else None
+
+
 def split(term: Expr) -> tuple[Number, Expr]:
     """A term as its numeric factor and the rest: `-2*a*c1` is -2 and `a*c1`; a number is itself times one."""
     if type(term) is Number:

@@ -10,7 +10,8 @@ from typing import Literal, TypeAlias
 from dhcli.frozen import frozen
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import DimensionError
-from dhcli.notation.tree import HALF, ONE, ZERO, Constant, Expr, Number, Power, Product, Sum, multiply, power
+from dhcli.notation.roots import square_root
+from dhcli.notation.tree import HALF, ONE, ZERO, Constant, Expr, Number, Power, Product, Sum, decimal, multiply, power
 from dhcli.regex import regex
 
 Axis = Literal["x", "y", "z"]
@@ -29,6 +30,9 @@ EXAMPLES = {
 
 NOT_UNIT = 1e-2
 """How far the length of a quaternion may be from 1: as far as two decimals leave it."""
+
+_SMALL = 6
+"""Roots up to that of this number are written as such."""
 
 
 @frozen
@@ -70,7 +74,8 @@ def about(axis: Sequence[Expr], angle: Angle) -> tuple[Part, ...]:
         return (Turn("z", angle if z > 0 else -angle),)
     across = (-y, x, Fraction(0))
     third = _cross((x, y, z), across)
-    columns = [_unit(column) for column in (across, third, (x, y, z))]
+    typed = any(isinstance(part, Number) and part.places for part in axis)
+    columns = [unit(column, typed=typed) for column in (across, third, (x, y, z))]
     rows = [[columns[k][i] for k in range(3)] for i in range(3)]
     return Block(_pose(rows)), Turn("z", angle), Block(_pose(columns))
 
@@ -164,10 +169,26 @@ def _float(expr: Expr) -> float:
     raise TypeError(expr)
 
 
-def _unit(vector: Sequence[Fraction]) -> list[Expr]:
-    """A vector divided by its length, exactly."""
+def unit(vector: Sequence[Fraction], *, typed: bool = False) -> list[Expr]:
+    """A vector divided by its length.
+
+    Args:
+        vector: Three numbers, not all zero.
+        typed: Whether it was typed in decimals: then its parts are decimals too, exact ones or roots of small numbers,
+            and else the nearest float.
+    """
     square = sum((part * part for part in vector), Fraction(0))
-    return [multiply(Number(part / square), power(Number(square), HALF)) for part in vector]
+    return [_share(part, square, typed=typed) for part in vector]
+
+
+def _share(part: Fraction, square: Fraction, *, typed: bool) -> Expr:
+    """A number divided by the root of another."""
+    outside, inside = square_root(part * part / square)
+    outside = -outside if part < 0 else outside
+    if typed and inside > _SMALL:
+        return decimal(Fraction(repr(float(part) / math.sqrt(square))))
+    rational = decimal(outside) if typed and inside == 1 else Number(outside)
+    return multiply(rational, power(Number(Fraction(inside)), HALF))
 
 
 def _cross(a: Sequence[Fraction], b: Sequence[Fraction]) -> tuple[Fraction, Fraction, Fraction]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Call, Expr, Number, Power, Product, Sum, Symbol, Trig, add, multiply, power, split
@@ -31,6 +31,8 @@ def walk(expr: Expr) -> Iterator[Expr]:
 
 def symbols(expr: Expr) -> frozenset[str]:
     """All names, those inside angles too."""
+    if type(expr) is Number:  # as most that is typed for numbers
+        return frozenset()
     if type(expr) is Symbol:
         return frozenset((expr.name,))
     stack, found = [expr], set[str]()
@@ -43,6 +45,11 @@ def symbols(expr: Expr) -> frozenset[str]:
         else:
             stack += children(node)
     return frozenset(found)
+
+
+def symbols_in(exprs: Iterable[Expr]) -> frozenset[str]:
+    """All names in some expressions."""
+    return frozenset[str]().union(*map(symbols, exprs))
 
 
 def decimals(expr: Expr) -> tuple[int | None, ...]:
@@ -75,14 +82,14 @@ def rebuild(expr: Expr, leaf: Callable[[Expr], Expr]) -> Expr:
     return leaf(expr)
 
 
-def substitute(expr: Expr, lengths: Mapping[str, Expr], angles: Mapping[str, Angle]) -> Expr:
-    """Put exact values in the place of names.
+def parted(values: Mapping[str, Expr | Angle]) -> tuple[dict[str, Expr], dict[str, Angle]]:
+    """Values of names, lengths and angles apart, as `substitute` takes them."""
+    lengths = {name: value for name, value in values.items() if isinstance(value, Expr)}
+    return lengths, {name: value for name, value in values.items() if isinstance(value, Angle)}
 
-    Args:
-        expr: The tree.
-        lengths: Values of names that stand as numbers.
-        angles: Values of names that stand inside cosines and sines.
-    """
+
+def substitute(expr: Expr, lengths: Mapping[str, Expr], angles: Mapping[str, Angle]) -> Expr:
+    """Put exact values in the place of names: lengths where they stand as numbers, angles inside cosines and sines."""
 
     def leaf(node: Expr) -> Expr:
         if type(node) is Symbol:

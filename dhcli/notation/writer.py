@@ -12,12 +12,29 @@ from fractions import Fraction
 from dhcli.errors import NotationError
 from dhcli.notation.angle import FULL_TURN_IN_RADIANS, Angle
 from dhcli.notation.styles import STYLES, THETAS, Joints, Style
-from dhcli.notation.tree import HALF, Call, Constant, Expr, Number, Power, Product, Sum, Symbol, Trig, Unit, split
+from dhcli.notation.tree import (
+    HALF,
+    Call,
+    Constant,
+    Expr,
+    Number,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    Trig,
+    Unit,
+    places_of,
+    split,
+)
 
 SUM, PRODUCT, ATOM = 1, 2, 3
 SQUARE = 2
 LARGEST_IN_FRACTION = 1000
 """Above it a fraction is a decimal in programs."""
+
+LARGEST_BELOW = 10
+"""Above it what an angle is multiplied by is a decimal: 0.35*theta1, but theta1/20 and 3*theta1/4."""
 
 MOST_BITS_WRITTEN = 14_000
 """Some 4,200 digits; Python refuses to write more than 4,300."""
@@ -130,6 +147,9 @@ class _Writer:
         if not below:
             return sign + top, PRODUCT
         if self.style.latex:
+            if len(above) == 1 and type(rest) is Product:  # a sum alone above the line needs no brackets
+                sums = [factor for factor in rest.factors if type(factor) is Sum]
+                top = self.expression(sums[0]) if above == [self.bracketed(one, PRODUCT) for one in sums] else top
             return rf"{sign}\frac{{{top}}}{{{self.style.times.join(below)}}}", PRODUCT
         bottom = below[0] if len(below) == 1 else f"({self.style.times.join(below)})"
         return f"{sign}{top}/{bottom}", PRODUCT
@@ -203,7 +223,7 @@ class _Writer:
 
     def angle(self, angle: Angle, *, spaced: bool = False) -> str:
         ordered = sorted(angle.terms, key=lambda term: (term[1] < 0, self.joints.place(term[0])))
-        pieces = [self.scaled(factor, self.style.symbol(name)) for name, factor in ordered]
+        pieces = [self.scaled(factor, self.style.symbol(name), decimals=True) for name, factor in ordered]
         if angle.degrees:
             pieces.append(self.degrees(angle.degrees))
         if angle.radians:
@@ -217,9 +237,11 @@ class _Writer:
         rest = [minus + piece[1:] if piece.startswith("-") else plus + piece for piece in pieces[1:]]
         return pieces[0] + "".join(rest)
 
-    def scaled(self, factor: Fraction, text: str) -> str:
+    def scaled(self, factor: Fraction, text: str, *, decimals: bool = False) -> str:
         sign = "-" if factor < 0 else ""
-        above, _, below = write_number(abs(factor)).partition("/")
+        decimals = decimals and factor.denominator > LARGEST_BELOW and abs(factor.numerator) != 1
+        places = places_of(factor) if decimals else None
+        above, _, below = write_number(abs(factor), places).partition("/")
         upper = "" if above == "1" else f"{above}{self.style.times}"
         lower = f"/{below}" if below else ""
         return f"{sign}{upper}{text}{lower}"

@@ -187,13 +187,7 @@ def _local(frame: Frame, direction: Vector) -> Vector:
 
 
 def arrows(states: tuple[Frame, ...], numbered: tuple[tuple[str, int], ...], size: float) -> Iterator[Arrow]:
-    """The x and z axes of all frames; what is the same arrow stands once, with all of its names.
-
-    Args:
-        states: Frames in the world.
-        numbered: The names of those that have one, each with its place among the states.
-        size: The radius of the drums [m].
-    """
+    """The x and z axes of all frames; what is the same arrow stands once, with all of its names."""
     merged: list[tuple[Vector, Vector, str, int, list[Words]]] = []
     for name, state in numbered:
         frame = states[state]

@@ -10,19 +10,18 @@ import math
 from dhcli.errors import RobotError
 from dhcli.geometry.vectors import Vector, dot
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.values import JointInput, Values, numbers, require
-from dhcli.notation.quantity import Bare
+from dhcli.kinematics.values import Values, numbers, require
 from dhcli.scene.arm import ARROW, arrows
 from dhcli.scene.camera import Camera
 from dhcli.scene.choice import with_examples
 from dhcli.scene.ink import Ink
-from dhcli.scene.labels import Rect, Wish, placed
+from dhcli.scene.labels import Wish, placed
 from dhcli.scene.overlay import END_ON, HEAD, frames, pins
 from dhcli.scene.painter import painted
 from dhcli.scene.primitives import Arrow
 from dhcli.scene.shapes import Figure, Shape, arrowhead, ring
 from dhcli.scene.skeleton import Skeleton
-from dhcli.scene.staging import Paper, fitted, foot, stage_arm, values_at
+from dhcli.scene.staging import ArmAt, Paper, fitted, foot
 from dhcli.scene.traced import Traced, paired, traced
 from dhcli.scene.vectors import Flat, Frame, along, norm, sub
 from dhcli.scene.words import Run, Words
@@ -34,36 +33,20 @@ RIM = 3.5
 """How far an axis of the other is seen around the same axis of the arm [px]."""
 
 
-def beside_figure(  # noqa: PLR0913  what a figure of one robot takes, and the other
-    robot: Robot,
-    other: Robot | Traced,
-    q: JointInput = None,
-    *,
-    pose: str | None = None,
-    view: tuple[float, float] | None = None,
-    parameters: Values | None = None,
-    bare: Bare = "rad",
-    paper: Paper | None = None,
-) -> Figure:
+def beside_figure(arm: ArmAt, other: Robot | Traced, paper: Paper | None = None) -> Figure:
     """The figure of a robot with another table of it over it, at the same joint values.
 
     Args:
-        robot: The robot that is right.
+        arm: The robot that is right.
         other: The other table, whose lengths are those of the robot where they have the same names; or frames at
             these joint values.
-        q: Joint values, as `forward` takes them; by default the pose that shows the robot best.
-        pose: The name of a pose instead.
-        view: Azimuth and elevation [deg].
-        parameters: Lengths and angles instead of the robot's own.
-        bare: What a number without a unit means for a joint that turns.
         paper: What it is drawn on.
 
     Raises:
         RobotError: The two have not the same joints; a length has no value.
     """
-    paper = paper or Paper()
-    staged = stage_arm(robot, q, pose=pose, view=view, parameters=parameters, bare=bare)
-    values = values_at(robot, q, pose, parameters, bare)
+    robot, paper = arm.robot, paper or Paper()
+    staged, values = arm.staged(), arm.values()
     skeleton = Skeleton.of(robot, values)
     theirs = other if isinstance(other, Traced) else traced_robot(other, robot, values)
     number, size = first_difference(skeleton, theirs), staged.scene.unit
@@ -96,9 +79,7 @@ def beside_figure(  # noqa: PLR0913  what a figure of one robot takes, and the o
         mark.append(Shape(ring(camera.flat(at[number].origin), 18.0, 28), "theirs-mark", closed=True))
     ink = Ink(paper.width, paper.height)
     ink.add([*shapes, *under, *axes, *mark])
-    leaders, texts = placed(
-        wishes, ink, Rect(3, 3, paper.width - 3, paper.height - max(paper.foot, 3)), paper.lettering
-    )
+    leaders, texts = placed(wishes, ink, paper.room, paper.lettering)
     does = "differs" if theirs.pairs else "breaks a rule"
     told = f"no frame {does}" if number is None else f"frame {number} is the first that {does}{theirs.note}"
     aside = "" if is_near else ", far outside the picture"

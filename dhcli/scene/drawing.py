@@ -15,10 +15,9 @@ from dhcli.mobility.linkage import Linkage
 from dhcli.scene.beside import beside_figure
 from dhcli.scene.linkages import linkage_figure
 from dhcli.scene.motion import Motion, Path, motion_of
-from dhcli.scene.panels import PANEL, on_one_sheet
+from dhcli.scene.panels import PANEL, on_one_sheet, strip_figure
 from dhcli.scene.shapes import Figure
-from dhcli.scene.staging import HEIGHT, MARGIN, WIDTH, Paper, figure_of, stage_arm
-from dhcli.scene.strip import strip_figure
+from dhcli.scene.staging import HEIGHT, MARGIN, WIDTH, ArmAt, Paper, figure_of
 from dhcli.scene.table import with_table
 from dhcli.scene.traced import Traced
 from dhcli.scene.workspace import workspace_figure
@@ -76,40 +75,26 @@ class Drawing:
                 raise DhcliError(f"{self.what.name or 'it'} is a linkage: it has no joint values, poses or DH table")
             return linkage_figure(self.what, view=self.view, paper=paper, worksheet=self.worksheet)
         if self.moves:
-            return self._strip()
+            return strip_figure(self.motion())
+        arm = self._arm(self.what)
         if self.beside is not None:
-            return self._compared(self.what, self.beside, paper)
-        staged = stage_arm(
-            self.what, self.q, pose=self.pose, view=self.view, parameters=self.parameters, bare=self.bare
-        )
+            if self.table or self.worksheet:
+                message = "two tables over each other leave no room for more"
+                raise DhcliError(message, "leave out the table or the worksheet")
+            return beside_figure(arm, self.beside, paper)
+        staged = arm.staged()
         if self.workspace is not None:
             return workspace_figure(staged, self.workspace)
         drawn = figure_of(staged, paper, worksheet=self.worksheet)
         return with_table(drawn, self.what) if self.table else drawn
 
-    def _compared(self, robot: Robot, other: Robot | Traced, paper: Paper) -> Figure:
-        if self.table or self.worksheet:
-            raise DhcliError(
-                "two tables over each other leave no room for more", "leave out the table or the worksheet"
-            )
-        return beside_figure(
-            robot,
-            other,
-            self.q,
-            pose=self.pose,
-            view=self.view,
-            parameters=self.parameters,
-            bare=self.bare,
-            paper=paper,
-        )
+    def _arm(self, robot: Robot) -> ArmAt:
+        return ArmAt(robot, self.q, self.pose, self.view, self.parameters, self.bare)
 
     @property
     def moves(self) -> bool:
         """Whether it shows a motion."""
         return self.to is not None or len(self.path) > 0
-
-    def _strip(self) -> Figure:
-        return strip_figure(self.motion())
 
     def motion(self) -> Motion:
         """The motion that it shows.
@@ -123,16 +108,7 @@ class Drawing:
             raise DhcliError("a film strip has no frames and no table", "leave --to out, or the other")
         if len(self.path) and (self.to is not None or self.q is not None or self.pose is not None):
             raise DhcliError("the rows say where all joints are", "leave --q, --pose and --to out")
-        return motion_of(
-            self.what,
-            self.q,
-            pose=self.pose,
-            to=self.to,
-            rows=self.path,
-            view=self.view,
-            parameters=self.parameters,
-            bare=self.bare,
-        )
+        return motion_of(self._arm(self.what), self.to, self.path)
 
     @property
     def shown_at(self) -> tuple[int, int] | None:

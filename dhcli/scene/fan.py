@@ -39,12 +39,7 @@ class Slid:
 
 
 def fanned(skeleton: Skeleton, unit_length: float) -> tuple[Slid, ...]:
-    """The joints of a robot with the places of their bodies.
-
-    Args:
-        skeleton: The robot at a pose.
-        unit_length: The radius of a drum [m].
-    """
+    """The joints of a robot with the places of their bodies, drums of radius `unit_length` [m]."""
     found: list[Slid] = []
     for group in _groups(skeleton, unit_length):
         found += _spread(skeleton, group, unit_length, last=group[-1] is skeleton.axes[-1], first=not found)

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from itertools import accumulate, pairwise
 from operator import add
 
-from dhcli.scene.shapes import Shape
+from dhcli.scene.shapes import Shape, sides
 from dhcli.scene.vectors import Flat
 
 CELL = 4
@@ -70,7 +70,7 @@ class Ink:
 
     def _area(self, points: tuple[Flat, ...], weight: int) -> None:
         """Cells whose middle is inside, row by row."""
-        edges = list(zip(points, (*points[1:], points[0]), strict=True))
+        edges = list(sides(points))
         top, bottom = min(y for _, y in points), max(y for _, y in points)
         for j in range(max(0, int(top / CELL)), min(self.rows, int(bottom / CELL) + 1)):
             y = (j + 0.5) * CELL

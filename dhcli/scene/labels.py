@@ -109,12 +109,6 @@ class Rect:
 def placed(wishes: list[Wish], ink: Ink, room: Rect, lettering: Lettering = PRINT) -> tuple[list[Shape], list[Text]]:
     """Leader lines and labels.
 
-    Args:
-        wishes: The labels.
-        ink: What is on paper already.
-        room: Where labels may stand.
-        lettering: How large letters are.
-
     Returns:
         Lines and texts; no text overlaps another. A label for which nowhere is room is left out.
     """

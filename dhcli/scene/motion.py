@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
+from dhcli.errors import plural
 from dhcli.frozen import frozen
 from dhcli.geometry.vectors import Vector
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.robot import Robot, Value
-from dhcli.kinematics.values import JointInput, Values
+from dhcli.kinematics.values import JointInput
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Number
 from dhcli.scene.arm import arm_scene
@@ -21,11 +22,17 @@ from dhcli.scene.painter import painted
 from dhcli.scene.primitives import Scene
 from dhcli.scene.shapes import Figure, Shape
 from dhcli.scene.skeleton import Skeleton
-from dhcli.scene.staging import LARGEST_DRUM, MARGIN, Paper, extent, foot, posed, stage_arm, value_words, values_at
+from dhcli.scene.staging import (
+    LARGEST_DRUM,
+    MARGIN,
+    ArmAt,
+    Paper,
+    extent,
+    foot,
+    posed,
+    value_words,
+)
 from dhcli.scene.vectors import Flat
-
-if TYPE_CHECKING:
-    from dhcli.notation.quantity import Bare
 
 Path: TypeAlias = Sequence[Sequence[float]]
 """Joint values of each moment, radians and metres in joint order, shape (N, n)."""
@@ -80,37 +87,23 @@ class Motion:
         return Camera.at(*self.view).fitted([*points, *self.places], room, largest / self.scenes[0].unit)
 
 
-def motion_of(  # noqa: PLR0913  what a figure of a robot takes, and where it goes
-    robot: Robot,
-    q: JointInput = None,
-    *,
-    pose: str | None = None,
-    to: JointInput = None,
-    rows: Path = (),
-    view: tuple[float, float] | None = None,
-    parameters: Values | None = None,
-    bare: Bare = "rad",
-) -> Motion:
+def motion_of(arm: ArmAt, to: JointInput = None, rows: Path = ()) -> Motion:
     """The motion of an arm to another pose, every joint evenly, or through rows of joint values.
 
     Args:
-        robot: The arm.
-        q: Joint values where it starts.
-        pose: The name of a pose instead; the best pose if neither is given.
+        arm: The arm where it starts, for rows at no joint values.
         to: Joint values or the name of a pose where it ends.
         rows: Joint values of each moment instead of all of these.
-        view: Azimuth and elevation [deg]; the best view of the start by default.
-        parameters: Lengths and angles instead of the robot's own.
-        bare: What a number without a unit means for a joint that turns.
     """
+    robot = arm.robot
     path = [joints_of(robot, row) for row in rows]
-    start: Any = path[0] if path else q
-    first = stage_arm(robot, start, pose=pose, view=view, parameters=parameters, bare=bare)
-    full = values_at(robot, start, pose, parameters, bare)
-    told = f"{len(path)} rows"
+    start: Any = path[0] if path else arm.q
+    arm = replace(arm, q=start)
+    first, full = arm.staged(), arm.values()
+    told = plural(len(path), "row")
     if not path:
         from_ = {name: full[name] for name in robot.variables}
-        told, end = posed(robot, to, None, full, bare)
+        told, end = posed(robot, to, None, full, arm.bare)
         path = [between(from_, end, k / WAY) for k in range(WAY + 1)]
     count = min(len(path), MOST_SCENES + 1)
     steps = tuple(round(k * (len(path) - 1) / max(count - 1, 1)) for k in range(count))
@@ -119,7 +112,7 @@ def motion_of(  # noqa: PLR0913  what a figure of a robot takes, and where it go
         scenes = [replace(one, hand=replace(one.hand, across=hand.across)) if one.hand else one for one in scenes]
     places = [scene.states[-1].origin for scene in scenes]
     if count < len(path):
-        places = [_end(robot, {**full, **row}) for row in path]
+        places = [Skeleton.of(robot, {**full, **row}).states[-1].origin for row in path]
     values = tuple(", ".join(value_words(path[step][name]) for name in robot.variables) for step in steps)
     return Motion(robot, tuple(scenes), tuple(places), steps, first.view, f"{first.caption} to {told}", values)
 
@@ -152,7 +145,3 @@ def joints_of(robot: Robot, row: Sequence[float]) -> dict[str, Value]:
 def _like(value: Value, number: float) -> Value:
     exact = Fraction(number).limit_denominator(10**12)
     return Angle(radians=exact) if isinstance(value, Angle) else Number(exact)
-
-
-def _end(robot: Robot, values: Mapping[str, Value]) -> Vector:
-    return Skeleton.of(robot, values).states[-1].origin

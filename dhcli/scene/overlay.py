@@ -12,7 +12,7 @@ from dhcli.scene.ink import Ink
 from dhcli.scene.labels import Wish
 from dhcli.scene.painter import turn_arc
 from dhcli.scene.primitives import Anchor, Arrow, Box, Dimension, Drum, Scene
-from dhcli.scene.shapes import Shape, arrowhead, ring
+from dhcli.scene.shapes import Shape, arrowhead, halfway, ring
 from dhcli.scene.vectors import Flat, along, norm, sub
 from dhcli.scene.words import Run, spelled
 
@@ -63,7 +63,7 @@ def dimensions(scene: Scene, camera: Camera, ink: Ink) -> tuple[list[Shape], lis
         a, b = camera.flat(scene.point(dimension.start)), camera.flat(scene.point(dimension.end))
         look = "slide" if dimension.variable else "dim"
         if math.dist(a, b) < NOTHING:
-            wishes.append(Wish((((a[0] + b[0]) / 2, (a[1] + b[1]) / 2),), dimension.words, look))
+            wishes.append(Wish((halfway(a, b),), dimension.words, look))
             continue
         drawn, wish = _dimension(a, b, dimension, look, ink)
         ink.add(drawn)

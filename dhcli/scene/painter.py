@@ -44,13 +44,7 @@ class Piece:
 
 
 def painted(scene: Scene, camera: Camera, *, turns: bool) -> list[Shape]:
-    """All solids of a scene with their rods, hand and turn arrows, from back to front.
-
-    Args:
-        scene: The scene.
-        camera: Where it is seen from.
-        turns: Whether turn arrows are drawn.
-    """
+    """All solids of a scene with their rods, hand and turn arrows, from back to front."""
     bodies = [body_of(scene, solid) for solid in scene.solids]
     pieces = list(_rod_pieces(scene, bodies, camera))
     if scene.hand is not None:

@@ -8,11 +8,12 @@ from collections.abc import Iterator
 from dhcli.frozen import frozen
 from dhcli.geometry.vectors import Vector
 from dhcli.mobility.linkage import Joint, Linkage
+from dhcli.scene import vectors
 from dhcli.scene.ink import Ink
-from dhcli.scene.labels import Rect, Wish, placed
+from dhcli.scene.labels import Wish, placed
 from dhcli.scene.overlay import hatching, support
 from dhcli.scene.places import Places, corners, farthest, is_straight
-from dhcli.scene.shapes import Figure, Shape, Text, hull, ring
+from dhcli.scene.shapes import Figure, Shape, Text, halfway, hull, ring, sides
 from dhcli.scene.staging import Paper
 from dhcli.scene.vectors import Flat, unit
 from dhcli.scene.words import Run, named
@@ -44,22 +45,14 @@ class Sheet:
 
 
 def plane_figure(linkage: Linkage, paper: Paper, caption: list[Text], *, worksheet: bool) -> Figure:
-    """The figure of a planar linkage that is placed.
-
-    Args:
-        linkage: The linkage.
-        paper: What it is drawn on.
-        caption: The texts under it.
-        worksheet: Whether it has no names.
-    """
+    """The figure of a planar linkage that is placed."""
     places = Places(linkage)
     sheet = _sheet(places, paper)
     shapes = [*_ground(places, sheet), *_wheels(places, sheet), *_links(places, sheet), *_joints(places, sheet)]
     ink = Ink(paper.width, paper.height)
     ink.add(shapes)
-    room = Rect(3, 3, paper.width - 3, paper.height - max(paper.foot, 3))
     wishes = [] if worksheet else list(_wishes(places, sheet))
-    leaders, texts = placed(wishes, ink, room, paper.lettering)
+    leaders, texts = placed(wishes, ink, paper.room, paper.lettering)
     return Figure(paper.width, paper.height, (*shapes, *leaders), (*texts, *caption), linkage.title)
 
 
@@ -158,15 +151,10 @@ def _lower_side(flats: list[Flat]) -> tuple[Flat, Flat]:
 
 def _outer_side(flats: list[Flat], middle: Flat) -> tuple[Flat, Flat]:
     """The side of a plate that is farthest from the middle of the paper, with the plate on the left as one goes."""
-    sides = zip(flats, (*flats[1:], flats[0]), strict=True)
-    a, b = max(sides, key=lambda side: round(math.dist(middle, _between(*side)), 6))
+    a, b = max(sides(flats), key=lambda side: round(math.dist(middle, halfway(*side)), 6))
     x, y = sum(p[0] for p in flats) / len(flats), sum(p[1] for p in flats) / len(flats)
     is_left = (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]) < 0
     return (a, b) if is_left else (b, a)
-
-
-def _between(a: Flat, b: Flat) -> Flat:
-    return (a[0] + b[0]) / 2, (a[1] + b[1]) / 2
 
 
 def _rounded(flats: list[Flat]) -> tuple[Flat, ...]:
@@ -242,8 +230,4 @@ def _wishes(places: Places, sheet: Sheet) -> Iterator[Wish]:
             spots = [(x + r * math.cos(t), y + r * math.sin(t), z) for t in (0.9, 2.3, -0.8, -2.3)]
             yield Wish(tuple(sheet.at(p) for p in spots), (Run(link),), "dim")
         elif points:
-            ends = corners(points)
-            middles = [
-                ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2, 0.0) for a, b in zip(ends, (*ends[1:], ends[0]), strict=True)
-            ]
-            yield Wish(tuple(sheet.at(p) for p in middles), (Run(link),), "dim")
+            yield Wish(tuple(sheet.at(vectors.middle(a, b)) for a, b in sides(corners(points))), (Run(link),), "dim")

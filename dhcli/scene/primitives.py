@@ -79,12 +79,7 @@ class Box:
 
 @frozen
 class Ball:
-    """A ball joint, or the cross of a universal joint.
-
-    Attributes:
-        centre: Its middle.
-        radius: Its radius [m].
-    """
+    """A ball joint, or the cross of a universal joint."""
 
     centre: Anchor
     radius: float
@@ -108,15 +103,7 @@ Solid: TypeAlias = Drum | Box | Ball | Face
 
 @frozen
 class Arrow:
-    """An axis of a frame.
-
-    Attributes:
-        start: The origin.
-        direction: Where it points, in the same state.
-        letter: x, y or z.
-        words: What is written at its tip.
-        length: Its length [m].
-    """
+    """An axis of a frame, its direction in the same state, its length in metres, with what is written at its tip."""
 
     start: Anchor
     direction: Vector

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from typing import TypeVar
 
 from dhcli.frozen import frozen
 from dhcli.scene.vectors import Flat
 from dhcli.scene.words import Words
+
+P = TypeVar("P", bound=tuple[float, ...])
 
 
 @frozen
@@ -95,6 +98,16 @@ def ring(centre: Flat, radius: float, count: int = 24) -> tuple[Flat, ...]:
     """A circle as a polygon."""
     turns = [2 * math.pi * i / count for i in range(count)]
     return tuple((centre[0] + radius * math.cos(t), centre[1] + radius * math.sin(t)) for t in turns)
+
+
+def sides(corners: Sequence[P]) -> Iterator[tuple[P, P]]:
+    """The sides of a polygon, each by its two ends."""
+    return zip(corners, (*corners[1:], corners[0]), strict=True)
+
+
+def halfway(a: Flat, b: Flat) -> Flat:
+    """The point halfway."""
+    return (a[0] + b[0]) / 2, (a[1] + b[1]) / 2
 
 
 def _turn(a: Flat, b: Flat, c: Flat) -> float:

@@ -14,7 +14,7 @@ from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values, numbers
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr, Number
-from dhcli.notation.walk import symbols
+from dhcli.notation.walk import symbols, symbols_in
 from dhcli.notation.writer import write, write_angle
 from dhcli.scene.vectors import WORLD, Frame, add, norm, sub, unit
 from dhcli.scene.words import Words, spelled
@@ -43,15 +43,7 @@ class Axis:
 
 @frozen
 class Leg:
-    """A straight piece of the way from the base to the hand.
-
-    Attributes:
-        state: The state before its move.
-        start: Where it starts, in that state.
-        end: Where it ends, in that state.
-        words: Its length as the table has it.
-        variable: The joint variable that it holds, or none.
-    """
+    """A straight piece of the way from the base to the hand, in the state before its move."""
 
     state: int
     start: Vector
@@ -164,7 +156,7 @@ def _axes(robot: Robot, given: Given) -> list[Axis]:
 
 def variables_of(move: Trans, robot: Robot) -> list[str]:
     """The joint variables that stand in a translation."""
-    held = frozenset().union(*(symbols(expr) for expr in expressions((move,))))
+    held = symbols_in(expr for expr in expressions((move,)))
     return [name for name in robot.variables if name in held]
 
 

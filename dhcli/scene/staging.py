@@ -25,7 +25,7 @@ from dhcli.scene.primitives import Ball, Box, Drum, Face, Scene
 from dhcli.scene.shapes import Figure, Shape, Text
 from dhcli.scene.skeleton import Skeleton
 from dhcli.scene.vectors import along
-from dhcli.scene.words import Run, named, plain
+from dhcli.scene.words import Run, in_line
 
 WIDTH, HEIGHT = 820.0, 640.0
 MARGIN, FOOT = 62.0, 34.0
@@ -73,50 +73,58 @@ class Paper:
     margin: float = MARGIN
     foot: float = FOOT
 
+    @property
+    def room(self) -> Rect:
+        """Where labels may stand."""
+        return Rect(3, 3, self.width - 3, self.height - max(self.foot, 3))
 
-def stage_arm(
-    robot: Robot,
-    q: JointInput = None,
-    *,
-    pose: str | None = None,
-    view: tuple[float, float] | None = None,
-    parameters: Values | None = None,
-    bare: Bare = "rad",
-) -> Staged:
+
+@frozen
+class ArmAt:
     """A robot at joint values, at one of its poses, or at the pose that shows it best.
 
-    Args:
+    Attributes:
         robot: The robot.
         q: Joint values, as `forward` takes them.
         pose: The name of a pose instead.
         view: Azimuth and elevation [deg]; the best view by default.
         parameters: Lengths and angles instead of the robot's own.
         bare: What a number without a unit means for a joint that turns.
-
-    Raises:
-        RobotError: A joint has no value; the pose is not known.
     """
-    full, made = with_examples(robot, parameters or {})
-    shown, values = posed(robot, q, pose, full, bare)
-    every = {**full, **values}
-    require(robot, robot.chain, every)
-    scene = arm_scene(robot, every)
-    if view is None:
-        view = VIEWS["top"] if is_planar(Skeleton.of(robot, every)) else best_view(scene)
-    scene = replace(scene, hand=broadside(scene, Camera.at(*view)))
-    examples = ", ".join(f"{plain(named(name))} = {value_words(every[name])}" for name in made)
-    caption = " · ".join(
-        part for part in (robot.name, NAMES[robot.convention], shown, f"example: {examples}" * bool(made)) if part
-    )
-    return Staged(scene, view, robot.title, caption, robot.first)
 
+    robot: Robot
+    q: JointInput = None
+    pose: str | None = None
+    view: tuple[float, float] | None = None
+    parameters: Values | None = None
+    bare: Bare = "rad"
 
-def values_at(
-    robot: Robot, q: JointInput, pose: str | None, parameters: Values | None, bare: Bare = "rad"
-) -> dict[str, Value]:
-    """Values of all joints and lengths of a figure, examples included; see `stage_arm`."""
-    full, _ = with_examples(robot, parameters or {})
-    return {**full, **posed(robot, q, pose, full, bare)[1]}
+    def values(self) -> dict[str, Value]:
+        """Values of all joints and lengths, examples included."""
+        full, _ = with_examples(self.robot, self.parameters or {})
+        return {**full, **posed(self.robot, self.q, self.pose, full, self.bare)[1]}
+
+    def staged(self) -> Staged:
+        """The scene, ready to be drawn.
+
+        Raises:
+            RobotError: A joint has no value; the pose is not known.
+        """
+        robot, view = self.robot, self.view
+        full, made = with_examples(robot, self.parameters or {})
+        shown, values = posed(robot, self.q, self.pose, full, self.bare)
+        every = {**full, **values}
+        require(robot, robot.chain, every)
+        scene = arm_scene(robot, every)
+        if view is None:
+            view = VIEWS["top"] if is_planar(Skeleton.of(robot, every)) else best_view(scene)
+        scene = replace(scene, hand=broadside(scene, Camera.at(*view)))
+        examples = ", ".join(f"{in_line(name)} = {value_words(every[name])}" for name in made)
+        name = robot.name * (robot.name != robot.title)
+        caption = " · ".join(
+            part for part in (name, NAMES[robot.convention], shown, f"example: {examples}" * bool(made)) if part
+        )
+        return Staged(scene, view, robot.title, caption, robot.first)
 
 
 def figure_of(staged: Staged, paper: Paper | None = None, *, worksheet: bool = False) -> Figure:
@@ -145,8 +153,7 @@ def figure_of(staged: Staged, paper: Paper | None = None, *, worksheet: bool = F
         turns = turn_wishes(scene, camera) if scene.arrows else ()
         over, wishes = [*lines, *axes], [*names, *lengths, *turns]
         wishes += [Wish((camera.flat(scene.point(mark.at)),), mark.words, "mark") for mark in scene.marks]
-    room = Rect(3, 3, paper.width - 3, paper.height - max(paper.foot, 3))
-    leaders, texts = placed(wishes, ink, room, paper.lettering)
+    leaders, texts = placed(wishes, ink, paper.room, paper.lettering)
     azimuth, elevation = staged.view
     caption = " · ".join(filter(None, (staged.caption, f"az {azimuth:.4g}°, el {elevation:.4g}°")))
     texts += foot(staged.title, caption, paper)
@@ -219,7 +226,7 @@ def posed(robot: Robot, q: JointInput, pose: str | None, full: Values, bare: Bar
 
 
 def _listed(values: Mapping[str, Value]) -> str:
-    return ", ".join(f"{plain(named(name))} = {value_words(value)}" for name, value in values.items())
+    return ", ".join(f"{in_line(name)} = {value_words(value)}" for name, value in values.items())
 
 
 def value_words(value: Value) -> str:

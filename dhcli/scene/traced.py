@@ -42,14 +42,7 @@ class Traced:
 
 
 def traced(name: str, segments: Iterable[tuple[str, Chain]], given: Given, pairs: Pairs) -> Traced:
-    """The frames that segments of moves lead to, one after the other from the base.
-
-    Args:
-        name: What they are called.
-        segments: The frame in which each segment ends, and its moves.
-        given: Values of all names in them.
-        pairs: Which frames are compared.
-    """
+    """The frames that segments of moves lead to, one after the other from the base."""
     floats, frame = Floats(given), WORLD
     frames: list[tuple[str, Frame]] = []
     line: list[Vector] = [frame.origin]
@@ -63,13 +56,7 @@ def traced(name: str, segments: Iterable[tuple[str, Chain]], given: Given, pairs
 
 
 def paired(ours: Sequence[str], theirs: Sequence[str], *, alike: bool) -> Pairs:
-    """Which frames are compared: all in turn, or only the last of two tables whose frames stand elsewhere.
-
-    Args:
-        ours: Names of the frames of the arm.
-        theirs: Names of the others.
-        alike: Whether both are in one convention.
-    """
+    """Which frames are compared: all in turn, or only the last of two tables whose frames stand elsewhere."""
     if alike and len(ours) == len(theirs):
         return tuple(zip(ours, theirs, strict=True))
     return ((ours[-1], theirs[-1]),) if ours and theirs else ()

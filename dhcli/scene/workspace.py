@@ -42,14 +42,7 @@ are made larger: then they are finer than the grid of poses."""
 
 
 class View(NamedTuple):
-    """One view of the points.
-
-    Attributes:
-        name: That of the view.
-        right: The axis to the right.
-        up: The axis upwards.
-        counts: Points in each cell.
-    """
+    """One view of the points."""
 
     name: str
     right: str
@@ -63,12 +56,7 @@ class View(NamedTuple):
 
 
 def workspace_figure(staged: Staged, workspace: Workspace) -> Figure:
-    """The points from the side and from above, with axes in metres; points of a plane from where that is seen whole.
-
-    Args:
-        staged: The arm, to be drawn where the points are seen from its base.
-        workspace: The points.
-    """
+    """The points from the side and from above, with axes in metres; points of a plane from where that is seen whole."""
     views = views_of(workspace)
     paper = Paper(*(PANEL if len(views) > 1 else ALONE))
     while len(views[0].counts) > MOST or (
@@ -91,7 +79,7 @@ def workspace_figure(staged: Staged, workspace: Workspace) -> Figure:
         figures.append(Figure(paper.width, paper.height, tuple(shapes), tuple(texts), staged.title))
     sheet = on_one_sheet(figures, staged.title)
     what = f"frame {workspace.frame}, seen from frame {workspace.reference}"
-    caption = f"{staged.caption} · {workspace.count:,} poses of {what}; darker where more of them lead"
+    caption = f"{workspace.count:,} poses of {what}; darker where more of them lead · {staged.caption}"
     low = Paper(sheet.width, sheet.height + paper.foot)
     return replace(sheet, height=low.height, texts=(*sheet.texts, *foot(staged.title, caption, low)), caption=caption)
 

@@ -307,7 +307,7 @@ def alike_grids(judge: Judge, part: Part, question: ColumnsQuestion, wanted: set
     paired = question.pairs(case) if any(" + " in name for name in wanted) else ()
     grids = [one.grid for one in paired if names(one.slips) in wanted]
     grids += [grid for slip, grid in question.every(case, question.right(case)) if slip.name in wanted]
-    first, *others = (question.at_points(judge.exercise, grid) for grid in grids)
+    first, *others = (question.at_points(judge.memo, grid) for grid in grids)
     return len(grids) >= len(wanted) and all(same_points(first, other) for other in others)
 
 

@@ -155,6 +155,68 @@ def test_many_rows_behind_q_are_sent_where_rows_go(dhcli: Run, tmp_path: Path) -
     assert f"fk --in {rows}" in done.err
 
 
+@pytest.mark.parametrize(
+    ("content", "theta1", "d3"),
+    [
+        ("theta1,theta2,d3\n0.5,0.2,0.1\n", 0.5, 0.1),
+        ("d3[mm];theta1[deg];theta2\n100;90;0,25\n", 1.5707963267948966, 0.1),
+        ("theta1 theta2 d3\n0,5 pi/2 0,1\n", 0.5, 0.1),
+        ("d3 = 0.1\ntheta1 = 0.5\ntheta2 = 0\n", 0.5, 0.1),
+    ],
+)
+def test_a_table_of_one_row_behind_q_is_read_by_its_header(
+    dhcli: Run, tmp_path: Path, content: str, theta1: float, d3: float
+) -> None:
+    """With the units that stand there; a header is no row of values."""
+    rows = tmp_path / "q.csv"
+    rows.write_text(content, "utf-8")
+    done = dhcli("fk", "scara", "--q", f"@{rows}", "--format", "json")
+    assert (done.data["values"]["theta1"], done.data["values"]["d3"]) == (theta1, d3)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("fk", "scara", "--q"),
+        ("jacobian", "scara", "--q"),
+        ("torques", "scara", "--force", "0,0,1", "--q"),
+        ("rates", "scara", "--q"),
+        ("singularities", "scara", "--q"),
+        ("ik", "scara", "--q"),
+        ("ik", "scara", "--pose", "pick", "--near"),
+        ("sweep", "scara", "--over", "q1=0..1 n 2", "--q"),
+        ("check", "scara", "--answer", "0", "--q"),
+        ("draw", "scara", "--q"),
+        ("draw", "scara", "--to"),
+    ],
+)
+def test_a_header_is_not_counted_as_a_row(dhcli: Run, tmp_path: Path, words: tuple[str, ...]) -> None:
+    """Wherever joint values are typed."""
+    rows = tmp_path / "q.csv"
+    rows.write_text("theta1,theta2,d3\n0.1,0.2,0.3\n0.4,0.5,0.6\n", "utf-8")
+    done = dhcli(*words, f"@{rows}")
+    assert done.code == 2
+    assert f"{words[-1]} {rows}: 2 rows of 3 values, and one pose is wanted" in done.err
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        ("theta1,theta2,d3\n", "is a header without values"),
+        ("theta1,theta2,d3\n1,2\n", "2 cells in a table of 3 columns"),
+        ("theta1,theta2,d4\n1,2,3\n", "did you mean d3?"),
+        ("theta1[mm],theta2,d3\n1,2,3\n", "mm is a unit of length, an angle is wanted"),
+        ("0.1,0.2,0.3,0.4,0.5,0.6\n", "scara has 3 joints, 6 values given"),
+    ],
+)
+def test_a_table_behind_q_that_is_none_says_why(dhcli: Run, tmp_path: Path, content: str, said: str) -> None:
+    """And six values in a line are no two rows."""
+    (tmp_path / "q.csv").write_text(content, "utf-8")
+    done = dhcli("fk", "scara", "--q", f"@{tmp_path / 'q.csv'}")
+    assert done.code == 2
+    assert said in done.err
+
+
 @pytest.mark.parametrize("name", ["arm.urdf", "arm.xacro"])
 @pytest.mark.parametrize("text", ["format: 1\n", "robot = 3\n"])
 def test_a_urdf_that_is_no_xml_is_not_read_as_yaml(dhcli: Run, tmp_path: Path, name: str, text: str) -> None:

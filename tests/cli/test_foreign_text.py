@@ -17,7 +17,7 @@ from xml.etree import ElementTree as ET
 import pytest
 
 import dhcli
-from dhcli.render import look
+from dhcli.render import kinds
 from dhcli.safe import (
     comment,
     csv_cell,
@@ -144,14 +144,14 @@ def command_lines() -> Iterator[tuple[str, ...]]:
         "transform": ("transform", "Rot(z, theta1) Trans(1, 0, 0)"),
         "steps": ("transform", "Rot(z, theta1) Trans(1, 0, 0)", "--steps"),
     }.items():
-        yield from ((*words, "--format", name) for name in look.formats(kind) if name != "gradescope")
-    yield from (("show", products, "--format", name) for name in look.formats("robot"))
+        yield from ((*words, "--format", name) for name in kinds.formats(kind) if name != "gradescope")
+    yield from (("show", products, "--format", name) for name in kinds.formats("robot"))
     yield "grade", "class/one", "--format", "gradescope"
     for words in (("fk", robot), ("jacobian", robot)):
-        yield from ((*words, "--code", name) for name in look.formats("function") if name != "json")
+        yield from ((*words, "--code", name) for name in kinds.formats("function") if name != "json")
         yield (*words, "--code", "c", "--format", "json")
     solver = ("ik", robot, "--task", "position", "--code")
-    yield from ((*solver, name) for name in look.formats("inverse function") if name != "json")
+    yield from ((*solver, name) for name in kinds.formats("inverse function") if name != "json")
     yield "draw", robot, "--pose", "home"
     yield "draw", robot, "--pose", "home", "-o", f"{NAME}.svg"
     yield "start", exercise, "-o", "-"
@@ -177,8 +177,8 @@ def test_no_file_and_no_word_steers_the_terminal(
         shown.add((kind, name))
         check(kind, name)
 
-    check = look.check_format
-    monkeypatch.setattr(look, "check_format", noted)
+    check = kinds.check_format
+    monkeypatch.setattr(kinds, "check_format", noted)
     for words in command_lines():
         with subtests.test(words=words):
             done = dhcli(*words)
@@ -186,7 +186,7 @@ def test_no_file_and_no_word_steers_the_terminal(
             assert done.code != 3, done.err
             is_code = words[0] in ("fk", "transform", "jacobian", "ik") and words[-1] != "table"  # that folds headings
             assert not is_code or not any(line.startswith("import os") for line in done.out.split("\n"))
-    assert shown >= set(look._RENDERERS)
+    assert shown >= set(kinds._RENDERERS)
 
 
 @pytest.mark.parametrize("suffix", ["py", "m"])

@@ -14,7 +14,7 @@ import pytest
 
 from dhcli.checking.verdicts import Verdict
 from dhcli.errors import FileError
-from dhcli.files import holding
+from dhcli.files import progress
 from dhcli.files.progress import Try, path_of_progress, read_progress, record, solved_parts
 from dhcli.storage.atomic import write_whole
 from dhcli.storage.home import user_folder
@@ -56,9 +56,9 @@ def test_twenty_checks_at_once_are_twenty_tries() -> None:
 @pytest.mark.skipif(not hasattr(os, "O_DIRECTORY"), reason="this system cannot hold a folder")
 def test_who_does_not_let_go_is_not_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
     """The verdict shows all the same; the next one waits no more once it is free."""
-    monkeypatch.setattr(holding, "PATIENCE", 0.0)
+    monkeypatch.setattr(progress, "PATIENCE", 0.0)
     record("yim/x", {"a": Verdict.WRONG})
-    with holding.held(path_of_progress().parent):
+    with progress.held(path_of_progress().parent):
         assert "held by another dhcli" in record("yim/x", {"a": Verdict.RIGHT})
     assert record("yim/x", {"a": Verdict.RIGHT}) == ""
     assert read_progress()[0] == {"yim/x": {"a": Try("RIGHT", 2)}}
@@ -166,7 +166,7 @@ def test_a_kill_leaves_a_file_of_the_kind_that_is_swept(tmp_path: Path) -> None:
 
 def test_a_folder_that_is_no_folder_is_not_held(tmp_path: Path) -> None:
     """Whoever writes there says what is wrong."""
-    with holding.held(tmp_path / "nowhere"):
+    with progress.held(tmp_path / "nowhere"):
         pass
     with pytest.raises(FileError, match="no folder"):
         write_whole(tmp_path / "nowhere" / "a", "x", overwrite=False)

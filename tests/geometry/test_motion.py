@@ -11,9 +11,9 @@ from hypothesis import strategies as st
 
 from dhcli.algebra.floats import Floats
 from dhcli.algebra.terms import TERMS
+from dhcli.geometry.linear import pivots
 from dhcli.geometry.motion import identity, inverse, product
 from dhcli.geometry.orthonormal import faults
-from dhcli.geometry.pivots import pivots
 from dhcli.geometry.rigid import Rigid
 from dhcli.geometry.twists import about, along, displacements
 from dhcli.geometry.twists import inverse as inverse_pose

@@ -14,8 +14,7 @@ from dhcli.errors import NotationError, Place
 from dhcli.geometry.orthonormal import not_a_rotation
 from dhcli.geometry.printed import digit_slack, sharp_rows
 from dhcli.kinematics.fold import fold
-from dhcli.kinematics.moves import Fixed, Rot, read_chain
-from dhcli.kinematics.sharpened import sharpened
+from dhcli.kinematics.moves import Fixed, Rot, read_chain, sharpened
 from dhcli.kinematics.transform import Wanted, compose, read_product
 from dhcli.notation.angle import Angle
 

@@ -152,7 +152,7 @@ def test_a_right_robot_exists() -> None:
             {"limits": {"d2": (Angle(), Angle.in_degrees(9))}},
             "limits.d2: d2 slides, and an angle is no length (write 300 mm or 0.3 m)",
         ),
-        ({"poses": {"up": (Angle(),)}}, "poses.up: 1 values for 2 joints (one for each of theta1, d2)"),
+        ({"poses": {"up": (Angle(),)}}, "poses.up: 1 value for 2 joints (one for each of theta1, d2)"),
         (
             {"poses": {"up": (number(1), number(1))}},
             "poses.up: theta1 turns, and 1 is not an angle (write 90° or 1.57 rad)",

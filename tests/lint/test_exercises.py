@@ -267,7 +267,11 @@ def test_a_tolerance_that_says_nothing_is_told(broken: Broken, tmp_path: Path) -
 
 def test_the_smallest_length_may_be_one_that_is_given(tmp_path: Path) -> None:
     """A parameter of the task counts as one of the robot does."""
-    given = CLEAN.replace("theta2: 20°}", "theta2: 20°, e: 4 mm}").replace("rotation: 0.001", "position: 1 mm")
+    given = (
+        CLEAN.replace("theta2: 20°}", "theta2: 20°, e: 4 mm}")
+        .replace("the end.", "the end, e away.")
+        .replace("rotation: 0.001", "position: 1 mm")
+    )
     (found,) = findings(tmp_path, given)
     assert found.message == "position: a tolerance of 1 mm is large beside e = 4 mm"
     assert found.hint == "at most 0.4 mm, or an answer without e may pass"
@@ -310,7 +314,7 @@ def test_a_blank_sheet_that_earns_something_is_told(monkeypatch: pytest.MonkeyPa
     free = [replace(one, mark=Mark(Verdict.RIGHT, "")) if one.part.id == "tip" else one for one in sheet.parts]
     monkeypatch.setattr(judge, "sheet", lambda *_: replace(sheet, parts=tuple(free)))
     (found,) = exercises.findings(judge)
-    assert (found.where, found.message) == (("parts", "tip"), "tip: a blank answer is judged RIGHT")
+    assert (found.where, found.message) == (("parts", 1), "tip: a blank answer is judged RIGHT")
 
 
 def test_a_name_without_a_value_is_told_by_its_name(tmp_path: Path) -> None:
@@ -385,3 +389,26 @@ def test_a_part_that_was_withdrawn_is_not_looked_at(tmp_path: Path) -> None:
     left = [one for one in findings(tmp_path, gone) if "tests: none is RIGHT" not in str(one)]
     assert left
     assert all("table" in str(one) for one in left)
+
+
+@cases(
+    Broken(
+        "theta2: 20°}",
+        "theta2: 20°, a1: 300}",
+        "7:39",
+        "a1: 300 m is longer than any arm",
+        "bare lengths are metres: did you mean 300 mm?",
+        is_warning=True,
+    ),
+)
+def test_a_length_of_the_robot_that_is_given_in_millimetres_without_its_unit_is_told(
+    broken: Broken, tmp_path: Path
+) -> None:
+    """Beside all that follows from it, such as tests that do not come out."""
+    found = findings(tmp_path, CLEAN.replace(broken.old, broken.new))
+    assert Broken("", "", broken.at, broken.message, broken.hint, broken.is_warning) in found
+    drawn = CLEAN.replace("theta2: 20°}", "theta2: 20°}\nvariants: {a1: 300..400 step 100}")
+    assert "a1: 400 m is longer than any arm" in [one.message for one in findings(tmp_path, drawn)]
+    other = CLEAN.replace("theta2: 20°}", "theta2: 20°, f_x: 300}")
+    other = other.replace("Find the pose", "A force f_x pulls. Find the pose")
+    assert findings(tmp_path, other) == []

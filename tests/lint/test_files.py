@@ -190,6 +190,63 @@ def test_nothing_is_judged_where_what_is_right_is_in_doubt(tmp_path: Path) -> No
     assert not [message for message in messages if "judged" in message]
 
 
+ARM = """\
+format: 1
+title: An arm; TODO
+source: a test
+convention: standard
+variables: [theta1, theta2, d3]
+parameters: {a1: 300, a2: 0.3 m, a3: 0.1 m}
+tool: Trans(0, 0, 100)
+links:
+  - {a: a1, alpha: 0, d: 120, theta: theta1}
+  - {a: a2, alpha: 180, d: 0, theta: theta2}
+  - {a: 0, alpha: 0, d: d3, theta: 0}
+limits:
+  theta1: [-160°, 160°]
+  theta2: [90°, -90°]
+poses:
+  up: [190°, 100°, 0]
+  home: [0, 0]
+"""
+
+
+def test_a_slip_in_a_table_hides_nothing_that_stands_beside_it(tmp_path: Path) -> None:
+    """Lengths, parameters, limits and poses are looked at, as far as they do not follow from the slip."""
+    told = [(one.at, one.message) for one in findings(tmp_path, ARM)]
+    assert told == [
+        ("2:8", "title: still says 'TODO'"),
+        ("6:18", "a1: 300 m is longer than any arm"),
+        ("6:38", "a3: no link uses it"),
+        ("7:7", "tool: 100 m is longer than any arm"),
+        ("9:26", "d of row 1: 120 m is longer than any arm"),
+        ("10:20", "alpha: the angle 180 has no unit"),
+        ("14:3", "theta2: the lower limit is not below the upper one"),
+        ("16:3", "up: theta1 = 190° is outside its limits"),
+        ("17:3", "home: 2 values for 3 joints"),
+    ]
+
+
+def test_what_follows_from_a_slip_is_not_told_beside_it(tmp_path: Path) -> None:
+    """A length that stands in a cell that cannot be read is used, and with an unknown unit no length is long."""
+    text = ARM.replace("alpha: 180,", "alpha: 180°,").replace("theta: 0}", "theta: 5 + a3}")
+    assert "a3: no link uses it" not in [one.message for one in findings(tmp_path, text)]
+    text = ARM.replace("convention:", "units: millimetre\nconvention:")
+    assert not [one for one in findings(tmp_path, text) if "longer than any arm" in one.message]
+
+
+def test_of_two_parts_with_one_id_the_one_that_is_meant_is_pointed_at(tmp_path: Path) -> None:
+    """By where it stands, for the id does not tell."""
+    text = DRAFT.replace("tests:", "  - {id: tip, ask: link 1, credit: 0, prompt: TODO}\ntests:")
+    told = [(one.at, one.message) for one in findings(tmp_path, text) if one.at.startswith("15:")]
+    assert told == [
+        ("15:5", "tip: has no hints"),
+        ("15:6", "id: the id tip is used twice"),
+        ("15:36", "tip: is worth nothing"),
+        ("15:47", "prompt: still says 'TODO'"),
+    ]
+
+
 def test_a_file_that_does_not_load_is_still_told_that_its_name_is_taken(tmp_path: Path) -> None:
     """The name needs no more than the file."""
     messages = [one.message for one in findings(tmp_path, DRAFT, "puma560.yaml")]

@@ -67,3 +67,19 @@ def test_counts_alone_need_only_a_title(tmp_path: Path) -> None:
     assert findings(tmp_path, counts.replace("TITLE", "Four bars")) == []
     (found,) = findings(tmp_path, counts.replace("TITLE", "TODO"))
     assert (found.at, found.message) == ("2:8", "title: still says 'TODO'")
+
+
+def test_points_in_millimetres_without_their_unit_are_told_once(tmp_path: Path) -> None:
+    """By the one that lies farthest out: with a name, without one, and in a loop of rows."""
+    drawn = CLEAN.replace("[0.6, 1.8]", "[60, 180]")
+    (found,) = findings(tmp_path, drawn)
+    assert (found.at, found.message) == ("5:35", "C: a coordinate of 180 m is larger than any linkage")
+    assert (found.hint, found.is_warning) == ("bare lengths are metres: did you mean 180 mm?", True)
+    head = CLEAN[: CLEAN.index("points:")]
+    listed = head + "joints:\n  - {type: R, links: [ground, a], point: [300, 0]}\n"
+    (found,) = findings(tmp_path, listed)
+    assert (found.at, found.message) == ("5:1", "a point: a coordinate of 300 m is larger than any linkage")
+    row = "    - {a: 300, alpha: 0, d: 0, theta: 90°}\n"
+    loop = head.replace("planar", "spatial") + f"loop:\n  convention: standard\n  rows:\n{4 * row}"
+    (found,) = findings(tmp_path, loop)
+    assert (found.at, found.message) == ("5:1", "a point: a coordinate of 300 m is larger than any linkage")

@@ -68,6 +68,118 @@ def test_a_length_that_makes_no_sense_is_told(broken: Broken, tmp_path: Path) ->
     assert_told(tmp_path, CLEAN, broken)
 
 
+LONG = "is longer than any arm"
+METRES = "bare lengths are metres: did you mean 120 mm?"
+
+
+@cases(
+    Broken(
+        "a: a1, alpha: 0, d: 0,",
+        "a: a1, alpha: 0, d: 120,",
+        "9:26",
+        f"d of row 1: 120 m {LONG}",
+        METRES,
+        is_warning=True,
+    ),
+    Broken("a: a2,", "a: a2 - 120,", "10:9", f"a of row 2: 120 m {LONG}", METRES, is_warning=True),
+    Broken("d: d3,", "d: d3 + 120,", "11:25", f"d of row 3: 120 m {LONG}", METRES, is_warning=True),
+    Broken("limits:\n", "tool: Trans(0, 0, 120)\nlimits:\n", "12:7", f"tool: 120 m {LONG}", METRES, is_warning=True),
+    Broken(
+        "limits:\n",
+        "base: '[1 0 0 120; 0 1 0 0; 0 0 1 0; 0 0 0 1]'\nlimits:\n",
+        "12:7",
+        f"base: 120 m {LONG}",
+        METRES,
+        is_warning=True,
+    ),
+    Broken(
+        "limits:\n",
+        "tools: {pen: 'Trans(120, 0, 0)'}\nlimits:\n",
+        "12:14",
+        f"pen: 120 m {LONG}",
+        METRES,
+        is_warning=True,
+    ),
+    Broken("d3: [0, 0.2 m]", "d3: [0, 120]", "14:3", f"d3: 120 m {LONG}", METRES, is_warning=True),
+)
+def test_a_length_in_millimetres_without_its_unit_is_told_wherever_it_stands(broken: Broken, tmp_path: Path) -> None:
+    """In rows, beside joint variables, in tools and bases, and in limits."""
+    assert_told(tmp_path, CLEAN, broken)
+
+
+def test_where_all_lengths_lack_their_unit_one_key_mends_them(tmp_path: Path) -> None:
+    """Each is told at its place, a slide within its limits among them; with the key there is nothing to tell."""
+    bare = CLEAN.replace("0.4 m, a2: 300 mm", "400, a2: 300").replace("0.2 m]", "200]").replace("100 mm]", "100]")
+    told = findings(tmp_path, bare)
+    assert [one.message.split()[0] for one in told] == ["a1:", "a2:", "d3:", "up:"]
+    assert told[3].message == "up: d3 = 100 m is longer than any arm"
+    assert told[0].hint == "bare lengths are metres: did you mean 400 mm? units: mm makes all of them so"
+    assert findings(tmp_path, bare.replace("convention:", "units: mm\nconvention:")) == []
+
+
+def test_a_length_that_follows_from_another_is_told_with_that_alone(tmp_path: Path) -> None:
+    """One number is wrong, and twice of it is no second one."""
+    text = CLEAN.replace("0.4 m, a2: 300 mm", "400, a2: 2*a1")
+    assert [one.message for one in findings(tmp_path, text)] == ["a1: 400 m is longer than any arm"]
+
+
+@pytest.mark.parametrize(("size", "hint"), [("0.4 mm", "did you mean 0.4 m?"), ("3 mm", "")])
+def test_an_arm_of_less_than_a_fingernail_was_measured_in_metres(tmp_path: Path, size: str, hint: str) -> None:
+    """With `units: mm` above them, or a wrong unit behind each; one that is open may be as long as an arm."""
+    text = CLEAN.replace("0.4 m, a2: 300 mm", f"0.3 mm, a2: {size}").replace("0.2 m]", "0.1 mm]")
+    text = text.replace("100 mm]", "0.1 mm]")
+    told = [(one.message, one.hint) for one in findings(tmp_path, text)]
+    assert told == ([("a2: the longest of all lengths is 0.4 mm", hint)] if hint else [])
+    assert findings(tmp_path, text.replace("a1: 0.3 mm", "a1: ")) == []
+
+
+AXES = """\
+format: 1
+title: An arm
+source: a test
+convention: axes
+variables: [theta1, theta2]
+axes:
+  - {theta1: +z, through: (0, 0, 0)}
+  - {theta2: -z, through: (300, 0, 0)}
+end: Trans(0.3, 0, 0)
+"""
+SCREWS = """\
+format: 1
+title: An arm
+source: a test
+convention: screws
+variables: [theta1, theta2]
+screws:
+  - {theta1: (0, 0, 1, 0, 0, 0)}
+  - {theta2: (0, 0, 1, 0, -300, 0)}
+home: Trans(0.7, 0, 0)
+"""
+PRODUCT = """\
+format: 1
+title: An arm
+source: a test
+convention: product
+variables: [theta1, theta2]
+links:
+  - Rot(z, theta1)
+  - Trans(300, 0, 0) * Rot(z, theta2)
+"""
+
+
+@pytest.mark.parametrize("text", [AXES, SCREWS, PRODUCT], ids=["axes", "screws", "product"])
+def test_a_long_way_is_told_in_every_form_of_a_robot(tmp_path: Path, text: str) -> None:
+    """At the axis, the screw or the product that it leads to."""
+    (found,) = findings(tmp_path, text)
+    assert (found.at, found.message, found.is_warning) == ("8:5", "row 2: 300 m is longer than any arm", True)
+
+
+def test_blocks_that_no_joint_moves_have_any_size(tmp_path: Path) -> None:
+    """A book may name no unit for them."""
+    text = PRODUCT.replace("variables: [theta1, theta2]", "variables: []").replace("theta1", "30°")
+    assert findings(tmp_path, text.replace("theta2", "40°")) == []
+
+
 @cases(
     Broken(
         "  - {a: 0, alpha: 0, d: d3, theta: 0}",

@@ -21,7 +21,7 @@ from dhcli.scene.choice import best_pose, with_examples
 from dhcli.scene.drawing import Drawing
 from dhcli.scene.primitives import Box, Drum, Scene
 from dhcli.scene.skeleton import Skeleton
-from dhcli.scene.staging import values_at
+from dhcli.scene.staging import ArmAt
 from dhcli.scene.vectors import norm, sub
 from tests.scene.examples import ROBOTS
 
@@ -159,7 +159,7 @@ def test_the_pose_that_shows_a_robot_best_is_not_its_zero_where_it_has_better_on
 def test_joints_that_drives_tie_about_one_axis_are_one_drum_with_the_sum_of_their_angles() -> None:
     """`j3 - j2` in one row of the table is one joint of the arm."""
     robot = load_robot(DATA / "palletizer.yaml")
-    drums = [solid.name for solid in arm_scene(robot, values_at(robot, None, None, None)).solids]
+    drums = [solid.name for solid in arm_scene(robot, ArmAt(robot).values()).solids]
     assert len(drums) == len([link for link in robot.links if link.row and link.row.theta.terms])
     assert any("j2" in name and "j3" in name for name in drums)
 
@@ -194,7 +194,7 @@ def _given_otherwise() -> dict[str, Robot]:
 def test_a_robot_is_drawn_however_it_was_given(kind: str) -> None:
     """Each frame stands where forward has it, base and tool too, and a picture comes of it."""
     robot = _given_otherwise()[kind]
-    values = values_at(robot, None, None, None)
+    values = ArmAt(robot).values()
     skeleton = Skeleton.of(robot, values)
     q = {name: values[name] for name in robot.variables}
     names = [name for name, _ in skeleton.numbered]

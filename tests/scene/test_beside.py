@@ -11,6 +11,7 @@ from dhcli import load_robot
 from dhcli.errors import RobotError
 from dhcli.kinematics.robot import Robot
 from dhcli.scene.beside import beside_figure
+from dhcli.scene.staging import ArmAt
 from tests.scene.examples import robot_of
 
 RIGHT = [
@@ -35,7 +36,7 @@ def _with(row: int, old: str, new: str) -> Robot:
 )
 def test_the_first_frame_that_differs_is_that_of_the_row(row: int, old: str, new: str) -> None:
     """It is named under the picture and has a ring around it, and its axes have their names with a stroke."""
-    figure = beside_figure(robot_of(RIGHT, NAMES), _with(row, old, new), Q)
+    figure = beside_figure(ArmAt(robot_of(RIGHT, NAMES), Q), _with(row, old, new))
     assert figure.caption.endswith(f"frame {row + 1} is the first that differs")
     assert sum(shape.look == "theirs-mark" for shape in figure.shapes) == 1
     assert {"".join(run.text for run in text.words)[-2:] for text in figure.texts if text.look == "theirs"} == {
@@ -45,7 +46,7 @@ def test_the_first_frame_that_differs_is_that_of_the_row(row: int, old: str, new
 
 def test_the_same_table_differs_nowhere() -> None:
     """Nothing is marked."""
-    figure = beside_figure(robot_of(RIGHT, NAMES), robot_of(RIGHT, NAMES), Q)
+    figure = beside_figure(ArmAt(robot_of(RIGHT, NAMES), Q), robot_of(RIGHT, NAMES))
     assert figure.caption.endswith("no frame differs")
     assert not any(shape.look == "theirs-mark" for shape in figure.shapes)
 
@@ -53,19 +54,19 @@ def test_the_same_table_differs_nowhere() -> None:
 def test_of_two_conventions_only_the_last_frames_are_compared() -> None:
     """Those before them stand elsewhere in both right tables."""
     modified, standard = load_robot("zhou-3r-modified"), load_robot("zhou-3r")
-    assert "no frame differs" in beside_figure(modified, standard, Q).caption
-    assert "frame 3 is the first that differs" in beside_figure(modified, _with(0, "90°", "0"), Q).caption
+    assert "no frame differs" in beside_figure(ArmAt(modified, Q), standard).caption
+    assert "frame 3 is the first that differs" in beside_figure(ArmAt(modified, Q), _with(0, "90°", "0")).caption
 
 
 def test_an_arm_with_other_joints_is_refused() -> None:
     """A sliding joint has no angle."""
     with pytest.raises(RobotError, match=r"RRR.*RRP"):
-        beside_figure(load_robot("articulated"), load_robot("scara"))
+        beside_figure(ArmAt(load_robot("articulated")), load_robot("scara"))
 
 
 def test_the_same_axes_are_seen_one_under_the_other() -> None:
     """Wide and pale, with a rim around the whole of the narrow arrow, which is painted later."""
-    figure = beside_figure(robot_of(RIGHT, NAMES), robot_of(RIGHT, NAMES), Q)
+    figure = beside_figure(ArmAt(robot_of(RIGHT, NAMES), Q), robot_of(RIGHT, NAMES))
     looks = [shape.look for shape in figure.shapes]
     wide = [shape for shape in figure.shapes if shape.look == "theirs-axis-head"]
     narrow = [shape for shape in figure.shapes if shape.look in ("x-head", "z-head")]
@@ -92,7 +93,7 @@ def test_an_axis_seen_end_on_shows_both_senses() -> None:
     rows = ["{a: 0.4, alpha: 0, d: 0, theta: theta1}", "{a: 0.3, alpha: 0, d: 0, theta: theta2}"]
     turned = [rows[0].replace("alpha: 0", "alpha: 180°"), rows[1].replace("theta2", "-theta2")]
     names = NAMES[:2]
-    figure = beside_figure(robot_of(rows, names), robot_of(turned, names), Q[:2])
+    figure = beside_figure(ArmAt(robot_of(rows, names), Q[:2]), robot_of(turned, names))
     rings = [shape for shape in figure.shapes if shape.look == "theirs-ring"]
     assert sum(shape.closed for shape in rings) == 3
     assert sum(not shape.closed for shape in rings) == 4, "z1 and z2 point away"

@@ -8,7 +8,7 @@ from functools import cache
 
 import pytest
 
-from dhcli import DhcliError, load_robot
+from dhcli import DhcliError, Robot, load_robot
 from dhcli.errors import RobotError
 from dhcli.files.yaml.linkages import load_linkage, read_linkage
 from dhcli.mobility.linkage import Linkage
@@ -18,7 +18,7 @@ from dhcli.scene.labels import PRINT, Rect
 from dhcli.scene.linkages import linkage_figure
 from dhcli.scene.primitives import Drum
 from dhcli.scene.shapes import Figure, Text
-from dhcli.scene.staging import Paper, figure_of, foot, stage_arm
+from dhcli.scene.staging import ArmAt, Paper, figure_of, foot
 from dhcli.scene.words import spelled
 from tests.nightly import NIGHT, paired
 from tests.scene.examples import LINKAGES, ROBOTS, long_robot, odd_robots
@@ -30,7 +30,7 @@ def _figure(name: str, pose: str | None = None, view: str | None = None) -> Figu
         linkage = load_linkage(name)
         assert isinstance(linkage, Linkage)
         return linkage_figure(linkage)
-    staged = stage_arm(load_robot(name), pose=pose, view=read_view(view) if view else None)
+    staged = ArmAt(load_robot(name), pose=pose, view=read_view(view) if view else None).staged()
     return figure_of(staged)
 
 
@@ -92,7 +92,7 @@ def _has_line(ink: Ink, rect: Rect) -> bool:
 @pytest.mark.parametrize("name", ROBOTS)
 def test_every_frame_joint_and_length_has_its_label(name: str) -> None:
     """None is left out for want of room."""
-    staged = stage_arm(load_robot(name))
+    staged = ArmAt(load_robot(name)).staged()
     scene, figure = staged.scene, figure_of(staged)
     written = [(text.look, text.words) for text in figure.texts if text.look != "caption"]
     for arrow in scene.arrows:
@@ -107,36 +107,44 @@ def test_an_odd_robot_is_drawn_all_the_same(name: str) -> None:
     """From every side, also where its lengths are nothing or far apart."""
     robot = odd_robots()[name]
     for view in ("iso", "top", "0,-30"):
-        _check(figure_of(stage_arm(robot, view=read_view(view))))
+        _check(figure_of(ArmAt(robot, view=read_view(view)).staged()))
 
 
 def test_fifty_joints_are_drawn_with_all_their_labels() -> None:
     """A hundred and fifty of them, none on another."""
-    figure = figure_of(stage_arm(long_robot(50), [0.3] * 50, view=(37.0, 26.0)))
+    figure = figure_of(ArmAt(long_robot(50), [0.3] * 50, view=(37.0, 26.0)).staged())
     _check(figure)
     assert sum(text.look == "turn" for text in figure.texts) == 50
 
 
 def test_lengths_without_values_are_drawn_by_example_and_the_caption_says_so() -> None:
     """Nobody takes an example for the robot's own."""
-    assert "example: ai = 0.4 m" in stage_arm(load_robot("dh-link")).caption
-    assert "example" not in stage_arm(load_robot("puma560")).caption
+    assert "example: a_i = 0.4 m" in ArmAt(load_robot("dh-link")).staged().caption
+    assert "example" not in ArmAt(load_robot("puma560")).staged().caption
+
+
+def test_a_caption_calls_joints_by_their_names_and_a_robot_once() -> None:
+    """θ1 is short for theta1, and joint1 would be another name than joint_1."""
+    robot = Robot.from_dh([(1, 0, 0, "joint_1"), (1, 0, 0, "theta2")], variables=["joint_1", "theta2"], name="two")
+    assert ArmAt(robot, [0.5, 0]).staged().caption == "standard DH · joint_1 = 28.65°, θ2 = 0°"
+    under = [text.words[0].text for text in figure_of(ArmAt(robot, [0.5, 0]).staged()).texts if text.look == "caption"]
+    assert under[0].startswith("two · standard DH · ")
 
 
 def test_a_figure_says_its_pose_convention_and_view() -> None:
     """By the pose's name, also where its values are typed."""
     caption = _figure("puma560").caption
     assert caption == "puma560 · modified DH · pose nominal · az 37°, el 18°"
-    typed = stage_arm(load_robot("puma560"), "0, -45°, 0, 0, -45°, 0").caption
+    typed = ArmAt(load_robot("puma560"), "0, -45°, 0, 0, -45°, 0").staged().caption
     assert "pose nominal" in typed
-    assert "θ2 = -40°" in stage_arm(load_robot("puma560"), "0, -40°, 0, 0, -45°, 0").caption
+    assert "θ2 = -40°" in ArmAt(load_robot("puma560"), "0, -40°, 0, 0, -45°, 0").staged().caption
 
 
 @pytest.mark.parametrize("name", ["puma560", "planar-2r", "spherical-wrist"])
 def test_a_worksheet_keeps_view_and_bodies_and_gives_no_frame_away(name: str) -> None:
     """Its bodies are those of the solution, at the same place; of labels there are the numbers of the joints."""
     robot = load_robot(name)
-    staged = stage_arm(robot)
+    staged = ArmAt(robot).staged()
     solution, sheet = figure_of(staged), figure_of(staged, worksheet=True)
     looks = {shape.look for shape in sheet.shapes}
     assert not looks & {"x", "z", "dim", "slide", "turn", "halo"}
@@ -190,9 +198,9 @@ def test_a_view_that_does_not_exist_is_refused_with_those_that_do(text: str) -> 
 def test_values_and_a_pose_are_not_given_both() -> None:
     """One of the two would be silently dropped."""
     with pytest.raises(RobotError, match="two answers"):
-        stage_arm(load_robot("scara"), [0, 0, 0], pose="pick")
+        ArmAt(load_robot("scara"), [0, 0, 0], pose="pick").staged()
     with pytest.raises(RobotError, match="no pose called nowhere"):
-        stage_arm(load_robot("scara"), pose="nowhere")
+        ArmAt(load_robot("scara"), pose="nowhere").staged()
 
 
 @pytest.mark.nightly
@@ -224,7 +232,7 @@ def test_a_long_caption_stands_on_two_lines_and_loses_nothing() -> None:
 @pytest.mark.parametrize("name", [name for name in ROBOTS if load_robot(name).variables])
 def test_no_number_of_an_axis_stands_in_the_hand(name: str) -> None:
     """Neither between the fingers nor on them: the axis goes on behind them."""
-    figure = figure_of(stage_arm(load_robot(name)), worksheet=True)
+    figure = figure_of(ArmAt(load_robot(name)).staged(), worksheet=True)
     fingers = [point for shape in figure.shapes if shape.look == "hand" for point in shape.points]
     assert fingers
     xs, ys = zip(*fingers, strict=True)

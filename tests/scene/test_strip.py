@@ -9,7 +9,8 @@ from dhcli.kinematics.values import joint_values
 from dhcli.scene.camera import Camera
 from dhcli.scene.choice import EDGE_ON
 from dhcli.scene.motion import MOST_SCENES, between, moments, motion_of
-from dhcli.scene.strip import CELL, MOMENTS, strip_figure
+from dhcli.scene.panels import CELL, MOMENTS, strip_figure
+from dhcli.scene.staging import ArmAt
 
 
 @pytest.mark.parametrize(
@@ -18,7 +19,7 @@ from dhcli.scene.strip import CELL, MOMENTS, strip_figure
 )
 def test_a_strip_has_its_moments_side_by_side_each_in_its_own_cell(name: str, start: str, end: str) -> None:
     """The base stands still in all of them; the way grows from picture to picture."""
-    figure = strip_figure(motion_of(load_robot(name), pose=start, to=end))
+    figure = strip_figure(motion_of(ArmAt(load_robot(name), pose=start), to=end))
     assert figure.caption.endswith(f"pose {start} to pose {end}")
     assert figure.width == CELL * MOMENTS
     for shape in figure.shapes:
@@ -44,7 +45,7 @@ def test_a_strip_of_rows_begins_at_the_first_and_ends_at_the_last() -> None:
     """The way of the end goes through the place of every row, also of those that are not drawn."""
     robot = load_robot("planar-2r")
     rows = [(0.01 * k, 0.5 - 0.002 * k) for k in range(300)]
-    motion = motion_of(robot, rows=rows)
+    motion = motion_of(ArmAt(robot), rows=rows)
     assert (motion.steps[0], motion.steps[-1], len(motion.places)) == (0, 299, 300)
     assert len(motion.scenes) == MOST_SCENES + 1
     for row, place in zip(rows, motion.places, strict=True):
@@ -57,13 +58,13 @@ def test_a_strip_of_rows_begins_at_the_first_and_ends_at_the_last() -> None:
 @pytest.mark.parametrize("count", [1, 2, 3])
 def test_a_path_of_few_rows_has_no_more_pictures_than_rows(count: int) -> None:
     """One row is one picture."""
-    figure = strip_figure(motion_of(load_robot("planar-2r"), rows=[(0.1 * k, 0.2) for k in range(count)]))
+    figure = strip_figure(motion_of(ArmAt(load_robot("planar-2r")), rows=[(0.1 * k, 0.2) for k in range(count)]))
     assert figure.width == CELL * count
 
 
 def test_what_stands_still_does_so_in_every_moment_of_an_animation() -> None:
     """The ground of a spatial arm is the same area in all of them."""
-    figures = moments(motion_of(load_robot("stanford"), pose="zero", to="grasp"))
+    figures = moments(motion_of(ArmAt(load_robot("stanford"), pose="zero"), to="grasp"))
     plates = {shape.points for figure in figures for shape in figure.shapes if shape.look == "plate"}
     assert len(plates) == 1
     assert len(figures) == 25
@@ -73,7 +74,7 @@ def test_what_stands_still_does_so_in_every_moment_of_an_animation() -> None:
 def test_each_moment_of_a_strip_has_its_joint_values_below(name: str, start: str, end: str) -> None:
     """In joint order, those of both poses at the ends, and never wider than its cell."""
     robot = load_robot(name)
-    figure = strip_figure(motion_of(robot, pose=start, to=end))
+    figure = strip_figure(motion_of(ArmAt(robot, pose=start), to=end))
     told = [text for text in figure.texts if text.at[1] > CELL and text.look == "number"]
     assert len(told) == MOMENTS
     for text, pose in ((told[0], start), (told[-1], end)):
@@ -85,7 +86,7 @@ def test_each_moment_of_a_strip_has_its_joint_values_below(name: str, start: str
 @pytest.mark.parametrize(("name", "start", "end"), [("panda", "ready", "square"), ("puma560", "ready", "nominal")])
 def test_a_hand_is_seen_as_a_fork_and_opens_one_way_in_all_moments(name: str, start: str, end: str) -> None:
     """Edge-on it would pass for a stick; and it may not turn from picture to picture but with its joint."""
-    motion = motion_of(load_robot(name), pose=start, to=end)
+    motion = motion_of(ArmAt(load_robot(name), pose=start), to=end)
     first = motion.scenes[0]
     assert first.hand is not None
     camera = Camera.at(*motion.view)

@@ -16,8 +16,7 @@ from dhcli.checking.truth import piece_of
 from dhcli.checking.wanted import Wanted
 from dhcli.errors import DhcliError
 from dhcli.kinematics.fold import fold
-from dhcli.kinematics.frames import View, between, frame
-from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.frames import View, between, span_of
 
 MOST_WAYS = 64
 
@@ -26,14 +25,7 @@ Ways = dict[int, list[tuple[int, str, Matrices]]]
 
 
 def follows(case: Case, question: Wanted, entries: Entries, earlier: Mapping[str, Reading[Any]]) -> tuple[str, ...]:
-    """The earlier parts from whose answers a wrong matrix is right; none if there are none.
-
-    Args:
-        case: The part.
-        question: What it asks.
-        entries: The wrong answer.
-        earlier: The answers to earlier parts that differ from the solution, by part.
-    """
+    """The earlier parts, of those answered otherwise than the solution, from which a wrong matrix is right."""
     robot = case.exercise.robot
     if not earlier or robot is None or not isinstance(question.source, View):
         return ()
@@ -63,12 +55,6 @@ def follows(case: Case, question: Wanted, entries: Entries, earlier: Mapping[str
         if used and all(matches(v, p, typed.slacks[-1]) for v, p in zip(typed.values, pieces, strict=True)):
             return used
     return ()
-
-
-def span_of(robot: Robot, span: View) -> tuple[int, int]:
-    """The places of two frames in the order of the robot."""
-    first, last = (robot.frames.index(frame(robot, name)) for name in (span.start, span.end))
-    return first, last
 
 
 def _paths(ways: Ways, here: int, last: int) -> Iterator[tuple[tuple[str, ...], Matrices]]:

@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from dhcli.algebra.floats import Floats
 from dhcli.checking.diagnosis.typed import TypedMatrix
 from dhcli.checking.exercise import Exercise
 from dhcli.checking.orientations import not_orthonormal
@@ -19,8 +18,7 @@ from dhcli.geometry.rigid import Rigid
 from dhcli.geometry.vectors import UNITS, Vector, dot, length, plus, scaled
 from dhcli.kinematics.entries import rounded
 from dhcli.kinematics.fold import fold
-from dhcli.kinematics.frames import View, between, frame
-from dhcli.kinematics.moves import Chain
+from dhcli.kinematics.frames import View, between, span_of
 from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Symbol
 from dhcli.notation.writer import write
@@ -49,13 +47,7 @@ class Frame:
 
 
 def geometry(exercise: Exercise, question: Wanted, typed: TypedMatrix) -> str:
-    """By what a wrong answer is off, in words; nothing where that is not one turn and one shift.
-
-    Args:
-        exercise: The exercise, for the names of its lengths and angles.
-        question: The question.
-        typed: The answer, in numbers at each point.
-    """
+    """By what a wrong answer is off, in words; nothing where that is not one turn and one shift."""
     has_rotation = question.piece in ("pose", "rotation")
     has_position = question.piece in ("pose", "position", "point")
     values, truths, slack = typed.values, typed.search.truth, typed.slacks[-1]
@@ -171,7 +163,7 @@ def _length_text(exercise: Exercise, typed: TypedMatrix, shares: Sequence[float]
     if found:
         return found[0]
     if len(typed.search.points) > 1 and all(abs(s - shares[0]) <= limit for s in shares):
-        return rounded(shares[0] / float(exercise.metres)) + ("" if exercise.unit == "none" else f" {exercise.unit}")
+        return exercise.distance(shares[0])
     return ""
 
 
@@ -179,8 +171,7 @@ def _told_in_numbers(exercise: Exercise, share: float, names: Sequence[str]) -> 
     """A length of the sheet and the name it has; without a name it has been told already."""
     if not names:
         return ""
-    unit = "" if exercise.unit == "none" else f" {exercise.unit}"
-    return f"{rounded(share / float(exercise.metres), 4)}{unit} (as much as {' or '.join(names)})"
+    return f"{exercise.distance(share)} (as much as {' or '.join(names)})"
 
 
 def _times(times: int, name: str, writing: Joints) -> str:
@@ -203,10 +194,10 @@ def _frames(exercise: Exercise, question: Wanted, typed: TypedMatrix) -> Iterato
     yield Frame(reference, (Rigid(),) * count)
     robot, source = exercise.robot, question.source
     if robot is not None and isinstance(source, View) and not question.inverse:
-        first, last = (robot.frames.index(frame(robot, name)) for name in (source.start, source.end))
+        first, last = span_of(robot, source)
         for k in range(first + 1, last):
             chain = between(robot, robot.frames[first], robot.frames[k])
-            yield Frame(_spoken(robot.frames[k]), tuple(_folded(chain, over) for over in typed.search.points))
+            yield Frame(_spoken(robot.frames[k]), tuple(_rotation(fold(chain, over)) for over in typed.search.points))
     matrices = (bench.matrix(typed.search.right) for bench in typed.search.benches)
     yield Frame(own, tuple(_rotation(matrix) for matrix in matrices))
 
@@ -221,10 +212,6 @@ def _ends(exercise: Exercise, question: Wanted) -> tuple[str, str]:
 
 def _spoken(name: str) -> str:
     return name if name.isdigit() else f"the {name}"
-
-
-def _folded(chain: Chain, over: Floats) -> Rigid:
-    return _rotation(fold(chain, over))
 
 
 def _rotation(matrix: Sequence[Sequence[float]]) -> Rigid:

@@ -19,7 +19,7 @@ from dhcli.checking.verdicts import Mark
 from dhcli.kinematics.conventions import Row
 from dhcli.kinematics.robot import Value
 from dhcli.kinematics.values import numbers
-from dhcli.notation.walk import symbols
+from dhcli.notation.walk import symbols, symbols_in
 
 Values: TypeAlias = Sequence[Sequence[float]]
 """The entries of an answer at one point."""
@@ -36,7 +36,7 @@ HALF = 0.5
 
 def at_a_point(entries: Entries, given: Mapping[str, Value]) -> Values:
     """The entries in numbers, at the values given and at some that are not special for all other names."""
-    names = frozenset[str]().union(*(symbols(entry.expr) for row in entries for entry in row))
+    names = symbols_in(entry.expr for row in entries for entry in row)
     over = Floats({**next(general(names, SEED)), **numbers(given)})
     return [[over.value(entry.expr) for entry in row] for row in entries]
 

@@ -22,11 +22,7 @@ PAIR = 2
 
 
 def same_in_rows(found: Sequence[Sequence[Candidate]]) -> Causes:
-    """One kind of slip that is made in each of some rows.
-
-    Args:
-        found: The slips that give each of the wrong rows.
-    """
+    """One kind of slip that is made in each of some rows."""
     if len(found) < PAIR or not all(found):
         return ()
     where = [{one.mistake.id: one.slips[0].name.partition(" ")[2] for one in row} for row in found]
@@ -35,11 +31,7 @@ def same_in_rows(found: Sequence[Sequence[Candidate]]) -> Causes:
 
 
 def each_in_a_row(found: Sequence[Sequence[Candidate]]) -> Causes:
-    """Two slips of different kinds, each in a row of its own.
-
-    Args:
-        found: The slips that give each of the wrong rows.
-    """
+    """Two slips of different kinds, each in a row of its own."""
     return tuple(tuple(one.slips[0] for one in pair) for pair in product(*found)) if len(found) == PAIR else ()
 
 
@@ -50,15 +42,7 @@ def slips_by_row(
     typed: Sequence[Sequence[Numbers]],
     slack: Numbers,
 ) -> tuple[tuple[Candidate, ...], ...]:
-    """For each row that is not the right one the slips that give it, perhaps none.
-
-    Args:
-        right: The rows as they should be.
-        every: Single mistakes in them.
-        benches: What evaluates a row, for each point.
-        typed: The matrix of each row typed, at each point.
-        slack: What their entries may be off.
-    """
+    """For each row that is not the right one the slips that give it, perhaps none."""
     if any(len(rows) != len(right.steps) for rows in typed):
         return ()
     found = []

@@ -47,13 +47,7 @@ OFF = 4 * MOTION
 
 
 def table_causes(case: Case, convention: Convention, rows: tuple[Row, ...]) -> Causes:
-    """Mistakes in rows of the right table that give the table typed; none where the robot has no such table.
-
-    Args:
-        case: The part that asks for a table.
-        convention: The convention that was asked for.
-        rows: The rows typed, their angles settled.
-    """
+    """Mistakes in the right table that give the rows typed, their angles settled; none where there is no such table."""
     every, right = table_slips(case.memo, convention), right_table(case.memo)
     if right is None or not every:
         return ()
@@ -73,12 +67,7 @@ def table_causes(case: Case, convention: Convention, rows: tuple[Row, ...]) -> C
 
 
 class _Slips:
-    """The right table, and every one with a single slip: as motions and as robots, worked out once for all answers.
-
-    Attributes:
-        right: The right table.
-        every: The slips.
-    """
+    """The right table, and every one with a single slip: as motions and as robots, worked out once for all answers."""
 
     def __init__(self, exercise: Exercise, right: Work, every: tuple[Candidate, ...]) -> None:
         """Take what was found for the exercise."""

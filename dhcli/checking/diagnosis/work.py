@@ -7,7 +7,7 @@ compare them with an answer, and over terms to write an answer that holds the mi
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import field, replace
+from dataclasses import field
 from enum import Enum
 from fractions import Fraction
 from functools import partial
@@ -17,7 +17,7 @@ from dhcli.checking.wanted import Wanted
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import Convention, Row
-from dhcli.kinematics.frames import View, frame
+from dhcli.kinematics.frames import View, span_of
 from dhcli.kinematics.moves import Chain
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values
@@ -81,7 +81,9 @@ class Work:
 
     def with_step(self, index: int, step: Factor) -> Work:
         """The same work with another factor in one place."""
-        return replace(self, steps=(*self.steps[:index], step, *self.steps[index + 1 :]))
+        steps = (*self.steps[:index], step, *self.steps[index + 1 :])
+        # half the time of `replace`, for what is made more often than anything else
+        return Work(self.question, steps, self.multiplied, self.inverted, self.rewritten, self.entry)
 
 
 LINK = "link"
@@ -127,11 +129,6 @@ class Setting:
 def right_work(question: Wanted, robot: Robot | None, setting: Setting) -> Work:
     """The right way to an answer; the moves of a single link, or of a product, are factors of their own.
 
-    Args:
-        question: What is asked.
-        robot: The robot, if there is one.
-        setting: Keeps the links, which all works share.
-
     Raises:
         RobotError: The question needs a robot and there is none.
     """
@@ -141,20 +138,13 @@ def right_work(question: Wanted, robot: Robot | None, setting: Setting) -> Work:
         return Work(question, steps, inverted=question.inverse)
     if robot is None:
         raise RobotError("this question needs a robot", "name one under robot:")
-    first, last = (robot.frames.index(frame(robot, name)) for name in (source.start, source.end))
+    first, last = span_of(robot, source)
     steps = steps_between(robot, setting, min(first, last), max(first, last))
     return Work(question, steps, inverted=question.inverse is not (first > last))
 
 
 def steps_between(robot: Robot, setting: Setting, first: int, last: int) -> tuple[Factor, ...]:
-    """The factors from one frame of a robot to a later one, without those that move nothing.
-
-    Args:
-        robot: The robot.
-        setting: Keeps the factors, which all works share.
-        first: Place of the one frame in the order of the robot.
-        last: Place of the other.
-    """
+    """The factors from one frame of a robot to a later one, without those that move nothing."""
     ends = [("base", robot.base, None), ("tool", robot.tool, None)]
     parts = [ends[0], *((str(link.number), link.moves, link.row) for link in robot.links), ends[1]]
     every = (setting.factor((LINK, part[0]), partial(Factor, *part)) for part in parts[first:last])

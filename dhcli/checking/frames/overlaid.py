@@ -18,14 +18,7 @@ from dhcli.scene.vectors import Frame
 
 
 def overlaid_frames(rules: Rules, typed: Sequence[TypedFrame], robot: Robot, values: Values) -> Overlaid:
-    """The frames, the first that breaks a rule marked.
-
-    Args:
-        rules: What frames have to keep.
-        typed: The frames.
-        robot: The arm.
-        values: A value for every name, the joints in the pose drawn.
-    """
+    """The frames, the first that breaks a rule marked."""
     over, broken = Floats(numbers(values)), rules.broken(typed)
     frames = [
         (str(rules.sketch.first + k), Frame(one.frame.x, one.frame.y, one.frame.z, at_values(one.frame.origin, over)))

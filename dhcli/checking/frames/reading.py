@@ -19,7 +19,7 @@ from dhcli.notation.angle import Angle
 from dhcli.notation.parser import parse
 from dhcli.notation.quantity import DimensionError, to_plain_length
 from dhcli.notation.tree import ONE, ZERO, Expr
-from dhcli.notation.walk import substitute, symbols
+from dhcli.notation.walk import substitute, symbols, symbols_in
 
 LEAST = 1e-9
 """A direction that is shorter was meant to be zero."""
@@ -41,13 +41,7 @@ class TypedFrame:
 
 
 def read_frames(text: str, exercise: Exercise, numbers: Sequence[int], pose: Pose) -> tuple[TypedFrame, ...]:
-    """Read frames.
-
-    Args:
-        text: What was typed.
-        exercise: The exercise, for its names and its unit.
-        numbers: The numbers of the frames that are asked for.
-        pose: The values of joints in the pose drawn, which are put in for their names.
+    """Read the frames with some numbers; the values that joints have in the pose drawn are put in for their names.
 
     Raises:
         UnreadableError: Naming the frame, and what would be read.
@@ -90,7 +84,7 @@ class _Reader:
             return scaled(UNITS["xyz".index(match[2])], -1.0 if is_minus(match[1]) else 1.0)
         name = f"{letter}{self.number}"
         exprs = self.vector(text, name, "+z, -x or (0, 1, 1)")
-        if named := sorted(frozenset().union(*map(symbols, exprs))):
+        if named := sorted(symbols_in(exprs)):
             raise UnreadableError(f"{name}: a direction is three numbers, and {named[0]} is a letter: write (0, 1, 1)")
         direction = point_of(exprs).get(ONE, ORIGIN)
         if length(direction) < LEAST:

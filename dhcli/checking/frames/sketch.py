@@ -20,9 +20,9 @@ from dhcli.kinematics.describe.drawn import Frame, Line, drawing_of
 from dhcli.kinematics.describe.linear import Point, coordinates_of
 from dhcli.kinematics.describe.process import Walk, axis_word, frames_of, walk
 from dhcli.kinematics.describe.retold import retold
+from dhcli.kinematics.forward import with_own_values
 from dhcli.kinematics.moves import Chain
 from dhcli.kinematics.robot import Robot, Value
-from dhcli.kinematics.valued import in_numbers
 from dhcli.notation.angle import Angle
 from dhcli.notation.quantity import value_text
 from dhcli.notation.tree import ZERO as NOTHING
@@ -48,6 +48,7 @@ class Sketch:
         size: How far the farthest point of the drawing is from the base [m].
         stated: What the task fixes, in the words of `comparing.STATED`.
         measured: A length in metres as it is written on the sheet.
+        distance: A distance in metres in words, in the unit of the sheet.
     """
 
     robot: Robot
@@ -60,6 +61,7 @@ class Sketch:
     size: float
     stated: frozenset[str]
     measured: Callable[[Expr], Expr]
+    distance: Callable[[float], str]
 
     @property
     def first(self) -> int:
@@ -116,6 +118,7 @@ def sketch_of(exercise: Exercise, convention: Convention, pose: str) -> Sketch:
         size,
         stated,
         exercise.on_sheet,
+        exercise.distance,
     )
 
 
@@ -171,7 +174,7 @@ def _valued(robot: Robot, exercise: Exercise) -> Robot:
     if given:
         values = replaced(robot.derived, robot.parameters, given)
         robot = replace(robot, parameters={name: values.get(name) for name in robot.parameters}, derived={})
-    return in_numbers(robot) if exercise.numeric else robot
+    return with_own_values(robot) if exercise.numeric else robot
 
 
 def _chain(robot: Robot) -> Chain:

@@ -61,12 +61,7 @@ def causes_of(rules: Rules, typed: Sequence[TypedFrame], broken: Sequence[Broken
 
 
 def every_slip(rules: Rules, right: Sequence[TypedFrame]) -> Iterator[tuple[Slip, tuple[TypedFrame, ...]]]:
-    """Every mistake that breaks a rule, with the frames of a student who makes it.
-
-    Args:
-        rules: The rules.
-        right: Frames that keep them.
-    """
+    """Every mistake that breaks a rule, with the frames of a student who makes it in right ones."""
     other = tuple(map(as_typed, frames_of(rules.sketch.walked, OTHERS[rules.sketch.convention])))
     if rules.broken(other) and is_of_other(rules, other):
         yield convention_slip(rules), other

@@ -8,15 +8,15 @@ from typing import ClassVar
 from dhcli.algebra.equality import equal
 from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.exercise import Case, Exercise
-from dhcli.checking.motion.columns import Columns, jacobian_grid
+from dhcli.checking.motion.columns import Columns
 from dhcli.checking.motion.from_columns import ColumnsQuestion
 from dhcli.checking.motion.grid import Grid, exact
-from dhcli.checking.motion.linear import determinant_of
 from dhcli.checking.motion.question import OneNumberQuestion
-from dhcli.checking.motion.task import JacobianTask, columns_for, found_for, kept_rows, square, values_in
+from dhcli.checking.motion.task import JacobianTask, found_for, jacobian_step, kept_rows, square, values_in
 from dhcli.checking.returned import Shown
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
+from dhcli.geometry.linear import determinant_of
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.velocity.cramer import LARGEST, determinant
 from dhcli.kinematics.velocity.form import Form
@@ -38,9 +38,6 @@ class DeterminantQuestion(JacobianTask, OneNumberQuestion, ColumnsQuestion):
         rows = ", ".join(square(*self.motion.check(exercise.robot), self.form).rows)
         return f"the determinant of the Jacobian {self.motion.where}, rows {rows}"
 
-    def columns(self, case: Case) -> Columns:
-        return columns_for(case, self.motion)
-
     def computed(self, case: Case) -> Grid:
         return self._one(case, found_for(case, self.motion, self.form).determinant or ZERO)
 
@@ -55,7 +52,7 @@ class DeterminantQuestion(JacobianTask, OneNumberQuestion, ColumnsQuestion):
         return self._one(case, value)
 
     def _one(self, case: Case, value: Expr) -> Grid:
-        columns, kept = columns_for(case, self.motion), kept_rows(found_for(case, self.motion, self.form))
+        columns, kept = self.columns(case), kept_rows(found_for(case, self.motion, self.form))
         slides = sum(not column.turns for column in columns.each)
         lengths = sum(k < 3 for k in kept) - slides  # noqa: PLR2004  the rows of v
         return Grid(((value,),), ((max(0, lengths),),))
@@ -76,11 +73,9 @@ class DeterminantQuestion(JacobianTask, OneNumberQuestion, ColumnsQuestion):
         yield slip, self._one(case, determinant(columns.cut(kept), signed=False))
 
     def steps(self, case: Case) -> Iterable[Shown]:
-        found, columns = found_for(case, self.motion, self.form), columns_for(case, self.motion)
-        values = case.exercise.values if case.exercise.numeric else None
-        form = Form(found.part)
-        yield self.shown(case, f"The Jacobian, rows {', '.join(form.labels)}", jacobian_grid(columns, form, values))
-        if len(found.rows) < len(form.labels):
+        found = found_for(case, self.motion, self.form)
+        yield jacobian_step(self, case, found.part)
+        if len(found.rows) < len(Form(found.part).rows):
             yield Shown(f"No joint moves the other rows, so that {', '.join(found.rows)} are left")
         if found.determinant is not None and case.exercise.numeric:
             yield Shown(f"In symbols it is {write(found.determinant, 'short', found.writing)}")

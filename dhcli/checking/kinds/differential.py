@@ -21,7 +21,7 @@ from dhcli.kinematics.frames import ORIGIN, between, ends
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import ZERO, Expr, add, negate
-from dhcli.notation.walk import symbols
+from dhcli.notation.walk import symbols_in
 from dhcli.notation.writer import write
 from dhcli.regex import regex
 
@@ -66,7 +66,7 @@ class DifferentialQuestion(MotionQuestion):
 
     @property
     def names(self) -> frozenset[str]:
-        return frozenset().union(*map(symbols, (*self.moved, *self.turned)))
+        return symbols_in((*self.moved, *self.turned))
 
     def describe(self, _exercise: Exercise) -> str:
         small = f"({', '.join(map(write, self.moved))}) and the small turn ({', '.join(map(write, self.turned))})"

@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING, ClassVar, Self, TypeAlias
 
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case, Exercise, Question
-from dhcli.checking.frames.marking import frame_text, frames_text, mark_frames
+from dhcli.checking.frames.marking import frame_text, frames_text, mark_frames, table_of
 from dhcli.checking.frames.reading import TypedFrame, read_frames
-from dhcli.checking.frames.rows import table_of
 from dhcli.checking.frames.rules import Rules
 from dhcli.checking.frames.sketch import axes_text, drawn_at, pose_of, seen_from, sketch_of
 from dhcli.checking.frames.slips import as_typed, causes_of, every_slip
@@ -65,7 +64,8 @@ class FramesQuestion(Question[Answer]):
         convention, _, pose = text.removeprefix("frames").strip().partition(" at ")
         if convention.strip() not in (Convention.STANDARD, Convention.MODIFIED):
             hint = "write frames standard or frames modified, and at POSE behind it"
-            raise NotationError(Problem(f"there are no frames '{convention.strip():.60}'", place, hint))
+            rest = convention.strip()
+            raise NotationError(Problem(f"there are no frames '{rest:.60}'" if rest else "which frames?", place, hint))
         return cls(Convention(convention.strip()), pose.strip())
 
     def check(self, robot: Robot | None) -> None:

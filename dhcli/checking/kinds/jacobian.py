@@ -10,12 +10,12 @@ from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.entries import Entries
 from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.motion.asked import Motion, form_of, read_motion
-from dhcli.checking.motion.columns import Columns, columns_in, jacobian_grid
+from dhcli.checking.motion.columns import Columns, columns_of, jacobian_grid
 from dhcli.checking.motion.from_columns import ColumnsQuestion, Typed, axes_step
 from dhcli.checking.motion.grid import Grid
 from dhcli.checking.returned import Reading, Shown
 from dhcli.checking.wanted import NotAskedError
-from dhcli.errors import Place, RobotError
+from dhcli.errors import Place, RobotError, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.frames import between
 from dhcli.kinematics.moves import names
@@ -76,7 +76,7 @@ class JacobianQuestion(ColumnsQuestion):
         robot, view = self.motion.check(robot, self.twist)
         columns, rows = len(joints_between(robot, view.start, view.end)), len(self.form.labels)
         if self.row > rows or self.column > columns:
-            raise RobotError(f"this Jacobian has {rows} rows and {columns} columns")
+            raise RobotError(f"this Jacobian has {plural(rows, 'row')} and {plural(columns, 'column')}")
         if self.form.analytic and view.axes != view.start:
             raise RobotError("rates of angles are asked along no other axes", "leave in frame out")
 
@@ -98,7 +98,7 @@ class JacobianQuestion(ColumnsQuestion):
 
     def columns(self, case: Case) -> Columns:
         robot, view = self.motion.check(case.exercise.robot, self.twist)
-        return columns_in(case, robot, view)
+        return columns_of(robot, view)
 
     def computed(self, case: Case) -> Grid:
         columns = self.columns(case)
@@ -118,8 +118,7 @@ class JacobianQuestion(ColumnsQuestion):
         return self.piece(self._grid(case, columns))
 
     def _grid(self, case: Case, columns: Columns, form: Form | None = None) -> Grid:
-        values = case.exercise.values if case.exercise.numeric else None
-        return jacobian_grid(columns, form or self.form, values)
+        return jacobian_grid(case, columns, form or self.form)
 
     def piece(self, grid: Grid) -> Grid:
         """The rows and columns that are asked for."""
@@ -157,8 +156,7 @@ class JacobianQuestion(ColumnsQuestion):
     def typed_entries(self, case: Case, reading: Reading[Entries]) -> tuple[MotionView, Typed] | None:
         if self.form.analytic:
             return None
-        six = self.form.chosen((0, 1, 2), (3, 4, 5))
-        rows = six[self.row - 1 : self.row] if self.row else six
+        rows = self.form.rows[self.row - 1 : self.row] if self.row else self.form.rows
         count = len(self.columns(case).each)
         columns = (self.column - 1,) if self.column else range(count)
         typed = {

@@ -13,7 +13,6 @@ from dhcli.checking.returned import Causes, Reading, Shown
 from dhcli.checking.solving import covering
 from dhcli.checking.solving.covering import Asked
 from dhcli.checking.solving.derived import (
-    Slipped,
     derivation_of,
     moving_joints,
     slipped,
@@ -224,7 +223,7 @@ class JointFormulaQuestion(Question[Formula]):
         derivation = self._derivation(case)
         right, seen = typed_text(derivation, self.joints), set[str]()
         for one in slipped(derivation, derivation.robot):
-            text = self._slipped_text(one)
+            text = typed_text(one.derivation, self.joints)
             if text == right or one.slip.name in seen:
                 continue
             formula = Formula(values_of(formula_of(one.derivation, self.joints)), text, 0)
@@ -232,9 +231,6 @@ class JointFormulaQuestion(Question[Formula]):
                 continue
             seen.add(one.slip.name)
             yield one.slip, text, [formula.at(each.known) for each in self._cases(case)]
-
-    def _slipped_text(self, one: Slipped) -> str:
-        return typed_text(one.derivation, self.joints)
 
     def _agree(self, typed: list[list[float]], values: list[list[float]], *, partly: bool = False) -> bool:
         """Whether two formulas have the same values everywhere; for `partly`, the first some of those of the second."""

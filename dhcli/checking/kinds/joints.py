@@ -11,15 +11,14 @@ from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.pasted import UnreadableError, WrongUnitError
 from dhcli.checking.returned import Causes, Reading, Shown
-from dhcli.checking.solving.goal import of_robot, read_target, solutions
-from dhcli.checking.solving.question import GoalQuestion
-from dhcli.checking.solving.reading import Vector, read_vectors, spelled
-from dhcli.checking.solving.vectors import RADIANS, Range, in_unit, is_clear, other_units
+from dhcli.checking.solving.goal import read_target, solutions
+from dhcli.checking.solving.reading import read_vectors
+from dhcli.checking.solving.vectors import RADIANS, in_unit, is_clear, other_units
+from dhcli.checking.solving.wanted_joints import Vectors, WantedJoints
 from dhcli.checking.verdicts import Mark, Verdict
 from dhcli.errors import NotationError, Place, Problem, RobotError, did_you_mean, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.validity import Finding
-from dhcli.notation.angle import Angle
 from dhcli.notation.scope import Scope
 from dhcli.regex import regex
 
@@ -29,22 +28,11 @@ if TYPE_CHECKING:
 _WHICH = regex(
     r"(?P<limits>within\s+limits\s*)?(?:(?P<all>all)|(?P<any>any)|branch\s+(?P<branch>[\w +,-]+))?", re.DOTALL
 )
-Vectors = tuple[Vector, ...]
 
 
 @frozen
-class JointsQuestion(GoalQuestion[Vectors]):
-    """Joint values that take a frame to a pose.
-
-    Attributes:
-        which: Whether all solutions are asked for, or one: any, or that of a branch.
-        branch: The words of the branch asked for.
-        within_limits: Whether they must be inside the limits of the joints.
-    """
-
-    which: str = "any"
-    branch: tuple[str, ...] = ()
-    within_limits: bool = False
+class JointsQuestion(WantedJoints):
+    """Joint values that take a frame to a pose."""
 
     words: ClassVar = ("joints",)
     examples: ClassVar = (
@@ -79,10 +67,10 @@ class JointsQuestion(GoalQuestion[Vectors]):
         return f"joint values for {self.target.words(exercise)}: {which}{limits}"
 
     def blank(self, exercise: Exercise) -> tuple[int, int]:
-        return 1, len(self._joints(exercise))
+        return 1, len(self.joints_of(exercise))
 
     def notes(self, exercise: Exercise) -> Iterable[str]:
-        joints = self._joints(exercise)
+        joints = self.joints_of(exercise)
         yield f"In this order: {', '.join(joints)}."
         yield "Angles in degrees unless a unit stands with them."
         if self.which == "all":
@@ -93,7 +81,7 @@ class JointsQuestion(GoalQuestion[Vectors]):
         if not wanted:
             raise self._none_found(solutions(case, self.target))
         field = self.range_of(case)
-        rows = [self._text(field, field.solutions[k]) for k in (wanted if self.which == "all" else wanted[:1])]
+        rows = [self.spelled(field, field.solutions[k]) for k in (wanted if self.which == "all" else wanted[:1])]
         return f"[{'; '.join(rows)}]" if self.which == "all" else rows[0]
 
     def steps(self, case: Case) -> Iterable[Shown]:
@@ -106,7 +94,7 @@ class JointsQuestion(GoalQuestion[Vectors]):
         field = self.range_of(case)
         named = (found.named(k, limits=self.within_limits) for k in range(len(found)))
         lines = [
-            f"{self._text(field, q)}{f' ({name})' if name else ''}"
+            f"{self.spelled(field, q)}{f' ({name})' if name else ''}"
             for q, name in zip(field.solutions, named, strict=True)
         ]
         yield Shown("\n".join((f"In numbers that is {plural(len(lines), 'solution')}:", *lines)))
@@ -114,7 +102,7 @@ class JointsQuestion(GoalQuestion[Vectors]):
     def read(self, case: Case, text: str, place: Place | None = None) -> Vectors:
         exercise = case.exercise
         robot = needed(exercise.robot)
-        joints, several = self._joints(exercise), self.which == "all"
+        joints, several = self.joints_of(exercise), self.which == "all"
         found = read_vectors(exercise, robot, joints, text, place or Place("answer"), several=several)
         if len(found) > 1 and self.which != "all":
             raise UnreadableError(f"{len(found)} rows, and one solution is asked for")
@@ -162,29 +150,6 @@ class JointsQuestion(GoalQuestion[Vectors]):
 
         return tuple((one.slip,) for one in showing(self, case) if gives(self, case, one, reading.value))
 
-    # --- What the judging of it needs ------------------------------------------------------------------------------
-
-    def wanted(self, case: Case) -> list[int]:
-        """The numbers of the solutions that are asked for, those within the limits first."""
-        found = solutions(case, self.target)
-        inside = found.within_limits
-        kept = [k for k in range(len(found)) if inside[k] or not self.within_limits]
-        kept = [k for k in kept if self._is_branch(found, k)]
-        return sorted(kept, key=lambda k: not inside[k])
-
-    def text_of(self, case: Case, rows: Iterable[tuple[float, ...]]) -> str:
-        """Joint vectors as a person would type them."""
-        texts = [self._text(self.range_of(case), row) for row in rows]
-        return f"[{'; '.join(texts)}]" if self.which == "all" else texts[0]
-
-    def _joints(self, exercise: Exercise) -> tuple[str, ...]:
-        from dhcli.checking.solving.derived import moving_joints
-
-        return moving_joints(needed(exercise.robot), self.target)
-
-    def _text(self, field: Range, values: Iterable[float]) -> str:
-        return ", ".join(spelled(field.robot, name, value) for name, value in zip(field.joints, values, strict=True))
-
     def _none_found(self, found: Solutions) -> RobotError:
         """Why no solution is as asked for."""
         if not len(found):
@@ -197,39 +162,3 @@ class JointsQuestion(GoalQuestion[Vectors]):
                 )
         asked = " and ".join(self.branch) or "within the limits of the joints"
         return RobotError(f"no solution is {asked}", "give another pose, or ask for another solution")
-
-    def _is_branch(self, found: Solutions, k: int) -> bool:
-        own = found.branches[k].split(", ") if found.branches else ()
-        return all(word in own for word in self.branch)
-
-    def range_of(self, case: Case) -> Range:
-        """What a vector is judged against."""
-        return case.memo.of(("range", self.target), lambda: self._made_range(case))
-
-    def _made_range(self, case: Case) -> Range:
-        from dhcli.algebra.floats import Floats
-        from dhcli.kinematics.forward import put_in
-        from dhcli.kinematics.frames import between
-        from dhcli.kinematics.merge import merge
-        from dhcli.kinematics.values import numbers
-
-        exercise = case.exercise
-        known = exercise.known
-        robot, found = needed(exercise.robot), solutions(case, self.target)
-        joints = self._joints(exercise)
-        at = [robot.variables.index(name) for name in joints]
-        rows = self.target.rows(known)
-        over = Floats(numbers(known))
-        lengths = [abs(over.length(v)) for n, v in known.items() if n in robot.parameters and not isinstance(v, Angle)]
-        return Range(
-            robot,
-            joints,
-            self.target,
-            rows,
-            tuple(tuple(float(row[k]) for k in at) for row in found.q),
-            tuple(frozenset(name for way in ways for name in way.joints) for ways in found.free),
-            exercise,
-            sum(lengths) or max((abs(row[3]) for row in rows[:3]), default=1.0),
-            merge(put_in(between(robot, *self.target.ends(robot)), of_robot(robot, known))),
-            numbers(of_robot(robot, known)),
-        )

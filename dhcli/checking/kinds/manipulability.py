@@ -8,17 +8,15 @@ from typing import ClassVar
 
 from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.exercise import Case, Exercise
-from dhcli.checking.motion.columns import Columns, jacobian_grid
+from dhcli.checking.motion.columns import Columns
 from dhcli.checking.motion.from_columns import ColumnsQuestion
 from dhcli.checking.motion.grid import Grid, exact
-from dhcli.checking.motion.linear import determinant_of
 from dhcli.checking.motion.question import OneNumberQuestion
-from dhcli.checking.motion.task import JacobianTask, columns_for, found_for, kept_rows, values_in
+from dhcli.checking.motion.task import JacobianTask, found_for, jacobian_step, kept_rows, values_in
 from dhcli.checking.returned import Shown
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
-from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.velocity.form import Form
+from dhcli.geometry.linear import determinant_of
 
 LEAST = 1e-6
 """A volume below this share of the right one is none."""
@@ -30,9 +28,6 @@ class ManipulabilityQuestion(JacobianTask, OneNumberQuestion, ColumnsQuestion):
 
     words: ClassVar = ("manipulability",)
     examples: ClassVar = ("manipulability of jacobian linear of 0..3",)
-
-    def check(self, robot: Robot | None) -> None:
-        self.motion.check(robot)
 
     def named(self, case: Case) -> frozenset[str]:
         return self.columns(case).names
@@ -46,9 +41,6 @@ class ManipulabilityQuestion(JacobianTask, OneNumberQuestion, ColumnsQuestion):
             raise RobotError("manipulability is asked in numbers", "numeric: true")
         return self._one(case, self._volume(case, self.columns(case)))
 
-    def columns(self, case: Case) -> Columns:
-        return columns_for(case, self.motion)
-
     def of_columns(self, case: Case, columns: Columns) -> Grid:
         value = self._volume(case, columns)
         if value <= LEAST * self._volume(case, self.columns(case)):  # 0 has many reasons
@@ -59,7 +51,7 @@ class ManipulabilityQuestion(JacobianTask, OneNumberQuestion, ColumnsQuestion):
         return kept_rows(found_for(case, self.motion, self.form))
 
     def _one(self, case: Case, value: float) -> Grid:
-        columns, kept = columns_for(case, self.motion), self._kept(case)
+        columns, kept = self.columns(case), self._kept(case)
         lengths = min(len(kept), len(columns.each)) - sum(not column.turns for column in columns.each)
         lengths = 0 if kept[0] > 2 else min(lengths, sum(k < 3 for k in kept))  # noqa: PLR2004  the rows of v
         return Grid(((exact(value),),), ((max(0, lengths),),))
@@ -81,9 +73,7 @@ class ManipulabilityQuestion(JacobianTask, OneNumberQuestion, ColumnsQuestion):
             yield slip, Grid(((exact(1 / right),),), powers)
 
     def steps(self, case: Case) -> Iterable[Shown]:
-        columns, found = columns_for(case, self.motion), found_for(case, self.motion, self.form)
-        form = Form(found.part)
-        text = f"The Jacobian, rows {', '.join(form.labels)}"
-        yield self.shown(case, text, jacobian_grid(columns, form, case.exercise.values))
+        found = found_for(case, self.motion, self.form)
+        yield jacobian_step(self, case, found.part)
         if len(found.rows) == len(found.joints):
             yield Shown("With as many joints as rows w is the size of the determinant")

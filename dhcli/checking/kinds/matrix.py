@@ -254,8 +254,8 @@ class MatrixQuestion(Wanted, Question[Entries]):
     def leads(
         self, case: Case, reading: Reading[Entries], span: tuple[int, int], _points: Points
     ) -> tuple[int, int, Matrices] | None:
-        from dhcli.checking.diagnosis.following import span_of
         from dhcli.checking.diagnosis.typed import typed_answer
+        from dhcli.kinematics.frames import span_of
 
         robot = case.exercise.robot
         if robot is None or not isinstance(self.source, View) or self.piece != "pose" or self.inverse:

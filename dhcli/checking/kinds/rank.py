@@ -8,20 +8,16 @@ from typing import ClassVar
 from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.entries import Entries
 from dhcli.checking.exercise import Case, Exercise
-from dhcli.checking.motion.columns import jacobian_grid
+from dhcli.checking.motion.columns import columns_for
 from dhcli.checking.motion.grid import Grid
-from dhcli.checking.motion.linear import rank
 from dhcli.checking.motion.question import MotionQuestion, OneNumberQuestion
-from dhcli.checking.motion.task import JacobianTask, columns_for, values_in
+from dhcli.checking.motion.task import JacobianTask, jacobian_step, values_in
 from dhcli.checking.pasted import UnreadableError, without_number_word
 from dhcli.checking.returned import Shown
 from dhcli.errors import Place
 from dhcli.frozen import frozen
-from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.velocity.form import Form
+from dhcli.geometry.linear import rank
 from dhcli.notation.tree import Number, number
-
-ROWS = {"all": range(6), "linear": range(3), "angular": range(3, 6)}
 
 
 @frozen
@@ -31,9 +27,6 @@ class RankQuestion(JacobianTask, OneNumberQuestion):
     words: ClassVar = ("rank",)
     examples: ClassVar = ("rank of jacobian of 0..6",)
     is_plain: ClassVar = True
-
-    def check(self, robot: Robot | None) -> None:
-        self.motion.check(robot)
 
     def named(self, case: Case) -> frozenset[str]:
         return columns_for(case, self.motion).names
@@ -52,10 +45,10 @@ class RankQuestion(JacobianTask, OneNumberQuestion):
         return entries
 
     def computed(self, case: Case) -> Grid:
-        return _one(rank(values_in(case, columns_for(case, self.motion), ROWS[self.form.part])))
+        return _one(rank(values_in(case, columns_for(case, self.motion), self.form.rows)))
 
     def wrong(self, case: Case) -> Iterator[tuple[Slip, Grid]]:
-        columns, rows = columns_for(case, self.motion), ROWS[self.form.part]
+        columns, rows = columns_for(case, self.motion), self.form.rows
         full = min(len(columns.each), sum(k in rows for k in columns.moved))
         right = rank(values_in(case, columns, rows))
         hint = "count the columns that cannot be made of the others"
@@ -65,10 +58,7 @@ class RankQuestion(JacobianTask, OneNumberQuestion):
         yield Slip("loss-counted", "this counts the motions that are lost", hint, Rank.WHOLE), _one(full - right)
 
     def steps(self, case: Case) -> Iterable[Shown]:
-        columns = columns_for(case, self.motion)
-        values = case.exercise.values if case.exercise.numeric else None
-        form = Form(self.form.part)
-        yield self.shown(case, f"The Jacobian, rows {', '.join(form.labels)}", jacobian_grid(columns, form, values))
+        yield jacobian_step(self, case, self.form.part)
         yield Shown("The rank is the number of columns of which none can be made of the others")
 
 

@@ -8,24 +8,24 @@ from typing import ClassVar, Self
 from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.motion.asked import Motion, read_motion, three
-from dhcli.checking.motion.columns import Columns, columns_of, combined, jacobian_grid, plain
+from dhcli.checking.motion.columns import Columns, columns_of, combined, plain
 from dhcli.checking.motion.from_columns import ColumnsQuestion, axes_step
 from dhcli.checking.motion.grid import Grid, floats_in, over
-from dhcli.checking.motion.linear import solution
 from dhcli.checking.motion.reading import SPEED, TURNING
-from dhcli.checking.motion.task import columns_for
+from dhcli.checking.motion.task import jacobian_step
 from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
 from dhcli.frozen import frozen
+from dhcli.geometry.linear import solution
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.singular.neat import neat_determinant
+from dhcli.kinematics.singular.finding import neat_determinant
 from dhcli.kinematics.velocity.cramer import LARGEST, solved
-from dhcli.kinematics.velocity.form import Form, Which
+from dhcli.kinematics.velocity.form import Form, Which, part_of
 from dhcli.kinematics.velocity.view import joints_between
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import PI, Expr, multiply, number, power
-from dhcli.notation.walk import symbols
+from dhcli.notation.walk import symbols_in
 from dhcli.notation.writer import write
 from dhcli.regex import regex
 
@@ -75,11 +75,10 @@ class RatesQuestion(ColumnsQuestion):
 
     @property
     def _part(self) -> Which:
-        return "angular" if self.linear is None else "linear" if self.angular is None else "all"
+        return part_of(self.linear, self.angular)
 
     def _kept(self, columns: Columns) -> tuple[int, ...]:
-        wanted = {"all": range(6), "linear": range(3), "angular": range(3, 6)}[self._part]
-        return tuple(k for k in columns.moved if k in wanted)
+        return tuple(k for k in columns.moved if k in Form(self._part).rows)
 
     def _asked(self, kept: Sequence[int]) -> list[Expr]:
         six = (*(self.linear or (number(0),) * 3), *(self.angular or (number(0),) * 3))
@@ -91,7 +90,7 @@ class RatesQuestion(ColumnsQuestion):
 
     @property
     def names(self) -> frozenset[str]:
-        return frozenset().union(*map(symbols, (*(self.linear or ()), *(self.angular or ()))))
+        return symbols_in((*(self.linear or ()), *(self.angular or ())))
 
     def named(self, case: Case) -> frozenset[str]:
         return self.columns(case).names | self.names
@@ -103,14 +102,8 @@ class RatesQuestion(ColumnsQuestion):
                 said.append(f"the {name} ({', '.join(map(write, vector))})")
         return f"the joint rates for {' and '.join(said)} {self.motion.where}, one for each joint"
 
-    def computed(self, case: Case) -> Grid:
-        return self.of_columns(case, self.columns(case))
-
     def units(self, case: Case) -> tuple[str, ...]:
         return tuple(TURNING if one.turns else SPEED for one in self.columns(case).each)
-
-    def columns(self, case: Case) -> Columns:
-        return columns_for(case, self.motion)
 
     def of_columns(self, case: Case, columns: Columns) -> Grid:
         exercise, kept = case.exercise, self._kept(self.columns(case))
@@ -150,9 +143,6 @@ class RatesQuestion(ColumnsQuestion):
             yield slip, self._column(columns, degrees)
 
     def steps(self, case: Case) -> Iterable[Shown]:
-        columns = self.columns(case)
-        yield axes_step(case, columns)
-        form = Form(self._part)
-        values = case.exercise.values if case.exercise.numeric else None
-        yield self.shown(case, f"The Jacobian, rows {', '.join(form.labels)}", jacobian_grid(columns, form, values))
+        yield axes_step(case, self.columns(case))
+        yield jacobian_step(self, case, self._part)
         yield Shown("Solve J q' = v for the rates q', leaving rows out that no joint moves")

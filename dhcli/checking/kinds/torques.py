@@ -13,7 +13,6 @@ from dhcli.checking.motion.columns import Columns, combined, jacobian_grid
 from dhcli.checking.motion.from_columns import ColumnsQuestion, axes_step
 from dhcli.checking.motion.grid import Grid
 from dhcli.checking.motion.reading import FORCE, TORQUE
-from dhcli.checking.motion.task import columns_for
 from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
 from dhcli.errors import Place, RobotError
@@ -25,7 +24,7 @@ from dhcli.kinematics.velocity.form import GEOMETRIC
 from dhcli.kinematics.velocity.view import joints_between
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import Expr, multiply, negate, number
-from dhcli.notation.walk import symbols
+from dhcli.notation.walk import symbols_in
 from dhcli.notation.writer import write
 from dhcli.regex import regex
 
@@ -70,7 +69,7 @@ class TorquesQuestion(ColumnsQuestion):
 
     @property
     def names(self) -> frozenset[str]:
-        return frozenset().union(*map(symbols, (*self.force, *self.moment)))
+        return symbols_in((*self.force, *self.moment))
 
     def describe(self, exercise: Exercise) -> str:
         wrench = f"({', '.join(map(write, self.force))}) N"
@@ -81,9 +80,6 @@ class TorquesQuestion(ColumnsQuestion):
             name for kind, name in (("revolute", "torques [N m]"), ("prismatic", "forces [N]")) if kind in kinds
         )
         return f"the joint {what} with which the end exerts the force {wrench}, {self.motion.where}"
-
-    def columns(self, case: Case) -> Columns:
-        return columns_for(case, self.motion)
 
     def units(self, case: Case) -> tuple[str, ...]:
         return tuple(TORQUE if one.turns else FORCE for one in self.columns(case).each)
@@ -125,8 +121,7 @@ class TorquesQuestion(ColumnsQuestion):
     def steps(self, case: Case) -> Iterable[Shown]:
         columns = self.columns(case)
         yield axes_step(case, columns)
-        values = case.exercise.values if case.exercise.numeric else None
-        yield self.shown(case, "The Jacobian, rows v above ω", jacobian_grid(columns, GEOMETRIC, values))
+        yield self.shown(case, "The Jacobian, rows v above ω", jacobian_grid(case, columns, GEOMETRIC))
         yield Shown("A joint bears its column times the force, its lower half times the moment: tau = Jᵀ F")
 
 

@@ -10,21 +10,20 @@ from typing import ClassVar, Self
 from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.exercise import Case, Exercise
 from dhcli.checking.motion.asked import Motion, read_motion, three
-from dhcli.checking.motion.columns import Columns, combined, jacobian_grid
+from dhcli.checking.motion.columns import Columns, combined
 from dhcli.checking.motion.from_columns import ColumnsQuestion, axes_step
 from dhcli.checking.motion.grid import Grid
 from dhcli.checking.motion.reading import SPEED, TURNING
-from dhcli.checking.motion.task import columns_for
+from dhcli.checking.motion.task import jacobian_step
 from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
-from dhcli.errors import Place, RobotError
+from dhcli.errors import Place, RobotError, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.velocity.form import Form
 from dhcli.kinematics.velocity.view import joints_between
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import PI, Expr, Symbol, multiply, number, power
-from dhcli.notation.walk import symbols
+from dhcli.notation.walk import symbols_in
 from dhcli.notation.writer import write
 from dhcli.regex import regex
 
@@ -65,7 +64,7 @@ class VelocityQuestion(ColumnsQuestion):
         robot, view = self.motion.check(robot)
         joints = joints_between(robot, view.start, view.end)
         if self.motion.rates is not None and len(self.motion.rates) != len(joints):
-            message = f"{len(self.motion.rates)} rates for {len(joints)} joints"
+            message = f"{plural(len(self.motion.rates), 'rate')} for {plural(len(joints), 'joint')}"
             raise RobotError(message, f"one for each of {', '.join(joints)}")
 
     def size(self, _robot: Robot) -> tuple[int, int]:
@@ -73,7 +72,7 @@ class VelocityQuestion(ColumnsQuestion):
 
     @property
     def names(self) -> frozenset[str]:
-        return frozenset().union(*map(symbols, self.motion.rates or ()))
+        return symbols_in(self.motion.rates or ())
 
     def rates(self, robot: Robot | None) -> frozenset[str]:
         if self.motion.rates is not None:
@@ -87,9 +86,6 @@ class VelocityQuestion(ColumnsQuestion):
             what = "the velocity"
         at = "" if self.motion.rates is None else f", for the joint rates ({', '.join(map(write, self.motion.rates))})"
         return f"{what} {self.motion.where}: three numbers{at}"
-
-    def columns(self, case: Case) -> Columns:
-        return columns_for(case, self.motion)
 
     def units(self, _case: Case) -> tuple[str, ...]:
         return (TURNING if self.angular else SPEED,) * 3
@@ -124,11 +120,8 @@ class VelocityQuestion(ColumnsQuestion):
         yield Slip("rates-reversed", "the rates stand in the reverse order", hint), self._moved(columns, rates[::-1])
 
     def steps(self, case: Case) -> Iterable[Shown]:
-        columns = self.columns(case)
-        yield axes_step(case, columns)
-        form = Form("angular" if self.angular else "linear")
-        values = case.exercise.values if case.exercise.numeric else None
-        yield self.shown(case, f"The Jacobian, rows {', '.join(form.labels)}", jacobian_grid(columns, form, values))
+        yield axes_step(case, self.columns(case))
+        yield jacobian_step(self, case, "angular" if self.angular else "linear")
         yield Shown("Each column times the rate of its joint, added up")
 
 

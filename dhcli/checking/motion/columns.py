@@ -4,46 +4,42 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import lru_cache
 from typing import TypeAlias
 
 from dhcli.algebra.arithmetic import settled
 from dhcli.algebra.terms import TERMS
 from dhcli.checking.exercise import Case
+from dhcli.checking.motion.asked import Motion
 from dhcli.checking.motion.grid import Grid, Rows, exact
 from dhcli.frozen import frozen
 from dhcli.kinematics.fold import fold_rows
 from dhcli.kinematics.forward import textbook_form
 from dhcli.kinematics.frames import ORIGIN, between
 from dhcli.kinematics.moves import Chain, Trans, names
+from dhcli.kinematics.recorded import kept
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values, numbers
-from dhcli.kinematics.velocity.analytic import Triple
-from dhcli.kinematics.velocity.form import Form
+from dhcli.kinematics.velocity.form import Form, Triple
 from dhcli.kinematics.velocity.jacobian import free_name, rates_of, textbook_jacobian
 from dhcli.kinematics.velocity.statics import product
 from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ZERO, Expr, Number, add, multiply, negate, number, power
 from dhcli.notation.trig import cosine, sine
-from dhcli.notation.walk import substitute, symbols
+from dhcli.notation.walk import substitute, symbols_in
 
 Vector: TypeAlias = tuple[Expr, Expr, Expr]
 
 NOTHING: Vector = (ZERO, ZERO, ZERO)
 
+MOST_VECTORS = 2_000
+"""Vectors that are kept: those of two slips in six joints, of which most have the same axes and arms."""
+
 
 @frozen
 class Column:
-    """The column of a joint.
-
-    Attributes:
-        joint: The joint.
-        turns: Whether it is revolute.
-        axis: The direction of its axis.
-        origin: A point on the axis.
-        linear: The velocity of the point for a rate of 1.
-        angular: The angular velocity.
-    """
+    """The column of a joint: its axis, a point on that, and the velocity and the angular velocity for a rate of 1."""
 
     joint: str
     turns: bool
@@ -55,14 +51,7 @@ class Column:
 
 @frozen
 class Columns:
-    """All columns between two frames of a robot.
-
-    Attributes:
-        robot: The robot.
-        view: Which frames, axes and point.
-        point: The point whose velocity it is.
-        each: The column of each joint.
-    """
+    """All columns between two frames of a robot."""
 
     robot: Robot
     view: MotionView
@@ -81,7 +70,7 @@ class Columns:
     @property
     def names(self) -> frozenset[str]:
         """Every name in them."""
-        return frozenset().union(*(symbols(entry) for row in self.cut(range(6)) for entry in row))
+        return symbols_in(entry for row in self.cut(range(6)) for entry in row)
 
     @property
     def moved(self) -> tuple[int, ...]:
@@ -89,17 +78,16 @@ class Columns:
         return tuple(k for k, row in enumerate(self.cut(range(6))) if any(entry != ZERO for entry in row))
 
 
-def columns_in(case: Case, robot: Robot, view: MotionView) -> Columns:
-    """The columns of a robot, worked out once for an exercise."""
-    return case.memo.of(("columns", robot.name, view), lambda: columns_of(robot, view))
-
-
 def columns_of(robot: Robot, view: MotionView) -> Columns:
-    """The columns of a robot, in symbols.
+    """The columns of a robot, in symbols, worked out once for it.
 
     Raises:
         RobotError: They would be longer than anybody can read.
     """
+    return kept(robot, ("columns", view), lambda: _columns_of(robot, view))
+
+
+def _columns_of(robot: Robot, view: MotionView) -> Columns:
     found = textbook_jacobian(robot, {}, view)
     joints = {joint.name: joint for joint in robot.joints}
     each = []
@@ -131,18 +119,25 @@ def position(chain: Chain) -> Vector:
     return x, y, z
 
 
+def origin_of(robot: Robot, axes: str, name: str) -> Vector:
+    """The origin of a frame seen from another, worked out once for a robot."""
+    return kept(robot, ("origin", axes, name), lambda: position(between(robot, axes, name)))
+
+
 def axis_z(robot: Robot, axes: str, name: str) -> Vector:
     """The z axis of a frame along the axes of another."""
     x, y, z, _ = (row[2] for row in textbook_form(between(robot, axes, name)))
     return x, y, z
 
 
+@lru_cache(MOST_VECTORS)
 def minus(first: Vector, second: Vector) -> Vector:
     """A difference of vectors."""
     x, y, z = (add(a, negate(b)) for a, b in zip(first, second, strict=True))
     return x, y, z
 
 
+@lru_cache(MOST_VECTORS)
 def cross(first: Vector, second: Vector) -> Vector:
     """A cross product of vectors."""
     (a, b, c), (x, y, z) = first, second
@@ -160,18 +155,17 @@ def combined(row: Sequence[Expr], column: Sequence[Expr]) -> Expr:
     return number(total) if isinstance(total, int) else total
 
 
-def jacobian_grid(columns: Columns, form: Form, values: Values | None) -> Grid:
-    """The Jacobian of columns in the rows of a form.
+def columns_for(case: Case, motion: Motion) -> Columns:
+    """The columns that a question is about."""
+    return columns_of(*motion.check(case.exercise.robot))
 
-    Args:
-        columns: The columns.
-        form: The rows.
-        values: Values of all names where the answer is in numbers, for the angles of an analytic one.
-    """
+
+def jacobian_grid(case: Case, columns: Columns, form: Form) -> Grid:
+    """The Jacobian of columns in the rows of a form; the angles of an analytic one have their values in numbers."""
     six = columns.cut(range(6))
     linear, angular = six[:3], six[3:]
     if form.analytic:
-        angular = _analytic(columns, form, angular, values)
+        angular = _analytic(columns, form, angular, case.exercise.values if case.exercise.numeric else None)
     rows = form.chosen(linear, angular)
     one = tuple(int(column.turns) for column in columns.each)
     zero = (0,) * len(one)

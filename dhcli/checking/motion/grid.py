@@ -4,20 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
+from itertools import islice
 from typing import TypeAlias
 
 from dhcli.algebra.floats import Floats
+from dhcli.algebra.points import general
 from dhcli.checking.exercise import Exercise, Memo
 from dhcli.frozen import frozen
 from dhcli.kinematics.entries import rounded
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import Expr, Number
-from dhcli.notation.walk import symbols
+from dhcli.notation.walk import symbols_in
 from dhcli.notation.writer import write
 
 Rows: TypeAlias = tuple[tuple[Expr, ...], ...]
 Numbers: TypeAlias = tuple[tuple[float, ...], ...]
+
+SEED = 31
+POINTS = 2
 
 RELATIVE = 1e-3
 """Tolerance of an entry where none is declared, as a share of the largest of its kind."""
@@ -71,7 +76,7 @@ class Grid:
     @property
     def names(self) -> frozenset[str]:
         """Every name in it."""
-        return frozenset().union(*(symbols(entry) for row in self.rows for entry in row))
+        return symbols_in(entry for row in self.rows for entry in row)
 
     def numbers(self, exercise: Exercise) -> Numbers:
         """The entries at the values of an exercise, lengths in metres."""
@@ -91,19 +96,18 @@ class Grid:
     def is_same_for_all(self, row: int, column: int) -> bool:
         """Whether an entry is 0, or a direction cosine of ±1, in symbols, so that it earns nothing."""
         entry = self.rows[row][column]
-        if not self.names or not isinstance(entry, Number):
+        if not isinstance(entry, Number) or not self.names:
             return False
         return not entry.value or (self.cosines and abs(entry.value) == 1 and not self.powers[row][column])
 
-    def limits(self, exercise: Exercise, position: float | None, rotation: float) -> Numbers:
+    def limits(self, found: Numbers, position: float | None, rotation: float) -> Numbers:
         """The largest errors that count as right: declared ones, or a share of the largest entry of its power.
 
         Args:
-            exercise: The exercise.
+            found: The entries at the values of the exercise.
             position: The tolerance declared for lengths [m], if one is.
             rotation: That of a direction cosine.
         """
-        found = self.numbers(exercise)
         largest: dict[int, float] = {}
         for powers, row in zip(self.powers, found, strict=True):
             for power, value in zip(powers, row, strict=True):
@@ -122,8 +126,8 @@ class Grid:
         """The entries row by row as a person types them; numbers with as many digits as the tolerance needs."""
         if not exercise.numeric:
             return [write(entry, style, exercise.writing) for row in self.on_sheet(exercise) for entry in row]
-        limits = self.limits(exercise, position, rotation)
-        triples = zip(self.numbers(exercise), self.powers, limits, strict=True)
+        found = self.numbers(exercise)
+        triples = zip(found, self.powers, self.limits(found, position, rotation), strict=True)
         return [
             typed(value, scale_of(exercise, power), limit)
             for values, powers, bounds in triples
@@ -134,6 +138,21 @@ class Grid:
 def floats_in(memo: Memo) -> Remembering:
     """Double precision at the values of an exercise, for all tables that are worked out for it."""
     return memo.of("floats for entries", lambda: Remembering(numbers(memo.exercise.values)))
+
+
+def general_floats_in(memo: Memo, names: frozenset[str]) -> tuple[Remembering, ...]:
+    """Double precision at two points that have nothing special about them, for all tables of an exercise.
+
+    Args:
+        memo: What was worked out for the exercise: in symbols the points have the values that it gives.
+        names: The names that need a value.
+    """
+
+    def made() -> tuple[Remembering, ...]:
+        known = {} if memo.exercise.numeric else numbers(memo.exercise.values)
+        return tuple(Remembering(point | known) for point in islice(general(names, SEED), POINTS))
+
+    return memo.of(("general floats for entries", names), made)
 
 
 def over(rows: Iterable[Iterable[Expr]], arithmetic: Floats) -> Numbers:

@@ -35,7 +35,9 @@ def mark_grid(case: Case, right: Grid, entries: Entries) -> Mark:
     there = _marked(exercise, entries, other.cells)
     if there.verdict in AGREEING:
         digits = ", to the digits typed" if there.verdict is Verdict.ROUNDED else ""
-        raise WrongUnitError(other.unit, f"this sheet is in {exercise.unit}", digits)
+        power = {power for row in right.powers for power in row if power}
+        raised = {2: "²", 3: "³"}.get(power.pop(), "") if len(power) == 1 else ""
+        raise WrongUnitError(other.unit, f"this sheet is in {exercise.unit}", f"{raised}{digits}")
     remark = f"{IN_OTHER_UNIT}{other.unit}; this sheet is in {exercise.unit}: the rest is judged in {other.unit}"
     cells = tuple(replace(cell, expected=one.expected) for cell, one in zip(other.cells, own, strict=True))
     return replace(mark, verdict=Verdict.WRONG, cells=cells, remarks=(remark, *there.remarks))
@@ -78,7 +80,8 @@ def in_other_unit(case: Case, right: Grid, entries: Entries, own: Sequence[CellM
     They are where a length that is not near zero is right there and not here, and none is right here alone.
     """
     exercise, tolerance = case.exercise, case.tolerance
-    truth, limits = right.numbers(exercise), right.limits(exercise, tolerance.position, tolerance.rotation)
+    truth = right.numbers(exercise)
+    limits = right.limits(truth, tolerance.position, tolerance.rotation)
     for unit in exercise.other_units:
         there = case.memo.in_unit(unit).exercise
         moved = tuple(
@@ -127,7 +130,7 @@ def mark_numbers(case: Case, exercise: Exercise, right: Grid, entries: Entries) 
     """Each entry of an answer in numbers; the exercise says the unit in which it was read."""
     tolerance = case.tolerance
     found, truth = values_of(entries, exercise), right.numbers(exercise)
-    limits = right.limits(exercise, tolerance.position, tolerance.rotation)
+    limits = right.limits(truth, tolerance.position, tolerance.rotation)
 
     def cell(entry: Entry, r: int, c: int) -> CellMark:
         scale = scale_of(exercise, right.powers[r][c])

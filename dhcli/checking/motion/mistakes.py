@@ -8,13 +8,24 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import lru_cache, partial
 
 from dhcli.checking.diagnosis.result import Rank, Slip
-from dhcli.checking.motion.columns import NOTHING, Column, Columns, Vector, axis_z, cross, minus, position
+from dhcli.checking.motion.columns import (
+    MOST_VECTORS,
+    NOTHING,
+    Column,
+    Columns,
+    Vector,
+    axis_z,
+    cross,
+    minus,
+    origin_of,
+)
 from dhcli.checking.motion.differentiated import differentiated
 from dhcli.checking.motion.record import ColumnCatalogue, Made, Stage
 from dhcli.kinematics.conventions import Convention
-from dhcli.kinematics.frames import ORIGIN, between
+from dhcli.kinematics.frames import ORIGIN
 from dhcli.notation.angle import Angle
 from dhcli.notation.derivative import derivative
 from dhcli.notation.tree import Expr, Trig, negate, number
@@ -42,12 +53,7 @@ def made(columns: Columns, kind: str = "") -> Iterator[tuple[Slip, Columns]]:
 
 
 def then(columns: Columns, first: Slip) -> Iterator[tuple[Slip, Columns]]:
-    """Every mistake that is made after another one, or of the same kind behind it.
-
-    Args:
-        columns: What the first has led to.
-        first: The first.
-    """
+    """Every mistake that is made after another one, or of the same kind behind it."""
     place = {mistake.id: mistake for mistake in IN_COLUMNS}
     before = place[first.name.partition(" ")[0]]
     for mistake in IN_COLUMNS:
@@ -75,6 +81,16 @@ def _changed(columns: Columns, change: Callable[[Expr], Expr]) -> Columns:
         return x, y, z
 
     return _each(columns, lambda one: replace(one, linear=changed(one.linear), angular=changed(one.angular)))
+
+
+@lru_cache(MOST_VECTORS)
+def _from_other_zero(entry: Expr, joint: str, quarter: int) -> Expr:
+    return substitute(entry, {}, {joint: Angle.of(joint) + Angle.in_degrees(quarter)})
+
+
+@lru_cache(MOST_VECTORS)
+def _with_functions_swapped(entry: Expr) -> Expr:
+    return rebuild(entry, swapped)
 
 
 def _turned(columns: Columns, arm: Callable[[Column], Vector]) -> Columns:
@@ -176,8 +192,8 @@ def zero_turned(columns: Columns) -> Made:
     """Links along x0 that lie along y0 at zero, or the other way round."""
     first = columns.each[0]
     for quarter in (90, -90) if first.turns else ():
-        turned = {first.joint: Angle.of(first.joint) + Angle.in_degrees(quarter)}
-        yield f"{first.joint} {quarter:+}°", _changed(columns, lambda entry, at=turned: substitute(entry, {}, at))  # type: ignore[misc]
+        change = partial(_from_other_zero, joint=first.joint, quarter=quarter)
+        yield f"{first.joint} {quarter:+}°", _changed(columns, change)
 
 
 @IN_COLUMNS(
@@ -267,10 +283,10 @@ def reference(columns: Columns) -> Made:
     """Another reference point, such as the origin one frame short of the end."""
     view, robot = columns.view, columns.robot
     if view.point != ORIGIN:
-        yield view.end, _about(columns, position(between(robot, view.axes, view.end)))
+        yield view.end, _about(columns, origin_of(robot, view.axes, view.end))
     for name in robot.frames:
         if name != view.place and name not in _elsewhere(columns):
-            yield name, _about(columns, position(between(robot, view.axes, name)))
+            yield name, _about(columns, origin_of(robot, view.axes, name))
 
 
 def _about(columns: Columns, point: Vector) -> Columns:
@@ -304,4 +320,4 @@ def columns_reversed(columns: Columns) -> Made:
 )
 def sine_cosine(columns: Columns) -> Made:
     """Sine for cosine and back, everywhere."""
-    yield "", _changed(columns, lambda entry: rebuild(entry, swapped))
+    yield "", _changed(columns, _with_functions_swapped)

@@ -6,15 +6,13 @@ from abc import abstractmethod
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
-from itertools import islice
 
-from dhcli.algebra.floats import Floats
-from dhcli.algebra.points import general
 from dhcli.checking.diagnosis.result import Rank, Slip
 from dhcli.checking.entries import Entries, entries_text, values_of
 from dhcli.checking.exercise import Case, Exercise, Memo, Part, Question
+from dhcli.checking.motion.asked import Motion
 from dhcli.checking.motion.digits import Digits
-from dhcli.checking.motion.grid import Grid, Numbers, alike, over, scale_of, within
+from dhcli.checking.motion.grid import Grid, Numbers, alike, general_floats_in, over, scale_of, within
 from dhcli.checking.motion.in_entries import sign_causes, signs, swapped, term_causes
 from dhcli.checking.motion.marking import in_other_unit, mark_grid, mark_numbers
 from dhcli.checking.motion.reading import read_cells
@@ -25,10 +23,6 @@ from dhcli.checking.verdicts import Mark
 from dhcli.errors import DhcliError, Place
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.values import numbers
-
-SEED = 31
-POINTS = 2
 
 
 @frozen
@@ -54,6 +48,8 @@ class MotionQuestion(Question[Entries]):
     """A question whose answer is a table of entries, computed from the columns of a robot."""
 
     __slots__ = ()
+
+    motion: Motion
 
     @abstractmethod
     def size(self, robot: Robot) -> tuple[int, int]:
@@ -141,9 +137,9 @@ class MotionQuestion(Question[Entries]):
 
     def answer_with(self, case: Case, name: str) -> str | None:
         """The answer of a mistake, of those too that another one names."""
-        right = self.at_points(case.exercise, self.right(case))
+        right = self.at_points(case.memo, self.right(case))
         for slip, grid in self.every(case, self.right(case)):
-            if slip.name == name and not alike(self.at_points(case.exercise, grid), right):
+            if slip.name == name and not alike(self.at_points(case.memo, grid), right):
                 return self.text(case, grid)
         return None
 
@@ -156,13 +152,12 @@ class MotionQuestion(Question[Entries]):
         if case.exercise.numeric and not any(any(row) for row in values_of(reading.value, case.exercise)):
             return ()
         entries = self._in_unit(case, reading.value)
-        found = [one for one in self._wrong(case) if self._made_by(case, one, entries)]
-        found = found or self._by_digits(case, entries)
+        found = self._makers(case, entries) or self._by_digits(case, entries)
         plain = [one for one in found if one.slip.rank < Rank.SYMPTOM] or found
         if plain:
             return tuple((one.slip,) for one in sorted(plain, key=lambda one: one.slip.rank))
         right, exercise = self.right(case), case.exercise
-        at = partial(self.at_points, exercise)
+        at = partial(self.at_points, case.memo)
         given = self.given(right, entries)
         in_signs = () if exercise.numeric else sign_causes(right, given, at, self.place)
         in_terms = term_causes(exercise, right, given, at, self.place)
@@ -194,12 +189,12 @@ class MotionQuestion(Question[Entries]):
 
     def _made(self, case: Case) -> Iterator[Wrong]:
         exercise, right = case.exercise, self.right(case)
-        known = [self.at_points(exercise, right)]
+        known = [self.at_points(case.memo, right)]
         for slip, grid in self.every(case, right):
             try:
                 seen = grid.numbers_in(case.memo) if exercise.numeric else ()
-                limits = self._limits(case, grid) if exercise.numeric else ()
-                points = self.at_points(exercise, grid)
+                limits = self._limits(case, grid, seen) if exercise.numeric else ()
+                points = self.at_points(case.memo, grid)
             except (DhcliError, KeyError, ZeroDivisionError, OverflowError):
                 continue
             if not any(alike(points, other) for other in known):
@@ -212,11 +207,13 @@ class MotionQuestion(Question[Entries]):
         yield from signs(right, self.place)
         yield from swapped(right)
 
-    def at_points(self, exercise: Exercise, grid: Grid) -> tuple[Numbers, ...]:
+    def at_points(self, memo: Memo, grid: Grid) -> tuple[Numbers, ...]:
         """Entries at general points; at the values given, in symbols."""
-        named = grid.names | frozenset(exercise.scope.names) | frozenset(exercise.names)
-        known = {} if exercise.numeric else numbers(exercise.values)
-        return tuple(over(grid.rows, Floats(point | known)) for point in islice(general(named, SEED), POINTS))
+        own = memo.of("own names", lambda: frozenset(memo.exercise.scope.names) | frozenset(memo.exercise.names))
+        try:
+            return tuple(over(grid.rows, floats) for floats in general_floats_in(memo, own))
+        except KeyError:  # a name that is none of the exercise's, such as that of an angle of the hand
+            return tuple(over(grid.rows, floats) for floats in general_floats_in(memo, grid.names | own))
 
     def _is_right(self, case: Case, one: Wrong) -> bool:
         """Whether a mistake cannot be seen at the values given."""
@@ -228,19 +225,20 @@ class MotionQuestion(Question[Entries]):
     def right_numbers(self, case: Case) -> tuple[Numbers, Numbers]:
         """The right entries at the values given, and how far from them an answer may be."""
         right = self.right(case)
-        return right.numbers(case.exercise), self._limits(case, right)
+        found = right.numbers(case.exercise)
+        return found, self._limits(case, right, found)
 
     @staticmethod
-    def _limits(case: Case, grid: Grid) -> Numbers:
-        tolerance = case.tolerance
-        return grid.limits(case.exercise, tolerance.position, tolerance.rotation)
+    def _limits(case: Case, grid: Grid, found: Numbers) -> Numbers:
+        return grid.limits(found, case.tolerance.position, case.tolerance.rotation)
 
-    def _made_by(self, case: Case, one: Wrong, entries: Entries) -> bool:
-        """Whether an answer is that of a mistake: near it in numbers, proved equal in symbols."""
-        if case.exercise.numeric:
-            typed = values_of(entries, case.exercise)
-            return within(typed, one.seen, one.limits) and not self._is_right(case, one)
-        return self._equals(case, one.grid, one.general, entries)
+    def _makers(self, case: Case, entries: Entries) -> list[Wrong]:
+        """The mistakes that an answer is that of: near it in numbers, proved equal in symbols."""
+        every = self._wrong(case)
+        if not case.exercise.numeric:
+            return [one for one in every if self._equals(case, one.grid, one.general, entries)]
+        typed = values_of(entries, case.exercise)
+        return [one for one in every if within(typed, one.seen, one.limits) and not self._is_right(case, one)]
 
     def _by_digits(self, case: Case, entries: Entries) -> list[Wrong]:
         """Mistakes that give an answer to the digits typed, where these are enough for that not to be chance."""
@@ -255,14 +253,15 @@ class MotionQuestion(Question[Entries]):
         """Whether an answer is that of a grid."""
         if case.exercise.numeric:
             typed = values_of(entries, case.exercise)
-            return within(typed, grid.numbers(case.exercise), self._limits(case, grid))
-        return self._equals(case, grid, self.at_points(case.exercise, grid), entries)
+            found = grid.numbers(case.exercise)
+            return within(typed, found, self._limits(case, grid, found))
+        return self._equals(case, grid, self.at_points(case.memo, grid), entries)
 
     def _equals(self, case: Case, grid: Grid, points: Sequence[Numbers], entries: Entries) -> bool:
         """Whether expressions are proved equal; those that differ at a point need no proof."""
         given = self.given(grid, entries)
         try:
-            if not alike(self.at_points(case.exercise, given), points):
+            if not alike(self.at_points(case.memo, given), points):
                 return False
         except (KeyError, UnreadableError):
             return False

@@ -8,16 +8,18 @@ from typing import ClassVar, Self
 from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Case
 from dhcli.checking.motion.asked import Motion, form_of, read_motion
-from dhcli.checking.motion.columns import Columns, columns_in
+from dhcli.checking.motion.columns import Columns, columns_for, jacobian_grid
 from dhcli.checking.motion.grid import Numbers, over
+from dhcli.checking.motion.question import MotionQuestion
+from dhcli.checking.returned import Shown
 from dhcli.checking.wanted import NotAskedError
-from dhcli.errors import Place, RobotError
+from dhcli.errors import Place, RobotError, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.singular.finding import find
 from dhcli.kinematics.singular.result import Singularities
 from dhcli.kinematics.values import numbers
-from dhcli.kinematics.velocity.form import GEOMETRIC, Form
+from dhcli.kinematics.velocity.form import GEOMETRIC, Form, Which
 from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.scope import Scope
 from dhcli.regex import regex
@@ -54,11 +56,16 @@ class JacobianTask:
             raise NotAskedError(text)
         return cls(motion, form_of(match["form"] or "")[0])
 
+    def check(self, robot: Robot | None) -> None:
+        """Make sure that a robot has such a Jacobian."""
+        self.motion.check(robot)
 
-def columns_for(case: Case, motion: Motion) -> Columns:
-    """The columns that a question is about."""
-    robot, view = motion.check(case.exercise.robot)
-    return columns_in(case, robot, view)
+
+def jacobian_step(question: MotionQuestion, case: Case, part: Which) -> Shown:
+    """The Jacobian that a question is about, as a step of its solution."""
+    form = Form(part)
+    grid = jacobian_grid(case, columns_for(case, question.motion), form)
+    return question.shown(case, f"The Jacobian, rows {', '.join(form.labels)}", grid)
 
 
 def found_for(case: Case, motion: Motion, form: Form) -> Singularities:
@@ -85,7 +92,9 @@ def square(robot: Robot, view: MotionView, form: Form) -> Singularities:
         rows, joints = len(found.rows), len(found.joints)
         if rows != joints:
             hint = "ask for the linear or the angular part" if rows > joints else ""
-            raise RobotError(f"a Jacobian with {rows} rows and {joints} columns has no determinant", hint)
+            raise RobotError(
+                f"a Jacobian with {plural(rows, 'row')} and {plural(joints, 'column')} has no determinant", hint
+            )
         raise RobotError("this Jacobian is singular everywhere, or its determinant is too long to read")
     if view.axes != view.start and len(found.rows) not in (3, 6):
         raise RobotError("with rows left out the sign of a determinant depends on the axes", "leave in frame out")

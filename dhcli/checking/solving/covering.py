@@ -54,12 +54,7 @@ class Case:
 
 @frozen
 class Asked:
-    """What is asked: a joint, or a sum of joints.
-
-    Attributes:
-        terms: The joints, each with its factor.
-        turns: Whether it is an angle.
-    """
+    """What is asked: a joint, or a sum of joints, each with its factor."""
 
     terms: tuple[tuple[str, int], ...]
     turns: bool
@@ -77,15 +72,7 @@ class Asked:
 def points(
     derivation: Derivation, robot: Robot, given: Mapping[str, Value], asked: Asked, textbook: Formula
 ) -> tuple[Case, ...]:
-    """Every true solution at random poses.
-
-    Args:
-        derivation: The derivation that finds them all; each is confirmed by the forward kinematics.
-        robot: The robot.
-        given: Lengths that have a value; all others are drawn.
-        asked: What is asked.
-        textbook: The formula that the derivation finds for it.
-    """
+    """Every true solution at random poses, confirmed by the forward kinematics; lengths not given are drawn."""
     draw = random.Random(23)  # noqa: S311  a fixed seed, for the same judgement every time
     chain = between(robot, derivation.start, derivation.end)
     there = sorted(names(chain))

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
-from functools import lru_cache
+from functools import lru_cache, partial
 
 from dhcli.checking.diagnosis.result import Slip
 from dhcli.checking.exercise import Case
 from dhcli.checking.kinds.linked import needed
 from dhcli.checking.returned import Shown
 from dhcli.checking.solving.goal import Target, of_robot
-from dhcli.checking.solving.putting import put_for
+from dhcli.checking.solving.typed import put_for
 from dhcli.checking.units import ONE as METRE
 from dhcli.checking.units import in_unit
 from dhcli.errors import RobotError
@@ -23,7 +23,7 @@ from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive import NoFormError, derive
 from dhcli.kinematics.inverse.derive_rules import Step
 from dhcli.kinematics.inverse.derive_values import joint_values
-from dhcli.kinematics.inverse.derive_words import atom_text, condition_text, level_text, value_text
+from dhcli.kinematics.inverse.derive_words import atom_text, condition_text, level_text, named_text, value_text
 from dhcli.kinematics.moves import names
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import numbers
@@ -84,7 +84,7 @@ def steps_shown(derivation: Derivation, upto: str = "") -> Iterator[Shown]:
             f"{write(one.left, 'short', joints)} = {write(one.right, 'short', joints)}    {level_text(derivation, one)}"
             for one in step.equations
         ]
-        lines.append(f"{atom_text(step.atom)} = {value_text(step, 'short', joints_of=derivation)}")
+        lines.append(f"{named_text(step.atom)} = {value_text(step, 'short', joints_of=derivation)}")
         lines += [said] if (said := condition_text(step, "short", derivation)) else []
         yield Shown("\n".join(lines))
         if upto and atom_text(step.atom) == upto:
@@ -183,8 +183,12 @@ def _calls(step: Step, function: str) -> list[Call]:
 
 def _with(step: Step, old: Expr, new: Expr) -> Step:
     """A step with one expression in the place of another."""
-    spread = None if step.spread is None else put_for(step.spread, {old: new})
-    return replace(step, value=put_for(step.value, {old: new}), spread=spread)
+    return _changed(step, lambda expr: put_for(expr, {old: new}))
+
+
+def _changed(step: Step, change: Callable[[Expr], Expr]) -> Step:
+    """A step with its formula changed, on both sides of its sign."""
+    return replace(step, value=change(step.value), spread=None if step.spread is None else change(step.spread))
 
 
 def _left_out(derivation: Derivation, robot: Robot) -> Iterator[Slipped]:
@@ -204,16 +208,9 @@ def _left_out(derivation: Derivation, robot: Robot) -> Iterator[Slipped]:
             yield from _moved_wrong(derivation, length)
         else:
             slip = Slip(f"left-out {length}", f"{length} is left out", "follow the links from the base to the end")
-        zero = {length: ZERO}
         try:
-            steps = tuple(
-                replace(
-                    step,
-                    value=substitute(step.value, zero, {}),
-                    spread=None if step.spread is None else substitute(step.spread, zero, {}),
-                )
-                for step in derivation.steps
-            )
+            left = partial(substitute, lengths={length: ZERO}, angles={})
+            steps = tuple(_changed(step, left) for step in derivation.steps)
         except (ZeroDivisionError, ArithmeticError):
             continue
         yield Slipped(slip, replace(derivation, steps=steps))
@@ -229,15 +226,7 @@ def _moved_wrong(derivation: Derivation, length: str) -> Iterator[Slipped]:
                 f"moved-along-{axis} {length}", f"the wrist centre is moved back by {length} along {axis}", question
             )
             yield Slipped(slip, replace(derivation, steps=steps))
-    other: dict[Expr, Expr] = {Symbol(length): negate(Symbol(length))}
-    steps = tuple(
-        replace(
-            step,
-            value=put_for(step.value, other),
-            spread=None if step.spread is None else put_for(step.spread, other),
-        )
-        for step in derivation.steps
-    )
+    steps = tuple(_with(step, Symbol(length), negate(Symbol(length))) for step in derivation.steps)
     slip = Slip(f"moved-on {length}", f"the wrist centre is moved on by {length}, not back", "which way does z point?")
     yield Slipped(slip, replace(derivation, steps=steps))
 
@@ -266,8 +255,7 @@ def _wrist_from_whole(derivation: Derivation) -> Iterator[Slipped]:
         entries = {name for name in symbols(step.value) if name.startswith("r")}
         if own & arm or not entries or not symbols(step.value) & arm:
             return step
-        spread = None if step.spread is None else substitute(step.spread, {}, standing)
-        return replace(step, value=substitute(step.value, {}, standing), spread=spread)
+        return _changed(step, partial(substitute, lengths={}, angles=standing))
 
     try:
         steps = tuple(map(changed, derivation.steps))

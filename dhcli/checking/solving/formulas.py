@@ -10,7 +10,7 @@ from itertools import chain, product
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.pasted import UnreadableError
-from dhcli.checking.solving.putting import put_for
+from dhcli.checking.solving.typed import put_for
 from dhcli.checking.units import ONE as METRE
 from dhcli.errors import DhcliError, Place
 from dhcli.frozen import frozen
@@ -21,7 +21,7 @@ from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
 from dhcli.notation.scope import Scope
 from dhcli.notation.tree import PI, Call, Expr, Number, Product, Sum, Symbol, Trig, Unit, add, multiply, number
-from dhcli.notation.walk import rebuild, symbols, walk
+from dhcli.notation.walk import rebuild, symbols_in, walk
 from dhcli.regex import regex
 
 MOST_SIGNS = 4
@@ -61,7 +61,7 @@ class Formula:
     @property
     def names(self) -> frozenset[str]:
         """The names in it."""
-        return frozenset[str]().union(*map(symbols, self.values))
+        return symbols_in(self.values)
 
     @property
     def has_measures(self) -> bool:
@@ -138,7 +138,12 @@ def _values(text: str, asked: Sequence[str], scope: Scope, place: Place, unit: F
         match = _STATEMENT.fullmatch(statement)
         name = match["name"] if match else ""
         rest = match["rest"] if match else statement
-        names = Scope(scope.joints, scope.angles, (*scope.lengths, *_symbols(known)), scope.aliases)
+        names = Scope(
+            scope.joints,
+            scope.angles,
+            (*scope.lengths, *(node.name for node in known if isinstance(node, Symbol))),
+            scope.aliases,
+        )
         if match and canonical(name.replace(" ", "")) not in asked:
             known[_defined(name, names, place)] = put_for(_plain(_parsed(rest, names, place), unit), known)
             continue
@@ -155,10 +160,6 @@ def _values(text: str, asked: Sequence[str], scope: Scope, place: Place, unit: F
 
 def _parsed(text: str, scope: Scope, place: Place) -> Expr:
     return parse(text, scope, place)
-
-
-def _symbols(known: Mapping[Expr, Expr]) -> tuple[str, ...]:
-    return tuple(node.name for node in known if isinstance(node, Symbol))
 
 
 def _defined(name: str, scope: Scope, place: Place) -> Expr:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from typing import TYPE_CHECKING, TypeAlias, cast
 
 from dhcli.algebra.floats import Floats
@@ -14,7 +15,8 @@ from dhcli.checking.kinds.linked import needed
 from dhcli.checking.units import chain_in_metres, has_length_unit, length_in_metres
 from dhcli.errors import NotationError, Place, Problem, RobotError
 from dhcli.frozen import frozen
-from dhcli.geometry.facing import facing
+from dhcli.geometry.vectors import facing
+from dhcli.kinematics.entries import rounded
 from dhcli.kinematics.fold import fold
 from dhcli.kinematics.frames import ends
 from dhcli.kinematics.moves import Chain, Fixed, names, read_chain
@@ -32,6 +34,8 @@ if TYPE_CHECKING:
     from dhcli.kinematics.inverse.tasks import TaskName
 
 Rows: TypeAlias = tuple[tuple[float, ...], ...]
+
+_rounded = partial(rounded, digits=5)
 
 TASKS = ("pose", "position", "orientation", "axis", "direction")
 """What of a pose may be given."""
@@ -97,12 +101,7 @@ class Target:
         return (*((*row, x) for row, x in zip(turn, place, strict=True)), (0.0, 0.0, 0.0, 1.0))
 
     def in_unit(self, unit: Fraction, scope: Scope) -> Target:
-        """The pose with its bare lengths in metres, where a sheet is in another unit.
-
-        Args:
-            unit: Metres in a bare length of the sheet.
-            scope: The names that it may use.
-        """
+        """The pose with its bare lengths in metres, where a sheet is in another unit."""
         if self.chain:
             return replace(self, chain=chain_in_metres(self.text, unit, scope))
         if not self.point:
@@ -117,27 +116,23 @@ class Target:
         if self.names - exercise.known.keys():
             return f"the {self.task} {self.text} of {seen}"
         rows, per = self.rows(exercise.known), float(exercise.metres)
-        place = ", ".join(_short(row[3] / per) for row in rows[:3])
-        unit = "" if exercise.unit == "none" else f" {exercise.unit}"
+        place = ", ".join(_rounded(row[3] / per) for row in rows[:3])
+        unit = exercise.behind
         if self.task == "position":
             return f"the origin of frame {end} at ({place}){unit}, seen from frame {start}"
         if self.along:
-            z = f"z of frame {end} along ({', '.join(_short(row[2]) for row in rows[:3])})"
+            z = f"z of frame {end} along ({', '.join(_rounded(row[2]) for row in rows[:3])})"
             at = f"its origin at ({place}){unit}, " if self.point else ""
             return f"{z}, {at}seen from frame {start}"
         if self.task == "orientation":
             return f"R = [{_matrix(row[:3] for row in rows[:3])}] of {seen}"
-        shown = [[*map(_short, row[:3]), _short(row[3] / per)] for row in rows[:3]]
+        shown = [[*map(_rounded, row[:3]), _rounded(row[3] / per)] for row in rows[:3]]
         matrix = "; ".join(" ".join(row) for row in (*shown, "0001"))
         return f"T = [{matrix}] of {seen}{unit and f', lengths in{unit}'}"
 
 
 def _matrix(rows: Iterable[Sequence[float]]) -> str:
-    return "; ".join(" ".join(map(_short, row)) for row in rows)
-
-
-def _short(value: float) -> str:
-    return f"{round(value, 5) + 0.0:.5f}".rstrip("0").rstrip(".")
+    return "; ".join(" ".join(map(_rounded, row)) for row in rows)
 
 
 def read_target(text: str, scope: Scope, place: Place | None) -> tuple[Target, str]:

@@ -18,11 +18,7 @@ T = TypeVar("T")
 
 @frozen
 class GoalQuestion(Question[T]):
-    """A question about the joint values that reach a pose.
-
-    Attributes:
-        target: The pose.
-    """
+    """A question about the joint values that reach a pose."""
 
     target: Target
 

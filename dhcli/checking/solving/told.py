@@ -12,15 +12,7 @@ from dhcli.notation.tree import Expr
 def told(
     outcome: Outcome, cases: Sequence[Case], asked: Asked, candidates: Sequence[tuple[str, Expr]], text: str
 ) -> Iterator[str]:
-    """What a formula gets right, and what it loses.
-
-    Args:
-        outcome: How it did.
-        cases: Where it was tried.
-        asked: What is asked.
-        candidates: What may tell where it holds by its sign, each with its text.
-        text: The formula.
-    """
+    """What a formula gets right, and what it loses."""
     right = covering.where(outcome.hits, cases, asked, candidates)
     only = f"right where {right} only" if right else f"right for {outcome.share:.0%} of the solutions"
     if not any(outcome.hits):

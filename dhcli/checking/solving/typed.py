@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
+from fractions import Fraction
 
-from dhcli.checking.solving.putting import put_for, with_roots
 from dhcli.errors import RobotError
 from dhcli.kinematics.inverse.derivation import Derivation
 from dhcli.kinematics.inverse.derive_rules import Step
 from dhcli.kinematics.inverse.derive_terms import name_of
-from dhcli.notation.tree import PI, ZERO, Call, Expr, Symbol, add, negate
+from dhcli.notation.tree import PI, ZERO, Call, Expr, Power, Product, Sum, Symbol, add, multiply, negate, power
+from dhcli.notation.walk import children
 from dhcli.notation.writer import write
 
 
@@ -60,3 +62,33 @@ def exprs_of(derivation: Derivation, joints: tuple[str, ...]) -> tuple[Expr, ...
     """The expressions in the formula for a joint."""
     step = formula_of(derivation, joints)
     return (step.value,) if step.spread is None else (step.value, step.spread)
+
+
+def put_for(expr: Expr, instead: Mapping[Expr, Expr]) -> Expr:
+    """An expression with others in the place of some that stand in it."""
+    if expr in instead:
+        return instead[expr]
+    if not children(expr):
+        return expr
+    if isinstance(expr, Call):
+        return Call(expr.function, tuple(put_for(one, instead) for one in expr.arguments))
+    parts = [put_for(one, instead) for one in children(expr)]
+    if all(new is old for new, old in zip(parts, children(expr), strict=True)):
+        return expr  # as it is written
+    if isinstance(expr, Power):
+        return power(parts[0], expr.exponent)
+    return add(*parts) if isinstance(expr, Sum) else multiply(*parts)
+
+
+def with_roots(expr: Expr) -> Expr:
+    """An expression with `1/sqrt(x)` for x to the power -1/2, which nobody writes."""
+    if not children(expr):
+        return expr
+    if isinstance(expr, Call):
+        return Call(expr.function, tuple(map(with_roots, expr.arguments)))
+    parts = tuple(map(with_roots, children(expr)))
+    if isinstance(expr, Power):
+        if expr.exponent.denominator == 2 and expr.exponent < 0:  # noqa: PLR2004
+            return Power(Power(parts[0], Fraction(1, 2)), Fraction(expr.exponent.numerator))
+        return Power(parts[0], expr.exponent)
+    return Sum(parts) if isinstance(expr, Sum) else Product(parts)

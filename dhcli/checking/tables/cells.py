@@ -15,7 +15,7 @@ from dhcli.checking.tables.typed_rows import TypedRow
 from dhcli.checking.tolerance import Tolerance, judge
 from dhcli.checking.verdicts import CellMark, Verdict
 from dhcli.kinematics.conventions import Row
-from dhcli.kinematics.robot import Robot, Value
+from dhcli.kinematics.robot import Value
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
 from dhcli.notation.matrix import bracketed
@@ -73,18 +73,13 @@ def size_of(rows: Sequence[Row], exercise: Exercise) -> float:
 
 def own_values(exercise: Exercise) -> Mapping[str, Value]:
     """Values that the robot and the task have, whether or not the answer may be in numbers."""
-    return {**known_values(exercise.robot), **given_values(exercise)}
+    return {**(exercise.robot.known if exercise.robot else {}), **given_values(exercise)}
 
 
 def given_values(exercise: Exercise) -> dict[str, Value]:
     """Values that the task states for lengths and twists; a table holds for every value of a joint."""
     variables = exercise.robot.variables if exercise.robot else ()
     return {name: value for name, value in exercise.given.items() if name not in variables}
-
-
-def known_values(robot: Robot | None) -> dict[str, Value]:
-    """The lengths and angles of a robot that have a value."""
-    return {name: value for name, value in robot.parameters.items() if value is not None} if robot else {}
 
 
 def _mark(  # noqa: PLR0913, PLR0917  everything a cell is judged by

@@ -63,13 +63,7 @@ def first_difference(answer: TableAnswer, outcome: Outcome) -> tuple[str, ...]:
 
 
 def end_rows(answer: TableAnswer, outcome: Outcome, off: Off) -> str:
-    """The rows that place the end frame on the last axis, behind which it stands.
-
-    Args:
-        answer: The table.
-        outcome: What came out of its comparison.
-        off: How the end frame is off.
-    """
+    """The rows that place the end frame on the last axis, behind which it stands."""
     joints, last = len(answer.robot.variables), len(answer.plain)
     start = _row_of(answer, _last_placed(answer, outcome, joints) if off.shifted else joints - 1)
     said = [_named(list(range(start, last)), answer)]

@@ -35,12 +35,7 @@ class Reason:
 
 
 def reason_of(answer: TableAnswer, outcome: Outcome | None = None) -> Reason:
-    """What can be said of a wrong table.
-
-    Args:
-        answer: The table.
-        outcome: What came out of its comparison, if that is known.
-    """
+    """What can be said of a wrong table."""
     outcome = outcome or answer.judged()
     if answer.is_oversized(outcome):
         return Reason(("your lengths are a million times those of the robot: look for a digit or a unit too many",))

@@ -22,12 +22,7 @@ MOST_KEPT = 64
 
 
 class RightArm:
-    """The right arm, what is known of its names, and where and with what it is compared.
-
-    Attributes:
-        arm: The right chain and its joints.
-        values: What is known of the names.
-    """
+    """The right arm, what is known of its names, and where and with what it is compared."""
 
     def __init__(self, arm: Arm, values: Values) -> None:
         """Begin with nothing worked out."""

@@ -37,10 +37,6 @@ def process_lines(robot: Robot, exercise: Exercise) -> Iterator[Shown]:
 
     They are told with all joints at 0, and every free choice as the table makes it. Nothing is told of a table with a
     row without a joint, nor where a twist is a letter.
-
-    Args:
-        robot: The robot.
-        exercise: The exercise, for how it writes lengths.
     """
     from dhcli.kinematics.describe.words import written
 
@@ -48,14 +44,7 @@ def process_lines(robot: Robot, exercise: Exercise) -> Iterator[Shown]:
 
 
 def cell_lines(robot: Robot, column: str, number: int, exercise: Exercise) -> Iterator[Shown]:
-    """The step of the process in which one cell of a table is found.
-
-    Args:
-        robot: The robot.
-        column: The column.
-        number: The number of the row.
-        exercise: The exercise, for how it writes lengths.
-    """
+    """The step of the process in which one cell of a table is found."""
     is_before = robot.convention is Convention.MODIFIED and column in ("a", "alpha")
     subject = f"x{number - is_before}"
     for step in _steps(robot, exercise):
@@ -76,14 +65,7 @@ def _steps(robot: Robot, exercise: Exercise) -> tuple[Step, ...]:
 
 
 def table_lines(rows: Sequence[Row], columns: Sequence[str], first: int, exercise: Exercise) -> Iterator[str]:
-    """A DH table, a line for each row with its values by name, below each other.
-
-    Args:
-        rows: The rows.
-        columns: The columns in the robot's order.
-        first: Number of the first row.
-        exercise: The exercise, for how it writes angles and lengths.
-    """
+    """A DH table, a line for each row with its values by name, below each other."""
     cells = [
         [f"{column} = {spelled(getattr(row, column), exercise.writing)}" for column in columns]
         for row in on_sheet(rows, exercise)

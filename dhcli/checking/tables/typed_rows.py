@@ -12,7 +12,7 @@ from dhcli.algebra.points import general
 from dhcli.checking.entries import LARGEST
 from dhcli.checking.pasted import UnreadableError, without_label
 from dhcli.checking.tables.spelling import ANGLES, Heads, in_order, plain_text, without_heads, without_stars
-from dhcli.errors import NotationError, Place
+from dhcli.errors import NotationError, Place, plural
 from dhcli.frozen import frozen
 from dhcli.kinematics.conventions import COLUMNS, Row
 from dhcli.kinematics.robot import Robot
@@ -96,7 +96,7 @@ def read_table(
         cells = tuple(row[1:] for row in cells)
     elif width != len(COLUMNS):
         raise UnreadableError(
-            f"the rows have {width} cells; a DH table has the four columns {', '.join(heads.columns)}"
+            f"the rows have {plural(width, 'cell')}; a DH table has the four columns {', '.join(heads.columns)}"
         )
     rows = tuple(_row(row, index, heads, robot, scope) for index, row in enumerate(cells, robot.first))
     _check_variables(rows, robot)
@@ -168,7 +168,7 @@ def _is_real(expr: Expr, robot: Robot) -> bool:
     """Whether a length has a finite value, be it at the robot's own lengths or at any others."""
     if isinstance(expr, Symbol):
         return True
-    own = numbers({name: value for name, value in robot.parameters.items() if value is not None})
+    own = numbers(robot.known)
     points = ({**drawn, **known} for drawn in islice(general(symbols(expr), SEED), TRIES) for known in (own, {}))
     try:
         return any(math.isfinite(Floats(point).value(expr)) for point in points)

@@ -132,7 +132,8 @@ def _remembered(seen: Seen, counted: Mapping[str, str]) -> dict[str, str]:
 def _draw(seen: Seen, path: str, hints: int, *, why: bool) -> None:
     from dhcli.cli.shell.console import write_out
     from dhcli.cli.shell.quiz import first_open
-    from dhcli.render.look import Look, render
+    from dhcli.render.kinds import render
+    from dhcli.render.look import Look
     from dhcli.render.paper import Paper
     from dhcli.render.text.problems import problems_text
     from dhcli.render.text.prose import prose_lines

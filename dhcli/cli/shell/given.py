@@ -6,12 +6,13 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from dhcli.cli.shell.joints import typed_joints
 from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean, plural
 from dhcli.kinematics.frames import Point
 from dhcli.kinematics.motors import in_motors
 from dhcli.kinematics.moves import read_chain
 from dhcli.kinematics.robot import Robot, Value
-from dhcli.kinematics.values import given_parameters, joint_values, parameter_values
+from dhcli.kinematics.values import given_parameters, parameter_values
 from dhcli.notation.brackets import split
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import parse
@@ -67,23 +68,12 @@ def lengths_of(robot: Robot, chosen: Chosen, *, symbolic: bool = False) -> dict[
 def values_of(robot: Robot, chosen: Chosen, *, symbolic: bool = False) -> dict[str, Value]:
     """Values of joints and parameters: in symbols those typed, in numbers the robot's own lengths too."""
     q, pose = chosen.q, chosen.pose
-    if q is not None and pose is not None and "=" not in q:
-        raise DhcliError("--q and --pose both say where all joints are", "use one; --q NAME=VALUE varies a pose")
     lengths = lengths_of(robot, chosen, symbolic=symbolic)
     posed = {} if pose is None else named_pose(robot, pose)
-    text, where = (q, Place("--q")) if q is None or not q.startswith("@") else text_of_file(q[1:])
-    if q is not None and q.startswith("@"):
-        _refuse_rows(robot, text or "", where, q[1:])
-    return {**lengths, **posed, **joint_values(robot, text, bare=chosen.bare, place=where)}
-
-
-def _refuse_rows(robot: Robot, text: str, where: Place, path: str) -> None:
-    """Refuse a file of many rows where the values of one pose are wanted."""
-    count, joints = sum(1 for _ in split(text)), len(robot.variables)
-    if joints and count > joints and count % joints == 0 and "=" not in text:
-        message = f"{count // joints} rows of {plural(joints, 'value')}, and one pose is wanted"
-        hint = f"many rows: fk --in {path}, draw --in {path} or jacobian --rows {path}; else leave one"
-        raise DhcliError(Problem(message, where, hint))
+    joints = typed_joints(robot, q, chosen.bare)
+    if q is not None and pose is not None and "=" not in q and len(joints) == len(robot.variables):
+        raise DhcliError("--q and --pose both say where all joints are", "use one; --q NAME=VALUE varies a pose")
+    return {**lengths, **posed, **joints}
 
 
 def named_pose(robot: Robot, name: str) -> dict[str, Value]:
@@ -109,14 +99,6 @@ def settings_of(settings: Sequence[str]) -> dict[str, str]:
                 raise DhcliError(Problem(f"{name.strip()} is set twice", Place("--set")))
             given[name.strip()] = text
     return given
-
-
-def text_of_file(path: str) -> tuple[str, Place]:
-    """Joint values from a file: separated by commas, blanks or line ends; `#` begins a comment."""
-    from dhcli.files.reading import read_text, source_of
-
-    lines = [line.partition("#")[0].strip().rstrip(",;") for line in read_text(path).split("\n")]
-    return ", ".join(line for line in lines if line), Place(f"--q {source_of(path)}")
 
 
 def point_of(text: str, option: str, scope: Scope = OPEN) -> Point:

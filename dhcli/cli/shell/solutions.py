@@ -7,7 +7,8 @@ from dataclasses import astuple, replace
 from typing import TYPE_CHECKING
 
 from dhcli.cli.shell.chosen import Chosen
-from dhcli.cli.shell.goal import Goal
+from dhcli.cli.shell.joints import typed_joints
+from dhcli.cli.shell.wishes import Goal
 from dhcli.errors import DhcliError, Place, Problem, UnknownNameError, did_you_mean
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.robot import Robot
@@ -23,7 +24,7 @@ def near_of(robot: Robot, text: str | None, bare: Bare) -> list[float] | None:
     """Joint values that solutions should be near to, in joint order [rad, m]."""
     if text is None:
         return None
-    values = joint_values(robot, text, bare=bare, place=Place("--near"))
+    values = typed_joints(robot, text, bare, "--near")
     return [in_floats(values[name]) if name in values else 0.0 for name in robot.variables]
 
 
@@ -72,13 +73,13 @@ def derived(robot: Robot, goal: Goal, chosen: Chosen, *, with_own: bool = False)
         DhcliError: A pose is given, or something else of it counts, or there are no formulas.
     """
     from dhcli.cli.shell.given import lengths_of
+    from dhcli.kinematics.forward import with_values
     from dhcli.kinematics.inverse.derive import derive
-    from dhcli.kinematics.valued import with_values
 
     if any((chosen.q, chosen.pose, *astuple(replace(goal, task=None)))):
         raise DhcliError("a derivation is in letters and takes no pose", "leave it out, or --derive and --code")
     if goal.task not in {None, "pose", "position"}:
         raise DhcliError(Problem(f"a derivation knows no task {goal.task}", Place("--task"), "pose or position"))
-    own = {name: value for name, value in robot.parameters.items() if value is not None} if with_own else {}
+    own = robot.known if with_own else {}
     robot = with_values(robot, {**own, **lengths_of(robot, chosen, symbolic=True)})
     return derive(robot, start=chosen.from_, end=chosen.end, task=goal.task or "")

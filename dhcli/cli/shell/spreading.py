@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Iterator, Mapping
 from copy import copy
-from dataclasses import Field, field, fields, is_dataclass
+from dataclasses import field, fields, is_dataclass
 from functools import wraps
 from typing import Annotated, Any, get_args, get_origin, get_type_hints
 
@@ -74,12 +74,8 @@ def _options(group: type[Any], but: But) -> Iterator[inspect.Parameter]:
     for each in fields(group):
         if each.name not in but.without:
             hint = _under(hints[each.name], but.panel) if but.panel else hints[each.name]
-            default = _default(each)
+            default = inspect.Parameter.empty if each.metadata == REQUIRED else each.default
             yield inspect.Parameter(each.name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=hint)
-
-
-def _default(each: Field[Any]) -> object:
-    return inspect.Parameter.empty if each.metadata == REQUIRED else each.default
 
 
 def _under(hint: Any, panel: str) -> Any:  # noqa: ANN401  an annotation

@@ -13,10 +13,6 @@ if TYPE_CHECKING:
 def ask_once(exercise: Exercise, parts: Sequence[Part]) -> None:
     """Make sure that a person wants to see parts that were never tried.
 
-    Args:
-        exercise: The exercise.
-        parts: What would be seen.
-
     Raises:
         DhcliError: They do not, or nobody is there to ask; it says which part is yet to try, and how.
     """

@@ -12,7 +12,7 @@ from dhcli.files.foreign.rows import Reader, Whole, robot_of_rows, scope_of
 from dhcli.files.foreign.tables import read_table
 from dhcli.files.urdf.robots import read_urdf
 from dhcli.frozen import frozen
-from dhcli.kinematics.conventions import Convention
+from dhcli.kinematics.conventions import Convention, convention_hint
 from dhcli.kinematics.describe.asked import Asked
 from dhcli.kinematics.describe.description import describe
 from dhcli.kinematics.robot import Robot
@@ -44,11 +44,6 @@ class Wish:
 
 def import_robot(text: str, source: str, wish: Wish) -> Robot:
     """A robot from a file of others.
-
-    Args:
-        text: The file.
-        source: What it is called.
-        wish: What is said about it.
 
     Raises:
         FileError: It is of no form that is read, or something is wrong in it.
@@ -109,5 +104,5 @@ def _convention(word: str | None) -> Convention | None:
         return None
     known = [convention.value for convention in Convention]
     if word not in known:
-        raise UnknownNameError(f"there is no convention {word}", did_you_mean(word, known) or ", ".join(known))
+        raise UnknownNameError(f"there is no convention {word}", convention_hint(word, known))
     return Convention(word)

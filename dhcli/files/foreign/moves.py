@@ -23,15 +23,7 @@ _DEGREES = ("'deg'", '"deg"', "unit='deg'", 'unit="deg"')
 
 
 def chain_of(reader: Reader, text: str, what: str, place: Place, units: str) -> Chain:
-    """The moves of a product.
-
-    Args:
-        reader: What reads its numbers and collects what is wrong.
-        text: The product.
-        what: Base or tool.
-        place: Where it stands.
-        units: Unit of bare lengths.
-    """
+    """The moves of a base or a tool."""
     found: list[Move] = []
     for factor in split(text, "*@"):
         move = _move(reader, factor, Cell("", place, units), what)

@@ -26,14 +26,7 @@ class Statement:
 
 @frozen
 class Call:
-    """One call.
-
-    Attributes:
-        name: What is called.
-        args: The arguments as they stand.
-        start: Where it begins in its statement.
-        end: Where it ends.
-    """
+    """One call."""
 
     name: str
     args: tuple[str, ...]

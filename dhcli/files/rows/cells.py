@@ -1,9 +1,11 @@
-"""One cell of a table: a plain decimal number, or what is wrong with it; and whole tables of nothing else, at once."""
+"""Lines of a table and their cells: plain decimal numbers, or what is wrong with them; and whole tables at once."""
 
 from __future__ import annotations
 
+import csv
 import math
 import re
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -21,8 +23,18 @@ _PLAIN = b"0123456789+-.eE \n"
 
 _COMMA_SIGN, _LINE_END = b",\n"
 
+SIGNS = ";\t,"
+"""What may stand between cells. Commas last: between the others they are decimal ones."""
+DECIMAL_BETWEEN = (";", "\t", " ")
+_CALLED = {";": "semicolons", "\t": "tabs", ",": "commas", " ": "blanks"}
+
+_BETWEEN_BLANKS = regex(r"\S+(?:[ ]{1,40}[\[(][^\])]{0,40}[\])])?")
+"""A cell between blanks; a unit may stand apart from its name."""
+
 _NO_NUMBERS = {"nan", "na", "n/a", "null", "none", "inf", "infinity", "-inf", "+inf", "-infinity", "-nan"}
 _COMMA = regex(r"[+-]?(?:\d+,\d*|,\d+)(?:[eE][+-]?\d+)?", re.ASCII)
+_DIGITS = regex(r"\s*[+-]?\d+(?:[eE][+-]?\d+)?\s*", re.ASCII)
+_GROUPED = regex(r"[+-]?\d{1,3}(?:(?:,\d{3})+\.\d*|(?:\.\d{3})+,\d*)", re.ASCII)
 _UNIT = regex(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)\s*(?P<unit>\D+)", re.ASCII)
 _LONGEST = 40
 _WORDS = {"True": "true", "False": "false", "None": "null"}
@@ -38,30 +50,109 @@ class CellError(ValueError):
         self.hint = hint
 
 
-def read_cell(text: str, *, decimal_comma: bool, units_in_header: bool) -> float:
+def sign_between(head: str, width: int = 0) -> str:
+    """What stands between the cells of a table, as its first line shows.
+
+    Args:
+        head: The line.
+        width: How many numbers there are where it is no header, if that is known.
+    """
+    sign = next((sign for sign in SIGNS if sign in head), " " if " " in head.strip() else ",")
+    numbers = head.split()
+    if sign == "," and width > 1 and len(numbers) == width and all(map(_COMMA.fullmatch, numbers)):
+        return " "
+    return sign
+
+
+def cells_of(line: str, sign: str) -> list[tuple[int, str]]:
+    """The cells of a line with the columns where they begin, from 1.
+
+    Args:
+        line: The line.
+        sign: What stands between them; for a blank any number of them.
+    """
+    if sign == " ":
+        return [(match.start() + 1, match[0]) for match in _BETWEEN_BLANKS.finditer(line)]
+    found, end = [], 0
+    for text in _unquoted(line, sign) if '"' in line else line.split(sign):
+        start = max(line.find(text, end), end)
+        found.append((start + 1 + len(text) - len(text.lstrip()), text))
+        end = start + len(text) + 1
+    return found
+
+
+def _unquoted(line: str, sign: str) -> list[str]:
+    """The cells of a line with quotes."""
+    try:
+        return next(csv.reader([line], delimiter=sign))
+    except csv.Error:  # a cell longer than any number
+        return [line]
+
+
+def decimals_in(cells: Sequence[str], sign: str, text: str) -> str:
+    """What may stand before the decimals in a row: a point or a comma, unless it has both; then one might group digits.
+
+    Args:
+        cells: The cells of the row.
+        sign: What stands between them; of commas none is a decimal one.
+        text: The rows around: what is usual there is right.
+    """
+    if sign not in DECIMAL_BETWEEN:
+        return "."
+    has_comma = any(_COMMA.fullmatch(cell.strip()) for cell in cells)
+    has_point = any("." in cell.rpartition(",")[2] for cell in cells)
+    if not (has_comma and has_point):
+        return ".,"
+    return "," if text.count(",") > text.count(".") else "."
+
+
+def other_sign(line: str, sign: str, width: int) -> tuple[str, str]:
+    """What is wrong with a row that is not parted as the first line is, and what would be right; else nothing.
+
+    Args:
+        line: The row.
+        sign: What stands between the cells of the first line.
+        width: How many cells there should be.
+    """
+    for other in (*SIGNS, " "):
+        cells = [text for _, text in cells_of(line, other)]
+        if other != sign and other in line.strip() and len(cells) == width and all(map(is_number, cells)):
+            message = f"has {_CALLED[other]} between its cells, and the first line has {_CALLED[sign]}"
+            return message, "the same in all lines"
+    cells = line.split(sign)
+    if sign == "," and min(width + 2, 2 * width) <= len(cells) <= 2 * width and all(map(_DIGITS.fullmatch, cells)):
+        return (
+            f"{len(cells)} cells in a table of {width} columns",
+            "are there decimal commas? part the cells by semicolons: 0,5;1,2",
+        )
+    return "", ""
+
+
+def read_cell(text: str, *, decimals: str) -> float:
     """The number in a cell.
 
     Args:
         text: The cell.
-        decimal_comma: Whether `0,5` is a half.
-        units_in_header: Whether the header may say a unit; else lengths are metres and angles radians.
+        decimals: What may stand before decimals: a point, a comma, or either.
 
     Raises:
         CellError: There is none, or it is not finite.
     """
-    if decimal_comma and text.count(",") == 1 and _COMMA.fullmatch(text.strip()):
-        text = text.replace(",", ".")
-    if NUMBER.fullmatch(text):
-        value = float(text)
+    bare = text.strip().replace("\N{MINUS SIGN}", "-")
+    if "," in decimals and _COMMA.fullmatch(bare):
+        bare = bare.replace(",", ".")
+    elif decimals == "," and "." in bare and NUMBER.fullmatch(bare):
+        raise CellError(f"{shown(bare)} has a point, and others here a comma", f"write {bare.replace('.', ',')}")
+    if NUMBER.fullmatch(bare):
+        value = float(bare)
         if math.isfinite(value):
             return value
         raise CellError(f"{shown(text)} is too large")
-    bare = text.strip()
     if not bare:
         raise CellError("is empty")
     if bare.lower() in _NO_NUMBERS:
         raise CellError(f"{shown(bare)} is not a finite number")
-    raise CellError(f"{shown(bare)} is not a number", _hint(bare, units_in_header=units_in_header))
+    raise CellError(f"{shown(bare)} is not a number", _hint(bare))
 
 
 def json_number(value: object) -> float:
@@ -109,7 +200,7 @@ def plain_table(text: str, separator: str, width: int) -> NDArray[np.float64] | 
 
 def is_number(text: str) -> bool:
     """Whether a cell is meant for a number: also one that no joint can have, with a decimal comma, or with a unit."""
-    bare = text.strip()
+    bare = text.strip().replace("\N{MINUS SIGN}", "-")
     if (match := _UNIT.fullmatch(bare)) and match["unit"] in UNITS:
         return True
     return any(pattern.fullmatch(bare) for pattern in (NUMBER, _COMMA)) or bare.lower() in _NO_NUMBERS
@@ -120,10 +211,12 @@ def shown(text: str) -> str:
     return f"'{text}'" if len(text) <= _LONGEST else f"'{text[:_LONGEST]}...'"
 
 
-def _hint(text: str, *, units_in_header: bool) -> str:
+def _hint(text: str) -> str:
     if _COMMA.fullmatch(text):
         return f"write {text.replace(',', '.')}, with a point"
+    if _GROUPED.fullmatch(text):
+        whole, _, decimals = text.rpartition("." if text.rfind(".") > text.rfind(",") else ",")
+        return f"write {re.sub('[.,]', '', whole)}.{decimals}: nothing stands between thousands"
     if (match := _UNIT.fullmatch(text)) and match["unit"] in UNITS:
-        in_header = f"the unit stands once, in the header: [{match['unit']}]"
-        return in_header if units_in_header else "write metres and radians, without their unit"
+        return f"the unit stands once, in the header: [{match['unit']}]"
     return "a cell is a plain number, such as -0.25 or 1e-3"

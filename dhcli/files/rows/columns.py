@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import field, replace
 from typing import TYPE_CHECKING
 
@@ -23,6 +23,7 @@ _HEAD = regex(r"(?P<name>[^\[(]*)(?:[\[(](?P<unit>[^\])]*)[\])])?")
 """A head without the blanks around it; those inside are taken off the pieces, and nothing is tried twice."""
 
 MOST_COLUMNS = 1000
+_ASIDE = "--ignore-columns leaves aside what is no joint"
 _RADIANS = ("rad", "radian", "radians")
 
 
@@ -31,12 +32,14 @@ class JointColumns:
     """How a table holds the joint values of a robot.
 
     Attributes:
-        order: For each joint, its column; None for one that has none and stands still.
+        joints: The joints of the robot.
+        order: For each of them, its column; None for one that has none and stands still.
         factors: For each joint, what makes radians or metres of a number: a numerator and a denominator.
         width: How many columns there are, also of what is no joint.
         held: For each joint, where it stands if it has no column; radians or metres.
     """
 
+    joints: tuple[str, ...]
     order: tuple[int | None, ...]
     factors: tuple[tuple[float, float], ...]
     width: int
@@ -46,6 +49,15 @@ class JointColumns:
     def in_radians(self) -> tuple[bool, ...]:
         """Whether each joint's numbers are taken as they are."""
         return tuple(factor == (1.0, 1.0) for factor in self.factors)
+
+    @property
+    def names(self) -> dict[int, str]:
+        """The joint of each column that is one's."""
+        return {k: joint for k, joint in zip(self.order, self.joints, strict=True) if k is not None}
+
+    def void(self, table: NDArray[np.float64]) -> tuple[Sequence[int], str]:
+        """No row."""
+        return (), ""
 
     def values(self, table: NDArray[np.float64]) -> NDArray[np.float64]:
         """Joint values in joint order, radians and metres.
@@ -86,13 +98,22 @@ class JointTable:
         """The joints that want a column."""
         return tuple(joint for joint in self.robot.joints if joint.name not in self.held)
 
-    def in_joint_order(self, width: int | None = None) -> JointColumns:
-        """The columns of a table without a header: the joints in their order, and then what else there is."""
+    @property
+    def wanted(self) -> tuple[str, ...]:
+        """Their names."""
+        return tuple(joint.name for joint in self.open)
+
+    def in_order(self, width: int = 0, _: Place | None = None) -> JointColumns:
+        """The columns of a table without a header: the joints in their order, and then what is left aside, if it is.
+
+        Args:
+            width: How many cells its rows have.
+        """
         factors = {joint.name: self._factor(joint, "") for joint in self.open}
         found = {joint.name: k for k, joint in enumerate(self.open)}
-        return self._columns(found, factors, len(found) if width is None else width)
+        return self._columns(found, factors, max(width, len(found)) if self.ignores else len(found))
 
-    def columns(self, heads: Sequence[str], places: Iterable[Place], whole: Place) -> JointColumns:
+    def columns(self, heads: Sequence[str], places: Sequence[Place], whole: Place) -> JointColumns:
         """The columns of a table with a header.
 
         Args:
@@ -112,7 +133,7 @@ class JointTable:
         names = {head.strip() for head in heads}
         aside = names & {INDEX, *(POSITION if names.issuperset(POSITION) else ())}
         for k, (head, place) in enumerate(zip(heads, places, strict=True)):
-            if (self.ignores or head.strip() in aside) and not self.is_joint(head):
+            if (self.ignores or head.strip() in aside) and not self.is_known(head):
                 continue
             try:
                 name, unit = name_and_unit(head, place)
@@ -128,6 +149,8 @@ class JointTable:
                 problems += error.problems
         if missing := [joint.name for joint in self.open if joint.name not in found]:
             hint = _wanted(self.robot)
+            if problems and not found and all(problem.hint == _ASIDE for problem in problems):
+                raise FileError(Problem(f"names no joint of {self.robot.name}", whole, hint))
             if len(missing) == 1 and not problems:
                 hint += f"; --q {missing[0]}=0 if it stands still"
             problems.append(Problem(f"no column for {', '.join(missing)}", whole, hint))
@@ -135,7 +158,7 @@ class JointTable:
             raise FileError(problems)
         return self._columns(found, factors, len(heads))
 
-    def is_joint(self, head: str) -> bool:
+    def is_known(self, head: str) -> bool:
         """Whether the head of a column names a joint; with or without a unit."""
         match = _HEAD.fullmatch(head.strip())
         try:
@@ -163,6 +186,7 @@ class JointTable:
     ) -> JointColumns:
         names = self.robot.variables
         return JointColumns(
+            names,
             tuple(found.get(name) for name in names),
             tuple(factors.get(name, (1.0, 1.0)) for name in names),
             width,
@@ -172,7 +196,7 @@ class JointTable:
 
 def _aside(hint: str) -> str:
     """A hint for a column that is unknown: what it may be meant for, or how to go on without it."""
-    return hint if hint.startswith("did") else "--ignore-columns leaves aside what is no joint"
+    return hint if hint.startswith("did") else _ASIDE
 
 
 def _wanted(robot: Robot) -> str:

@@ -58,14 +58,7 @@ class Joint:
 
 @dataclass(slots=True)
 class Model:
-    """A whole URDF.
-
-    Attributes:
-        source: What the file is called.
-        name: What the robot is called.
-        links: The links, each with its place.
-        joints: The joints in the order of the file.
-    """
+    """A whole URDF: its links, each with its place, and its joints in the order of the file."""
 
     source: str
     name: str = ""

@@ -6,9 +6,7 @@ import math
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from dhcli.kinematics.describe.exact import places_of
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import Number
 
 _STEPS = ((90, 2e-3), (45, 1e-3), (15, 1e-4))
 """Multiples of so many degrees, and how far a rounded one may be from them [rad]."""
@@ -55,12 +53,6 @@ def round_degrees(text: str) -> int | None:
         if degrees and abs(math.radians(degrees) - value) <= min(max(digit, _LEAST), cap):
             return degrees
     return None
-
-
-def length(text: str) -> Number:
-    """A length as it was typed [m]."""
-    value = Fraction(text)
-    return Number(value, places_of(value))
 
 
 def _last_digit(text: str) -> float:

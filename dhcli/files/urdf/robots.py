@@ -7,17 +7,17 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 from dhcli.algebra.floats import Floats
-from dhcli.errors import FileError, Problem
+from dhcli.errors import FileError, Problem, plural
 from dhcli.files.urdf.chains import chain_of
 from dhcli.files.urdf.model import Joint, read_model
-from dhcli.files.urdf.numbers import Meaning, length
+from dhcli.files.urdf.numbers import Meaning
 from dhcli.kinematics.conventions import Convention
 from dhcli.kinematics.moves import Chain, Fixed, Move, Rot, Trans
 from dhcli.kinematics.robot import Link, Robot, Value
 from dhcli.kinematics.validity import InvalidRobotError
 from dhcli.notation import turns
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import HALF, ZERO, Expr, Number, Symbol, add, multiply, power
+from dhcli.notation.tree import Expr, Symbol, add, decimal, multiply
 from dhcli.regex import regex
 
 _KEPT = regex(r"[A-Za-z]+_?[0-9]+")
@@ -49,13 +49,6 @@ def read_urdf(
 
 def robot_of_joints(joints: tuple[Joint, ...], name: str, title: str, source: str, *, as_typed: bool) -> Robot:
     """The robot whose joints follow each other.
-
-    Args:
-        joints: From the base to the tip.
-        name: What the robot is called.
-        title: Its title.
-        source: Where it comes from.
-        as_typed: Whether 1.5708 stays what it is.
 
     Raises:
         FileError: An axis has no direction, or a joint follows another.
@@ -150,7 +143,7 @@ class _Builder:
 
     def origin(self, joint: Joint) -> Chain:
         """Where the joint's frame stands in its parent's: R = Rz(yaw) Ry(pitch) Rx(roll)."""
-        lengths = [length(text) for text in joint.xyz]
+        lengths = [decimal(Fraction(text)) for text in joint.xyz]
         self.lengths.append(math.hypot(*(float(number.value) for number in lengths)))
         found: list[Move] = [Trans(*lengths)] if any(number.value for number in lengths) else []
         roll, pitch, yaw = (self.angle(text) for text in joint.rpy)
@@ -166,19 +159,17 @@ class _Builder:
     def motion(self, joint: Joint, variable: str, factor: Fraction, offset: Fraction) -> Iterator[Move]:
         """What the joint does, about or along its axis, for a multiple of a variable and an offset."""
         axis = [Fraction(text) for text in joint.axis]
-        square = sum((part * part for part in axis), Fraction(0))
-        if not square:
+        if not any(axis):
             raise FileError(
                 Problem(f"joint {joint.name} has an axis of length zero", joint.place, 'write <axis xyz="0 0 1"/>')
             )
         if joint.kind == "prismatic":
-            size = power(Number(square), HALF)
-            by = add(multiply(Number(factor), Symbol(variable)), Number(offset))
-            parts: list[Expr] = [multiply(Number(part), power(size, -1), by) if part else ZERO for part in axis]
-            yield Trans(parts[0], parts[1], parts[2])
+            by = add(multiply(decimal(factor), Symbol(variable)), decimal(offset))
+            x, y, z = (multiply(part, by) for part in turns.unit(axis, typed=True))
+            yield Trans(x, y, z)
             return
         turned = Angle.of(variable) * factor + (self.angle(str(float(offset))) if offset else Angle())
-        for part in turns.about([Number(number) for number in axis], turned):
+        for part in turns.about([decimal(part) for part in axis], turned):
             if isinstance(part, turns.Turn):
                 yield Rot(part.axis, part.angle)
             else:
@@ -200,7 +191,7 @@ class _Builder:
         if low is None or high is None:
             return None
         if joint.kind == "prismatic":
-            return length(low), length(high)
+            return decimal(Fraction(low)), decimal(Fraction(high))
         silent = Meaning(self.meaning.as_typed)
         return silent.angle(low)[0], silent.angle(high)[0]
 
@@ -212,9 +203,10 @@ class _Builder:
         text, degrees = rounded[0]
         tip = sum(shift * (sum(self.lengths[behind:]) + self.slides()) for shift, behind in self.shifts)
         moved = f"{tip * 1e6:.2g} µm" if tip < 1e-3 else f"{tip * 1e3:.2g} mm"  # noqa: PLR2004
+        count = f"{len(rounded)} of {plural(self.meaning.angles, 'angle')}"
         yield (
-            f"{len(rounded)} of {self.meaning.angles} angles are multiples of 15° rounded ({text} -> {degrees}°); "
-            f"the tip moves by at most {moved}; --as-typed keeps them"
+            f"taken for multiples of 15°: {count} ({text} -> {degrees}°); the tip moves by at most {moved}; "
+            "--as-typed keeps them"
         )
 
     def slides(self) -> float:

@@ -15,8 +15,8 @@ from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.describe.drawn import Drawing, Frame, Line, drawing_of
 from dhcli.kinematics.describe.exact import exact_length
 from dhcli.kinematics.describe.linear import Point
+from dhcli.kinematics.forward import with_own_values
 from dhcli.kinematics.robot import Robot
-from dhcli.kinematics.valued import in_numbers
 from dhcli.notation.tree import ONE
 from dhcli.safe import xml_attribute, xml_comment
 
@@ -53,7 +53,7 @@ def urdf_text(robot: Robot) -> str:
     Raises:
         RobotError: A length has no value, or no joint moves by a variable itself.
     """
-    valued = in_numbers(robot)
+    valued = with_own_values(robot)
     free = uncoupled(valued, singly=True) if is_coupled(valued) else None
     arm = valued if free is None else free.robot
     drawing = drawing_of(arm.chain, arm.variables, {})

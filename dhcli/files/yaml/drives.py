@@ -8,8 +8,10 @@ from dhcli.files.yaml.placed import PlacedScalar, PlacedSequence
 from dhcli.files.yaml.typed import has_unit_of_angle, read_value
 from dhcli.frozen import frozen
 from dhcli.kinematics.actuators import Actuators
+from dhcli.kinematics.derived import Value
+from dhcli.kinematics.description import Description
 from dhcli.kinematics.drives import Drive, actuators, read_drive
-from dhcli.kinematics.robot import Robot, Value
+from dhcli.kinematics.validity import A_NAME
 from dhcli.notation.names import canonical
 from dhcli.notation.parser import RESERVED, parse
 from dhcli.notation.quantity import UNITS, with_unit
@@ -27,29 +29,16 @@ Limits = tuple[Value, Value] | None
 
 @frozen
 class _Known:
-    """What a formula of a drive may name.
+    """What a formula of a drive may name."""
 
-    Attributes:
-        robot: The robot.
-        motors: The motors.
-        joints: The joints, and whether each turns.
-        unit: The unit of bare lengths.
-    """
-
-    robot: Robot
+    robot: Description
     motors: dict[str, Limits]
     joints: dict[str, bool]
     unit: str
 
 
-def read_drives(fields: Fields, robot: Robot, unit: str) -> Actuators | None:
-    """The motors of a robot, None if they cannot be read; problems are noted.
-
-    Args:
-        fields: The fields of the file.
-        robot: The robot.
-        unit: The unit of bare lengths; empty for metres.
-    """
+def read_drives(fields: Fields, robot: Description, unit: str) -> Actuators | None:
+    """The motors of a robot, None if they cannot be read; problems are noted."""
     problems = fields.problems
     before = len(problems.found)
     inside = fields.mapping("actuators", example=_EXAMPLE)
@@ -80,7 +69,7 @@ def read_drives(fields: Fields, robot: Robot, unit: str) -> Actuators | None:
         return None
 
 
-def _motors(inside: Fields, robot: Robot, unit: str) -> dict[str, Limits]:
+def _motors(inside: Fields, robot: Description, unit: str) -> dict[str, Limits]:
     """The motors, with their limits where the file gives them."""
     problems = inside.problems
     node = inside.get("motors")
@@ -101,7 +90,7 @@ def _motors(inside: Fields, robot: Robot, unit: str) -> dict[str, Limits]:
 
 def _check_name(problems: Problems, name: str, place: Place, taken: dict[str, str]) -> None:
     if not is_name(name):
-        problems.add(place, f"motors: {name!r:.60} is not a name", "write letters, with digits or an index: m2")
+        problems.add(place, f"motors: {name!r:.60} is not a name", A_NAME)
     elif name in RESERVED or name in UNITS:
         problems.add(place, f"motors: {name} has a meaning of its own", "choose another name, such as m1")
     elif canonical(name) in taken:

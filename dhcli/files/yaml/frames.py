@@ -41,10 +41,6 @@ class Frames:
 def read_frames(path: Path | str, reference: Robot) -> Frames:
     """The frames of a file, or the table of a robot file.
 
-    Args:
-        path: The file; `-` is standard input.
-        reference: The robot on whose axes they are to lie.
-
     Raises:
         FileError: It holds neither; every problem, with line and column.
     """

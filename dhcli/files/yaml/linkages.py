@@ -93,11 +93,7 @@ def _serial(text: str, source: str, name: str) -> Linkage:
 
 
 def open_chain(robot: Robot, source: str) -> Linkage:
-    """A robot as a linkage.
-
-    Args:
-        robot: The robot.
-        source: What it is called in errors.
+    """A robot as a linkage; the source is what it is called in errors.
 
     Raises:
         FileError: It has no joint.

@@ -2,31 +2,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from typing import Any
 
 from dhcli.errors import FileError, NotationError, Place, Problem, did_you_mean
 from dhcli.files.keys.robots import CONVENTIONS, TABLE, UNITS
-from dhcli.files.keys.shapes import Key, required
+from dhcli.files.keys.shapes import ROW, Key, required
 from dhcli.files.keys.shapes import names as names_of
 from dhcli.files.yaml.drives import read_drives
 from dhcli.files.yaml.fields import Fields, Problems
+from dhcli.files.yaml.joint_values import JointValues
 from dhcli.files.yaml.parameters import Parameters
 from dhcli.files.yaml.placed import PlacedMapping, PlacedNode, PlacedScalar, PlacedSequence
-from dhcli.files.yaml.typed import has_unit_of_angle, read_flag, read_value, read_whole
-from dhcli.kinematics.conventions import COLUMNS, Convention, Row, calibrated_moves, moves_of
-from dhcli.kinematics.moves import Chain, angle_names, expressions, names, read_chain
+from dhcli.files.yaml.typed import read_flag, read_value, read_whole
+from dhcli.kinematics.conventions import COLUMNS, Convention, Row, calibrated_moves, convention_hint, moves_of
+from dhcli.kinematics.description import Description
+from dhcli.kinematics.moves import Chain, angle_names, expressions, names, read_chain, sharpened
 from dhcli.kinematics.robot import Link, Robot, Value
-from dhcli.kinematics.sharpened import sharpened
-from dhcli.kinematics.validity import Finding, InvalidRobotError
+from dhcli.kinematics.validity import Finding, InvalidRobotError, findings
 from dhcli.notation.angle import Angle
+from dhcli.notation.factors import AXES
 from dhcli.notation.names import canonical
 from dhcli.notation.scope import Scope
-from dhcli.notation.tokens import is_name
 from dhcli.notation.tree import ZERO, Expr, Trig
 from dhcli.notation.walk import walk
 
 ANGLES = ("alpha", "theta", "beta")
+_POSES = "{home: [0, 90°, 100 mm]}"
+MOVING = ("links", "axes", "screws", "end", "home", "base", "tool", "tools")
+"""Keys under which names of parameters are used."""
 
 
 class Loader:
@@ -45,30 +50,57 @@ class Loader:
         self.fields = self.problems.document(root, known=names_of(keys), required=required(keys))
         self.places: dict[tuple[str | int, ...], Place] = {}
         self.variables = tuple(self.names("variables", self.fields.sequence("variables")))
-        self.parameters = self.fields.mapping("parameters")
-        self.scope = Scope(lengths=(*self.variables, *self.parameters.entries))
+        self.parameters = self.fields.mapping("parameters", example="{a1: 300 mm, a2: 0.2 m}")
+        if not self.parameters.entries:  # a list of names, which is told, leaves their values open
+            listed = [item for item in _items(self.fields.get("parameters")) if isinstance(item, PlacedScalar)]
+            open_ = {item.text: (item, PlacedScalar("", item.place)) for item in listed}
+            self.parameters = replace(self.parameters, entries=dict(open_))
+        known = (*self.variables, *self.parameters.entries)
+        self.scope = Scope(lengths=known, is_open="variables" not in self.fields)
         self.convention = self.read_convention()
-        self.remarks: list[str] | None = None if self.fields.text("exact") == "false" else []
-        read_flag(self.fields, "exact")
+        keeps_digits = "exact" in self.fields and not read_flag(self.fields, "exact")
+        self.remarks: list[str] | None = None if keeps_digits else []
         self.unit = self.read_unit()
         self.columns: tuple[str, ...] = COLUMNS
         # A calibrated table: its fifth column leaves no table of four, so each row is a product.
         self.has_beta = any("beta" in _keys(node) for node in _items(self.fields.get("links")))
-        self.unclear: frozenset[str] = frozenset()
-        self.is_broken = False
+        self.clear: frozenset[str] = frozenset()
+        self.doubtful: frozenset[str] = frozenset()
 
     def robot(self) -> Robot:
         """The robot, or all that is wrong."""
+        found = self.so_far()
+        self.problems.raise_if_any(FileError)
+        assert isinstance(found, Robot)  # noqa: S101  else the rules it breaks were raised
+        return found
+
+    def so_far(self) -> Description:
+        """The robot, or what can be read of it where something is wrong, which is noted."""
+        parts = self.parts()
+        found: Description
+        try:
+            found = Robot(**parts)
+        except InvalidRobotError:
+            found = Description(**parts)
+            for finding in findings(found, self.doubtful):
+                self.problems.add(self.place_of(finding), self.key_of(finding) + finding.message, finding.hint)
+        is_known = self.variables and not self.doubtful
+        driven = read_drives(self.fields, found, self.unit) if is_known and "actuators" in self.fields else None
+        return found if driven is None else replace(found, actuators=driven)
+
+    def parts(self) -> dict[str, Any]:
+        """The fields of the robot."""
         first = self.read_first()
         before = len(self.problems.found)
         links = self.read_links(first)
-        convention = Convention.PRODUCT if self.has_beta else self.convention
-        self.is_broken = len(self.problems.found) > before or not self.variables or "convention" not in self.fields
+        is_broken = len(self.problems.found) > before or not {"convention", "links"} <= self.fields.entries.keys()
+        if "variables" not in self.fields:
+            self.take_variables(self.moving(links))
         movers = [name for link in links for name in names(link.moves)]
-        idle = any(name not in movers for name in self.variables)
-        self.unclear = frozenset(
-            name for name in self.variables if self.is_broken or (idle and movers.count(name) != 1)
-        )
+        idle = frozenset(self.variables).difference(movers)
+        # Of one that moves two rows while another moves none nobody knows which of them is meant.
+        self.clear = frozenset(name for name in movers if not idle or movers.count(name) == 1)
+        self.doubtful = idle if is_broken else frozenset()
         base, tool = self.chain("base"), self.chain("tool")
         tools = self.read_tools()
         chain = (*base, *(move for link in links for move in link.moves), *tool)
@@ -77,47 +109,46 @@ class Loader:
         angles = angle_names(chain) | inside
         reader = Parameters(self.problems, self.parameters, self.remarks, self.unit)
         parameters = reader.read(lambda key: self.is_angle(key, angles))
-        limits = {key: self.limit(key, angles) for key in self.fields.mapping("limits").entries}
-        poses = self.read_poses(angles)
-        texts = {key: self.fields.text(key) for key in ("title", "source", "notes")}
+        turns = {name: name in angles if name in self.clear else None for name in self.variables}
+        values = JointValues(turns, self.value, self.places)
         if not links and "links" in self.fields:
             self.problems.add(self.fields.place_of("links"), "links: a robot has at least one link")
-        try:
-            found = Robot(
-                name=self.name,
-                convention=convention,
-                variables=self.variables,
-                links=links,
-                parameters=parameters,
-                base=base,
-                tool=tool,
-                tools=tools,
-                first=first,
-                limits=limits,
-                poses=poses,
-                columns=COLUMNS if self.has_beta else self.columns,
-                derived=reader.formulas,
-                remarks=tuple(dict.fromkeys(self.remarks or ())),
-                title=texts["title"],
-                source=texts["source"],
-                notes=texts["notes"],
-            )
-        except InvalidRobotError as error:
-            for finding in self.not_told(error.findings):
-                self.problems.add(self.place_of(finding), self.key_of(finding) + finding.message, finding.hint)
-            self.problems.raise_if_any(FileError)
-            raise
-        driven = read_drives(self.fields, found, self.unit) if "actuators" in self.fields else None
-        self.problems.raise_if_any(FileError)
-        return found if driven is None else replace(found, actuators=driven)
+        return {
+            "name": self.name,
+            "convention": Convention.PRODUCT if self.has_beta else self.convention,
+            "variables": self.variables,
+            "links": links,
+            "parameters": parameters,
+            "base": base,
+            "tool": tool,
+            "tools": tools,
+            "first": first,
+            "limits": values.limits(self.fields.mapping("limits", example="{theta1: [-160°, 160°]}")),
+            "poses": self.read_poses(values),
+            "columns": COLUMNS if self.has_beta else self.columns,
+            "derived": reader.formulas,
+            "remarks": tuple(dict.fromkeys(self.remarks or ())),
+            **{key: self.fields.text(key) for key in ("title", "source", "notes")},
+        }
 
     def read_links(self, first: int) -> tuple[Link, ...]:
         """The rows, or the products."""
         return tuple(self.link(node, i, first + i) for i, node in enumerate(self.fields.sequence("links")))
 
-    def read_poses(self, angles: frozenset[str]) -> dict[str, tuple[Value, ...]]:
+    def read_poses(self, values: JointValues) -> dict[str, tuple[Value, ...]]:
         """The named poses."""
-        return {key: self.pose(key, angles) for key in self.fields.mapping("poses").entries}
+        return values.poses(self.fields.mapping("poses", example=_POSES))
+
+    def moving(self, links: Sequence[Link]) -> Iterable[str]:
+        """The names that the links move by and nobody has declared, where a file does not list its variables."""
+        return (name for link in links for name in sorted(names(link.moves)))
+
+    def take_variables(self, found: Iterable[str]) -> None:
+        """Take names for the variables that a file does not list, and show how it would."""
+        self.variables = tuple(dict.fromkeys(name for name in found if name not in self.parameters))
+        for k, problem in enumerate(self.problems.found):
+            if self.variables and problem.message == "variables: is missing":
+                self.problems.found[k] = replace(problem, hint=f"variables: [{', '.join(self.variables)}]")
 
     def read_tools(self) -> dict[str, Chain]:
         """The tools by name."""
@@ -129,14 +160,6 @@ class Loader:
             found[key] = () if scalar is None else self.moves(scalar, key)
         return found
 
-    def not_told(self, findings: Iterable[Finding]) -> Iterator[Finding]:
-        """The broken rules that do not come of a line, or of rows, that could not be read."""
-        told = {problem.place.line for problem in self.problems.found if problem.place is not None}
-        for finding in findings:
-            follows = self.is_broken and finding.where[0] in ("variables", "limits", "poses")
-            if self.place_of(finding).line not in told and not follows:
-                yield finding
-
     def read_convention(self) -> Convention:
         """How the links are described."""
         scalar = self.fields.scalar("convention")
@@ -145,7 +168,7 @@ class Loader:
         try:
             return Convention(scalar.text)
         except ValueError:
-            hint = did_you_mean(scalar.text, CONVENTIONS)
+            hint = convention_hint(scalar.text, CONVENTIONS)
             self.problems.add(scalar.place, f"convention: '{scalar.text}' is not known", hint)
             return Convention.STANDARD
 
@@ -173,9 +196,6 @@ class Loader:
         for i, node in enumerate(nodes):
             self.places[section, i] = node.place
             scalar = self.problems.scalar(node, section)
-            if scalar is not None and section == "variables" and not is_name(scalar.text):
-                message = f"{section}: {scalar.text!r:.60} is not a name"
-                self.problems.add(scalar.place, message, "write letters, with digits or an index: elbow_1, l_x")
             if scalar is not None:
                 yield scalar.text
 
@@ -193,7 +213,7 @@ class Loader:
                 "write {a: a1, alpha: 90°, d: 0, theta: theta1}, or convention: product for moves",
             )
             return Link(number, ())
-        fields = self.problems.mapping(node, "links", known=(*COLUMNS, "beta"), required=COLUMNS)
+        fields = self.problems.mapping(node, "links", known=(*COLUMNS, "beta"), required=required(ROW))
         if len(fields.entries) == len(COLUMNS) and index == 0:
             self.columns = tuple(fields.entries)
         cells = {column: self.cell(fields, column, index) for column in COLUMNS}
@@ -234,6 +254,12 @@ class Loader:
 
     def chain(self, key: str) -> Chain:
         """The product under a key."""
+        node = self.fields.get(key)
+        lengths = [item.text for item in _items(node) if isinstance(item, PlacedScalar)]
+        if node is not None and len(lengths) == len(AXES):
+            hint = f"write Trans({', '.join(lengths)})"
+            self.problems.add(node.place, f"{key}: should be moves, is a list of lengths", hint)
+            return ()
         scalar = self.fields.scalar(key)
         if scalar is None:
             return ()
@@ -248,45 +274,10 @@ class Loader:
         return False if self.is_used(key) else None
 
     def is_used(self, key: str) -> bool:
-        """Whether a name stands anywhere among the links."""
-        links = self.fields.get("links")
-        return links is not None and key in _texts(links)
+        """Whether a name stands anywhere among the links, or what else moves."""
+        return any(key in _texts(node) for where in MOVING if (node := self.fields.get(where)) is not None)
 
-    def limit(self, key: str, angles: frozenset[str]) -> tuple[Value, Value]:
-        """The lowest and the highest value of a joint."""
-        fields = self.fields.mapping("limits")
-        self.places["limits", key] = fields.place_of(key)
-        if self.variables and key not in self.variables:
-            hint = did_you_mean(key, self.variables)
-            self.problems.add(fields.place_of(key), f"limits: {key} is not a joint variable", hint)
-            return Angle(), Angle()
-        values = self.joint_list(fields, key, [key] * 2, angles)
-        if len(values) != 2:  # noqa: PLR2004  lowest and highest
-            if values:
-                self.problems.add(fields.place_of(key), f"{key}: two values are wanted", "write [lowest, highest]")
-            return Angle(), Angle()
-        return values[0], values[1]
-
-    def pose(self, key: str, angles: frozenset[str]) -> tuple[Value, ...]:
-        """The joint values of a named pose."""
-        fields = self.fields.mapping("poses")
-        self.places["poses", key] = fields.place_of(key)
-        return self.joint_list(fields, key, self.variables, angles)
-
-    def joint_list(self, fields: Fields, key: str, joints: Sequence[str], angles: frozenset[str]) -> tuple[Value, ...]:
-        """Values of joints; what a joint is cannot be known if no row moves by it, or one cannot be read."""
-        nodes = fields.sequence(key)
-        values: list[Value] = []
-        for i, node in enumerate(nodes):
-            scalar = self.problems.scalar(node, key)
-            is_angle = joints[i] in angles if i < len(joints) else True
-            if scalar and (self.is_broken or (i < len(joints) and joints[i] in self.unclear)):
-                is_angle = has_unit_of_angle(scalar)
-            value = self.value(scalar, key, is_angle=is_angle) if scalar else None
-            values.append(value if value is not None else Angle())
-        return tuple(values)
-
-    def value(self, scalar: PlacedScalar, key: str, *, is_angle: bool) -> Value | None:
+    def value(self, scalar: PlacedScalar, key: str, is_angle: bool) -> Value | None:  # noqa: FBT001  as it is called
         """A constant angle or length."""
         return read_value(self.problems, scalar, key, is_angle=is_angle, remarks=self.remarks, unit=self.unit)
 

@@ -10,6 +10,7 @@ from dhcli.files.library.lookup import Kind, check_typed, find
 from dhcli.files.reading import LIMIT, is_xml, read_text, source_of
 from dhcli.files.yaml.placed import read_yaml
 from dhcli.files.yaml.robot_loader import Loader
+from dhcli.kinematics.description import Description
 from dhcli.kinematics.robot import Robot, read_from
 from dhcli.regex import regex
 
@@ -61,18 +62,31 @@ def robot_of(
 def read_robot(text: str, source: str, name: str) -> Robot:
     """Read a robot from the text of a file.
 
-    Args:
-        text: YAML.
-        source: What the text is called in errors.
-        name: What the robot is called.
-
     Raises:
         FileError: With all problems.
     """
+    return _loader(text, source, name).robot()
+
+
+def robot_so_far(path: Path) -> tuple[Description, frozenset[str]]:
+    """What can be read of a robot file in which something is wrong: for those who look for more in the rest.
+
+    Returns:
+        The robot as far as it goes, and the parameters that stand in a text about moves, read or not.
+
+    Raises:
+        FileError: It is no mapping in YAML that says `format: 1`, so that there is no rest.
+    """
+    loader = _loader(read_text(path), source_of(path), path.stem)
+    return loader.so_far(), frozenset(filter(loader.is_used, loader.parameters.entries))
+
+
+def _loader(text: str, source: str, name: str) -> Loader:
+    """What reads a text."""
     refused: list[Problem] = []
     if drawn := DRAWN.search(text):
         from dhcli.files.yaml.drawn import DrawnLoader, with_semicolons  # few robots are drawn
 
         root = read_yaml(with_semicolons(text), source, refused, spelled=text)
-        return DrawnLoader(root, name, refused, drawn[1]).robot()
-    return Loader(read_yaml(text, source, refused), name, refused).robot()
+        return DrawnLoader(root, name, refused, drawn[1])
+    return Loader(read_yaml(text, source, refused), name, refused)

@@ -83,11 +83,6 @@ def _name(fields: Fields) -> str:
 def check_numbers(sheet: Sheet, exercise: Exercise, written: str) -> None:
     """Make sure that a sheet was written with the numbers that its answers are judged by; an old one does not say.
 
-    Args:
-        sheet: The sheet.
-        exercise: The exercise, in the variant of the sheet.
-        written: What to call the sheet.
-
     Raises:
         DhcliError: They differ, for the exercise, its ranges or its robot were changed meanwhile.
     """
@@ -103,13 +98,6 @@ def judged_sheet(
     judge: Judge, sheet: Sheet, written: str, asked: str | None = None, only: str | None = None
 ) -> SheetMark:
     """Judge a sheet by the numbers that it was written with.
-
-    Args:
-        judge: The judge of the exercise that the sheet is of.
-        sheet: The sheet.
-        written: What to call the sheet.
-        asked: The seed of a variant that was asked for; the sheet's own by default.
-        only: The one part to look at; all by default.
 
     Raises:
         DhcliError: It is of another variant, or was written with other numbers, or answers no part of the exercise.

@@ -21,9 +21,7 @@ from dhcli.kinematics.conventions import COLUMNS, Convention
 from dhcli.kinematics.forward import put_in
 from dhcli.kinematics.moves import Chain
 from dhcli.kinematics.robot import Robot
-from dhcli.notation.angle import Angle
-from dhcli.notation.tree import Expr
-from dhcli.notation.walk import substitute
+from dhcli.notation.walk import parted, substitute
 from dhcli.notation.writer import write, write_angle
 from dhcli.regex import regex
 
@@ -68,8 +66,7 @@ def read_table(path: Path | str, reference: Robot, text: str | None = None) -> T
         for name, value in robot.parameters.items()
         if value is not None and (name not in reference.parameters or reference.parameters[name] not in (None, value))
     }
-    lengths = {name: value for name, value in own.items() if isinstance(value, Expr)}
-    angles = {name: value for name, value in own.items() if isinstance(value, Angle)}
+    lengths, angles = parted(own)
     has_units = any(_LENGTH.search(value) for value in _values(root))
     lines = ["a [m], alpha, d [m], theta" if has_units else ", ".join(COLUMNS)]  # bare, it may be meant in mm
     for link in robot.links:
@@ -121,8 +118,7 @@ def _same(one: Arm, other: Arm) -> bool:
 
 def _at_values(chain: Chain, robot: Robot) -> Arm:
     """Moves that stand still, with the robot's own values in the place of letters."""
-    known = {name: value for name, value in robot.parameters.items() if value is not None}
-    return Arm.of(put_in(chain, known), ())
+    return Arm.of(put_in(chain, robot.known), ())
 
 
 def _values(root: PlacedNode) -> Iterator[str]:

@@ -10,7 +10,7 @@ from dhcli.errors import DhcliError, RobotError
 from dhcli.kinematics.conventions import ORDER, Convention
 from dhcli.kinematics.describe.description import Described
 from dhcli.kinematics.describe.drawn import Drawing
-from dhcli.kinematics.describe.exact import exact_factor, places_of
+from dhcli.kinematics.describe.exact import exact_factor
 from dhcli.kinematics.describe.linear import Point, coordinates_of
 from dhcli.kinematics.describe.process import axis_word
 from dhcli.kinematics.describe.products import end_of, pitch_of
@@ -18,8 +18,8 @@ from dhcli.kinematics.describe.screws import ScrewAxis
 from dhcli.kinematics.moves import Chain, angle_names, product_text
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import Number
-from dhcli.notation.writer import write
+from dhcli.notation.tree import Number, places_of
+from dhcli.notation.writer import write, write_number
 from dhcli.safe import yaml_scalar
 
 
@@ -243,11 +243,7 @@ def _angle(angle: Angle) -> str:
 
 def _number(value: Fraction) -> str:
     """A decimal where one says it, else a fraction."""
-    places = places_of(value)
-    if not places:
-        return str(value)
-    digits = str(abs(value.numerator) * 10**places // value.denominator).rjust(places + 1, "0")
-    return f"{'-' if value < 0 else ''}{digits[:-places]}.{digits[-places:]}"
+    return write_number(value, places_of(value))
 
 
 def _is_zero(value: Value) -> bool:

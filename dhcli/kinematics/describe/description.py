@@ -19,9 +19,9 @@ from dhcli.kinematics.describe.repairing import repaired, with_table
 from dhcli.kinematics.describe.screws import ScrewAxis, Side, lines_of, screws_of
 from dhcli.kinematics.describe.straight import Straightened, straightened
 from dhcli.kinematics.describe.words import Speaker, Step
+from dhcli.kinematics.forward import with_own_values
 from dhcli.kinematics.moves import Chain, spelled
 from dhcli.kinematics.robot import Link, Robot, Value
-from dhcli.kinematics.valued import in_numbers
 from dhcli.kinematics.values import numbers
 from dhcli.notation.angle import Angle
 
@@ -71,10 +71,6 @@ class Described:
 def describe(robot: Robot, asked: Asked) -> Described:
     """Describe a robot anew.
 
-    Args:
-        robot: The robot, described in any way.
-        asked: Which description.
-
     Raises:
         RobotError: It has no such description, or a letter lacks a value that decides.
     """
@@ -84,7 +80,7 @@ def describe(robot: Robot, asked: Asked) -> Described:
     is_table = asked.form in ("standard", "modified")
     other = {"standard": Convention.MODIFIED, "modified": Convention.STANDARD}.get(asked.form)
     if is_table and robot.convention is other and not asked.from_axes:
-        return _regrouped(in_numbers(robot) if asked.numbers else robot, asked.form)
+        return _regrouped(with_own_values(robot) if asked.numbers else robot, asked.form)
     try:
         return _drawn_anew(robot, asked)
     except SharedMovesError:
@@ -94,13 +90,13 @@ def describe(robot: Robot, asked: Asked) -> Described:
 def _drawn_anew(robot: Robot, asked: Asked) -> Described:
     """The description by way of the axes."""
     if asked.straighten is not None:
-        return replace(_straight(in_numbers(robot), asked, asked.straighten), given=robot)
+        return replace(_straight(with_own_values(robot), asked, asked.straighten), given=robot)
     try:
-        return _from_axes(in_numbers(robot) if asked.numbers else robot, asked)
+        return _from_axes(with_own_values(robot) if asked.numbers else robot, asked)
     except LettersError as error:
         if asked.numbers or None in robot.parameters.values():
             raise
-        found = _from_axes(in_numbers(robot), asked)
+        found = _from_axes(with_own_values(robot), asked)
         return replace(found, notes=(f"in numbers: {error.problems[0].message}", *found.notes))
 
 
@@ -155,7 +151,7 @@ def _proof(robot: Robot, found: Robot, close: float = CLOSE) -> Proof:
 
 def known_values(robot: Robot) -> dict[str, Angle | float]:
     """Values of the letters that have one."""
-    return dict(numbers({name: value for name, value in robot.parameters.items() if value is not None}))
+    return dict(numbers(robot.known))
 
 
 def _from_axes(robot: Robot, asked: Asked) -> Described:

@@ -17,7 +17,7 @@ from dhcli.kinematics.describe.linear import Form, LettersError, Point, Ruler, a
 from dhcli.kinematics.moves import PLANES, Chain, Fixed, Move, Rot, Trans, angle_names, names, substituted
 from dhcli.notation.angle import Angle
 from dhcli.notation.tree import ONE, ZERO, Expr, Number
-from dhcli.notation.walk import substitute, symbols
+from dhcli.notation.walk import substitute, symbols, symbols_in
 
 Value: TypeAlias = Angle | Expr
 Placed: TypeAlias = tuple[tuple[Vector, Vector, Vector], Point]
@@ -175,7 +175,7 @@ def _after(here: Placed, move: Move) -> Placed:
     found = []
     for k in range(3):
         entries = [row[k] for row in rows]
-        if free := sorted(frozenset().union(*map(symbols, entries))):
+        if free := sorted(symbols_in(entries)):
             raise LettersError(f"directions depend on {', '.join(free)}", "give it a value")
         column = ORIGIN
         for axis, entry in zip(axes, entries, strict=True):

@@ -6,7 +6,7 @@ import math
 from fractions import Fraction
 
 from dhcli.notation.angle import Angle
-from dhcli.notation.tree import HALF, Expr, Number, multiply, power
+from dhcli.notation.tree import HALF, Expr, Number, decimal, multiply, power
 
 CLOSE = 1e-12
 """How far a float may be from an exact number that it is taken for; a few roundings."""
@@ -20,13 +20,10 @@ _PLACES = 9
 
 
 def exact_angle(radians: float) -> Angle:
-    """An angle in degrees where it is a round number of them, else in radians.
+    """An angle in [-π, π] in degrees where it is a round number of them, else in radians.
 
     >>> exact_angle(-math.pi / 2).degrees
     Fraction(-90, 1)
-
-    Args:
-        radians: In [-π, π].
     """
     degrees = Fraction(round(math.degrees(radians), 6)).limit_denominator(10**6)
     if abs(math.radians(degrees) - radians) <= SPELLED:
@@ -47,16 +44,4 @@ def exact_length(metres: float) -> Number:
     """A length with as few decimals as say it."""
     rounded = round(metres, _PLACES)
     text = repr(rounded if abs(rounded - metres) <= SPELLED * max(1.0, abs(metres)) else metres)
-    value = Fraction(text)
-    return Number(value, places_of(value))
-
-
-def places_of(value: Fraction) -> int | None:
-    """How many decimals say a fraction exactly; None where none do."""
-    twos = fives = 0
-    rest = value.denominator
-    while rest % 2 == 0:
-        rest, twos = rest // 2, twos + 1
-    while rest % 5 == 0:
-        rest, fives = rest // 5, fives + 1
-    return max(twos, fives) if rest == 1 else None
+    return decimal(Fraction(text))

@@ -46,15 +46,7 @@ class Along:
 
 @frozen
 class Leg:
-    """One normal, and the way along the line to its foot.
-
-    Attributes:
-        number: Which line it starts from.
-        normal: The normal.
-        along_z: The way along the line, with the joint variable.
-        along_x: The way along the normal.
-        before: The frame before, on the line that it starts from.
-    """
+    """One normal, and the way along the line to its foot."""
 
     number: int
     normal: Normal

@@ -15,10 +15,6 @@ def repaired(robot: Robot, convention: Convention) -> tuple[Chain, tuple[Row, ..
     A standard table is `base (Z1 X1) ... (Zn Xn) tool`, a modified one `base (X0 Z1) ... (Xn-1 Zn) tool`. What is left
     over goes to the tool, or to the base; and of a base or tool the part that fits is taken into the table.
 
-    Args:
-        robot: A robot with a table.
-        convention: The convention wanted, the other one.
-
     Returns:
         Its base, its rows and its tool.
     """

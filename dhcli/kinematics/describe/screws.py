@@ -37,22 +37,12 @@ class ScrewAxis:
 
 
 def screws_of(drawing: Drawing, side: Side) -> tuple[ScrewAxis, ...]:
-    """The screws of a robot drawn at zero, seen from its base, or from its end.
-
-    Args:
-        drawing: The robot with all variables at zero.
-        side: `space` for screws in the base, `body` for screws in the end frame.
-    """
+    """The screws of a robot drawn at zero, seen from its base, or from its end."""
     return tuple(_screw(line, drawing.end if side == "body" else Frame()) for line in drawing.lines)
 
 
 def lines_of(screws: tuple[ScrewAxis, ...], home: Frame, side: Side) -> tuple[Line, ...]:
-    """The lines of screws, in the base.
-
-    Args:
-        screws: The screws.
-        home: The end frame with all variables at zero.
-        side: The frame that they are seen from.
+    """The lines of screws in the base, from their home pose and the frame that they are seen from.
 
     Raises:
         RobotError: A screw is zero.

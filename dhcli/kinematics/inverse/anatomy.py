@@ -94,13 +94,7 @@ def _common_point(z: Sequence[Array], p: Sequence[Array]) -> Array | None:
 
 
 def posture(arm: Arm, parts: Anatomy, motions: Array) -> list[list[str]]:
-    """How an arm holds its parts, in words such as `elbow up`, for each of some joint values.
-
-    Args:
-        arm: The arm.
-        parts: Its parts.
-        motions: Motions of the joints, shape (K, n).
-    """
+    """How an arm holds its parts, in words such as `elbow up`, for each of some motions of its joints, shape (K, n)."""
     z, p, wrist = _placed(arm, parts, motions)
     said: list[list[str]] = [[] for _ in motions]
     facing = np.ones(len(motions))

@@ -90,13 +90,18 @@ def inverse_pose(pose: Array) -> Array:
     return back
 
 
+def check_moves(joints: int) -> None:
+    """Make sure that a joint moves the end.
+
+    Raises:
+        RobotError: None does.
+    """
+    if not joints:
+        raise RobotError("no joint moves the end", "there is nothing to compute; fk says where it is")
+
+
 def arm_of(chain: Chain, variables: tuple[str, ...], values: Mapping[str, Angle | float]) -> Arm:
     """The joint axes of a chain of moves.
-
-    Args:
-        chain: The moves from the start frame to the end frame.
-        variables: The joint variables.
-        values: Value of each length [m] and constant angle.
 
     Raises:
         RobotError: A joint does not move about or along one axis, or the zero pose is not a pose.
@@ -131,6 +136,11 @@ def _axis(chain: Chain, name: str, at: tuple[int, ...], still: Mapping[str, Angl
     if not factor:
         raise RobotError(f"{name} does not move the robot", "its moves undo each other")
     return Axis(name, head.turns, head.direction, head.point, factor)
+
+
+def nearest_turn(turning: NDArray[np.bool_], motions: Array) -> Array:
+    """Motions of which the angles, shape (..., n), are in the turn nearest to 0."""
+    return np.where(turning, motions - 2 * np.pi * np.round(motions / (2 * np.pi)), motions)
 
 
 def parallel(one: Axis, other: Axis) -> bool:

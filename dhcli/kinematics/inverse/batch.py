@@ -114,13 +114,7 @@ def inverse_batch(  # noqa: PLR0913  what may be asked of poses
 
 
 def numbered(places: Sequence[int], index: NDArray[np.int64], q: Array) -> Array:
-    """Joint values with where the pose of each stands in front, shape (M, 1 + n).
-
-    Args:
-        places: Where each pose stands.
-        index: The number of the pose of each row.
-        q: Joint values, shape (M, n).
-    """
+    """Joint values, shape (M, n), with where the pose of each stands in front, shape (M, 1 + n)."""
     return np.column_stack([np.array(places)[index], q])
 
 

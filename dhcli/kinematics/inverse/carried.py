@@ -14,9 +14,11 @@ from dhcli.kinematics.coupling import uncoupled
 from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.frames import between, ends
-from dhcli.kinematics.inverse.joined import is_joined, joined
+from dhcli.kinematics.inverse.arm import Axis, axis_of_move, nearest_turn, parallel, same_axis
+from dhcli.kinematics.inverse.branches import Told
 from dhcli.kinematics.inverse.solutions import held_values, in_numbers, turning_joints
-from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.moves import Chain, names
+from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import JointInput, joint_values, numbers, parameter_values, require
 from dhcli.notation.angle import Angle
 
@@ -38,12 +40,14 @@ class Carried:
         arm: The arm.
         slopes: How fast the arm's variables go with the robot's, shape (m, n).
         offsets: Where the arm's variables stand when the robot's are 0, shape (m,).
+        shared: What those of the arm's variables are that the robot has not got, as formulas.
     """
 
     robot: Robot
     arm: Robot
     slopes: Array
     offsets: Array
+    shared: Mapping[str, Value]
 
     @classmethod
     def of(
@@ -63,7 +67,8 @@ class Carried:
             return None
         free = uncoupled(robot, joined=frozenset() if robot.drives else joined(chain, robot.variables, values))
         slopes, offsets = free.linear(values)
-        return cls(robot, free.robot, np.array(slopes).reshape(len(slopes), len(robot.variables)), np.array(offsets))
+        table = np.array(slopes).reshape(len(slopes), len(robot.variables))
+        return cls(robot, free.robot, table, np.array(offsets), free.shared)
 
     @property
     def is_whole(self) -> bool:
@@ -83,6 +88,15 @@ class Carried:
         """Variables that make one move alone, and the first move that each makes so."""
         rows = [(k, np.flatnonzero(row)) for k, row in enumerate(self.slopes)]
         return {self.robot.variables[int(one[0])]: k for k, one in reversed(rows) if len(one) == 1}
+
+    def told(self, q: Array) -> Told:
+        """The robot's variables as those to name its solutions by, for values of theirs (K, n)."""
+        names, signs = self.robot.variables, {}
+        for move, row in zip(self.arm.variables, self.slopes, strict=True):
+            (by,) = np.nonzero(row)
+            if len(by) == 1:
+                signs[move] = (names[int(by[0])], 1 if row[by[0]] > 0 else -1)
+        return Told(names, turning_joints(self.robot), q, signs)
 
     def own(self, held: Iterable[tuple[str, float]]) -> tuple[tuple[str, float], ...]:
         """What is held of the arm, in the robot's variables where those make that move alone."""
@@ -131,7 +145,7 @@ class Carried:
         for turns in _turns(turning[rows], whole=bool(self.periodic.all())):
             q = np.linalg.solve(part, goal[rows] + turns)
             gap = self.slopes @ q - goal
-            gap = np.where(turning, gap - 2 * np.pi * np.round(gap / (2 * np.pi)), gap)
+            gap = nearest_turn(turning, gap)
             if np.abs(gap).max(initial=0.0) < SAME:
                 return np.asarray(q)
         return None
@@ -154,3 +168,56 @@ def _turns(turning: NDArray[np.bool_], *, whole: bool) -> Iterator[Array]:
     if not whole:
         for turns in product(*((0, 1, -1) if turns else (0,) for turns in turning)):
             yield 2 * np.pi * np.array(turns, dtype=float)
+
+
+def is_joined(chain: Chain, variables: tuple[str, ...], values: Mapping[str, Angle | float]) -> bool:
+    """Whether every move is made by one variable, and those by one variable are one motion."""
+    together = joined(chain, variables, values)
+    seen = set[str]()
+    for move in chain:
+        inside = names((move,)).intersection(variables)
+        if len(inside) > 1 or inside & seen - together:
+            return False
+        seen |= inside
+    return True
+
+
+def joined(chain: Chain, variables: tuple[str, ...], values: Mapping[str, Angle | float]) -> frozenset[str]:
+    """The variables that make several moves which are one motion, because nothing that moves between them minds.
+
+    A slide commutes with every other slide and with a turn about its own direction; a turn with whatever goes along
+    or about its own axis.
+
+    Args:
+        chain: The moves from the start frame to the end frame.
+        variables: The joint variables.
+        values: Value of each length [m] and constant angle.
+
+    Raises:
+        RobotError: A variable stands in a matrix.
+    """
+    inside = [(k, sorted(names((move,)).intersection(variables))) for k, move in enumerate(chain)]
+    moving = [(k, own) for k, own in inside if own]
+    places = {name: [k for k, own in moving if name in own] for name in variables}
+    alone = {name for name, at in places.items() if len(at) > 1 and all([name] == own for k, own in moving if k in at)}
+    if not alone:
+        return frozenset()
+    still = {**values, **dict.fromkeys(variables, 0.0)}
+    axes = {(k, name): axis_of_move(chain, name, k, still, moving[0][0]) for k, own in moving for name in own}
+    found = set()
+    for name in alone:
+        first, last = places[name][0], places[name][-1]
+        head = axes[first, name]
+        others = [axis for (k, other), axis in axes.items() if first < k < last and other != name]
+        if all(same_axis(head, axes[k, name]) for k in places[name]) and all(_commute(head, axis) for axis in others):
+            found.add(name)
+    return frozenset(found)
+
+
+def _commute(one: Axis, other: Axis) -> bool:
+    """Whether two motions come to the same in either order."""
+    if not (one.turns or other.turns):
+        return True
+    if one.turns and other.turns:
+        return same_axis(one, other)
+    return parallel(one, other)

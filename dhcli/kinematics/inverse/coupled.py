@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from dhcli.kinematics.inverse.branches import branch_names, factors
 from dhcli.kinematics.inverse.carried import Carried
 from dhcli.kinematics.inverse.leading import Leading
 from dhcli.kinematics.inverse.polishing import SINGULAR
 from dhcli.kinematics.inverse.question import ask
-from dhcli.kinematics.inverse.solutions import Solutions, in_numbers
+from dhcli.kinematics.inverse.solutions import Free, Solutions, in_numbers
 from dhcli.kinematics.inverse.solving import least_singular
 from dhcli.kinematics.inverse.targets import read_targets
 from dhcli.kinematics.inverse.tasks import task_called
@@ -50,7 +51,8 @@ def through(solve: Callable[..., Solutions], carried: Carried, T: ArrayLike | Po
             answer = leading.solutions(T, asked, carried.nearly(found.q))
         elif not carried.is_whole and not len(found):  # how near it comes is not known of the robot
             beyond = f"nor would it if each of its {len(carried.slopes)} moves had a drive of its own"
-            answer = replace(answer, why=leading.what_keeps(T) or f"the arm does not reach it, {beyond}")
+            why = leading.what_keeps(T) or f"the arm does not reach it, {beyond}"
+            answer = replace(answer, why=why, closest=leading.closest(T, asked))
     if not len(answer):
         return answer
     wish = None if near is None else in_numbers(robot, near)
@@ -115,7 +117,7 @@ def _loose(arm: Robot, values: Array, index: NDArray[np.int64], asked: Mapping[s
 
 
 def _carried(carried: Carried, found: Solutions) -> Solutions:
-    """The solutions in the robot's variables, less those that its coupling does not allow."""
+    """The solutions in the robot's variables and named by them, less those that its coupling does not allow."""
     rows = [carried.back(values) for values in found.q]
     kept = [k for k, row in enumerate(rows) if row is not None]
     q = np.array([rows[k] for k in kept]).reshape(-1, len(carried.robot.variables))
@@ -131,16 +133,52 @@ def _carried(carried: Carried, found: Solutions) -> Solutions:
     free = [found.free[k] if found.free else () for k in kept]
     if not carried.is_whole:
         free = [tuple(way for way in ways if own.issuperset(way.joints)) for ways in free]
+    elif carried.robot.drives is None:
+        free = [tuple(_by_variables(carried, way) for way in ways) for ways in free]
+    names, product = _named(carried, found, kept, q)
     return replace(
         found,
         robot=carried.robot,
         q=q,
         held=carried.own(found.held),
-        branches=tuple(found.branches[k] for k in kept),
+        branches=names,
         residual=residual,
         beyond=((),) * len(kept),
         free=tuple(free),
         reachable=found.reachable and not nothing,
         why=why,
         closest=closest,
+        factors=product,
+        shared=carried.shared,
     )
+
+
+def _named(
+    carried: Carried, found: Solutions, kept: list[int], q: Array
+) -> tuple[tuple[str, ...], tuple[tuple[str, int], ...]]:
+    """Names for those solutions that are kept, and what their number is a product of."""
+    ready = found.ready
+    if ready is None:
+        return tuple(found.branches[k] for k in kept), ()
+    order = [carried.arm.variables.index(axis.name) for axis in ready.arm.axes[: ready.arm.joints]]
+    motions = found.q[kept][:, order] * ready.arm.factors
+    groups: dict[tuple[float, ...], list[int]] = {}  # of a family those with the same values held belong together
+    for k, row in enumerate(np.round(motions[:, list(ready.plan.held)], 9).tolist()):
+        groups.setdefault(tuple(row), []).append(k)
+    names = [""] * len(kept)
+    for at in groups.values():
+        for k, name in zip(at, branch_names(ready.plan, ready.parts, motions[at], carried.told(q[at])), strict=True):
+            names[k] = name
+    alone = len(groups) == 1
+    return tuple(names), factors(ready.plan, ready.parts, motions, carried.told(q)) if alone else ()
+
+
+def _by_variables(carried: Carried, way: Free) -> Free:
+    """A way to move in the robot's variables, where it names moves that are none of them."""
+    names, moves = carried.robot.variables, carried.arm.variables
+    back = np.linalg.inv(carried.slopes)[:, [moves.index(name) for name in way.joints]]
+    moving = tuple(names[j] for j in np.flatnonzero(np.abs(back).max(axis=1) > 0))
+    if moving == way.joints or (set(way.joints) <= set(names) and set(moving) <= set(way.joints)):
+        return way
+    first = next((name for name in moving if name in carried.alone), moving[0])
+    return Free(first, moving, f"{', '.join(moving)} move together, any {first}")

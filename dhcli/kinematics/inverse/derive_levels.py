@@ -11,7 +11,7 @@ from dhcli.kinematics.inverse.derive_terms import length
 from dhcli.kinematics.moves import Chain, Fixed, Rot, angle_names, inverse
 from dhcli.kinematics.robot import Robot
 from dhcli.notation.tree import ZERO, Expr, Symbol, add, power
-from dhcli.notation.walk import symbols
+from dhcli.notation.walk import symbols, symbols_in
 
 POSITION = ("px", "py", "pz")
 ROTATION = tuple(f"r{i}{j}" for i in "123" for j in "123")
@@ -44,14 +44,7 @@ def asked_pose() -> Fixed:
 
 
 def entries(robot: Robot, start: str, end: str, *, place_only: bool) -> list[Equation]:
-    """The entries of every level, those that say something, the shortest first.
-
-    Args:
-        robot: The robot.
-        start: The frame the pose is seen from.
-        end: The frame it describes.
-        place_only: Whether the position alone is given.
-    """
+    """The entries of every level, those that say something, the shortest first."""
     frames = list(robot.frames[robot.frames.index(start) : robot.frames.index(end) + 1])
     found = []
     for a in range(len(frames)):
@@ -97,7 +90,7 @@ def squares(
             axis = "xyz".index(move.axis)
             for rows in ((0, 1, 2), tuple(i for i in range(3) if i != axis)):
                 ls, rs = [left[i] for i in rows], [right[i] for i in rows]
-                held = frozenset().union(*map(symbols, (*ls, *rs)))
+                held = symbols_in((*ls, *rs))
                 if place_only and held.intersection(ROTATION):
                     continue
                 level = Equation((low, high), tuple(i + 1 for i in rows), _sum(ls), _sum(rs), squared=True)

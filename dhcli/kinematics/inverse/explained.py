@@ -11,6 +11,8 @@ from dhcli.kinematics.derived import in_floats
 from dhcli.kinematics.inverse.motions import POINT
 from dhcli.kinematics.inverse.solutions import Solutions, shown_beyond
 from dhcli.kinematics.inverse.steps import All, Equation, One, Step, Two
+from dhcli.notation.angle import Angle
+from dhcli.notation.writer import write, write_angle
 
 if TYPE_CHECKING:
     from dhcli.kinematics.inverse.prepared import Prepared
@@ -34,11 +36,13 @@ class Explanation:
 
     Attributes:
         rules: The rules used, such as ONE.
+        moves: What moves of the steps are that have no variable of their own, such as `theta3 = j3 - j2`.
         steps: A line for each joint in the order in which they were found.
         limits: A line for each solution that is outside the limits.
     """
 
     rules: tuple[str, ...]
+    moves: tuple[str, ...]
     steps: tuple[str, ...]
     limits: tuple[str, ...]
 
@@ -46,12 +50,20 @@ class Explanation:
 def explained(found: Solutions) -> Explanation:
     """How solutions were found, and what keeps some of them out."""
     if found.ready is None:
-        return Explanation((), (), tuple(_limits(found)))
+        together = _listed(found.robot.variables)
+        led = f"{together}: by Newton's steps from many places; what arrives is kept, each solution once"
+        return Explanation((), (), (led,), tuple(_limits(found)))
     plan = found.ready.plan
     names = [axis.name for axis in found.ready.arm.axes[: found.ready.arm.joints]]
     held = [f"{names[j]}: held, the arm has more joints than this needs" for j in plan.held]
     steps = [_step(found.ready, step, names) for step in plan.steps]
-    return Explanation(plan.rules, (*held, *steps), tuple(_limits(found)))
+    joints = found.robot.writing
+    moves = tuple(
+        f"{name} = {write_angle(value, 'full', joints) if isinstance(value, Angle) else write(value, 'full', joints)}"
+        for name, value in found.shared.items()
+        if name in names
+    )
+    return Explanation(plan.rules, moves, (*held, *steps), tuple(_limits(found)))
 
 
 def _step(ready: Prepared, step: Step, names: Sequence[str]) -> str:

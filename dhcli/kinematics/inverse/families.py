@@ -42,14 +42,7 @@ class Freedom:
 
 
 def freedoms(arm: Arm, task: Task, motions: Array, held: tuple[int, ...] = ()) -> tuple[Freedom, ...]:
-    """The ways to move without moving the end, at one solution.
-
-    Args:
-        arm: The arm.
-        task: What of the end has to stay.
-        motions: The solution, shape (n,).
-        held: Joints that do not move.
-    """
+    """The ways to move without moving the end, at one solution, shape (n,), some joints held."""
     total, slope = jacobian(arm, task, motions[None])
     others = [j for j in range(arm.joints) if j not in held]
     if not others:

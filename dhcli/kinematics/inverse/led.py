@@ -105,11 +105,14 @@ class Driven:
         found[:, list(still)] = x[:, list(still)]
         return found, left, there
 
+    def nearest_turn(self, x: Array, to: Array) -> Array:
+        """The same pose by variables less than half a period from some."""
+        whole = np.where(self.period > 0, self.period, np.inf)
+        return np.asarray(x - np.where(self.period > 0, self.period, 0) * np.round((x - to) / whole))
+
     def gap(self, one: Array, other: Array) -> Array:
         """How far variables are apart, whole periods left out."""
-        gap = one - other
-        whole = np.where(self.period > 0, self.period, np.inf)
-        return np.asarray(np.abs(gap - np.where(self.period > 0, self.period, 0) * np.round(gap / whole)))
+        return np.asarray(np.abs(self.nearest_turn(one, other) - other))
 
     def wrapped(self, x: Array) -> Array:
         """The same pose by variables in the middle period."""

@@ -24,11 +24,7 @@ _CLEAN = 1e-12
 
 
 class Actions:
-    """The matrices by which the joints of an arm act on each kind of thing.
-
-    Attributes:
-        arm: The arm.
-    """
+    """The matrices by which the joints of an arm act on each kind of thing."""
 
     def __init__(self, arm: Arm) -> None:
         """Take the arm; a joint's action is written out when it is asked for."""

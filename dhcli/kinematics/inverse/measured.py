@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhcli.kinematics.inverse.arm import nearest_turn
 from dhcli.kinematics.inverse.idealised import NEARLY
 from dhcli.kinematics.inverse.polishing import jacobian, left_to_do
 from dhcli.kinematics.inverse.steps import Plan
@@ -80,11 +81,6 @@ def _curved(plan: Plan, task: Task, rows: Rows) -> Flags:
 def _walked(plan: Plan, task: Task, starts: Rows) -> tuple[Array, Ints]:
     """Where the end is nearest to the pose on the ways that the arm can nearly move without moving it.
 
-    Args:
-        plan: The plan.
-        task: What of the end nearly stays.
-        starts: Where the ways begin, in both directions.
-
     Returns:
         Motions of the joints there, shape (M, n), and the start of the way of each, shape (M,).
     """
@@ -120,7 +116,7 @@ def _apart(plan: Plan, starts: Rows, there: Array) -> Ints:
         if dropped[k] or not len(others):
             continue
         gap = there[:, :, k, None] - there[0, 0, others]
-        gap = np.where(turning, gap - 2 * np.pi * np.round(gap / (2 * np.pi)), gap)
+        gap = nearest_turn(turning, gap)
         dropped[others] = np.linalg.norm(gap, axis=3).min(axis=(0, 1)) < _STRIDE
     return np.flatnonzero(~dropped)
 

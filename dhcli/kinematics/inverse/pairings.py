@@ -80,10 +80,6 @@ class Loop:
     def tensor(self, cut: Cut, unknown: Sequence[int]) -> Array:
         """Coefficients of the equations of a cut in some joints.
 
-        Args:
-            cut: The cut.
-            unknown: The joints unknown in it.
-
         Returns:
             Shape (N, m, 3, ..., 3), an axis of three for each unknown, in which 0 stands for 1, and 1 and 2 for
             cosine and sine, or for the length and half its square. The equations are `sum = 0`.

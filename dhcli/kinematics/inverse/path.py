@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dhcli.errors import RobotError, plural
+from dhcli.errors import RobotError
 from dhcli.frozen import frozen
 from dhcli.kinematics.coupling import is_coupled
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.inverse.asked import inverse
-from dhcli.kinematics.inverse.batch import BLOCK, solved_blocks
-from dhcli.kinematics.inverse.question import Question, ask
+from dhcli.kinematics.inverse.batch import BLOCK, inverse_batch, solved_blocks
+from dhcli.kinematics.inverse.question import ask
 from dhcli.kinematics.inverse.solutions import in_numbers, turning_joints
 from dhcli.kinematics.inverse.solving import least_singular
 from dhcli.kinematics.inverse.targets import read_targets
@@ -142,7 +142,10 @@ def follow(  # noqa: PLR0913  what may be asked of a path
             rows = np.where(turning, rows - 2 * np.pi * np.round((rows - last) / (2 * np.pi)), rows)
             last = rows[int(np.argmin(np.linalg.norm(rows - last, axis=1)))]
             q[first + k] = last
-    return _described(question, q, in_numbers(robot, near))
+    there = ~np.isnan(q).any(axis=1)
+    sizes = np.full(len(q), np.inf)
+    sizes[there] = least_singular(question.ready, question.motions(q[there]))
+    return _described(q, in_numbers(robot, near), sizes)
 
 
 def _coupled(
@@ -152,29 +155,29 @@ def _coupled(
     hold: Mapping[str, float | str | Angle] | None,
     asked: dict[str, Any],
 ) -> Path:
-    """A path of the arm with a variable for each move, carried back: its turns are counted there.
+    """A path of the arm with a variable for each move, carried back; where that will not do, of the variables led.
 
     Raises:
-        RobotError: A joint is held that moves with others, or the robot has more moves than variables.
+        RobotError: As `follow`.
     """
-    robot = carried.robot
-    if not carried.is_whole:
-        moves = f"{plural(len(carried.slopes), 'move')} by {plural(len(robot.variables), 'variable')}"
-        message = f"{robot.name} has {moves}: on the way from pose to pose its coupling could break"
-        raise RobotError(message, "ask for each pose by itself, without following: each by the joint values near to it")
+    from dhcli.kinematics.inverse.leading import Leading  # few robots are
+
+    leading = Leading.of(carried, asked)
+    if not carried.is_whole or leading.is_needed(hold):
+        from dhcli.kinematics.inverse.path_led import led_along  # few robots are
+
+        q, sizes = led_along(inverse_batch, leading, T, {**asked, "near": near, "hold": hold})
+        return _described(q, in_numbers(carried.robot, near), sizes)
     path = follow(carried.arm, T, carried.there(near), hold=carried.held(hold), **asked)
     goal = path.q - carried.offsets
     return replace(path, q=np.asarray(np.linalg.solve(carried.slopes, goal.T).T))
 
 
-def _described(question: Question, q: Array, begin: Array) -> Path:
-    """A path with what is to be said of it."""
+def _described(q: Array, begin: Array, sizes: Array) -> Path:
+    """A path with what is to be said of it, from the least singular values of its Jacobians."""
     there = np.flatnonzero(~np.isnan(q).any(axis=1))
     lost = np.flatnonzero(np.isnan(q).any(axis=1))
-    if not len(there):
-        return Path(q, tuple(lost.tolist()))
-    sizes = least_singular(question.ready, question.motions(q[there]))
-    singular = there[sizes < SINGULAR]
+    singular = there[sizes[there] < SINGULAR]
     return Path(q, tuple(lost.tolist()), tuple(_jumps(q, there, begin).tolist()), tuple(singular.tolist()))
 
 

@@ -40,11 +40,7 @@ class NoPlanError(Exception):
 
 
 def find_plan(arm: Arm, held: Sequence[int] = ()) -> Plan:
-    """The plan for an arm.
-
-    Args:
-        arm: The arm.
-        held: Joints whose values will be given.
+    """The plan for an arm of which the values of some joints will be given.
 
     Raises:
         NoPlanError: No rule finds some joints, because they are more than the task determines.

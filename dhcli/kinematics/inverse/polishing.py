@@ -98,12 +98,7 @@ def residuals(task: Task, home: Array, reached: Array, goal: Array) -> Array:
 
 
 def jacobian(arm: Arm, task: Task, values: Array) -> tuple[Array, Array]:
-    """How the end moves with each joint, in what the task asks for.
-
-    Args:
-        arm: The arm.
-        task: What is wanted.
-        values: Motions of the joints, shape (N, n).
+    """How the end moves with each joint, in what the task asks for, at some motions of the joints, shape (N, n).
 
     Returns:
         The product of the motions, shape (N, 4, 4), and the Jacobian, shape (N, m, n).

@@ -18,13 +18,7 @@ WEAK = 1e-4
 
 
 def read_off(rows: Rows, step: One, draws: Array) -> Rows:
-    """Candidates with one joint more.
-
-    Args:
-        rows: The candidates.
-        step: The joint and its equations.
-        draws: Values to try where the joint turns out to be free.
-    """
+    """Candidates with one joint more."""
     joint = step.joint
     if not len(rows):
         return known_as(rows, joint, np.empty(0), np.empty(0))

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
-from dhcli.kinematics.farlimits import far_limits
-from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.inverse.arm import nearest_turn
+from dhcli.kinematics.limits import far_limits
+from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import JointInput, joint_values
 
 if TYPE_CHECKING:
@@ -72,6 +73,7 @@ class Solutions:
             it is none.
         left_out: Solutions outside the limits that were not wanted.
         ready: The arm with its plan.
+        shared: Of an arm whose variables share moves, what those of the plan are that are none of the robot's.
     """
 
     robot: Robot
@@ -89,6 +91,7 @@ class Solutions:
     factors: tuple[tuple[str, int], ...] = ()
     left_out: Solutions | None = None
     ready: Prepared | None = None
+    shared: Mapping[str, Value] = field(default_factory=dict)
 
     __eq__ = object.__eq__  # each equals itself only
     __hash__ = object.__hash__
@@ -133,7 +136,7 @@ class Solutions:
         """How far each is from some joint values: the root of the sum of squares [rad, m], angles modulo a turn."""
         gap = self.q - in_numbers(self.robot, q)
         turning = turning_joints(self.robot)
-        gap = np.where(turning, gap - 2 * np.pi * np.round(gap / (2 * np.pi)), gap)
+        gap = nearest_turn(turning, gap)
         return np.asarray(np.sqrt((gap**2).sum(axis=1)))
 
     def travels(self, q: JointInput) -> Array:
@@ -155,7 +158,7 @@ class Solutions:
         if not len(self):
             return f"no solution: {self.why}"
         heads = ["#", *self.robot.variables, "branch", "limits"]
-        rows = [[str(k + 1), *self._shown(k), self.branches[k], self._limits(k)] for k in range(len(self))]
+        rows = [[str(k + 1), *self._shown(k), self.branches[k], self._outside(k) or "ok"] for k in range(len(self))]
         widths = [max(len(line[i]) for line in (heads, *rows)) for i in range(len(heads))]
         numeric = len(self.robot.variables) + 1
         lines = []
@@ -180,9 +183,6 @@ class Solutions:
             f"{round(float(np.degrees(x)), 4) + 0.0:g}°" if turns else f"{round(float(x), 6) + 0.0:g}"
             for x, turns in zip(self.q[k], turning, strict=True)
         ]
-
-    def _limits(self, k: int) -> str:
-        return self._outside(k) or "ok"
 
     def _outside(self, k: int) -> str:
         return ", ".join(shown_beyond(self.robot, outside) for outside in self.beyond[k])
@@ -241,15 +241,7 @@ def in_numbers(robot: Robot, q: JointInput) -> Array:
 
 
 def relation(names: tuple[str, ...], turning: NDArray[np.bool_], q: Array, rates: dict[int, float], at: int) -> str:
-    """What stays the same while the arm moves at constant rates, in words.
-
-    Args:
-        names: The joints.
-        turning: Which of them turn.
-        q: The solution, shape (n,).
-        rates: How the joints move with the parameter.
-        at: The parameter.
-    """
+    """What stays the same while the arm moves at constant rates, in words."""
     others = [j for j in rates if j != at]
     parts = []
     for j in others:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhcli.frozen import frozen
+from dhcli.kinematics.inverse.arm import nearest_turn
 from dhcli.kinematics.inverse.polishing import SINGULAR, jacobian, product, residuals
 from dhcli.kinematics.inverse.prepared import Prepared
 from dhcli.kinematics.inverse.running import run
@@ -98,7 +99,7 @@ def tries(ready: Prepared, best: Array) -> Array:
 
 def _gap(turning: Flags, one: Array, other: Array) -> float:
     gap = one - other
-    gap = np.where(turning, gap - 2 * np.pi * np.round(gap / (2 * np.pi)), gap)
+    gap = nearest_turn(turning, gap)
     return float(np.abs(gap).max(initial=0.0))
 
 
@@ -121,11 +122,6 @@ def least_singular(ready: Prepared, motions: Array) -> Array:
 
 def representatives(ready: Prepared, found: Found, least: Array) -> tuple[Ints, list[tuple[Freedom, ...]]]:
     """Of the members of a family that differ in the value tried for a free joint alone, the first; all else.
-
-    Args:
-        ready: The robot made ready.
-        found: Solutions.
-        least: The least singular value of each one's Jacobian.
 
     Returns:
         Which are kept, in their order, and the ways in which the arm can move at each.

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhcli.frozen import frozen
+from dhcli.kinematics.inverse.arm import nearest_turn
 from dhcli.kinematics.inverse.matrices import value_of
 from dhcli.kinematics.inverse.motions import DIRECTION, POINT
 from dhcli.kinematics.inverse.polishing import ROUNDING, extent, polished, product, residuals
@@ -160,7 +161,7 @@ def once(plan: Plan, task: Task, goal: Array, found: Found) -> Found:
         first, second = np.arange(len(dropped) - apart), np.arange(apart, len(dropped))
         together = (found.index[first] == found.index[second]) & ~dropped[first] & ~dropped[second]
         gap = found.motions[second] - found.motions[first]
-        gap = np.where(turning, gap - 2 * np.pi * np.round(gap / (2 * np.pi)), gap)
+        gap = nearest_turn(turning, gap)
         distance = np.abs(np.where(turning, gap, gap / out[first, None])).max(axis=1, initial=0.0)
         close = np.flatnonzero(together & (distance < _CLOSE))
         if not len(close):

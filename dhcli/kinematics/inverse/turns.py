@@ -10,9 +10,8 @@ import numpy as np
 
 from dhcli.errors import plural
 from dhcli.kinematics.derived import in_floats
-from dhcli.kinematics.farlimits import far_limits
 from dhcli.kinematics.inverse.solutions import Beyond, Solutions, shown_beyond, turning_joints
-from dhcli.kinematics.limits import SLACK
+from dhcli.kinematics.limits import SLACK, far_limits
 from dhcli.kinematics.robot import Robot
 
 if TYPE_CHECKING:

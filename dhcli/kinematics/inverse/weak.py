@@ -33,13 +33,7 @@ _CONTRADICTS = 1e-5
 
 
 def from_all(rows: Rows, step: One, draws: Array) -> Rows:
-    """Candidates with one joint more, from every equation there is in it.
-
-    Args:
-        rows: The candidates.
-        step: The joint and its cuts.
-        draws: Values to try where the joint is free.
-    """
+    """Candidates with one joint more, from every equation there is in it."""
     loop = rows.loop()
     tensor = np.concatenate([loop.tensor(cut, (step.joint,)) for cut in step.cuts], axis=1)
     left, sizes, directions = np.linalg.svd(tensor[:, :, 1:], full_matrices=False)

@@ -40,11 +40,6 @@ class UnreadableError(ArithmeticError):
 def conditions(arm: Arm, point: Point, kept: Sequence[int]) -> tuple[tuple[Expr, ...], ...]:
     """The conditions, each of one or more expressions, under which the rank falls; none if it never does.
 
-    Args:
-        arm: The arm.
-        point: It at a random point.
-        kept: The rows of the task, of the six.
-
     Raises:
         UnreadableError: They are too many or too long.
     """
@@ -85,7 +80,9 @@ def _by_rows(arm: Arm, point: Point, kept: Sequence[int]) -> Iterator[Zeros]:
     joints = range(len(arm.joints))
     columns = differences(point, joints)
     places = best_places(point, joints) if kept[-1] > 2 else (len(arm.chain),)  # noqa: PLR2004  a row of ω
-    axes, place, patterns = min(choices_of_rows(point, columns, places, kept), key=lambda one: _entries(one[2]))
+    axes, place, patterns = min(
+        choices_of_rows(point, columns, places, kept), key=lambda one: sum(bits.bit_count() for bits in one[2])
+    )
     rows = [k for k, bits in enumerate(patterns) if bits]
     if comb(len(rows), len(columns)) > MOST_MINORS:
         raise UnreadableError
@@ -96,10 +93,6 @@ def _by_rows(arm: Arm, point: Point, kept: Sequence[int]) -> Iterator[Zeros]:
             value, factors = writing.factors(Choice(axes, place, columns, some, blocks))
             if value:
                 yield moving(factors, arm)
-
-
-def _entries(patterns: Sequence[int]) -> int:
-    return sum(bits.bit_count() for bits in patterns)
 
 
 def moving(factors: Iterable[Expr], arm: Arm) -> Zeros:

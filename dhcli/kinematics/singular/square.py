@@ -31,13 +31,7 @@ MOST_TRIED = 4
 
 @frozen
 class Difference:
-    """A column, or the difference of two about parallel axes.
-
-    Attributes:
-        joint: The joint.
-        less: The joint whose column is subtracted, or None.
-        sign: By which sense the two turn.
-    """
+    """The column of a joint, or how it differs from that of another about a parallel axis, with the sign of that."""
 
     joint: int
     less: int | None = None
@@ -208,12 +202,6 @@ def factored(
     arm: Arm, point: Point, joints: Sequence[int], kept: Sequence[int]
 ) -> tuple[Fraction, dict[Expr, int], Choice] | None:
     """The determinant of the chosen columns and rows up to sign, in factors, by the choice that gives the shortest.
-
-    Args:
-        arm: The arm.
-        point: It at a random point.
-        joints: The columns, as many as rows.
-        kept: The rows of the six, along the axes of the start.
 
     Returns:
         A number, the factors with their exponents, and the choice; None if no axes leave as many rows as are kept.

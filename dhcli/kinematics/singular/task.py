@@ -2,23 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from dhcli.algebra.arithmetic import CannotHoldError
 from dhcli.kinematics.forward import put_in
 from dhcli.kinematics.frames import ORIGIN, between
-from dhcli.kinematics.moves import Trans
+from dhcli.kinematics.moves import Chain, Move, Rot, Trans
 from dhcli.kinematics.robot import Robot
+from dhcli.kinematics.singular.angles import angle_words
 from dhcli.kinematics.singular.arm import Arm, Point
-from dhcli.kinematics.singular.constants import with_names
 from dhcli.kinematics.singular.modular import rank
+from dhcli.kinematics.singular.result import Factor, Singularities
 from dhcli.kinematics.singular.square import best_places
 from dhcli.kinematics.singular.vanishing import fresh
 from dhcli.kinematics.singular.words import Place, listed
 from dhcli.kinematics.values import Values
-from dhcli.kinematics.velocity.form import Which
+from dhcli.kinematics.velocity.form import Form, Which
 from dhcli.kinematics.velocity.jacobian import moving_joints
 from dhcli.kinematics.velocity.view import MotionView
+from dhcli.notation.angle import Angle
+from dhcli.notation.styles import Joints
+from dhcli.notation.tree import Expr
+from dhcli.notation.walk import substitute
+
+HALF_DEGREES = 2
+"""Residues hold multiples of half a degree."""
 
 
 def arm_of(robot: Robot, view: MotionView, values: Values) -> Arm:
@@ -34,13 +43,7 @@ def arm_of(robot: Robot, view: MotionView, values: Values) -> Arm:
 
 
 def task_at(robot: Robot, view: MotionView, part: Which | None) -> tuple[Which, tuple[int, ...]]:
-    """The rows that are taken for the task of a robot, and the places of those among them that its joints can move.
-
-    Args:
-        robot: The robot.
-        view: Between which frames, of which point.
-        part: The task, if somebody says it; see `singularities`.
-    """
+    """The rows that are taken for the task of a robot, and the places of those among them that its joints can move."""
     arm = arm_of(robot, view, {})
     try:
         point = Point.of(arm, fresh(arm))
@@ -68,8 +71,7 @@ def task_of(point: Point) -> Which:
 def task_rows(point: Point, task: Which) -> tuple[int, ...]:
     """The rows of a task that the joints can move at all, along the axes of the start."""
     rows = point.rows()
-    wanted = {"all": range(6), "linear": range(3), "angular": range(3, 6)}[task]
-    return tuple(k for k in wanted if any(rows[k]))
+    return tuple(k for k in Form(task).rows if any(rows[k]))
 
 
 def place_of(point: Point, kept: Sequence[int]) -> Place:
@@ -94,3 +96,35 @@ def place_of(point: Point, kept: Sequence[int]) -> Place:
 def number_of(arm: Arm, joint: int) -> int:
     """The number of a joint as its robot counts."""
     return arm.robot.first + arm.robot.variables.index(arm.joints[joint])
+
+
+def with_names(chain: Chain) -> tuple[Chain, Mapping[str, Angle]]:
+    """A chain with names in the place of angles that no residue stands for, and what they are."""
+    known: dict[Angle, str] = {}
+    moves: list[Move] = []
+    for move in chain:
+        constant = Angle(degrees=move.angle.degrees, radians=move.angle.radians) if isinstance(move, Rot) else Angle()
+        if isinstance(move, Rot) and (constant.radians or (constant.degrees * HALF_DEGREES).denominator != 1):
+            sign = -1 if constant.constant() < 0 else 1
+            name = known.setdefault(constant * sign, f"κ{len(known) + 1}")
+            moves.append(Rot(move.axis, Angle(move.angle.terms) + Angle.of(name) * sign))
+        else:
+            moves.append(move)
+    return tuple(moves), {name: angle for angle, name in known.items()}
+
+
+def put_back(found: Singularities, constants: Mapping[str, Angle]) -> Singularities:
+    """Singularities with the angles themselves in the place of their names."""
+    if not constants:
+        return found
+
+    def back(expr: Expr) -> Expr:
+        return substitute(expr, {}, constants)
+
+    determinant = None if found.determinant is None else back(found.determinant)
+    factors = tuple(_factor(factor, tuple(map(back, factor.zeros)), found.writing) for factor in found.factors)
+    return replace(found, determinant=determinant, factors=factors)
+
+
+def _factor(factor: Factor, zeros: tuple[Expr, ...], joints: Joints) -> Factor:
+    return replace(factor, zeros=zeros, angles=angle_words(zeros, joints))

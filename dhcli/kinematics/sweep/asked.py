@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, TypeAlias
 
 from dhcli.errors import Place, RobotError
-from dhcli.kinematics.coordinates import coordinates
 from dhcli.kinematics.frames import View
+from dhcli.kinematics.given import coordinates
 from dhcli.kinematics.robot import Robot, Value, check_robot
 from dhcli.kinematics.sweep.plan import plan
 from dhcli.kinematics.sweep.ranges import read_over

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhcli.kinematics.sweep.target import Target
-from dhcli.kinematics.sweep.workspace import Counts, Workspace
+from dhcli.kinematics.sweep.workspace import Workspace
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -69,14 +69,10 @@ class Density:
             self._kept, self._step = self._kept[::2], 2 * self._step
 
     def workspace(self, target: Target) -> Workspace:
-        """What was counted.
-
-        Args:
-            target: What the points are of.
-        """
+        """What was counted of the points of a target."""
         sample = tuple((float(x), float(y), float(z)) for x, y, z in self._kept)
         view = target.view
-        side, top, front = (self._counts(plane) for plane in (SIDE, TOP, FRONT))
+        side, top, front = (tuple(map(tuple, self._squares[plane].tolist())) for plane in (SIDE, TOP, FRONT))
         return Workspace(self.half, side, top, front, sample, self.count, view.frame, view.reference)
 
     def _double(self) -> None:
@@ -88,6 +84,3 @@ class Density:
             grown[quarter:-quarter, quarter:-quarter] = merged
             self._squares[plane] = grown
         self.half *= 2
-
-    def _counts(self, plane: tuple[int, int]) -> Counts:
-        return tuple(tuple(row) for row in self._squares[plane].tolist())

@@ -6,8 +6,8 @@ import math
 from fractions import Fraction
 
 from dhcli.frozen import frozen
-from dhcli.kinematics.derived import in_floats
-from dhcli.kinematics.ranges import difference, metres, times, total
+from dhcli.kinematics.derived import in_floats, metres
+from dhcli.kinematics.ranges import difference, times, total
 from dhcli.kinematics.robot import Value
 from dhcli.notation.angle import Angle
 

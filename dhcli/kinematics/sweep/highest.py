@@ -25,11 +25,7 @@ class Highest:
     """
 
     def __init__(self, sign: int) -> None:
-        """Nothing taken yet.
-
-        Args:
-            sign: -1 for the lowest.
-        """
+        """Nothing taken yet; the sign is -1 for the lowest."""
         self._sign = sign
         self._records: list[Record] = []
 

@@ -105,15 +105,7 @@ class _Look:
     def __init__(
         self, target: Target, grid: Grid, found: dict[str, Highest], threads: int, *, wants_rows: bool
     ) -> None:
-        """Prepare what all slabs share.
-
-        Args:
-            target: What is followed.
-            grid: The joint values.
-            found: The extremes of all slabs before, or of some of them.
-            threads: How many look.
-            wants_rows: Whether somebody takes the rows.
-        """
+        """Prepare what all slabs share."""
         self.forbidden = Forbidden.of(target.robot)
         self._found, self._wants_rows = found, wants_rows
         self._walk = Walk(target, grid, threads)

@@ -14,7 +14,7 @@ from dhcli.kinematics.recorded import kept
 from dhcli.kinematics.robot import Robot, Value
 from dhcli.kinematics.values import Values, numbers, parameter_values, require
 from dhcli.notation.angle import Angle
-from dhcli.notation.walk import symbols
+from dhcli.notation.walk import symbols_in
 
 
 @frozen
@@ -58,7 +58,7 @@ class Target:
             rows = textbook_form(put_in(self.chain, self.lengths))
         except RobotError:  # too long to be written, so it is not known that any joint is idle
             return joints
-        return joints & frozenset().union(*(symbols(row[3]) for row in rows[:3]))
+        return joints & symbols_in(row[3] for row in rows[:3])
 
 
 def target_of(robot: Robot, view: View | None = None, values: Values | None = None) -> Target:
@@ -77,7 +77,7 @@ def target_of(robot: Robot, view: View | None = None, values: Values | None = No
     known = parameter_values(robot, {}) if values is None else values
     lengths = {name: value for name, value in known.items() if name not in robot.variables}
     target = Target(robot, view or View.of(robot), lengths)
-    if free := sorted(frozenset().union(*map(symbols, target.view.coordinates)) - lengths.keys()):
+    if free := sorted(symbols_in(target.view.coordinates) - lengths.keys()):
         raise RobotError(f"{', '.join(free)} of the point has no value", "write numbers: --point 0,0,0.1")
     require(robot, target.chain, {**lengths, **dict.fromkeys(robot.variables, Angle())})
     return target

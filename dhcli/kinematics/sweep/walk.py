@@ -34,12 +34,7 @@ SHARED = 4
 
 @frozen
 class Slab:
-    """A part of a grid that is a grid itself, and whose poses have one number after another.
-
-    Attributes:
-        first: The number of its first pose.
-        parts: Which values of each axis are in it.
-    """
+    """A part of a grid that is a grid itself, and whose poses have one number after another."""
 
     first: int
     parts: tuple[slice, ...]
@@ -82,13 +77,7 @@ class Walk:
     """
 
     def __init__(self, target: Target, grid: Grid, threads: int = 1) -> None:
-        """Work out what all slabs share.
-
-        Args:
-            target: What is followed.
-            grid: The joint values.
-            threads: How many threads the slabs are cut for.
-        """
+        """Work out what all slabs share."""
         self._tables = tables_of(grid)
         merged = all(np.abs(table).max() <= MODEST for table in self._tables)
         program = _recorded(target).program(merged=merged, tangents=True)

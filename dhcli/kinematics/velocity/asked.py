@@ -11,12 +11,12 @@ from dhcli.kinematics.limits import warnings
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values
 from dhcli.kinematics.velocity.answers import JacobianAnswer, SingularAnswer, TorquesAnswer, VelocityAnswer
-from dhcli.kinematics.velocity.form import GEOMETRIC, Form, Which
+from dhcli.kinematics.velocity.form import GEOMETRIC, Form, part_of
 from dhcli.kinematics.velocity.jacobian import Jacobian, numeric_jacobian, textbook_jacobian
-from dhcli.kinematics.velocity.statics import Wrench, numeric_torques, product, textbook_torques
+from dhcli.kinematics.velocity.statics import Wrench, numeric_torques, products, textbook_torques
 from dhcli.kinematics.velocity.view import MotionView
-from dhcli.notation.tree import ZERO, Expr, Symbol, number
-from dhcli.notation.walk import operations
+from dhcli.notation.tree import ZERO, Expr, Symbol
+from dhcli.notation.walk import operations, symbols_in
 
 if TYPE_CHECKING:  # what only some questions need is imported when they are asked
     from dhcli.kinematics.singular.result import Singularities
@@ -97,8 +97,7 @@ def answer_velocity(
         found = textbook_jacobian(robot, values, view)
         given = tuple(rates) if rates is not None else tuple(Symbol(f"d{joint}") for joint in found.joints)
         _check_count(given, found.joints)
-        sums = (product(_plain(row), _plain(given)) for row in found.rows)
-        velocity = tuple(number(total) if isinstance(total, int) else total for total in sums)
+        velocity = products(found.rows, given)
         return VelocityAnswer(robot, values, view, found.joints, given, found.labels, velocity, warnings=said)
     if rates is None:
         raise RobotError("rates of the joints, or a velocity, are wanted", "--rates 0.1,0.2 or --velocity 0.1,0,0")
@@ -144,13 +143,13 @@ def answer_symbolic_rates(
     Raises:
         RobotError: It has more or fewer, or more than are written out, or is singular everywhere.
     """
-    from dhcli.kinematics.singular.neat import neat_determinant
+    from dhcli.kinematics.singular.finding import neat_determinant
     from dhcli.kinematics.velocity.cramer import LARGEST, solved
 
     found = textbook_jacobian(robot, values, view)
     wanted = (*(linear or ()), *(angular or ()))
-    rows = found.rows[: None if angular is not None else 3] if linear is not None else found.rows[3:]
-    labels = found.labels[: None if angular is not None else 3] if linear is not None else found.labels[3:]
+    form = Form(part_of(linear, angular))
+    rows, labels = [found.rows[k] for k in form.rows], form.labels
     kept = [k for k, row in enumerate(rows) if any(entry != ZERO for entry in row)]
     joints = len(found.joints)
     if len(kept) != joints or joints > LARGEST:
@@ -162,9 +161,8 @@ def answer_symbolic_rates(
     for k in set(range(len(rows))) - set(kept):
         if wanted[k] != ZERO:
             raise RobotError(f"no joint gives {labels[k]}, which is to be {wanted[k]}", "write 0 for it")
-    part: Which = "angular" if linear is None else "linear" if angular is None else "all"
     square = [rows[k] for k in kept]
-    rates = solved(square, [wanted[k] for k in kept], neat_determinant(robot, view, part, values, square))
+    rates = solved(square, [wanted[k] for k in kept], neat_determinant(robot, view, form.part, values, square))
     said = tuple(warnings(robot, values))
     return VelocityAnswer(robot, values, view, found.joints, rates, labels, wanted, None, said, for_velocity=True)
 
@@ -193,18 +191,14 @@ def in_numbers(entries: Sequence[Expr], what: str) -> tuple[float, ...]:
         RobotError: One holds a name.
     """
     from dhcli.algebra.floats import Floats
-    from dhcli.notation.walk import symbols
 
-    if free := sorted(frozenset().union(*map(symbols, entries))):
+    if free := sorted(symbols_in(entries)):
         raise RobotError(f"{', '.join(free)} of {what} has no value", "write numbers, or ask with --symbolic")
     return tuple(Floats().value(entry) for entry in entries)
 
 
 def _check_count(rates: Sequence[object], joints: Sequence[str]) -> None:
     if len(rates) != len(joints):
-        raise RobotError(f"{len(rates)} rates for {len(joints)} joints", f"one for each of {', '.join(joints)}")
-
-
-def _plain(row: Sequence[Expr]) -> tuple[Expr | int, ...]:
-    """Entries with structural zeros, with which products cost nothing."""
-    return tuple(0 if entry == ZERO else entry for entry in row)
+        raise RobotError(
+            f"{plural(len(rates), 'rate')} for {plural(len(joints), 'joint')}", f"one for each of {', '.join(joints)}"
+        )

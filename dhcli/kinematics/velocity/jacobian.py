@@ -19,8 +19,7 @@ from dhcli.kinematics.frames import ORIGIN, between
 from dhcli.kinematics.moves import Rot, Trans
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values, numbers, require
-from dhcli.kinematics.velocity.analytic import TINY, Triple
-from dhcli.kinematics.velocity.form import GEOMETRIC, Form
+from dhcli.kinematics.velocity.form import GEOMETRIC, TINY, Form, Triple
 from dhcli.kinematics.velocity.steps import Vector, fold_columns
 from dhcli.kinematics.velocity.view import MotionView, Part, Way, check_size, joints_between, parts
 from dhcli.notation.angle import Angle
@@ -28,7 +27,7 @@ from dhcli.notation.factors import AXES
 from dhcli.notation.styles import THETAS, Joints
 from dhcli.notation.tree import Expr, power
 from dhcli.notation.trig import cosine, sine
-from dhcli.notation.walk import symbols
+from dhcli.notation.walk import symbols_in
 
 if TYPE_CHECKING:
     import numpy as np
@@ -82,7 +81,7 @@ class Jacobian(Generic[N]):
             RobotError: An entry holds a symbol.
         """
         held = [entry for row in self.rows for entry in row if isinstance(entry, Expr)]
-        if free := sorted(frozenset().union(*map(symbols, held))):
+        if free := sorted(symbols_in(held)):
             raise RobotError(f"the Jacobian is in symbols: {', '.join(free)}", "jacobian(robot, q) gives numbers")
         floats = Floats()
         return tuple(tuple(floats.value(e) if isinstance(e, Expr) else float(e) for e in row) for row in self.rows)  # type: ignore[arg-type]
@@ -249,7 +248,7 @@ def check_values(robot: Robot, view: MotionView, form: Form, values: Mapping[str
         RobotError: One has none, or rates of angles are asked for along other axes.
     """
     _check_axes(view, form)
-    free = frozenset().union(*map(symbols, view.point)) - values.keys() if view.point is not ORIGIN else frozenset()
+    free = symbols_in(view.point) - values.keys() if view.point is not ORIGIN else frozenset()
     if unknown := sorted(free - robot.parameters.keys() - {*robot.variables}):
         raise RobotError(f"{', '.join(unknown)} of the point has no value", "write numbers, or ask with --symbolic")
     way = (

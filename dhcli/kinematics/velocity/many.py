@@ -20,8 +20,7 @@ from dhcli.kinematics.recorded import Recording, kept
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.traced import shaped, trace
 from dhcli.kinematics.values import JointInput, given_parameters, joint_values, numbers, parameter_values
-from dhcli.kinematics.velocity.analytic import TINY, Triple
-from dhcli.kinematics.velocity.form import Form, Which, check_part
+from dhcli.kinematics.velocity.form import TINY, Form, Triple, Which, check_part
 from dhcli.kinematics.velocity.jacobian import (
     Jacobian,
     check_values,

@@ -13,7 +13,7 @@ from dhcli.geometry.rank import decided, rank_of
 from dhcli.kinematics.forward import Given
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.values import JointInput, Values, joint_values, parameter_values, size
-from dhcli.kinematics.velocity.form import Form, Which
+from dhcli.kinematics.velocity.form import Form, Which, part_of
 from dhcli.kinematics.velocity.jacobian import numeric_jacobian
 from dhcli.kinematics.velocity.statics import three_numbers
 from dhcli.kinematics.velocity.view import MotionView, Viewing
@@ -124,7 +124,7 @@ def rates_at(
     if velocity is None and angular is None:
         raise RobotError("rates of the joints need a velocity, or an angular velocity", "velocity=(0.1, 0, 0)")
     damping = size(damping, "damping")
-    part: Which = "all" if velocity is not None and angular is not None else "linear" if angular is None else "angular"
+    part = part_of(velocity, angular)
     found = numeric_jacobian(robot, values, view, Form(part))
     wanted = [
         *(three_numbers(velocity, "a velocity") if velocity is not None else ()),
@@ -206,7 +206,9 @@ def moved(rows: Sequence[Sequence[float]], joints: Sequence[str], rates: Sequenc
     except (TypeError, ValueError):
         raise RobotError(f"rates are numbers, not {rates!r:.60}") from None
     if len(given) != len(joints):
-        raise RobotError(f"{len(given)} rates for {len(joints)} joints", f"one for each of {', '.join(joints)}")
+        raise RobotError(
+            f"{plural(len(given), 'rate')} for {plural(len(joints), 'joint')}", f"one for each of {', '.join(joints)}"
+        )
     if not np.isfinite(given).all():
         raise RobotError("a rate is not a real number")
     return tuple(float(np.dot(row, given)) for row in rows)

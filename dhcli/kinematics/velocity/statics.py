@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import field
 from typing import Generic, TypeAlias, TypeVar, Unpack
 
-from dhcli.algebra.arithmetic import plus, times
+from dhcli.algebra.arithmetic import plus, settled, times
+from dhcli.algebra.terms import TERMS
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
-from dhcli.kinematics.coordinates import coordinates
 from dhcli.kinematics.forward import Given
+from dhcli.kinematics.given import coordinates
 from dhcli.kinematics.robot import Robot, check_robot
 from dhcli.kinematics.values import JointInput, Values, given_parameters, joint_values, parameter_values
 from dhcli.kinematics.velocity.jacobian import Jacobian, numeric_jacobian, textbook_jacobian
 from dhcli.kinematics.velocity.view import MotionView, Viewing
 from dhcli.notation.styles import THETAS, Joints
-from dhcli.notation.tree import ZERO, Expr, number
+from dhcli.notation.tree import ZERO, Expr
 
 N = TypeVar("N")
 
@@ -138,10 +139,7 @@ def numeric_torques(robot: Robot, values: Values, view: MotionView, wrench: Wren
 def textbook_torques(robot: Robot, values: Values, view: MotionView, wrench: Wrench[Expr]) -> Torques[Expr]:
     """The torques in terms, with some values put in; see `symbolic_torques`."""
     found = textbook_jacobian(robot, values, view)
-    six: tuple[Expr | int, ...] = tuple(0 if part == ZERO else part for part in wrench.six)
-    columns = (tuple(0 if entry == ZERO else entry for entry in column) for column in zip(*found.rows, strict=True))
-    sums = (product(column, six) for column in columns)
-    return _borne(robot, found, wrench, tuple(number(total) if isinstance(total, int) else total for total in sums))
+    return _borne(robot, found, wrench, products(zip(*found.rows, strict=True), wrench.six))
 
 
 def _borne(robot: Robot, found: Jacobian[N], wrench: Wrench[N], values: tuple[N, ...]) -> Torques[N]:
@@ -157,6 +155,15 @@ def product(row: Sequence[N | int], column: Sequence[N | int]) -> N | int:
     return total
 
 
+def products(rows: Iterable[Sequence[Expr]], column: Sequence[Expr]) -> tuple[Expr, ...]:
+    """Each of some rows times a column, in terms; their zeros cost nothing."""
+
+    def plain(entries: Sequence[Expr]) -> tuple[Expr | int, ...]:
+        return tuple(0 if entry == ZERO else entry for entry in entries)
+
+    return tuple(settled(product(plain(row), plain(column)), TERMS) for row in rows)
+
+
 def three_numbers(given: Sequence[float], what: str) -> Triple[float]:
     """Three real numbers.
 
@@ -167,11 +174,10 @@ def three_numbers(given: Sequence[float], what: str) -> Triple[float]:
         found = tuple(float(value) for value in given)
     except (TypeError, ValueError):
         raise RobotError(f"{what} is three numbers, not {given!r:.60}", "in symbols, names too") from None
-    if len(found) != 3:  # noqa: PLR2004
-        raise RobotError(f"{what} has three numbers, not {len(found)}", "along x, y and z")
-    if not all(map(math.isfinite, found)):
+    three = _three(found, what)
+    if not all(map(math.isfinite, three)):
         raise RobotError(f"{what} holds something that is not a real number")
-    return found[0], found[1], found[2]
+    return three
 
 
 def three_terms(given: Sequence[float | str], what: str) -> Triple[Expr]:
@@ -181,7 +187,10 @@ def three_terms(given: Sequence[float | str], what: str) -> Triple[Expr]:
         RobotError: They are not three.
         NotationError: A text cannot be read.
     """
-    found = coordinates(given)
+    return _three(coordinates(given), what)
+
+
+def _three(found: Sequence[N], what: str) -> Triple[N]:
     if len(found) != 3:  # noqa: PLR2004
         raise RobotError(f"{what} has three numbers, not {len(found)}", "along x, y and z")
     return found[0], found[1], found[2]

@@ -88,11 +88,6 @@ def fold_columns(steps: Sequence[Step], count: int, over: Arithmetic[N]) -> Colu
     translation it gains the derivative of the offset, in front of what it has. So every column is the derivative of the
     position in the form that the position itself has.
 
-    Args:
-        steps: The moves from left to right.
-        count: How many joints have a column.
-        over: The arithmetic.
-
     Source: z_i × (p - o_i) of Spong, Hutchinson and Vidyasagar, eq. 4.57, in the frame where z_i is an axis.
     """
     rows: Rows[N] = [[0], [0], [0]]  # the position, then v and ω of each joint that has been met

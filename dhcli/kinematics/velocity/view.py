@@ -8,9 +8,9 @@ from typing import TypedDict, Unpack
 from dhcli.algebra.sizes import SIZES
 from dhcli.errors import RobotError
 from dhcli.frozen import frozen
-from dhcli.kinematics.coordinates import coordinates
 from dhcli.kinematics.forward import LONGEST, put_in
 from dhcli.kinematics.frames import ORIGIN, Point, between, ends, frame
+from dhcli.kinematics.given import coordinates
 from dhcli.kinematics.merge import merge
 from dhcli.kinematics.moves import Chain, Trans, inverse_of, names, substituted
 from dhcli.kinematics.robot import Robot, Value

@@ -62,12 +62,7 @@ def robot_words(robot: Robot) -> str:
 
 
 def lengths_words(robot: Robot, names: Mapping[str, str]) -> Iterator[str]:
-    """Lengths and constant angles that a function takes, in their units.
-
-    Args:
-        robot: The robot.
-        names: The spelling of each.
-    """
+    """Lengths and constant angles that a function takes, in their units."""
     if names:
         kind = "Lengths" if robot.angles.isdisjoint(names) else "Lengths and constant angles"
         units = (f"{spelled} [{'rad' if name in robot.angles else 'm'}]" for name, spelled in names.items())

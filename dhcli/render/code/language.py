@@ -2,20 +2,62 @@
 
 from __future__ import annotations
 
+import keyword
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import field, replace
 
 from dhcli.frozen import frozen
+from dhcli.notation.styles import RESERVED as TYPED
 from dhcli.notation.styles import Style, plain_name
 from dhcli.notation.tree import Expr, Number
 from dhcli.notation.writer import write
 from dhcli.regex import regex
-from dhcli.render.code.words import RESERVED, TAKEN
 from dhcli.safe import comment, docstring
 
 Cells = Sequence[Sequence[str]]
 
 _FOREIGN = regex(r"[^A-Za-z0-9_]")
+TAKEN = frozenset(
+    (
+        *("T", "J", "q", "pi", "cosine", "solutions", "found", "forward", "jacobian", "inverse", "square"),
+        *("cos", "sin", "tan", "sqrt", "pow", "fabs", "abs", "acos", "asin", "atan", "atan2", "zeros", "nargin"),
+    )
+)
+"""Names that stand in the functions themselves, whatever the language."""
+
+RESERVED: Mapping[str, frozenset[str]] = {
+    "python": frozenset(keyword.kwlist) | {"math", "abs"},
+    "numpy": TYPED["numpy"] | {"abs"},
+    "matlab": TYPED["matlab"],
+    "c": frozenset(
+        (
+            *("auto", "break", "case", "char", "const", "continue", "default", "do", "double", "else", "enum"),
+            *("extern", "float", "for", "goto", "if", "inline", "int", "long", "register", "restrict", "return"),
+            *("short", "signed", "sizeof", "static", "struct", "switch", "typedef", "union", "unsigned", "void"),
+            *("volatile", "while", "bool", "true", "false", "nullptr", "constexpr", "typeof", "alignas", "alignof"),
+            *("asm", "class", "delete", "new", "private", "public", "template", "this", "namespace", "operator"),
+            *("NAN", "INFINITY", "HUGE_VAL", "linux", "unix", "i386", "y0", "y1", "yn", "j0", "j1", "jn", "gamma"),
+        )
+    ),
+    "julia": frozenset(
+        (
+            *("baremodule", "begin", "break", "catch", "const", "continue", "do", "else", "elseif", "end", "export"),
+            *("false", "finally", "for", "function", "global", "if", "import", "in", "isa", "let", "local", "macro"),
+            *("module", "quote", "return", "struct", "true", "try", "using", "where", "while", "im", "push"),
+            *("Inf", "NaN"),
+        )
+    ),
+    "javascript": frozenset(
+        (
+            *("abstract", "arguments", "await", "break", "case", "catch", "class", "const", "continue", "debugger"),
+            *("default", "delete", "do", "else", "enum", "eval", "export", "extends", "false", "finally", "for"),
+            *("function", "if", "implements", "import", "in", "instanceof", "interface", "let", "new", "null"),
+            *("package", "private", "protected", "public", "return", "static", "super", "switch", "this", "throw"),
+            *("true", "try", "typeof", "var", "void", "while", "with", "yield", "Math", "NaN", "Infinity", "undefined"),
+        )
+    ),
+}
+"""Words that a language keeps for itself, constants and macros too."""
 
 
 @frozen
@@ -84,15 +126,16 @@ class Language:
         """
         names = spelling.names
         ordered = sorted(heading.lengths, key=lambda name: heading.lengths[name] is not None)
-        values = {name: heading.lengths[name] for name in ordered}
+        own = {name: heading.lengths[name] for name in ordered}
+        values = {**own, **heading.more}
         arguments = [*heading.given, *(self.argument.format(names[name]) for name in heading.joints)]
         for name, value in values.items():
             form = self.argument if value is None else self.preset
             arguments.append(form.format(names[name], "" if value is None else decimal(value)))
         first = self.head.format(heading.name, ", ".join([*arguments, *heading.filled]), heading.gives)
         said = list(heading.said)
-        if self.preset == self.argument and self.name == "c" and (own := _own_values(values, names)):
-            said.append(own)
+        if self.preset == self.argument and self.name == "c" and (words := _own_values(own, names)):
+            said.append(words)
         if self.name == "matlab":
             body = [*_presets(len(arguments) - len(values), values, names), *body]
         inside = docstring(*said).split("\n") if self.mark == "#" and self.name != "julia" else []
@@ -111,6 +154,7 @@ class Heading:
         said: What it does, a line each.
         joints: Joint values that it takes.
         lengths: Lengths that it takes, with the values they have by default.
+        more: What it takes behind them, with values by default, that is none of the robot's.
         given: Arguments before those, as they are spelled.
         filled: Arguments behind those, as they are spelled.
         gives: What its result is called, or the type of it.
@@ -120,6 +164,7 @@ class Heading:
     said: Sequence[str]
     joints: Sequence[str]
     lengths: Mapping[str, float | None]
+    more: Mapping[str, float] = field(default_factory=dict)
     given: Sequence[str] = ()
     filled: Sequence[str] = ()
     gives: str = ""
@@ -127,12 +172,7 @@ class Heading:
 
 @frozen
 class Spelling:
-    """How a function in a language spells its names.
-
-    Attributes:
-        language: The language.
-        names: The spelling of each name.
-    """
+    """How a function in a language spells its names."""
 
     language: Language
     names: Mapping[str, str]

@@ -14,14 +14,7 @@ VERSION = 1
 def envelope(
     command: str, content: dict[str, Any] | None, problems: Iterable[Problem], warnings: Iterable[str] = ()
 ) -> str:
-    """The result of a command, or what kept it from one.
-
-    Args:
-        command: Name of the command.
-        content: The result; None if there is none.
-        problems: Errors.
-        warnings: What a person should know all the same.
-    """
+    """The result of a command, or what kept it from one."""
     listed = [
         *(problem_content(problem, "error") for problem in problems),
         *(problem_content(Problem(w), "warning") for w in warnings),

@@ -46,9 +46,6 @@ _FIGURE = '<svg id="figure" viewBox="0 0 820 640" tabindex="0" role="img" aria-l
 def page(picture: Drawing) -> str:
     """The text of an HTML file.
 
-    Args:
-        picture: What is drawn, and how.
-
     Raises:
         DhcliError: What is asked for cannot be drawn.
     """

@@ -19,7 +19,7 @@ from dhcli.scene.camera import VIEWS
 from dhcli.scene.motion import joints_of
 from dhcli.scene.primitives import Scene
 from dhcli.scene.skeleton import Given
-from dhcli.scene.staging import posed, stage_arm, values_at
+from dhcli.scene.staging import ArmAt, posed
 from dhcli.scene.table import cells, heads
 from dhcli.scene.words import named
 from dhcli.scene.workspace import is_at_base
@@ -33,8 +33,8 @@ def arm_model(picture: Drawing) -> dict[str, Any]:
     robot = picture.what
     assert isinstance(robot, Robot)  # noqa: S101  the caller has looked
     q: JointInput = joints_of(robot, picture.path[0]) if picture.path else picture.q  # type: ignore[assignment]
-    staged = stage_arm(robot, q, pose=picture.pose, view=picture.view, parameters=picture.parameters, bare=picture.bare)
-    values = values_at(robot, q, picture.pose, picture.parameters, picture.bare)
+    arm = ArmAt(robot, q, picture.pose, picture.view, picture.parameters, picture.bare)
+    staged, values = arm.staged(), arm.values()
     given = numbers(values)
     variables = robot.variables
     state, frames = len(robot.base), [["base", 0]] * bool(robot.base)

@@ -7,12 +7,16 @@ pymupdf ignores the style sheet and paints a black page.
 from __future__ import annotations
 
 import zlib
+from functools import partial
 from itertools import pairwise
 
+from dhcli.kinematics.entries import rounded
 from dhcli.notation.names import GREEK
 from dhcli.render.pictures.looks import COLOURS, LOOKS, TEXTS, UPRIGHT
 from dhcli.scene.shapes import Figure, Shape, Text
 from dhcli.scene.vectors import Flat
+
+_n = partial(rounded, digits=3)
 
 PIXEL = 0.75
 """A pixel in points, as CSS has it."""
@@ -150,8 +154,3 @@ def _file(figure: Figure, content: str, size: tuple[float, float], shadings: lis
 def _colour(name: str, dark: bool) -> str:  # noqa: FBT001  one of two columns
     code = COLOURS[name][dark].lstrip("#")
     return " ".join(_n(int(code[i : i + 2], 16) / 255) for i in (0, 2, 4))
-
-
-def _n(value: float) -> str:
-    text = f"{value:.3f}".rstrip("0").rstrip(".")
-    return "0" if text in ("-0", "") else text

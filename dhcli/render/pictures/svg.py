@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import zlib
 from collections.abc import Iterator
+from functools import partial
 from itertools import groupby, pairwise
 
+from dhcli.kinematics.entries import rounded
 from dhcli.render.pictures.looks import COLOURS, LOOKS, TEXTS, UPRIGHT, Look
 from dhcli.safe import html
 from dhcli.scene.shapes import Figure, Shape, Text
 from dhcli.scene.vectors import Flat
 from dhcli.scene.words import Words
+
+_number = partial(rounded, digits=1)
 
 _PLAIN = frozenset({"caption", "cell", "head"})
 """Texts beside the drawing, which need no paper around their letters."""
@@ -170,9 +174,3 @@ def _words(words: Words, size: float) -> str:
             found.append(f'<tspan dy="-{drop}">{text}</tspan>' if lowered else text)
         lowered = run.below
     return "".join(found)
-
-
-def _number(value: float) -> str:
-    text = f"{value:.1f}"
-    text = text.removesuffix(".0")
-    return "0" if text == "-0" else text

@@ -8,7 +8,7 @@ from itertools import pairwise
 from dhcli.render.paper import Paper, in_ascii
 from dhcli.render.pictures.looks import LOOKS
 from dhcli.scene.labels import Lettering
-from dhcli.scene.shapes import Figure, Shape, Text
+from dhcli.scene.shapes import Figure, Shape, Text, sides
 from dhcli.scene.staging import Paper as Sheet
 from dhcli.scene.vectors import Flat
 from dhcli.scene.words import Words, plain
@@ -53,12 +53,7 @@ def sheet_of(columns: int, rows: int, paper: Paper) -> Sheet:
 
 
 def terminal(figure: Figure, paper: Paper) -> str:
-    """The text of a figure that was drawn on a sheet of letters, and its caption under it.
-
-    Args:
-        figure: The figure.
-        paper: What it is written on; no line is wider.
-    """
+    """The text of a figure that was drawn on a sheet of letters, and its caption under it."""
     columns, rows = round(figure.width / WIDE), round(figure.height / HIGH)
     canvas = _Braille(columns, rows) if paper.unicode else _Plain(columns, rows)
     for shape in figure.shapes:
@@ -121,7 +116,7 @@ class _Canvas:
 
     def area(self, points: list[Flat], *, set_: bool, ink: str) -> None:
         """Set or clear every dot inside."""
-        edges = list(zip(points, (*points[1:], points[0]), strict=True))
+        edges = list(sides(points))
         top, bottom = min(y for _, y in points), max(y for _, y in points)
         for j in range(max(0, math.floor(top)), min(self.high, math.ceil(bottom) + 1)):
             y = j + 0.5

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 
+from dhcli.kinematics.entries import rounded
 from dhcli.notation.names import GREEK
 from dhcli.render.pictures.looks import COLOURS, LOOKS, TEXTS, UPRIGHT, Look
 from dhcli.safe import comment
 from dhcli.scene.shapes import Figure, Shape, Text
 from dhcli.scene.vectors import Flat
 from dhcli.scene.words import Words
+
+_number = partial(rounded, digits=2)
 
 PIXEL = 0.5
 """A pixel of the figure in points: 820 of them fit the text of a page."""
@@ -119,8 +123,3 @@ def _letter(letter: str) -> str:
 
 def _point(point: Flat) -> str:
     return f"({_number(point[0])},{_number(point[1])})"
-
-
-def _number(value: float) -> str:
-    text = f"{value:.2f}".rstrip("0").rstrip(".")
-    return "0" if text == "-0" else text

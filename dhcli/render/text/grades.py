@@ -37,7 +37,7 @@ def class_table(report: ClassReport, look: Look) -> str:
         if any(part.slips for part in parts):
             sections.append(_head("Commonest slips", paper) + _slips(parts, paper))
     if report.mean is not None:
-        sections.append(_head(f"Credit earned, {_percent(report.mean)} on average", paper) + _spread(report, paper))
+        sections.append(_head(f"Credit earned, {100 * report.mean:.0f} % on average", paper) + _spread(report, paper))
     if report.failed:
         same: dict[str, list[str]] = {}
         for row in report.failed:
@@ -125,7 +125,3 @@ def _reason(row: Graded) -> str:
     more = f" (and {len(row.problems) - 1} more)" if len(row.problems) > 1 else ""
     hint = f"; {first.hint}" if first.hint else ""
     return f"{where}{': ' if where else ''}{first.message}{hint}{more}"
-
-
-def _percent(share: float) -> str:
-    return f"{100 * share:.0f} %"

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import fields, replace
 from typing import Any
 
 from dhcli.errors import plural
 from dhcli.geometry.euler import RollPitchYaw
 from dhcli.kinematics.conventions import NAMES
-from dhcli.kinematics.farlimits import far_limits
 from dhcli.kinematics.inverse.answer import InverseKinematics
 from dhcli.kinematics.inverse.explained import Explanation
 from dhcli.kinematics.inverse.solutions import shown_beyond
+from dhcli.kinematics.limits import far_limits
 from dhcli.render.code.matrices import csv_line, exact
 from dhcli.render.look import Look
 from dhcli.render.paper import Paper
@@ -136,7 +136,9 @@ def _width(table: str) -> int:
 def _how(how: Explanation, look: Look) -> Iterator[str]:
     """How the answer came about."""
     paper = look.paper
-    headed = ((f"How, by rule {' and '.join(how.rules)}", how.steps), ("Outside the limits", how.limits))
+    by = f", by rule {' and '.join(how.rules)}" if how.rules else ""
+    where = (f"where {', '.join(how.moves)}",) if how.moves else ()
+    headed = ((f"How{by}", (*where, *how.steps)), ("Outside the limits", how.limits))
     for head, lines in headed:
         if lines:
             yield ""
@@ -214,7 +216,7 @@ def inverse_content(result: InverseKinematics, _look: Look) -> dict[str, Any]:
         "why": found.why,
         "held": dict(found.held),
         "factors": dict(found.factors),
-        "how": None if how is None else {"rules": how.rules, "steps": how.steps, "limits": how.limits},
+        "how": None if how is None else {f.name: getattr(how, f.name) for f in fields(how)},
         "closest": None if found.closest is None else [exact(x) for x in found.closest.tolist()],
         "solutions": [
             {

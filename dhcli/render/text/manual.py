@@ -17,12 +17,7 @@ _LINK = regex(r"(?<!!)\[([^\]]+)\]\((?!https?:)[^)]*?([a-z0-9-]+)\.md[^)]*\)")
 
 
 def page_text(page: str, paper: Paper) -> str:
-    """A page for a person: headings, lists, tables and examples drawn; in a pipe the Markdown as it stands.
-
-    Args:
-        page: The page as Markdown.
-        paper: What it is written on.
-    """
+    """A page of Markdown for a person: headings, lists, tables and examples drawn; in a pipe as it stands."""
     if not paper.terminal:
         return page if paper.unicode else "".join(f"{in_ascii(line)}\n" for line in page.splitlines())
     from rich.console import Console

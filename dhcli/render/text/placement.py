@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
-from dhcli.geometry.euler import EulerAngles, Order, RollPitchYaw
+from dhcli.geometry.euler import EulerAngles, RollPitchYaw
 from dhcli.geometry.rotations import AxisAngle, Quaternion, RotationVector
 from dhcli.kinematics.placement import Matrix, Placement, Position
 from dhcli.kinematics.question import ForwardKinematics
@@ -46,15 +46,12 @@ def _convention(placement: Placement) -> str:
     if not isinstance(placement, EulerAngles):
         return _CONVENTIONS[type(placement)]
     order = placement.order
-    product = " ".join(f"R{axis}({number})" for axis, number in zip(order.product, _numbers(order), strict=True))
+    product = " ".join(
+        f"R{axis}({number})" for axis, number in zip(order.product, "321" if order.fixed else "123", strict=True)
+    )
     middle = "0° to 180°" if order.is_proper else "-90° to 90°"
     about = "fixed" if order.fixed else "current"
     return f"R = {product}: about {about} axes, the second angle from {middle}"
-
-
-def _numbers(order: Order) -> str:
-    """Which angle stands where in the product."""
-    return "321" if order.fixed else "123"
 
 
 def placement_csv(result: ForwardKinematics, look: Look) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import textwrap
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 from dhcli.errors import plural
@@ -28,6 +29,8 @@ _BESIDES = 12
 """Columns of a table of products besides those of products and joints: numbers, gaps, a `*` at the end of a line."""
 _LEAST = 20
 """Columns that a product has, however narrow the terminal is."""
+_PLACES = 6
+"""Decimals at most of a number in a product that nobody has written so, such as a direction cosine of a skew axis."""
 _PROSE = 96
 """Columns at which notes are folded at most; longer lines are hard to read."""
 
@@ -135,12 +138,13 @@ def _row(robot: Robot, link: Link, style: str) -> list[str]:
 def links_table(robot: Robot, look: Look) -> str:
     """The DH table with the order of its operations, or the products."""
     paper = look.paper
+    few = replace(look, places=_PLACES) if look.places is None else look  # what nobody has written
     rows: list[list[str]] = []
     is_product = robot.convention is Convention.PRODUCT
     kinds = [_kind(robot, link) for link in robot.links]
     room = paper.width - max(map(len, kinds), default=0) - _BESIDES if is_product and paper.terminal else None
     for link, kind in zip(robot.links, kinds, strict=True):
-        product = look.formula(link.product)
+        product = look.formula(link.product) if link.text else few.formula(link.product)
         cells, *more = [[product]] if link.row is None else [list(map(look.formula, _row(robot, link, "short")))]
         if room is not None:
             cells, *more = ([line] for line in _in_lines(product, room))

@@ -8,9 +8,8 @@ from itertools import pairwise
 from dhcli.kinematics.frames import ORIGIN
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import Values
-from dhcli.kinematics.velocity.analytic import Triple
 from dhcli.kinematics.velocity.answers import JacobianAnswer, TorquesAnswer, VelocityAnswer
-from dhcli.kinematics.velocity.form import ANGULAR
+from dhcli.kinematics.velocity.form import ANGULAR, Triple
 from dhcli.kinematics.velocity.view import MotionView
 from dhcli.notation.styles import Joints
 from dhcli.notation.tree import Expr
@@ -115,7 +114,7 @@ def torques_table(result: TorquesAnswer, look: Look) -> str:
     )
     lines = [heading_text(head, paper)]
     force, moment = (
-        "(" + ", ".join(_text(part, joints, look) for part in parts) + ")"
+        "(" + ", ".join(cell(part, joints, look) for part in parts) + ")"
         for parts in (found.wrench.force, found.wrench.moment)
     )
     at = point_words(found.view, joints, style)
@@ -163,10 +162,6 @@ def context(robot: Robot, values: Values, said: Sequence[str], look: Look) -> li
     paper = look.paper
     lines = packed(map(paper.spell, [*said, *value_lines(robot, values)]), paper)
     return [paper.ink(line, "dim") for line in lines]
-
-
-def _text(value: Expr | float, joints: Joints, look: Look) -> str:
-    return cell(value, joints, look)
 
 
 def _even(lines: Sequence[str], values: Sequence[Expr | float]) -> list[str]:

@@ -13,9 +13,8 @@ import pytest
 
 from dhcli.algebra.floats import Floats
 from dhcli.checking.exercise import Exercise
-from dhcli.checking.frames.marking import frames_text
+from dhcli.checking.frames.marking import frames_text, table_of
 from dhcli.checking.frames.reading import TypedFrame
-from dhcli.checking.frames.rows import table_of
 from dhcli.checking.frames.rules import DH2, DH3, TASK, Rules
 from dhcli.checking.frames.sketch import Sketch, at_values, sketch_of
 from dhcli.checking.frames.slips import as_typed

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import math
 from pathlib import Path
 
@@ -149,7 +150,8 @@ def test_everything_wrong_with_a_header_is_told_at_once(header: str, said: list[
             ["q.csv:3:5: theta2 'pi/2' is not a number (a cell is a plain number, such as -0.25 or 1e-3)"],
         ),
         ('0.1,"0,2",0.3', ["q.csv:3:6: theta2 '0,2' is not a number (write 0.2, with a point)"]),
-        ('"' + "1" * 140_000, ["q.csv:3: 1 cell in a table of 3 columns"]),
+        ('"' + "1" * 140_000, ["q.csv:3: 1 cell in a table of 3 columns (a quote is not closed)"]),
+        ('"0.1,0.2,0.3', ["q.csv:3: 1 cell in a table of 3 columns (a quote is not closed)"]),
         ("0.1,0.2", ["q.csv:3: 2 cells in a table of 3 columns"]),
         ("0.1,0.2,0.3,,", ["q.csv:3: 5 cells in a table of 3 columns"]),
         ("0.1,0.2,", ["q.csv:3:9: d3 is empty"]),
@@ -174,7 +176,97 @@ def test_decimal_commas_are_read_where_no_comma_stands_between_cells(separator: 
 def test_a_comma_beside_a_point_may_group_thousands() -> None:
     """So that nobody knows what it means."""
     assert bad("1,234;0.5;1\n") == ["q.csv:1:1: theta1 '1,234' is not a number (write 1.234, with a point)"]
-    assert bad("1.234,5;0;1\n")[0].startswith("q.csv:1:1: theta1 '1.234,5' is not a number")
+    assert bad("1.234,5;0;1\n") == [
+        "q.csv:1:1: theta1 '1.234,5' is not a number (write 1234.5: nothing stands between thousands)"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("row", "said"),
+    [
+        ("0,5;1.2;0,3", "q.csv:2:5: theta2 '1.2' has a point, and others here a comma (write 1,2)"),
+        (
+            "0,5;1.234,5;2",
+            "q.csv:2:5: theta2 '1.234,5' is not a number (write 1234.5: nothing stands between thousands)",
+        ),
+        (
+            "0,5;1,234.5;2",
+            "q.csv:2:5: theta2 '1,234.5' is not a number (write 1234.5: nothing stands between thousands)",
+        ),
+    ],
+)
+def test_the_cell_that_is_unlike_the_others_is_the_wrong_one(row: str, said: str) -> None:
+    """Where decimals have commas, those are right, and the point is what should not be there."""
+    around = "0,1;0,2;0,3\n"
+    assert bad(f"{around}{row}\n{around}") == [said]
+
+
+@pytest.mark.parametrize(
+    ("header", "row", "said"),
+    [
+        ("theta1,theta2,d3", "0.5;0.2;0.1", "has semicolons between its cells, and the first line has commas"),
+        ("theta1,theta2,d3", "0,5;0,2;0,1", "has semicolons between its cells, and the first line has commas"),
+        ("theta1,theta2,d3", "0,5;0;1", "has semicolons between its cells, and the first line has commas"),
+        ("theta1;theta2;d3", "0.5,0.2,0.1", "has commas between its cells, and the first line has semicolons"),
+        ("theta1 theta2 d3", "1,2,3", "has commas between its cells, and the first line has blanks"),
+        ("theta1,theta2,d3", "0.5 0.2 0.1", "has blanks between its cells, and the first line has commas"),
+    ],
+)
+def test_a_row_that_is_parted_otherwise_is_told_as_one(header: str, row: str, said: str) -> None:
+    """And no cell of it, for it has none."""
+    assert bad(f"{header}\n{row}\n") == [f"q.csv:2: {said} (the same in all lines)"]
+
+
+def test_two_joints_between_semicolons_are_not_taken_for_two_cells_with_a_comma() -> None:
+    """`0,5;1` has one comma, as a row of two cells between commas has."""
+    said = "q.csv:2: has semicolons between its cells, and the first line has commas (the same in all lines)"
+    assert bad("theta1,theta2\n0,5;1\n", "planar-2r") == [said]
+
+
+def test_decimal_commas_between_commas_are_asked_about() -> None:
+    """Twice as many cells, and all of them whole numbers."""
+    said = "6 cells in a table of 3 columns (are there decimal commas? part the cells by semicolons: 0,5;1,2)"
+    assert bad("theta1,theta2,d3\n0,5,0,2,0,1\n") == [f"q.csv:2: {said}"]
+
+
+@pytest.mark.parametrize("header", ["", "theta1 theta2 d3\n"])
+def test_decimal_commas_are_read_between_blanks(header: str) -> None:
+    """With a header or without one."""
+    assert read(f"{header}0,5 0,2 -0,1\n").tolist() == [[0.5, 0.2, -0.1]]
+
+
+def test_signs_of_a_word_processor_are_read() -> None:
+    """A minus that is no hyphen, and a blank at which no line breaks."""
+    assert read("theta1,theta2,d3\n\u22120.5,\u00a00.2,0.1\n").tolist() == [[-0.5, 0.2, 0.1]]
+
+
+@pytest.mark.parametrize(
+    ("row", "said"),
+    [
+        ("theta1,theta2,d3", "is the header once more (take it out)"),
+        ("[deg],deg,mm", "holds units, not numbers (they stand in the header: theta1[deg],theta2[deg],d3[mm])"),
+    ],
+)
+def test_a_row_of_words_is_told_as_one(row: str, said: str) -> None:
+    """What spreadsheets and files put together have under a header or between rows."""
+    assert bad(f"theta1,theta2,d3\n{row}\n1,2,3\n") == [f"q.csv:2: {said}"]
+
+
+def test_a_row_with_a_cell_too_many_may_keep_its_first_cells() -> None:
+    """As an array may, and a list of JSON."""
+    for content, path in (("1,2,3,4\n5,6,7,8\n", "q.csv"), ("[1,2,3,4]\n[5,6,7,8]\n", "q.jsonl")):
+        assert "--ignore-columns takes the first 3" in bad(content, path=path)[0]
+        assert read(content, path=path, ignores=True).tolist() == [[1, 2, 3], [5, 6, 7]]
+
+
+@pytest.mark.parametrize("content", ["My measurements\n1,2,3\n", "time,x,y\n1,2,3\n"])
+def test_a_first_line_without_a_joint_is_told_as_one(content: str) -> None:
+    """A title, or the table of something else."""
+    with pytest.raises(FileError) as caught:
+        read(content)
+    assert [str(problem) for problem in caught.value.problems] == [
+        "q.csv:1: names no joint of scara (wanted: theta1[rad], theta2[rad], d3[m])"
+    ]
 
 
 @pytest.mark.parametrize(
@@ -290,7 +382,7 @@ def test_a_block_is_read_at_once_only_as_it_would_be_line_by_line(separator: str
     columns, _ = reader._columns(separator.join("000"), 1)
     assert columns is not None
     quick, careful = reader._block(1, text, columns), reader._line_by_line(1, text, columns)
-    assert quick.q.tolist() == careful.q.tolist()
+    assert quick.values.tolist() == careful.values.tolist()
     assert list(quick.rows) == list(careful.rows)
     assert (quick.bad, quick.bad_rows) == (careful.bad, careful.bad_rows)
 
@@ -301,7 +393,10 @@ def test_a_block_is_read_at_once_only_as_it_would_be_line_by_line(separator: str
         ("théta1,theta2,d3\n".encode("latin-1"), "q.csv:1:3: is not UTF-8: byte 3 is 0xE9"),
         (b"theta1,theta2,d3\n1,2,3\n1,\xb02,3\n", "q.csv:3:3: is not UTF-8: byte 26 is 0xB0"),
         ("theta1,theta2,d3\n".encode("utf-16"), "is written in UTF-16"),
-        (b"PK\x03\x04\0\0\0", "is not a text file: byte 5 is NUL"),
+        ("theta1,theta2,d3\n".encode("utf-16-le"), "is written in UTF-16"),
+        (b"theta1,theta2,d3\n1,\0,2\n", "is not a text file: byte 20 is NUL"),
+        (b"PK\x03\x04\0\0\0", "is a ZIP archive, as .xlsx and .npz are"),
+        (gzip.compress(b"theta1,theta2,d3\n1,2,3\n", mtime=0), "is compressed by gzip"),
         (b"1" * 3_000_000, "q.csv:1: this line is longer than 262,144 bytes"),
     ],
 )

@@ -103,7 +103,7 @@ def test_typed_right_angles_are_right_angles_and_can_be_kept() -> None:
     """By how much the tip moves is said, and is true."""
     robot = load_robot(DATA / "three-joints.urdf", tip="tool0")
     assert robot.remarks[0].startswith(
-        "3 of 12 angles are multiples of 15° rounded (1.5708 -> 90°); the tip moves by at most "
+        "taken for multiples of 15°: 3 of 12 angles (1.5708 -> 90°); the tip moves by at most "
     )
     typed = load_robot(DATA / "three-joints.urdf", tip="tool0", as_typed=True)
     q = [0.3, -1.1, 0.5]
@@ -306,6 +306,32 @@ def test_a_joint_that_follows_another_moves_with_it(follower: str) -> None:
     pose = np.asarray(forward(plain, moved))
     assert np.asarray(forward(arm, q)) == pytest.approx(pose, abs=1e-15)
     assert inverse(arm, pose).nearest(q) == pytest.approx(q)
+
+
+def test_numbers_typed_in_decimals_are_shown_in_decimals() -> None:
+    """Of a joint that follows another, of a skew axis, and of one that slides along a diagonal; they move as before."""
+    text = with_change(ELBOW, ELBOW + '<mimic joint="shoulder" multiplier="0.35" offset="0.125"/>')
+    text = text.replace('<axis xyz="0 0 -1"/>', '<axis xyz="0.707107 0 -0.707107"/>')
+    arm = read_urdf(text, "a", "a", tip="tool0")
+    products = " ".join(link.product for link in arm.links)
+    assert "0.35*theta1 + 0.125 rad" in products
+    assert "sqrt(2)*d2/2" in products
+    follower = '<mimic joint="slide" multiplier="2" offset="0.05"/>'
+    slides = SLIDES.format(axis="0 0 1", follower=follower), SLIDES.format(axis="0.12 0.34 0.93", follower=follower)
+    shown = [read_urdf(each, "a", "a") for each in slides]
+    assert "2*d1 + 0.05" in shown[0].links[1].product
+    along = np.array([0.12, 0.34, 0.93]) / np.linalg.norm([0.12, 0.34, 0.93])
+    assert np.asarray(forward(shown[1], [0.2]))[:3, 3] == pytest.approx(0.65 * along, abs=1e-15)
+    assert "sqrt" not in shown[1].links[1].product
+    tilted = read_urdf(THREE.replace('<axis xyz="0 0 1"/>', '<axis xyz="0 0.6 0.8"/>', 1), "a", "a", tip="tool0")
+    assert "0 -0.8 0.6 0; 0 0.6 0.8 0" in tilted.links[0].product
+
+
+SLIDES = """<robot name="lift"><link name="a"/><link name="b"/><link name="c"/>
+<joint name="slide" type="prismatic"><parent link="a"/><child link="b"/><axis xyz="{axis}"/>
+<limit lower="0" upper="0.3"/></joint>
+<joint name="more" type="prismatic"><parent link="b"/><child link="c"/><axis xyz="{axis}"/>
+<limit lower="0" upper="0.7"/>{follower}</joint></robot>"""
 
 
 LEVELLED = """

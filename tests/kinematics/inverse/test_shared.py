@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,7 @@ import pytest
 
 from dhcli import Robot, forward, forward_batch, inverse, inverse_batch
 from dhcli.files.yaml.robots import read_robot
+from dhcli.kinematics.inverse.explained import explained
 from dhcli.kinematics.inverse.path import follow
 from dhcli.kinematics.inverse.solutions import turning_joints
 from tests.nightly import some
@@ -125,6 +127,44 @@ def test_values_that_made_a_pose_of_a_coupled_arm_come_back_at_any_pose(name: st
         assert bool(found.held) is (name == "lift-to-spare")
 
 
+TWO_ROOTS = "q1 q2 d3", "0.05 -90° 0.45 q1", "0.4 0 0 q2", "0.15 90° 0 -q2+0.25rad", "0 0 d3 0", "0 0 2*d3+0.05 0"
+
+
+@pytest.mark.parametrize("name", [*COUPLED, "two-roots"])
+def test_branches_and_steps_of_a_coupled_arm_name_its_own_variables(name: str) -> None:
+    """Each solution of a pose has a name of its own; moves that have no variable are explained by those there are."""
+    robot = built(name, *COUPLED.get(name, TWO_ROOTS))
+    found = inverse(robot, forward(robot, [0.3, 0.7, 0.2, 0.5, 0.6, 0.4][: len(robot.variables)]))
+    assert len(set(found.branches)) == len(found)
+    named = {word for branch in found.branches for word in re.findall(r"[a-z]+[0-9]+", branch)}
+    assert named <= set(robot.variables)
+    how = explained(found)
+    told = {step.partition(":")[0] for step in how.steps if found.ready}
+    assert told <= {*robot.variables, *(move.partition(" = ")[0] for move in how.moves)}
+    assert bool(how.moves) is (found.ready is not None)
+
+
+def test_the_sign_in_a_name_is_that_of_the_robots_variable() -> None:
+    """theta3 is -q2 + 0.25: where the equation rises with theta3 it falls with q2, on both sides of the double root."""
+    robot = built("two-roots", *TWO_ROOTS)
+    low, high = inverse(robot, forward(robot, [0.1, 0.2, 0.1]))
+    assert low[1] < high[1]
+    signs = inverse(robot, forward(robot, [0.1, 0.2, 0.1])).branches
+    assert [name.rpartition(", ")[2] for name in signs] == ["q2 -", "q2 +"]
+    assert inverse(robot, forward(robot, [-0.4, 0.15, 0.3])).branches == signs
+
+
+def test_a_family_of_a_coupled_arm_is_told_in_its_own_variables() -> None:
+    """A wrist whose joints are moved by differences: stretched, the fourth and the sixth make up for each other."""
+    rows = "0 90° 0.5 q1", "0.4 0 0 q2", "0 90° 0 q3-q2", "0 -90° 0.4 q4-q5", "0 90° 0 q5", "0 0 0.1 q6-q5"
+    robot = built("wrist", "q1 q2 q3 q4 q5 q6", *rows)
+    pose = matrix(robot, [0.1, 0.2, 1.3, 0.4, 0.0, 0.6])
+    ways = {way for each in inverse(robot, pose).free for way in each}
+    assert {(way.joint, way.joints) for way in ways} == {("q4", ("q4", "q6"))}
+    held = inverse(robot, pose, hold={"q4": 1.0})
+    assert apart(robot, held.q, [0.1, 0.2, 1.3, 1.0, 0.0, 0.0]) < 1e-7
+
+
 def test_what_is_found_by_trying_is_said_to_be_perhaps_not_all() -> None:
     """And of an arm that is solved for move by move nothing of the kind."""
     tried, solved = (built(name, *COUPLED[name]) for name in ("flat", "level-hand"))
@@ -133,8 +173,11 @@ def test_what_is_found_by_trying_is_said_to_be_perhaps_not_all() -> None:
         "4 moves by 3 variables: looked for from 144 places, which may not find all",
     )
     assert inverse(solved, forward(solved, [0.3, 0.5, 0.1])).remarks == ()
-    pose[0, 3] += 2
-    assert "nothing that was tried leads there" in inverse(tried, pose).why
+    far, inside = pose.copy(), pose.copy()
+    far[0, 3] += 2
+    inside[:2, 3] = 0.3 * pose[:2, 0]
+    assert "nothing that was tried leads there" in inverse(tried, inside).why
+    assert inverse(tried, far).why.startswith("the point is 3.103 m from the first joint, and the links laid")
     pose[2, 3] = 0.1
     assert inverse(tried, pose).why == "z must be 0 m, is 0.1 m"
 
@@ -169,3 +212,54 @@ def test_variables_to_spare_of_a_coupled_arm_are_held_and_may_be_chosen() -> Non
     assert len(np.unique(np.round(many.q[:, 2], 6))) > 1
     for q in many:
         assert matrix(robot, q)[:3, 3] == pytest.approx(place, abs=1e-12)
+
+
+@pytest.mark.parametrize("name", COUPLED)
+def test_a_path_of_an_arm_with_more_moves_than_variables_stays_on_its_branch(name: str) -> None:
+    """The values that it was made from come back; of an arm with a joint to spare, with that one held."""
+    robot = built(name, *COUPLED[name])
+    begin, end = np.array([[0.3, 0.9, 0.2, 0.5, 0.6, 0.4], [0.8, 1.3, 0.5, 0.3, 1.0, 0.9]])[:, : len(robot.variables)]
+    q = begin + np.linspace(0, 1, 30)[:, None] * (end - begin)
+    hold = {"d4": float(q[0, 3])} if name == "lift-to-spare" else None
+    q[:, 3:4] = q[:1, 3:4] if hold else q[:, 3:4]
+    path = follow(robot, forward_batch(robot, q), q[0], hold=hold)
+    assert np.abs(path.q - q).max() < 1e-9
+    assert (path.lost, path.jumps, path.singular) == ((), (), ())
+
+
+def test_a_path_of_a_palletizer_goes_round_twice_jumps_and_goes_on_behind_poses_out_of_reach() -> None:
+    """As of every other arm: turns are counted, what is lost is told, and so is a step that no branch makes."""
+    robot = built("palletizer", *COUPLED["palletizer"])
+    q = np.array([0.2, 1.3, -0.3, 0.0]) + np.linspace(0, 1, 60)[:, None] * [4 * np.pi, -0.4, 0.2, -9.0]
+    poses = forward_batch(robot, q)
+    poses[20:23, 2, 3] += 3
+    path = follow(robot, poses, q[0])
+    assert path.lost == (20, 21, 22)
+    assert np.abs(np.delete(path.q - q, [20, 21, 22], axis=0)).max() < 1e-9
+    apart_ = follow(robot, forward_batch(robot, np.vstack([q[:10], q[40:45]])), q[0])
+    assert apart_.jumps == (10,)
+
+
+def test_a_path_may_hold_a_variable_that_moves_joints_together_with_others() -> None:
+    """q2 turns the second joint against the floor; the hand makes up for it."""
+    robot = built("rods", "q1 q2 q3", "0.4 0 0 q1", "0.3 0 0 q2-q1", "0.2 0 0 q3")
+    q = np.array([0.3, 0.8, 0.2]) + np.linspace(0, 1, 20)[:, None] * [0.5, 0.0, 0.3]
+    places = forward_batch(robot, q)[:, :3, 3]
+    assert follow(robot, places, q[0], task="position", hold={"q2": 0.8}).q == pytest.approx(q, abs=1e-9)
+
+
+def test_what_coupling_keeps_is_a_reason_and_what_nearly_reaches_is_told() -> None:
+    """A palletizer's hand hangs straight down though five moves of their own could tilt it."""
+    robot = built("palletizer", *COUPLED["palletizer"])
+    pose = matrix(robot, [0.3, 1.1, -0.2, 0.4])
+    for degrees in (10, 0.2):
+        turn = np.radians(degrees)
+        tilted = pose.copy()
+        tilted[:3, 1:3] = pose[:3, 1:3] @ [[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]]
+        found = inverse(robot, tilted)
+        assert f"the last z axis always points along -z, yours is {degrees}° off" in found.why
+        if degrees < 1:
+            assert found.closest is not None
+            assert np.abs(matrix(robot, found.closest) - tilted).max() < 0.005
+        else:
+            assert found.closest is None

@@ -27,7 +27,7 @@ from dhcli.kinematics.moves import Rot
 from dhcli.kinematics.playing import BLOCK
 from dhcli.kinematics.robot import Robot
 from dhcli.kinematics.values import numbers, parameter_values
-from dhcli.kinematics.velocity.analytic import TRIPLES, Triple
+from dhcli.kinematics.velocity.form import TRIPLES, Triple
 from dhcli.kinematics.velocity.jacobian import six_rows
 from dhcli.kinematics.velocity.view import MotionView, Viewing, joints_between, parts
 from dhcli.notation.parser import parse

@@ -14,7 +14,8 @@ from dhcli.classroom.folder import Folder
 from dhcli.classroom.grades import Graded, PartGrade
 from dhcli.classroom.report import ClassReport, report_on
 from dhcli.errors import Place, Problem
-from dhcli.render.look import Look, render
+from dhcli.render.kinds import render
+from dhcli.render.look import Look
 from dhcli.render.paper import Paper
 from dhcli.safe import csv_cell
 

@@ -9,17 +9,26 @@ count, in `mobility.slips`.
 from __future__ import annotations
 
 from dhcli.checking.diagnosis.mistakes.between_rows import BETWEEN_ROWS
-from dhcli.checking.diagnosis.mistakes.frames import OF_FRAMES
 from dhcli.checking.diagnosis.mistakes.in_terms import IN_TERMS
 from dhcli.checking.diagnosis.mistakes.matrices import IN_THE_WHOLE, IN_WRITING
 from dhcli.checking.diagnosis.mistakes.moves import IN_MOVES
-from dhcli.checking.diagnosis.mistakes.products import IN_PRODUCTS
+from dhcli.checking.diagnosis.mistakes.products import IN_PRODUCTS, OF_FRAMES
 from dhcli.checking.diagnosis.mistakes.record import Level, Mistake
 from dhcli.checking.diagnosis.mistakes.rows import IN_ROWS
+from dhcli.checking.diagnosis.mistakes.turns import IN_TURNS
 
 __all__ = ["BY_ID", "EVERY", "IN_TERMS", "MISTAKES", "Level", "Mistake"]
 
-MISTAKES = (*IN_THE_WHOLE, *OF_FRAMES, *IN_ROWS, *BETWEEN_ROWS, *IN_MOVES, *IN_PRODUCTS, *IN_WRITING)
+MISTAKES = (
+    *IN_THE_WHOLE,
+    *OF_FRAMES,
+    *IN_ROWS,
+    *IN_TURNS,
+    *BETWEEN_ROWS,
+    *IN_MOVES,
+    *IN_PRODUCTS,
+    *IN_WRITING,
+)
 """Every mistake about a matrix or a table, in the order in which they are tried and named."""
 
 EVERY = (*MISTAKES, *IN_TERMS)

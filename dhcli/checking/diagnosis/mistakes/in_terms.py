@@ -29,13 +29,7 @@ from dhcli.notation.writer import write
 
 @frozen
 class Among:
-    """What stands in the other entries, and how it is written.
-
-    Attributes:
-        angles: The joint angles.
-        lengths: The lengths.
-        writing: How joint angles are written.
-    """
+    """What stands in the other entries, and how it is written."""
 
     angles: tuple[str, ...] = ()
     lengths: tuple[Symbol, ...] = ()

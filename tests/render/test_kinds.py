@@ -9,30 +9,29 @@ from pathlib import Path
 import pytest
 
 from dhcli.errors import UnknownNameError
-from dhcli.render import look
+from dhcli.render import kinds
 from tests.cli.running import run
 
 ROOT = Path(__file__).parents[2]
 
 
-@pytest.mark.parametrize("where", sorted({*look._RENDERERS.values(), *look._CONTENTS.values()}))
+@pytest.mark.parametrize("where", sorted({*kinds._RENDERERS.values(), *(one.content for one in kinds._KINDS.values())}))
 def test_every_renderer_that_is_registered_exists(where: str) -> None:
     """They are imported late, so a misspelling would show late."""
     module, _, function = where.partition(":")
-    assert callable(getattr(import_module(module), function))
+    assert callable(getattr(import_module(f"dhcli.render.{module}"), function))
 
 
 def test_every_kind_has_a_table_and_json() -> None:
     """The two formats that always exist; a function is code, for which the terminal has no better form."""
-    assert {kind for kind, _ in look._RENDERERS} == set(look._CONTENTS) == set(look._NOUNS)
-    for kind in look._CONTENTS.keys() - {"function", "inverse function"}:
-        assert {"json", "table"} <= set(look.formats(kind))
+    for kind in kinds._KINDS.keys() - {"function", "inverse function"}:
+        assert {"json", "table"} <= set(kinds.formats(kind))
 
 
 def test_an_unknown_pair_lists_the_formats_there_are() -> None:
     """By the noun of the kind."""
     with pytest.raises(UnknownNameError, match=r"no format matlab for a robot .*json, table, latex, csv"):
-        look.check_format("robot", "matlab")
+        kinds.check_format("robot", "matlab")
 
 
 @pytest.fixture(autouse=True)
